@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The manual's table of parameters, as a visitor of their descriptions.
+#include "cli/manual.h"
+
+#include "core/report.h"
+#include "core/session.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string listText(std::span<const std::string> items) {
+  if (items.size() == 1) return items[0];
+  std::string text = "[";
+  for (const std::string& item : items) text += (text.size() > 1 ? ", " : "") + item;
+  return text + "]";
+}
+
+/// Each field becomes a row: name, default, range, unit, help.
+class ManualTable : public ParameterVisitor {
+ public:
+  explicit ManualTable(std::string heading) : m_heading(std::move(heading)) {}
+
+  void group(std::string_view name, std::string_view help) override {
+    m_text += "## " + (m_heading.empty() ? std::string(name) : m_heading) + "\n\n" +
+              std::string(help) +
+              "\n\n| field | default | allowed | unit | meaning |\n|---|---|---|---|---|\n";
+  }
+
+  [[nodiscard]] std::string text() const { return m_text + "\n"; }
+
+ protected:
+  void numbers(const Field& field, std::span<double> values, bool) override { row(field, values); }
+  void integers(const Field& field, std::span<int> values, bool) override { row(field, values); }
+  void flag(const Field& field, bool& value) override {
+    add(field, value ? "true" : "false", "true, false");
+  }
+  void text(const Field& field, std::string&) override { add(field, "", "text"); }
+  void choice(const Field& field, int& index) override {
+    std::string allowed;
+    for (const std::string_view name : field.choices)
+      allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+    add(field, std::string(field.choices[std::size_t(index)]), allowed);
+  }
+
+ private:
+  template <class Number>
+  void row(const Field& field, std::span<Number> values) {
+    const Range& range = field.range;
+    std::vector<std::string> defaults;
+    bool isGiven = true;
+    for (const Number value : values) {
+      defaults.push_back(numberText(value));
+      isGiven = isGiven && value >= range.min && value <= range.max;
+    }
+    std::string allowed = numberText(range.min) + " … " + numberText(range.max);
+    if (std::is_same_v<Number, int> && range.step > 1)
+      allowed += " in steps of " + numberText(range.step);
+    add(field, isGiven ? listText(defaults) : "not given", allowed);
+  }
+
+  void add(const Field& field, const std::string& value, const std::string& allowed) {
+    m_text += "| `" + std::string(field.name) + "` | " + value + " | " + allowed + " | " +
+              std::string(field.unit) + " | " + std::string(field.help) + " |\n";
+  }
+
+  std::string m_heading;
+  std::string m_text;
+};
+
+template <class Params>
+std::string table(Params params = {}, std::string heading = {}) {
+  ManualTable visitor(std::move(heading));
+  describe(visitor, params);
+  return visitor.text();
+}
+
+std::string lightFieldTable(Layout layout, std::string heading) {
+  LightFieldParams params;
+  params.layout = layout;
+  return table(params, std::move(heading));
+}
+
+}  // namespace
+
+std::string parameterManual() {
+  return "# Parameters of a session\n\n"
+         "Made by `hogelscope --help parameters`. Any of them can be given on the command line as\n"
+         "`--set section.field=value`; `camera`, `distortion` and `psf` then go to every state.\n"
+         "In a session document `camera`'s fields stand in the state itself, beside its\n"
+         "`distortion` and `psf`.\n\n" +
+         table<DisplayParams>() + lightFieldTable(Layout::hogels, "lightField") +
+         lightFieldTable(Layout::views, "lightField, layout views") +
+         lightFieldTable(Layout::quilt, "lightField, layout quilt") + table<SamplingParams>() +
+         table<CameraParams>() + table<DistortionParams>() + table<PsfParams>();
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line: one table of flags, from which parsing and help come.
+#include "cli/options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+
+#include "cli/manual.h"
+#include "core/error.h"
+#include "core/parameters.h"
+#include "core/pattern.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// One flag: what follows it, and what it does to the options. A command is a flag too.
+struct Flag {
+  std::string_view name;
+  std::string_view value;  ///< "" if none follows
+  std::string_view help;
+  std::function<void(Options&, const std::string&)> apply;
+};
+
+void choose(Options& options, Command command) {
+  if (options.command != Command::window && options.command != command)
+    throw InputError("command line", "asks for two jobs at once; give one of --render, --report, "
+                                     "--generate, --info");
+  options.command = command;
+}
+
+template <class Number>
+Number number(const std::string& text, const char* flag, Number least) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= least))
+    throw InputError(flag, "\"" + text + "\" is not a number from " + std::to_string(int(least)) +
+                               " on");
+  return value;
+}
+
+std::string oneOf(const std::string& text, const char* flag,
+                  const std::vector<std::string_view>& names) {
+  if (std::find(names.begin(), names.end(), text) != names.end()) return text;
+  std::string known;
+  for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+  throw InputError(flag, "\"" + text + "\" is not one of " + known);
+}
+
+const std::vector<Flag>& jobs() {
+  static const std::vector<Flag> flags{
+      {"render", "", "One picture for each camera state: DIR/<name>.png.",
+       [](Options& o, const std::string&) { choose(o, Command::render); }},
+      {"report", "", "Renders every state from the session's light field and from each test light "
+                     "field, and compares them: DIR/report.csv, DIR/report.html.",
+       [](Options& o, const std::string&) { choose(o, Command::report); }},
+      {"generate", "PATTERN", "Writes a test light field of the session's display: scene.",
+       [](Options& o, const std::string& v) {
+         choose(o, Command::generate);
+         o.pattern = oneOf(v, "--generate", patternNames());
+       }},
+      {"info", "FILE", "Says what a session, a light field's image or a folder of views is.",
+       [](Options& o, const std::string& v) {
+         choose(o, Command::info);
+         o.infoFile = v;
+       }},
+      {"help", "", "This text; --help parameters lists every parameter of a session.",
+       [](Options& o, const std::string&) { o.command = Command::help; }},
+      {"version", "", "The version.",
+       [](Options& o, const std::string&) { o.command = Command::version; }},
+  };
+  return flags;
+}
+
+const std::vector<Flag>& settings() {
+  static const std::vector<Flag> flags{
+      {"session", "FILE", "The session document.",
+       [](Options& o, const std::string& v) { o.session = v; }},
+      {"output", "PATH", "The folder (or for --generate the file) to write; it is made if missing.",
+       [](Options& o, const std::string& v) { o.output = v; }},
+      {"test", "LF", "--report: a light field to compare: an image, a folder or a session (its "
+                     "display and light field). Repeat it for more.",
+       [](Options& o, const std::string& v) { o.tests.push_back(v); }},
+      {"states", "GLOB", "Only the states whose name fits, such as 'Fig*'.",
+       [](Options& o, const std::string& v) { o.states = v; }},
+      {"set", "S.F=VALUE", "Overrides a parameter, such as psf.sigma=0.9 or camera.res=[300,300]; "
+                           "camera, distortion and psf go to every state. Repeat it for more.",
+       [](Options& o, const std::string& v) { o.overrides.push_back(v); }},
+      {"format", "png|exr|tif", "--render: EXR holds the unrounded values, TIFF 16 bits.",
+       [](Options& o, const std::string& v) { o.format = oneOf(v, "--format", {"png", "exr", "tif"}); }},
+      {"masks", "", "--render: also DIR/<name>.mask.png, white where the display is seen.",
+       [](Options& o, const std::string&) { o.masks = true; }},
+      {"images", "", "--report: also the pictures, DIR/reference and DIR/test1, test2, …",
+       [](Options& o, const std::string&) { o.images = true; }},
+      {"fail-below", "DB", "--report: exit status 1 if any PSNR is below.",
+       [](Options& o, const std::string& v) { o.failBelow = number(v, "--fail-below", 0.0); }},
+      {"threads", "N", "Threads to work with; all by default.",
+       [](Options& o, const std::string& v) { o.threads = number(v, "--threads", 1); }},
+      {"quiet", "", "Only errors.", [](Options& o, const std::string&) { o.quiet = true; }},
+  };
+  return flags;
+}
+
+const Flag& findFlag(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const auto* table : {&jobs(), &settings()}) {
+    for (const Flag& flag : *table) {
+      if (flag.name == name) return flag;
+      names.push_back(flag.name);
+    }
+  }
+  const std::string_view nearest = nearestName(name, names);
+  throw InputError("--" + name, nearest.empty() ? "is not a flag of ours; see --help"
+                                                : "is not a flag of ours; did you mean --" +
+                                                      std::string(nearest) + "?");
+}
+
+void refuseMissing(const Options& options) {
+  const auto need = [](const std::string& value, const char* flag, const char* what) {
+    if (value.empty()) throw InputError(flag, std::string("is missing: ") + what);
+  };
+  const bool isJob = options.command == Command::render || options.command == Command::report ||
+                     options.command == Command::generate;
+  if (isJob || options.command == Command::info) {
+    if (!options.files.empty())
+      throw InputError(options.files.front(), "stands alone on the command line; a session is given "
+                                              "as --session FILE");
+  }
+  if (!isJob) return;
+  need(options.session, "--session", "name the session document");
+  need(options.output, "--output", "name where the results go");
+  if (options.command == Command::report && options.tests.empty())
+    throw InputError("--test", "is missing: name a light field to compare with the session's");
+}
+
+/// `text`, broken at spaces to lines of at most 100 columns, the later ones indented.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  constexpr std::size_t width = 100;
+  std::string out;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::string_view wordText = text.substr(0, text.find(' '));
+    if (column + wordText.size() > width) {
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    out += std::string(wordText) + " ";
+    column += wordText.size() + 1;
+    text.remove_prefix(std::min(text.size(), wordText.size() + 1));
+  }
+  out.pop_back();
+  return out + "\n";
+}
+
+std::string flagTable(const std::vector<Flag>& flags) {
+  constexpr std::size_t indent = 26;
+  std::string text;
+  for (const Flag& flag : flags) {
+    std::string head = "  --" + std::string(flag.name);
+    if (!flag.value.empty()) head += " " + std::string(flag.value);
+    head.resize(std::max(head.size() + 2, indent), ' ');
+    text += head + wrapped(flag.help, indent);
+  }
+  return text;
+}
+
+}  // namespace
+
+Options parseOptions(const std::vector<std::string>& arguments) {
+  Options options;
+  for (auto at = arguments.begin(); at != arguments.end(); ++at) {
+    if (!at->starts_with("-") || *at == "-") {
+      options.files.push_back(*at);
+      continue;
+    }
+    if (!at->starts_with("--") && *at != "-h")
+      throw InputError(*at, "is not a flag of ours; flags begin with two dashes, see --help");
+    const std::size_t equals = at->find('=');
+    const std::string name = *at == "-h" ? "help" : at->substr(2, equals - 2);
+    const Flag& flag = findFlag(name);
+    std::string value;
+    if (flag.value.empty()) {
+      if (equals != std::string::npos) throw InputError("--" + name, "takes no value");
+    } else if (equals != std::string::npos) {
+      value = at->substr(equals + 1);
+    } else {
+      if (at + 1 == arguments.end())
+        throw InputError("--" + name, "needs a value: " + std::string(flag.value));
+      value = *++at;
+    }
+    flag.apply(options, value);
+  }
+  refuseMissing(options);
+  return options;
+}
+
+std::string helpText(const std::string& topic) {
+  if (topic == "parameters") return parameterManual();
+  if (!topic.empty())
+    throw InputError("--help " + topic, "there is no such topic; there is --help parameters");
+  return "hogelscope: what a viewer would see on a light field display that need not exist yet\n"
+         "\n"
+         "  hogelscope [SESSION.json]                                  opens the window\n"
+         "  hogelscope --render --session S.json --output DIR          one picture per camera state\n"
+         "  hogelscope --report --session S.json --test LF --output DIR\n"
+         "                                                             compares light fields\n"
+         "\n"
+         "Try it on the paper's six camera states, from the folder of the sources:\n"
+         "  hogelscope --render --session data/table1.json --output out --masks\n"
+         "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
+         "             --set sampling.mapping=direct --set psf.windowSize=1\n"
+         "  hogelscope --info data/table1.json\n"
+         "\n"
+         "Jobs:\n" +
+         flagTable(jobs()) + "\nSettings:\n" + flagTable(settings()) +
+         "\n"
+         "Exit status: 0 done, 1 a gate failed (--fail-below), 2 bad input, 3 internal error.\n"
+         "Errors go to stderr as hogelscope: FILE: WHAT: WHY.\n";
+}
+
+}  // namespace hogelscope

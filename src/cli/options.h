@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line (DESIGN §5), as a value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hogelscope {
+
+enum class Command { window, render, report, generate, info, help, version };
+
+struct Options {
+  Command command = Command::window;
+  std::string session;
+  std::string output;
+  std::string pattern;             ///< --generate
+  std::string infoFile;            ///< --info
+  std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help
+  std::vector<std::string> tests;
+  std::vector<std::string> overrides;  ///< --set
+  std::string states = "*";
+  std::string format = "png";
+  std::optional<double> failBelow;  ///< dB
+  int threads = 0;                  ///< 0: all
+  bool masks = false;
+  bool images = false;
+  bool quiet = false;
+};
+
+/// Throws InputError: an unknown flag (with the nearest one), a missing or a wrong value.
+Options parseOptions(const std::vector<std::string>& arguments);
+
+/// What --help prints; `topic` is "" or "parameters".
+std::string helpText(const std::string& topic);
+
+}  // namespace hogelscope

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A progress bar on a terminal, and Ctrl-C as a clean stop.
+#pragma once
+
+#include <string>
+
+#include "core/progress.h"
+
+namespace hogelscope {
+
+class ProgressBar {
+ public:
+  /// Draws only where stderr is a terminal and not `quiet`.
+  ProgressBar(std::string what, bool quiet);
+
+  /// Draws, and says stop after Ctrl-C or SIGTERM.
+  [[nodiscard]] Progress progress();
+  /// Wipes the bar.
+  void done();
+
+ private:
+  void draw(double fraction);
+
+  std::string m_what;
+  bool m_isShown;
+  int m_percent = -1;
+};
+
+/// From now on SIGINT and SIGTERM make every Progress say stop; a second one ends at once.
+void catchSignals();
+/// The signal that came, or 0.
+int caughtSignal();
+
+}  // namespace hogelscope

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture that a camera state takes: 8-bit RGB and the mask of the pixels seen.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/light_field.h"
+
+namespace hogelscope {
+
+/// Row 0 is the top. Not seen = black, and 0 in the mask; seen = 255.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;   ///< 3·width·height
+  std::vector<std::uint8_t> seen;  ///< width·height
+
+  Image() = default;
+  Image(int w, int h)
+      : width(w), height(h), rgb(3 * std::size_t(w) * std::size_t(h)), seen(rgb.size() / 3) {}
+  [[nodiscard]] std::size_t pixelCount() const { return seen.size(); }
+  bool operator==(const Image&) const = default;
+};
+
+/// Code value to 8 bits: rounds half up, limits to 0 … 255.
+std::uint8_t quantised(double codeValue);
+
+}  // namespace hogelscope

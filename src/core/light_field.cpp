@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light field: every hogel's directional pixels, in memory.
+#include "core/light_field.h"
+
+#include <stdexcept>
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> layoutNames{"hogels", "views", "quilt"};
+constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
+constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
+
+double codeValue(std::uint8_t stored) { return stored; }
+double codeValue(std::uint16_t stored) { return stored / 257.0; }
+double codeValue(float stored) { return static_cast<double>(stored) * 255.0; }
+
+}  // namespace
+
+void describe(ParameterVisitor& v, LightFieldParams& p) {
+  auto& [file, layout, incoming, rows, columns, pattern, shear, quiltColumns, quiltRows] = p;
+  v.group("lightField", "The display's content: a file and how it is laid out.");
+  v.field("file", file,
+          "Image (hogels, quilt), folder or %-pattern of images (views); relative to the session.");
+  v.field("layout", layout, layoutNames,
+          "One image of hogel tiles, a folder of views (sub-aperture images), or a quilt of views.");
+  v.field("incoming", incoming,
+          "Directions were recorded looking into the scene: both u and v are flipped.");
+  if (layout == Layout::views) {
+    v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
+    v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
+    v.field("pattern", pattern,
+            "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
+            "a coordinate, * anything. Empty: the known ones are tried.");
+    v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
+            "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
+            "by whole pixels, rounded.");
+  }
+  if (layout == Layout::quilt) {
+    v.field("columns", quiltColumns, {1, 4096, 1}, "views",
+            "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
+    v.field("rows", quiltRows, {1, 4096, 1}, "views", "Rows of views, the first one at the bottom.");
+  }
+}
+
+LightField::LightField(LightFieldSize size, Values values)
+    : m_size(size), m_values(std::move(values)) {
+  const std::size_t count = std::visit([](const auto& list) { return list.size(); }, m_values);
+  if (count != 3 * size.width() * size.height())
+    throw std::invalid_argument("LightField: not three values for each directional pixel");
+}
+
+Rgb LightField::texel(const TexelIndex& at) const {
+  const std::size_t column = std::size_t(at.i) * std::size_t(m_size.du) + std::size_t(at.u);
+  const std::size_t row = std::size_t(at.j) * std::size_t(m_size.dv) + std::size_t(at.v);
+  const std::size_t first = 3 * (row * m_size.width() + column);
+  return std::visit(
+      [first](const auto& list) {
+        return Rgb{codeValue(list[first]), codeValue(list[first + 1]), codeValue(list[first + 2])};
+      },
+      m_values);
+}
+
+}  // namespace hogelscope

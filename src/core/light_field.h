@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light field: every hogel's directional pixels, in memory. First on the line
+// LightField → Display → Camera → Distortion → PSF → Image → Metrics → Report.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/parameters.h"
+
+namespace hogelscope {
+
+enum class Layout { hogels, views, quilt };
+enum class RowOrder { topDown, bottomUp };
+enum class ColumnOrder { leftRight, rightLeft };
+
+/// The session's `lightField`: where the content is and how its file is laid out (DESIGN §3).
+struct LightFieldParams {
+  std::string file;
+  Layout layout = Layout::hogels;
+  bool incoming = false;
+  RowOrder rows = RowOrder::topDown;
+  ColumnOrder columns = ColumnOrder::leftRight;
+  std::string pattern;
+  std::array<double, 2> shear{0, 0};
+  int quiltColumns = 0;
+  int quiltRows = 0;
+  bool operator==(const LightFieldParams&) const = default;
+};
+
+/// Visits only the fields that the layout has.
+void describe(ParameterVisitor& v, LightFieldParams& p);
+
+/// nx × ny hogels of du × dv directional pixels.
+struct LightFieldSize {
+  int nx = 0;
+  int ny = 0;
+  int du = 0;
+  int dv = 0;
+  [[nodiscard]] std::size_t width() const { return std::size_t(nx) * std::size_t(du); }
+  [[nodiscard]] std::size_t height() const { return std::size_t(ny) * std::size_t(dv); }
+  bool operator==(const LightFieldSize&) const = default;
+};
+
+/// Which directional pixel: hogel (i, j) from the panel's top left, direction (u, v): u grows for
+/// light leaving to the right, v = 0 leaves upwards.
+struct TexelIndex {
+  int i = 0;
+  int j = 0;
+  int u = 0;
+  int v = 0;
+  bool operator==(const TexelIndex&) const = default;
+};
+
+/// Red, green, blue in code values: 0 … 255 is the range of an 8-bit picture, fractions kept.
+struct Rgb {
+  double r = 0;
+  double g = 0;
+  double b = 0;
+  bool operator==(const Rgb&) const = default;
+};
+
+constexpr Rgb operator+(const Rgb& a, const Rgb& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+constexpr Rgb operator*(double s, const Rgb& c) { return {s * c.r, s * c.g, s * c.b}; }
+
+/// Three values a texel, in the raster of the hogel image: texel (i, j, u, v) is at column
+/// i·du + u, row j·dv + v. 16-bit values are /257 code values, floating ones ·255.
+class LightField {
+ public:
+  using Values =
+      std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
+
+  /// Throws std::invalid_argument unless there are 3·width·height values.
+  LightField(LightFieldSize size, Values values);
+
+  [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  /// The index must lie in the light field.
+  [[nodiscard]] Rgb texel(const TexelIndex& at) const;
+
+ private:
+  LightFieldSize m_size;
+  Values m_values;
+};
+
+}  // namespace hogelscope

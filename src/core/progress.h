@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long work tells where it stands and hears that it should stop.
+#pragma once
+
+#include <functional>
+
+#include "core/error.h"
+
+namespace hogelscope {
+
+/// Takes the done fraction, 0 … 1; returns false to stop. May be empty. Called from the thread that
+/// does the work.
+using Progress = std::function<bool(double done)>;
+
+/// Throws Cancelled where the answer is stop.
+inline void advance(const Progress& progress, double done) {
+  if (progress && !progress(done)) throw Cancelled();
+}
+
+/// The part [from, to] of a longer work.
+inline Progress part(const Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [=](double done) { return whole(from + (to - from) * done); };
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The session's `sampling`: how rays are taken through the lens and turned into pixels.
+#pragma once
+
+#include "core/parameters.h"
+
+namespace hogelscope {
+
+enum class LensMapping { exact, direct };
+enum class Reconstruction { nearest, bilinear, quadrilinear };
+
+struct SamplingParams {
+  LensMapping mapping = LensMapping::exact;
+  Reconstruction reconstruction = Reconstruction::nearest;
+  int samplesPerPixel = 1;
+  bool operator==(const SamplingParams&) const = default;
+};
+
+void describe(ParameterVisitor& v, SamplingParams& p);
+
+}  // namespace hogelscope

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rules of a session that no single field can know.
+#include "core/session.h"
+
+#include <cstdio>
+#include <map>
+
+#include "core/error.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string statePath(std::size_t index) { return "cameras[" + std::to_string(index) + "]"; }
+
+/// A state's name is also a file's name: NAME.png and NAME.mask.png.
+void checkName(const std::string& name, const std::string& path) {
+  constexpr std::size_t longest = 200;
+  const auto refuse = [&](const std::string& why) { throw InputError(path + ".name", why); };
+  if (name.empty()) refuse("is missing: every state has a name of its own");
+  if (name.size() > longest) refuse("is longer than 200 bytes");
+  for (const char c : name)
+    if (static_cast<unsigned char>(c) < 32 || c == '/' || c == '\\' || c == 127)
+      refuse("has a slash or a control character; it names the picture's file");
+  if (name.front() == '.') refuse("begins with a dot; it names the picture's file");
+  if (name.ends_with(".mask")) refuse("ends with .mask, which names the masks");
+}
+
+}  // namespace
+
+void check(const CameraState& state, const std::string& path) {
+  checkName(state.camera.name, path);
+  try {
+    const Camera camera(state.camera);
+  } catch (const InputError& error) {
+    throw InputError(path + "." + error.what(), "");
+  }
+  if (state.psf.windowSize > 1 && !(state.psf.sigma > 0))
+    throw InputError(path + ".psf.sigma",
+                     "is 0 with a windowSize of " + std::to_string(state.psf.windowSize) +
+                         ": give a sigma above 0, or windowSize 1 for no leakage");
+}
+
+void check(const Session& session) {
+  if (session.lightField.file.empty())
+    throw InputError("lightField.file", "is missing: name the image or folder to show");
+  const bool given = session.display.hogels[0] > 0 && session.display.directions[0] > 0;
+  if (session.lightField.layout == Layout::hogels && !given)
+    throw InputError(session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
+                     "is missing: a hogel image does not say it");
+  if (session.cameras.empty())
+    throw InputError("cameras", "is empty: give at least one camera state");
+  std::map<std::string, std::size_t> seen;
+  for (std::size_t index = 0; index < session.cameras.size(); ++index) {
+    const CameraState& state = session.cameras[index];
+    check(state, statePath(index));
+    const auto [first, isNew] = seen.emplace(state.camera.name, index);
+    if (!isNew)
+      throw InputError(statePath(index) + ".name", "\"" + state.camera.name + "\" is also " +
+                                                       statePath(first->second) +
+                                                       "; every state has a name of its own");
+  }
+}
+
+std::vector<std::string> warnings(const Session& session) {
+  std::vector<std::string> lines;
+  for (const CameraState& state : session.cameras) {
+    const double energy = energyInWindow(state.psf);
+    if (energy >= 0.99) continue;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  ": psf: a window of %d keeps %.1f %% of the Gaussian of sigma %g; widen it",
+                  state.psf.windowSize, 100 * energy, state.psf.sigma);
+    lines.push_back(state.camera.name + text.data());
+  }
+  return lines;
+}
+
+DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile) {
+  const auto agree = [](std::array<int, 2> given, std::array<int, 2> found, const char* what) {
+    if (given[0] > 0 && given != found) {
+      const auto text = [](std::array<int, 2> n) {
+        return std::to_string(n[0]) + "×" + std::to_string(n[1]);
+      };
+      throw InputError(what, "is " + text(given) + ", but the light field has " + text(found));
+    }
+    return found;
+  };
+  DisplayParams result = display;
+  result.hogels = agree(display.hogels, {fromFile.nx, fromFile.ny}, "display.hogels");
+  result.directions = agree(display.directions, {fromFile.du, fromFile.dv}, "display.directions");
+  return result;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts the desktop app.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hogelscope {
+
+/// Opens the window, with the first of `files` as its session; returns the exit status.
+int runWindow(int argc, char** argv, const std::vector<std::string>& files);
+
+}  // namespace hogelscope

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture files, through OpenImageIO: reading any, writing ours.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/image.h"
+#include "core/light_field.h"
+#include "core/progress.h"
+
+namespace hogelscope {
+
+enum class StoredType { uint8, uint16, real };
+
+/// An opened picture file; every error names it. Grey becomes RGB, alpha is light over black.
+class ImageFile {
+ public:
+  explicit ImageFile(const std::filesystem::path& file);
+  ~ImageFile();
+  ImageFile(ImageFile&&) noexcept;
+  ImageFile& operator=(ImageFile&&) = delete;
+
+  [[nodiscard]] std::size_t width() const;
+  [[nodiscard]] std::size_t height() const;
+  [[nodiscard]] int channels() const;
+  [[nodiscard]] StoredType type() const;
+  [[nodiscard]] std::string format() const;  ///< such as "png"
+
+  /// All pixels, row by row from the top, as `type`. Throws InputError: damaged, not a number,
+  /// more than this machine's memory.
+  [[nodiscard]] LightField::Values read(StoredType type, const Progress& progress);
+
+  [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
+
+ private:
+  template <class T>
+  std::vector<T> readAs(const Progress& progress);
+
+  struct Input;
+  std::filesystem::path m_file;
+  std::unique_ptr<Input> m_input;
+};
+
+/// Throws InputError where `bytes` are more than this machine's memory.
+void checkFits(std::size_t bytes, const std::filesystem::path& file);
+
+/// 8-bit RGB. Format by extension.
+void writeImage(const std::filesystem::path& file, int width, int height,
+                std::span<const std::uint8_t> rgb);
+/// Code values: EXR keeps them as floats /255, TIFF rounds them to 16 bits.
+void writeImage(const std::filesystem::path& file, int width, int height,
+                std::span<const float> rgb);
+/// 8-bit grey.
+void writeMask(const std::filesystem::path& file, int width, int height,
+               std::span<const std::uint8_t> grey);
+
+/// 8-bit RGB of any size, row by row, in bounded memory.
+class ImageRowWriter {
+ public:
+  ImageRowWriter(const std::filesystem::path& file, std::size_t width, std::size_t height);
+  ~ImageRowWriter();
+  ImageRowWriter(const ImageRowWriter&) = delete;
+  ImageRowWriter& operator=(const ImageRowWriter&) = delete;
+  /// 3·width values.
+  void write(std::span<const std::uint8_t> row);
+  void finish();
+
+ private:
+  struct Output;
+  std::unique_ptr<Output> m_output;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each layout in turn: where its files have direction (u, v) of hogel (i, j).
+#include "io/light_field_file.h"
+
+#include <cmath>
+#include <filesystem>
+#include <regex>
+
+#include "core/error.h"
+#include "io/image_file.h"
+#include "io/view_files.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string pixels(std::size_t width, std::size_t height) {
+  return std::to_string(width) + "×" + std::to_string(height);
+}
+
+/// Puts texels where the hogel image's raster has them; flips directions that were recorded
+/// looking into the scene.
+template <class T>
+class TexelWriter {
+ public:
+  TexelWriter(std::vector<T>& values, const LightFieldSize& size, bool incoming)
+      : m_values(values), m_size(size), m_incoming(incoming) {}
+
+  void put(TexelIndex at, const T* rgb) {
+    if (m_incoming) {
+      at.u = m_size.du - 1 - at.u;
+      at.v = m_size.dv - 1 - at.v;
+    }
+    const std::size_t column = std::size_t(at.i) * std::size_t(m_size.du) + std::size_t(at.u);
+    const std::size_t row = std::size_t(at.j) * std::size_t(m_size.dv) + std::size_t(at.v);
+    std::copy_n(rgb, 3, m_values.data() + 3 * (row * m_size.width() + column));
+  }
+
+ private:
+  std::vector<T>& m_values;
+  LightFieldSize m_size;
+  bool m_incoming;
+};
+
+/// Black values of the type that `like` holds.
+LightField::Values blank(const LightField::Values& like, const LightFieldSize& size,
+                         const fs::path& file) {
+  return std::visit(
+      [&](const auto& list) -> LightField::Values {
+        using List = std::decay_t<decltype(list)>;
+        const std::size_t count = 3 * size.width() * size.height();
+        checkFits(count * sizeof(typename List::value_type), file);
+        return List(count);
+      },
+      like);
+}
+
+/// Copies `width`×`height` pixels of one picture; `target(x, y)` says which texel pixel (x, y) is,
+/// or none.
+template <class Target>
+void place(const LightField::Values& picture, int width, int height, LightField::Values& values,
+           const LightFieldSize& size, bool incoming, Target target) {
+  std::visit(
+      [&](auto& list) {
+        using List = std::decay_t<decltype(list)>;
+        TexelWriter writer(list, size, incoming);
+        auto source = std::get<List>(picture).data();
+        for (int y = 0; y < height; ++y)
+          for (int x = 0; x < width; ++x, source += 3)
+            if (const std::optional<TexelIndex> at = target(x, y)) writer.put(*at, source);
+      },
+      values);
+}
+
+class HogelImage : public LightFieldFile {
+ public:
+  HogelImage(const LightFieldParams& params, const DisplayParams& display)
+      : m_params(params),
+        m_image(params.file),
+        m_size{display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]} {
+    if (m_image.width() != m_size.width() || m_image.height() != m_size.height())
+      throw InputError(params.file, "size",
+                       "is " + pixels(m_image.width(), m_image.height()) + " px, but " +
+                           pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)) + " hogels of " +
+                           pixels(std::size_t(m_size.du), std::size_t(m_size.dv)) +
+                           " directions need " + pixels(m_size.width(), m_size.height()));
+  }
+
+  [[nodiscard]] LightFieldSize size() const override { return m_size; }
+
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    LightField::Values raster = m_image.read(m_image.type(), progress);
+    if (!m_params.incoming) return {m_size, std::move(raster)};
+    LightField::Values values = blank(raster, m_size, m_params.file);
+    place(raster, int(m_size.width()), int(m_size.height()), values, m_size, true,
+          [this](int x, int y) {
+            return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du,
+                                            y % m_size.dv});
+          });
+    return {m_size, std::move(values)};
+  }
+
+ private:
+  LightFieldParams m_params;
+  ImageFile m_image;
+  LightFieldSize m_size;
+};
+
+class ViewsFolder : public LightFieldFile {
+ public:
+  ViewsFolder(const LightFieldParams& params, const DisplayParams& display)
+      : m_params(params), m_views(findViews(params, display.directions)) {
+    const ImageFile first(m_views.files.front());
+    m_type = first.type();
+    m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
+  }
+
+  [[nodiscard]] LightFieldSize size() const override { return m_size; }
+
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    LightField::Values values;
+    const std::size_t count = m_views.files.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      advance(progress, double(k) / double(count));
+      const LightField::Values picture = readView(m_views.files[k]);
+      if (k == 0) values = blank(picture, m_size, m_params.file);
+      placeView(picture, int(k) / m_views.columns, int(k) % m_views.columns, values);
+    }
+    return {m_size, std::move(values)};
+  }
+
+ private:
+  LightField::Values readView(const fs::path& file) const {
+    ImageFile image(file);
+    if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
+      throw InputError(file.string(), "size",
+                       "is " + pixels(image.width(), image.height()) + " px, but the first view is " +
+                           pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)));
+    return image.read(m_type, {});
+  }
+
+  void placeView(const LightField::Values& picture, int row, int column,
+                 LightField::Values& values) const {
+    const int u = m_params.columns == ColumnOrder::leftRight ? column : m_size.du - 1 - column;
+    const int v = m_params.rows == RowOrder::topDown ? row : m_size.dv - 1 - row;
+    const int right = int(std::floor(m_params.shear[0] * (u - (m_size.du - 1) / 2.0) + 0.5));
+    const int down = int(std::floor(m_params.shear[1] * (v - (m_size.dv - 1) / 2.0) + 0.5));
+    place(picture, m_size.nx, m_size.ny, values, m_size, m_params.incoming,
+          [&](int x, int y) -> std::optional<TexelIndex> {
+            const TexelIndex at{x + right, y + down, u, v};
+            if (at.i < 0 || at.i >= m_size.nx || at.j < 0 || at.j >= m_size.ny) return std::nullopt;
+            return at;
+          });
+  }
+
+  LightFieldParams m_params;
+  ViewFiles m_views;
+  StoredType m_type{};
+  LightFieldSize m_size;
+};
+
+/// One row of views from the left; the picture has them row by row from the bottom left.
+class QuiltImage : public LightFieldFile {
+ public:
+  explicit QuiltImage(const LightFieldParams& params) : m_params(params), m_image(params.file) {
+    const auto [columns, rows] = quiltTilesFromName(params.file);
+    m_columns = params.quiltColumns > 0 ? params.quiltColumns : columns;
+    m_rows = params.quiltRows > 0 ? params.quiltRows : rows;
+    if (m_columns < 1 || m_rows < 1)
+      throw InputError(params.file, "lightField.columns",
+                       "and rows are not given, and the file's name has no _qs{columns}x{rows}a{aspect}");
+    const auto tilesX = std::size_t(m_columns);
+    const auto tilesY = std::size_t(m_rows);
+    if (m_image.width() % tilesX != 0 || m_image.height() % tilesY != 0)
+      throw InputError(params.file, "size",
+                       "is " + pixels(m_image.width(), m_image.height()) +
+                           " px, which does not divide into " + pixels(tilesX, tilesY) + " views");
+    m_size = {int(m_image.width() / tilesX), int(m_image.height() / tilesY), m_columns * m_rows, 1};
+  }
+
+  [[nodiscard]] LightFieldSize size() const override { return m_size; }
+
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    const LightField::Values picture = m_image.read(m_image.type(), progress);
+    LightField::Values values = blank(picture, m_size, m_params.file);
+    place(picture, m_size.nx * m_columns, m_size.ny * m_rows, values, m_size, m_params.incoming,
+          [this](int x, int y) {
+            const int rowFromBottom = m_rows - 1 - y / m_size.ny;
+            return std::optional(TexelIndex{x % m_size.nx, y % m_size.ny,
+                                            rowFromBottom * m_columns + x / m_size.nx, 0});
+          });
+    return {m_size, std::move(values)};
+  }
+
+ private:
+  LightFieldParams m_params;
+  ImageFile m_image;
+  int m_columns = 0;
+  int m_rows = 0;
+  LightFieldSize m_size;
+};
+
+}  // namespace
+
+std::array<int, 2> quiltTilesFromName(const std::string& file) {
+  static const std::regex suffix(R"(.*_qs(\d{1,4})x(\d{1,4})a[0-9.]+)");
+  std::smatch groups;
+  const std::string stem = fs::path(file).stem().string();
+  if (!std::regex_match(stem, groups, suffix)) return {0, 0};
+  return {std::stoi(groups[1]), std::stoi(groups[2])};
+}
+
+std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
+                                               const DisplayParams& display) {
+  switch (params.layout) {
+    case Layout::views: return std::make_unique<ViewsFolder>(params, display);
+    case Layout::quilt: return std::make_unique<QuiltImage>(params);
+    default: return std::make_unique<HogelImage>(params, display);
+  }
+}
+
+Scene loadScene(const Session& session, const Progress& progress) {
+  const auto file = openLightField(session.lightField, session.display);
+  Scene scene{nullptr, {}, session.sampling};
+  try {
+    scene.display = resolved(session.display, file->size());
+  } catch (const InputError& error) {
+    throw error.in(session.lightField.file);
+  }
+  scene.lightField = std::make_shared<const LightField>(file->read(progress));
+  return scene;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light field files: any layout of DESIGN §3 becomes a LightField in memory.
+#pragma once
+
+#include <memory>
+
+#include "core/display.h"
+#include "core/light_field.h"
+#include "core/progress.h"
+#include "core/simulate.h"
+
+namespace hogelscope {
+
+/// A light field whose files have been found and opened, but not read.
+class LightFieldFile {
+ public:
+  virtual ~LightFieldFile() = default;
+  [[nodiscard]] virtual LightFieldSize size() const = 0;
+  /// Throws InputError, or Cancelled.
+  [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
+};
+
+/// Throws InputError that names the file: missing, damaged, or not the display's size.
+std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
+                                               const DisplayParams& display);
+
+/// What the views of a session's states have in common: read once, shared.
+struct Scene {
+  std::shared_ptr<const LightField> lightField;
+  DisplayParams display;  ///< resolved
+  SamplingParams sampling;
+
+  [[nodiscard]] View view(const CameraState& state) const {
+    return {lightField, display, sampling, state};
+  }
+};
+
+/// Reads the session's light field. Throws InputError, or Cancelled.
+Scene loadScene(const Session& session, const Progress& progress);
+
+/// Columns and rows that a quilt's name says (…_qs8x6a0.75.png); 0 where it does not.
+std::array<int, 2> quiltTilesFromName(const std::string& file);
+
+}  // namespace hogelscope

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Session documents, read and written through the parameter descriptions.
+#include "io/session_file.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/json_parameters.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int documentVersion = 1;
+constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField", "sampling"};
+constexpr std::array<std::string_view, 3> stateSections{"camera", "distortion", "psf"};
+
+template <class Params>
+void readSection(JsonReader& parent, const char* name, Params& params) {
+  const Json* object = parent.section(name);
+  if (object == nullptr) return;
+  JsonReader reader(*object, parent.pathOf(name));
+  describe(reader, params);
+  reader.refuseUnknown();
+}
+
+CameraState readState(const Json& object, const std::string& path) {
+  CameraState state;
+  JsonReader reader(object, path);
+  describe(reader, state.camera);
+  readSection(reader, "distortion", state.distortion);
+  readSection(reader, "psf", state.psf);
+  reader.refuseUnknown();
+  return state;
+}
+
+void checkVersion(const Json* version) {
+  const std::string wanted = "\"hogelscope\": " + std::to_string(documentVersion);
+  if (version == nullptr) throw InputError("hogelscope", "is missing: a session says " + wanted);
+  if (*version != documentVersion)
+    throw InputError("hogelscope", version->dump() + " is not a version that this program reads: " +
+                                       wanted);
+}
+
+Session readSession(const Json& document) {
+  Session session;
+  JsonReader reader(document, "");
+  checkVersion(reader.section("hogelscope"));
+  readSection(reader, "display", session.display);
+  readSection(reader, "lightField", session.lightField);
+  readSection(reader, "sampling", session.sampling);
+  if (const Json* cameras = reader.section("cameras"); cameras != nullptr) {
+    if (!cameras->is_array()) throw InputError("cameras", "is not a list of camera states");
+    for (std::size_t k = 0; k < cameras->size(); ++k)
+      session.cameras.push_back(readState((*cameras)[k], "cameras[" + std::to_string(k) + "]"));
+  }
+  reader.refuseUnknown();
+  check(session);
+  return session;
+}
+
+/// --set section.field=value, done to the document so that one reader checks it all.
+void applyOverride(Json& document, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.find('.');
+  const InputError malformed("--set " + text, "is not of the form section.field=value");
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals) throw malformed;
+  const std::string section = text.substr(0, dot);
+  const std::string field = text.substr(dot + 1, equals - dot - 1);
+  const std::string written = text.substr(equals + 1);
+  Json value = Json::parse(written, nullptr, false);
+  if (value.is_discarded()) value = written;
+
+  const auto isOneOf = [&section](const auto& names) {
+    return std::find(names.begin(), names.end(), section) != names.end();
+  };
+  if (isOneOf(sharedSections)) {
+    if (document.is_object() && (!document.contains(section) || document[section].is_object()))
+      document[section][field] = value;
+    return;
+  }
+  if (!isOneOf(stateSections))
+    throw InputError("--set " + text, "there is no section \"" + section +
+                                          "\": display, lightField, sampling, camera, distortion, psf");
+  if (!document.is_object() || !document.contains("cameras")) return;
+  for (Json& state : document["cameras"]) {
+    if (!state.is_object()) continue;
+    Json& target = section == "camera" ? state : state[section];
+    if (target.is_object() || target.is_null()) target[field] = value;
+  }
+}
+
+template <class Params>
+Json written(Params params) {
+  Json object = Json::object();
+  JsonWriter writer(object);
+  describe(writer, params);
+  return object;
+}
+
+Json writtenState(const CameraState& state) {
+  Json object = written(state.camera);
+  object["distortion"] = written(state.distortion);
+  object["psf"] = written(state.psf);
+  return object;
+}
+
+/// `file`, seen from the document's folder.
+std::string relativeTo(const fs::path& document, const std::string& file) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(document).parent_path();
+  const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(
+      folder.lexically_normal());
+  return relative.empty() ? fs::absolute(file).string() : relative.string();
+}
+
+}  // namespace
+
+Session loadSession(const fs::path& file, const std::vector<std::string>& overrides) {
+  try {
+    Json document = parseJson(readTextFile(file));
+    for (const std::string& text : overrides) applyOverride(document, text);
+    Session session = readSession(document);
+    session.lightField.file = (file.parent_path() / session.lightField.file).lexically_normal();
+    return session;
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+void saveSession(const fs::path& file, const Session& session) {
+  Json document = Json::object();
+  document["hogelscope"] = documentVersion;
+  document["display"] = written(session.display);
+  LightFieldParams lightField = session.lightField;
+  lightField.file = relativeTo(file, lightField.file);
+  document["lightField"] = written(lightField);
+  document["sampling"] = written(session.sampling);
+  document["cameras"] = Json::array();
+  for (const CameraState& state : session.cameras)
+    document["cameras"].push_back(writtenState(state));
+  writeTextFile(file, formatJson(document));
+}
+
+bool isSessionFile(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension == ".json";
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Session documents (DESIGN §3): loading whole or not at all, saving without losing the old one.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/session.h"
+
+namespace hogelscope {
+
+/// `overrides` are of the form section.field=value, value as in JSON (a text needs no quotes);
+/// camera, distortion and psf go to every state. The light field's file becomes relative to the
+/// current folder instead of the document. Throws InputError that names the document.
+Session loadSession(const std::filesystem::path& file,
+                    const std::vector<std::string>& overrides = {});
+
+/// The light field's file is written relative to the document. Throws InputError.
+void saveSession(const std::filesystem::path& file, const Session& session);
+
+/// Is it a session document, by its name?
+bool isSessionFile(const std::filesystem::path& file);
+
+}  // namespace hogelscope

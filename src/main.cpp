@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program: batch mode where the command line asks for a job, else the window. The one place
+// where errors become a line and an exit status.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "cli/batch.h"
+#include "cli/progress_bar.h"
+#include "core/error.h"
+#include "gui/application.h"
+
+namespace {
+
+enum ExitStatus { done = 0, gateFailed = 1, badInput = 2, internalError = 3 };
+
+int run(int argc, char** argv) {
+  const hogelscope::Options options = hogelscope::parseOptions({argv + 1, argv + argc});
+  if (options.command == hogelscope::Command::window)
+    return hogelscope::runWindow(argc, argv, options.files);
+  hogelscope::catchSignals();
+  return hogelscope::runBatch(options);
+}
+
+/// Ends as the signal would have, so that a calling script sees it.
+int stopped() {
+  std::fprintf(stderr, "\nhogelscope: stopped; what is finished is kept\n");
+  const int signal = hogelscope::caughtSignal();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+  return internalError;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const hogelscope::InputError& error) {
+    std::fprintf(stderr, "hogelscope: %s\n", error.what());
+    return badInput;
+  } catch (const hogelscope::Cancelled&) {
+    return stopped();
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "hogelscope: memory: not enough for this light field and these pictures\n");
+    return badInput;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hogelscope: internal error: %s\n", error.what());
+    return internalError;
+  }
+}

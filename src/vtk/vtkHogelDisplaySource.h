@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHogelDisplaySource
+ * @brief   the panel and its hogel grid as polygonal data, in the world
+ *
+ * Port 0: the panel, one quad whose texture coordinates have (0, 0) at its lower left. Port 1: the
+ * borders of the hogels as lines; where there are more than MaximumLines across or down, every 2nd,
+ * 4th, 8th … is drawn.
+ */
+#ifndef vtkHogelDisplaySource_h
+#define vtkHogelDisplaySource_h
+
+#include <vtkPolyDataAlgorithm.h>
+
+#include "core/display.h"
+#include "hogelscope_vtkModule.h"  // for export macro
+
+class HOGELSCOPE_VTK_EXPORT vtkHogelDisplaySource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHogelDisplaySource* New();
+  vtkTypeMacro(vtkHogelDisplaySource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetDisplay(const hogelscope::DisplayParams& display);
+
+  ///@{
+  /**
+   * Grid lines across and down, at most. 64 by default.
+   */
+  vtkSetClampMacro(MaximumLines, int, 2, VTK_INT_MAX);
+  vtkGetMacro(MaximumLines, int);
+  ///@}
+
+protected:
+  vtkHogelDisplaySource();
+  ~vtkHogelDisplaySource() override = default;
+
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+
+private:
+  vtkHogelDisplaySource(const vtkHogelDisplaySource&) = delete;
+  void operator=(const vtkHogelDisplaySource&) = delete;
+
+  hogelscope::DisplayParams Display;
+  int MaximumLines = 64;
+};
+
+#endif

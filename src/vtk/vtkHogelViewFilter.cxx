@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHogelViewFilter.h"
+
+#include <vtkDataObject.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+#include "parallel_rows.h"
+
+vtkStandardNewMacro(vtkHogelViewFilter);
+
+namespace
+{
+constexpr const char* seenName = "Seen";
+
+void write(const hogelscope::Rgb& colour, unsigned char* rgb)
+{
+  rgb[0] = hogelscope::quantised(colour.r);
+  rgb[1] = hogelscope::quantised(colour.g);
+  rgb[2] = hogelscope::quantised(colour.b);
+}
+
+void write(const hogelscope::Rgb& colour, float* rgb)
+{
+  rgb[0] = static_cast<float>(colour.r);
+  rgb[1] = static_cast<float>(colour.g);
+  rgb[2] = static_cast<float>(colour.b);
+}
+
+/// One row of the update extent, VTK's row y.
+template <class T>
+void fillRow(
+  const hogelscope::Simulation& simulation, int height, vtkImageData* output, int y)
+{
+  const int* extent = output->GetExtent();
+  T* rgb = static_cast<T*>(output->GetScalarPointer(extent[0], y, 0));
+  auto* seen = vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray(seenName));
+  const int width = extent[1] - extent[0] + 1;
+  unsigned char* mask = seen->GetPointer(vtkIdType(y - extent[2]) * width);
+  for (int x = extent[0]; x <= extent[1]; ++x, rgb += 3, ++mask)
+  {
+    const auto colour = simulation.pixel(x, height - 1 - y);
+    write(colour.value_or(hogelscope::Rgb{}), rgb);
+    *mask = colour ? 255 : 0;
+  }
+}
+
+/// VTK's rows, from the bottom, become a picture's, from the top.
+template <class T>
+void copyFlipped(vtkDataArray* source, int height, std::vector<T>& target)
+{
+  const std::size_t row = target.size() / std::size_t(height);
+  const T* values = static_cast<const T*>(source->GetVoidPointer(0));
+  for (auto to = target.end(); to != target.begin(); values += row)
+  {
+    to -= std::ptrdiff_t(row);
+    std::copy_n(values, row, to);
+  }
+}
+}
+
+vtkHogelViewFilter::vtkHogelViewFilter()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+void vtkHogelViewFilter::SetView(const hogelscope::View& view)
+{
+  if (this->View == view)
+  {
+    return;
+  }
+  this->View = view;
+  this->Modified();
+}
+
+void vtkHogelViewFilter::SetThreads(int count)
+{
+  hogelscope::setThreads(count);
+}
+
+int vtkHogelViewFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const auto [width, height] = this->View.state.camera.res;
+  const int extent[6] = { 0, width - 1, 0, height - 1, 0, 0 };
+  const double spacing[3] = { 1, 1, 1 };
+  const double origin[3] = { 0, 0, 0 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    info, this->FloatOutput ? VTK_FLOAT : VTK_UNSIGNED_CHAR, 3);
+  return 1;
+}
+
+int vtkHogelViewFilter::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->ErrorMessage.clear();
+  this->Stopped = false;
+  this->RowsDone = 0;
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(info);
+  int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+  this->AllocateOutputData(output, info, extent);
+  output->GetPointData()->GetScalars()->SetName("View");
+  vtkNew<vtkUnsignedCharArray> seen;
+  seen->SetName(seenName);
+  seen->SetNumberOfValues(output->GetNumberOfPoints());
+  output->GetPointData()->AddArray(seen);
+  try
+  {
+    this->Fill(hogelscope::Simulation(this->View), output);
+  }
+  catch (const std::exception& error)
+  {
+    this->ErrorMessage = error.what();
+    vtkErrorMacro(<< this->ErrorMessage);
+    return 0;
+  }
+  return this->Stopped ? 0 : 1;
+}
+
+void vtkHogelViewFilter::Fill(const hogelscope::Simulation& simulation, vtkImageData* output)
+{
+  const int first = output->GetExtent()[2];
+  const int rows = output->GetExtent()[3] - first + 1;
+  const int height = this->View.state.camera.res[1];
+  hogelscope::parallelRows(rows, [&](int begin, int end) {
+    for (int row = begin; row < end && !this->Stopped; ++row)
+    {
+      if (this->FloatOutput)
+      {
+        fillRow<float>(simulation, height, output, first + row);
+      }
+      else
+      {
+        fillRow<unsigned char>(simulation, height, output, first + row);
+      }
+    }
+    this->Advance(end - begin, rows);
+  });
+}
+
+void vtkHogelViewFilter::Advance(int rows, int allRows)
+{
+  const double done = double(this->RowsDone += rows) / allRows;
+  const std::lock_guard lock(this->ProgressMutex);
+  if (this->Progress && !this->Progress(done))
+  {
+    this->Stopped = true;
+  }
+}
+
+void vtkHogelViewFilter::UpdateOrThrow()
+{
+  this->Update();
+  if (!this->ErrorMessage.empty())
+  {
+    throw hogelscope::InputError(this->ErrorMessage, "");
+  }
+  if (this->Stopped)
+  {
+    throw hogelscope::Cancelled();
+  }
+}
+
+hogelscope::Image vtkHogelViewFilter::GetImage()
+{
+  this->FloatOutputOff();
+  this->UpdateOrThrow();
+  vtkImageData* output = this->GetOutput();
+  const auto [width, height] = this->View.state.camera.res;
+  hogelscope::Image image(width, height);
+  copyFlipped(output->GetPointData()->GetScalars(), height, image.rgb);
+  copyFlipped(output->GetPointData()->GetArray(seenName), height, image.seen);
+  return image;
+}
+
+std::vector<float> vtkHogelViewFilter::GetCodeValues()
+{
+  this->FloatOutputOn();
+  this->UpdateOrThrow();
+  std::vector<float> values(std::size_t(this->GetOutput()->GetNumberOfPoints()) * 3);
+  copyFlipped(
+    this->GetOutput()->GetPointData()->GetScalars(), this->View.state.camera.res[1], values);
+  return values;
+}
+
+void vtkHogelViewFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->View.state.camera.name << "\n";
+  os << indent << "FloatOutput: " << (this->FloatOutput ? "on" : "off") << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
