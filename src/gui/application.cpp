@@ -1,4 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts the desktop app.
 #include "gui/application.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <cstdlib>
+
+#include "core/error.h"
+#include "gui/main_window.h"
+#include "gui/vtk_widget.h"
+
 namespace hogelscope {
-int runWindow(int, char**, const std::vector<std::string>&) { return 0; }
+
+int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
+  // Qt would end the process with a longer text.
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
+    throw InputError("window", "there is no display server (DISPLAY is not set)",
+                     "batch mode needs none, see --help");
+  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
+  const QApplication application(argc, argv);
+  QApplication::setApplicationName("Hogelscope");
+  QApplication::setApplicationVersion(HOGELSCOPE_VERSION);
+  MainWindow window;
+  if (!files.empty()) window.openSession(QString::fromStdString(files.front()));
+  window.show();
+  return QApplication::exec();
 }
+
+}  // namespace hogelscope

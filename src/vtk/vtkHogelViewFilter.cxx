@@ -165,6 +165,10 @@ void vtkHogelViewFilter::Advance(int rows, int allRows)
 
 void vtkHogelViewFilter::UpdateOrThrow()
 {
+  if (this->Stopped || !this->ErrorMessage.empty())
+  {
+    this->Modified(); // the pipeline takes what a failed execution left for its result
+  }
   this->Update();
   if (!this->ErrorMessage.empty())
   {

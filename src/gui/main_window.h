@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The main window: puts scene, simulated view, docks and menus together. It decides nothing.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "core/session.h"
+
+class QComboBox;
+
+namespace Ui {
+class MainWindow;
+}
+
+namespace hogelscope {
+
+class DisplayScene;
+class ParameterForm;
+class SessionModel;
+class ViewWorker;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// What goes wrong is shown in the status bar. True if the session is open.
+  bool openSession(const QString& file);
+  bool saveSession(const QString& file);
+
+ private:
+  void connectActions();
+  void connectModel();
+  void addForms();
+  void askOpen();
+  void save();
+  void askSaveAs();
+  void showAbout();
+  void showSession();
+  void showCurrent();
+  void showTitle();
+  void showError(const QString& line);
+  template <class Action>
+  bool guarded(Action action);
+
+  std::unique_ptr<Ui::MainWindow> m_ui;
+  SessionModel* m_model;
+  ViewWorker* m_worker;
+  QComboBox* m_stateBox;
+  std::unique_ptr<DisplayScene> m_scene;
+  std::vector<ParameterForm*> m_forms;
+  DisplayParams m_display;  ///< resolved
+};
+
+}  // namespace hogelscope

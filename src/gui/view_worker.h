@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads light fields and renders views on a thread of its own; the newest request wins.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/session.h"
+#include "io/light_field_file.h"
+
+class vtkHogelViewFilter;
+
+namespace hogelscope {
+
+class ViewWorker : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ViewWorker(QObject* parent = nullptr);
+  /// Stops what is under way.
+  ~ViewWorker() override;
+
+  /// Reads the session's light field; an older reading stops.
+  void load(const Session& session);
+  /// Renders once the light field is there; an older rendering stops.
+  void render(const CameraState& state);
+
+ Q_SIGNALS:
+  /// `display` has its hogels and directions resolved.
+  void loaded(const hogelscope::DisplayParams& display);
+  void rendered(const QImage& image, double milliseconds);
+  void failed(const QString& line);
+
+ private:
+  void run();
+  void loadNow(const Session& session);
+  void renderNow(const CameraState& state, vtkHogelViewFilter& filter);
+  [[nodiscard]] bool hasNewer(bool isLoading);
+
+  std::mutex m_mutex;  ///< guards the next four
+  std::condition_variable m_wake;
+  std::optional<Session> m_toLoad;
+  std::optional<CameraState> m_toRender;
+  bool m_ends = false;
+
+  std::optional<Scene> m_scene;  ///< the thread's own
+  std::thread m_thread;
+};
+
+}  // namespace hogelscope

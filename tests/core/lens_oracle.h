@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A second lens model for tests, written from DESIGN §2 alone: it finds the inverse by walking.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+/// Points of the plane z = 1 are complex numbers, x + iy.
+class LensOracle {
+ public:
+  using Point = std::complex<double>;
+
+  /// In OpenCV's order.
+  LensOracle(double k1, double k2, double p1, double p2, double k3)
+      : m_k1(k1), m_k2(k2), m_p1(p1), m_p2(p2), m_k3(k3) {}
+
+  [[nodiscard]] Point distort(Point p) const {
+    const double x = p.real();
+    const double y = p.imag();
+    const double s = std::norm(p);
+    const double radial = 1 + s * (m_k1 + s * (m_k2 + s * m_k3));
+    return {x * radial + 2 * m_p1 * x * y + m_p2 * (s + 2 * x * x),
+            y * radial + m_p1 * (s + 2 * y * y) + 2 * m_p2 * x * y};
+  }
+
+  [[nodiscard]] double det(Point p) const {
+    const auto [xx, xy, yy] = jacobian(p);
+    return xx * yy - xy * xy;
+  }
+
+  struct Walk {
+    enum class End { ray, fold, unclear } end;
+    Point point;
+    double smallestDet;
+  };
+
+  /// Walks dp/dt = J⁻¹ q from the origin to t = 1, the preimage of the segment to q, in steps over
+  /// which det J changes by at most `change`.
+  [[nodiscard]] Walk walk(Point q, double change = 0.01, double longestStep = 0.002) const {
+    constexpr double onFold = 1e-5;
+    Walk at{Walk::End::ray, 0, 1};
+    double t = 0;
+    double step = longestStep;
+    double here = 1;
+    while (t < 1) {
+      step = std::min({2 * step, longestStep, 1 - t});
+      Point next = stepped(at.point, q, step);
+      while (!(std::abs(det(next) - here) <= change * here)) {
+        step /= 2;
+        if (step < 1e-16) return {Walk::End::unclear, at.point, here};
+        next = stepped(at.point, q, step);
+      }
+      at.point = next;
+      here = det(next);
+      t = step == 1 - t ? 1 : t + step;
+      at.smallestDet = std::min(at.smallestDet, here);
+      if (here < onFold) {
+        // The walk meets the fold at about t + 1e-10; both answers are right where that is 1.
+        at.end = t < 1 - 1e-6 ? Walk::End::fold : Walk::End::unclear;
+        return at;
+      }
+    }
+    // It passed so near a fold that rounding decides on which side.
+    if (at.smallestDet < 1e-3) at.end = Walk::End::unclear;
+    return at;
+  }
+
+  /// The root of distort(p) = q that is near `p`.
+  [[nodiscard]] Point refined(Point p, Point q) const {
+    for (int k = 0; k < 5; ++k) p += solved(p, q - distort(p));
+    return p;
+  }
+
+ private:
+  /// xx, xy = yx, yy.
+  [[nodiscard]] std::array<double, 3> jacobian(Point p) const {
+    const double x = p.real();
+    const double y = p.imag();
+    const double s = std::norm(p);
+    const double radial = 1 + s * (m_k1 + s * (m_k2 + s * m_k3));
+    const double dRadial = m_k1 + s * (2 * m_k2 + s * 3 * m_k3);  // by s
+    return {radial + 2 * x * x * dRadial + 2 * m_p1 * y + 6 * m_p2 * x,
+            2 * x * y * dRadial + 2 * m_p1 * x + 2 * m_p2 * y,
+            radial + 2 * y * y * dRadial + 6 * m_p1 * y + 2 * m_p2 * x};
+  }
+  /// J⁻¹ r at p.
+  [[nodiscard]] Point solved(Point p, Point r) const {
+    const auto [xx, xy, yy] = jacobian(p);
+    const double d = xx * yy - xy * xy;
+    return {(yy * r.real() - xy * r.imag()) / d, (xx * r.imag() - xy * r.real()) / d};
+  }
+  /// One step of the classical Runge-Kutta method.
+  [[nodiscard]] Point stepped(Point p, Point q, double h) const {
+    const Point a = solved(p, q);
+    const Point b = solved(p + h / 2 * a, q);
+    const Point c = solved(p + h / 2 * b, q);
+    const Point d = solved(p + h * c, q);
+    return p + h / 6 * (a + 2.0 * b + 2.0 * c + d);
+  }
+
+  double m_k1, m_k2, m_p1, m_p2, m_k3;
+};

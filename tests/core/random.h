@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random numbers for tests: seeded, and the same with every standard library.
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+/// std::uniform_real_distribution is not used because each library is free to draw differently.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : m_engine(seed) {}
+  /// In [min, max).
+  double uniform(double min, double max) {
+    return min + (max - min) * static_cast<double>(m_engine() >> 11) * 0x1p-53;
+  }
+  /// In [min, max], both included.
+  int integer(int min, int max) {
+    return min + static_cast<int>(m_engine() % static_cast<std::uint64_t>(max - min + 1));
+  }
+  bool flip() { return integer(0, 1) == 1; }
+
+ private:
+  std::mt19937_64 m_engine;
+};
