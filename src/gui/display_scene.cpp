@@ -29,8 +29,8 @@ void connect(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
   mapper->SetInputConnection(source);
   // What is drawn later lies on top of the panel in its own plane.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -2);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 200);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -200);
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour.data());
   actor->GetProperty()->SetLineWidth(lineWidth);

@@ -28,6 +28,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_stateBox(new QComboBox(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
+  m_ui->splitter->setSizes({1, 1});
   m_scene = std::make_unique<DisplayScene>(*m_ui->sceneWidget);
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));

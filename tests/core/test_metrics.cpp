@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests MSE, PSNR and SSIM by hand, by brute force and against OpenCV's.
+#include <QTest>
+#include <cmath>
+#include <limits>
+#include <opencv2/quality/qualityssim.hpp>
+#include <stdexcept>
+
+#include "core/metrics.h"
+#include "tests/core/random.h"
+
+using namespace hogelscope;
+
+namespace {
+
+Image filled(int width, int height, int value) {
+  Image image(width, height);
+  std::fill(image.rgb.begin(), image.rgb.end(), static_cast<std::uint8_t>(value));
+  std::fill(image.seen.begin(), image.seen.end(), std::uint8_t{255});
+  return image;
+}
+
+Image noise(int width, int height, std::uint64_t seed) {
+  Random random(seed);
+  Image image = filled(width, height, 0);
+  for (std::uint8_t& value : image.rgb) value = static_cast<std::uint8_t>(random.integer(0, 255));
+  return image;
+}
+
+/// A picture like another one, but blurred by hand and a bit off.
+Image similar(const Image& image) {
+  Random random(9);
+  Image other = image;
+  for (std::size_t k = 3; k < other.rgb.size(); ++k)
+    other.rgb[k] = static_cast<std::uint8_t>(
+        (image.rgb[k] * 3 + image.rgb[k - 3] + random.integer(0, 40)) / 5);
+  return other;
+}
+
+double luma(const Image& image, int x, int y) {
+  const std::size_t at = 3 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x));
+  return 0.299 * image.rgb[at] + 0.587 * image.rgb[at + 1] + 0.114 * image.rgb[at + 2];
+}
+
+/// SSIM of the 11×11 window whose top left is (x0, y0): weighted moments about the means.
+double windowsSsim(const Image& a, const Image& b, int x0, int y0) {
+  double weights = 0, ma = 0, mb = 0, vaa = 0, vbb = 0, vab = 0;
+  for (const bool second : {false, true}) {
+    for (int k = 0; k < 121; ++k) {
+      const double w = std::exp(-(std::pow(k % 11 - 5, 2) + std::pow(k / 11 - 5, 2)) / 4.5);
+      const double pa = luma(a, x0 + k % 11, y0 + k / 11);
+      const double pb = luma(b, x0 + k % 11, y0 + k / 11);
+      if (!second) {
+        weights += w;
+        ma += w * pa;
+        mb += w * pb;
+      } else {
+        vaa += w * std::pow(pa - ma / weights, 2) / weights;
+        vbb += w * std::pow(pb - mb / weights, 2) / weights;
+        vab += w * (pa - ma / weights) * (pb - mb / weights) / weights;
+      }
+    }
+  }
+  ma /= weights;
+  mb /= weights;
+  const double c1 = 6.5025;   // (0.01 · 255)²
+  const double c2 = 58.5225;  // (0.03 · 255)²
+  return (2 * ma * mb + c1) * (2 * vab + c2) / ((ma * ma + mb * mb + c1) * (vaa + vbb + c2));
+}
+
+double bruteForceSsim(const Image& a, const Image& b) {
+  double sum = 0;
+  for (int y = 0; y + 11 <= a.height; ++y)
+    for (int x = 0; x + 11 <= a.width; ++x) sum += windowsSsim(a, b, x, y);
+  return sum / ((a.width - 10) * (a.height - 10));
+}
+
+cv::Mat lumaMat(const Image& image) {
+  cv::Mat mat(image.height, image.width, CV_32F);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) mat.at<float>(y, x) = float(luma(image, x, y));
+  return mat;
+}
+
+}  // namespace
+
+class TestMetrics : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void mseByHand();
+  void psnrByHand();
+  void identicalPictures();
+  void onlyWhatBothSee();
+  void nothingSeenInBoth();
+  void differentSizesAreRefused();
+  void ssimIsTheFormula();
+  void ssimIsOpenCvsInside();
+  void ssimOfNoiseIsNearZero();
+  void ssimOfConstants();
+  void ssimNeedsAWindow();
+};
+
+void TestMetrics::mseByHand() {
+  Image a = filled(2, 1, 10);
+  Image b = a;
+  b.rgb = {11, 8, 13, 10, 10, 10};
+  QCOMPARE(compare(a, b).mse, 14 / 6.0);
+  QCOMPARE(compare(b, a).mse, 14 / 6.0);
+  a.rgb = {255, 255, 255, 255, 255, 255};
+  b.rgb = {0, 0, 0, 0, 0, 0};
+  QCOMPARE(compare(a, b).mse, 65025.0);
+}
+
+void TestMetrics::psnrByHand() {
+  QCOMPARE(psnr(65025), 0.0);
+  QCOMPARE(psnr(650.25), 20.0);
+  QVERIFY(std::abs(psnr(1) - 48.13080360867910) < 1e-12);
+  QVERIFY(psnr(0) == std::numeric_limits<double>::infinity());
+  QVERIFY(std::isnan(psnr(std::numeric_limits<double>::quiet_NaN())));
+}
+
+void TestMetrics::identicalPictures() {
+  const Image a = noise(20, 15, 1);
+  const Metrics m = compare(a, a);
+  QCOMPARE(m.mse, 0.0);
+  QCOMPARE(m.mseSeen, 0.0);
+  QCOMPARE(m.seen, 1.0);
+  QVERIFY(std::abs(m.ssim - 1) < 1e-12);
+}
+
+void TestMetrics::onlyWhatBothSee() {
+  Image a = filled(4, 1, 100);
+  Image b = filled(4, 1, 100);
+  b.rgb = {101, 101, 101, 110, 110, 110, 120, 120, 120, 140, 140, 140};
+  a.seen = {255, 255, 0, 0};
+  b.seen = {255, 0, 255, 0};
+  const Metrics m = compare(a, b);
+  QCOMPARE(m.mse, (1 + 100 + 400 + 1600) / 4.0);
+  QCOMPARE(m.mseSeen, 1.0);
+  QCOMPARE(m.seen, 0.25);
+}
+
+void TestMetrics::nothingSeenInBoth() {
+  Image a = filled(2, 1, 100);
+  Image b = filled(2, 1, 103);
+  a.seen = {255, 0};
+  b.seen = {0, 255};
+  const Metrics m = compare(a, b);
+  QCOMPARE(m.mse, 9.0);
+  QVERIFY(std::isnan(m.mseSeen));
+  QCOMPARE(m.seen, 0.0);
+}
+
+void TestMetrics::differentSizesAreRefused() {
+  QVERIFY_EXCEPTION_THROWN(compare(Image(2, 3), Image(3, 2)), std::invalid_argument);
+  QVERIFY_EXCEPTION_THROWN(compare(Image(2, 3), Image(2, 2)), std::invalid_argument);
+}
+
+void TestMetrics::ssimIsTheFormula() {
+  for (const auto& [width, height] : {std::pair(11, 11), std::pair(12, 30), std::pair(31, 17)}) {
+    const Image a = noise(width, height, 5);
+    QVERIFY(std::abs(ssim(a, similar(a)) - bruteForceSsim(a, similar(a))) < 1e-11);
+    QVERIFY(std::abs(ssim(similar(a), a) - ssim(a, similar(a))) < 1e-13);
+    QCOMPARE(compare(a, similar(a)).ssim, ssim(a, similar(a)));
+  }
+}
+
+void TestMetrics::ssimIsOpenCvsInside() {
+  const Image a = noise(64, 48, 6);
+  const Image b = similar(a);
+  cv::Mat map;
+  cv::quality::QualitySSIM::compute(lumaMat(a), lumaMat(b), map);
+  // OpenCV continues the pictures beyond their borders.
+  const cv::Mat inside = map(cv::Rect(5, 5, 54, 38));
+  QVERIFY(std::abs(cv::mean(inside)[0] - ssim(a, b)) < 1e-4);
+  QVERIFY(ssim(a, b) > 0.3 && ssim(a, b) < 0.99);
+}
+
+void TestMetrics::ssimOfNoiseIsNearZero() {
+  QVERIFY(std::abs(ssim(noise(128, 128, 7), noise(128, 128, 8))) < 0.05);
+}
+
+void TestMetrics::ssimOfConstants() {
+  const double expected = (2 * 100 * 101 + 6.5025) / (100 * 100 + 101 * 101 + 6.5025);
+  QVERIFY(std::abs(ssim(filled(20, 20, 100), filled(20, 20, 101)) - expected) < 1e-10);
+  QVERIFY(std::abs(ssim(filled(20, 20, 0), filled(20, 20, 255)) - 6.5025 / 65031.5025) < 1e-10);
+}
+
+void TestMetrics::ssimNeedsAWindow() {
+  QVERIFY(std::isnan(ssim(Image(10, 11), Image(10, 11))));
+  QVERIFY(std::isnan(ssim(Image(11, 10), Image(11, 10))));
+  QCOMPARE(ssim(Image(11, 11), Image(11, 11)), 1.0);
+}
+
+QTEST_APPLESS_MAIN(TestMetrics)
+#include "test_metrics.moc"

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the rules that join a session's fields, with their messages.
+#include <QTest>
+#include <functional>
+
+#include "core/error.h"
+#include "core/session.h"
+
+using namespace hogelscope;
+
+using Change = std::function<void(Session&)>;
+Q_DECLARE_METATYPE(Change)
+
+namespace {
+
+CameraState state(const std::string& name) {
+  CameraState result;
+  result.camera.name = name;
+  return result;
+}
+
+Session goodSession() {
+  Session session;
+  session.lightField.file = "scene.png";
+  session.display.hogels = {4, 3};
+  session.display.directions = {5, 6};
+  session.cameras = {state("left"), state("right")};
+  return session;
+}
+
+/// What `action` throws, as main() prints it; "" if nothing.
+QString errorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+class TestSession : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void goodSessionsPass();
+  void badSession_data();
+  void badSession();
+  void badNames_data();
+  void badNames();
+  void goodNames();
+  void warnsOfCutWindows();
+  void resolvedTakesWhatIsLeftOut();
+  void resolvedRefusesWhatDiffers();
+};
+
+void TestSession::goodSessionsPass() {
+  QCOMPARE(errorOf([] { check(goodSession()); }), QString());
+  Session views = goodSession();
+  views.display.hogels = {0, 0};
+  views.display.directions = {0, 0};
+  views.lightField.layout = Layout::views;
+  QCOMPARE(errorOf([&] { check(views); }), QString());
+  views.lightField.layout = Layout::quilt;
+  QCOMPARE(errorOf([&] { check(views); }), QString());
+  Session unleaked = goodSession();
+  unleaked.cameras[0].psf = {0, 1};
+  QCOMPARE(errorOf([&] { check(unleaked); }), QString());
+}
+
+void TestSession::badSession_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<QString>("message");
+  const auto row = [](const char* name, const Change& change, const char* message) {
+    QTest::newRow(name) << change << QString(message);
+  };
+  row(
+      "no file", [](Session& s) { s.lightField.file = ""; },
+      "lightField.file: is missing: name the image or folder to show");
+  row(
+      "no hogels",
+      [](Session& s) {
+        s.display.hogels = {0, 0};
+      },
+      "display.hogels: is missing: a hogel image does not say it");
+  row(
+      "no directions",
+      [](Session& s) {
+        s.display.directions = {0, 0};
+      },
+      "display.directions: is missing: a hogel image does not say it");
+  row(
+      "no cameras", [](Session& s) { s.cameras.clear(); },
+      "cameras: is empty: give at least one camera state");
+  row(
+      "same names", [](Session& s) { s.cameras[1].camera.name = "left"; },
+      "cameras[1].name: \"left\" is also cameras[0]; every state has a name of its own");
+  row(
+      "no frame", [](Session& s) { s.cameras[1].camera.lookat = s.cameras[1].camera.eye; },
+      "cameras[1].lookat: is the eye itself: the camera looks nowhere");
+  row(
+      "no roll",
+      [](Session& s) {
+        s.cameras[0].camera.up = {0, 0, 1};
+      },
+      "cameras[0].up: is parallel to the line from eye to lookat");
+  row(
+      "sigma 0",
+      [](Session& s) {
+        s.cameras[1].psf = {0, 5};
+      },
+      "cameras[1].psf.sigma: is 0 with a windowSize of 5: give a sigma above 0, or windowSize 1 "
+      "for no leakage");
+}
+
+void TestSession::badSession() {
+  QFETCH(const Change, change);
+  QFETCH(const QString, message);
+  Session session = goodSession();
+  change(session);
+  QCOMPARE(errorOf([&] { check(session); }), message);
+}
+
+void TestSession::badNames_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("why");
+  const QString control = "has a slash or a control character; it names the picture's file";
+  QTest::newRow("empty") << ""
+                         << "is missing: every state has a name of its own";
+  QTest::newRow("long") << QString(201, 'a') << "is longer than 200 bytes";
+  QTest::newRow("long in bytes") << QString(101, QChar(0xe9)) << "is longer than 200 bytes";
+  QTest::newRow("slash") << "a/b" << control;
+  QTest::newRow("backslash") << "a\\b" << control;
+  QTest::newRow("line end") << "a\nb" << control;
+  QTest::newRow("delete") << "a\x7f" << control;
+  QTest::newRow("null") << QString(1, QChar(0)) << control;
+  QTest::newRow("dot") << ".."
+                       << "begins with a dot; it names the picture's file";
+  QTest::newRow("a mask's") << "left.mask"
+                            << "ends with .mask, which names the masks";
+}
+
+void TestSession::badNames() {
+  QFETCH(const QString, name);
+  QFETCH(const QString, why);
+  const CameraState bad = state(name.toStdString());
+  QCOMPARE(errorOf([&] { check(bad, "cameras[7]"); }), "cameras[7].name: " + why);
+}
+
+void TestSession::goodNames() {
+  for (const std::string& name :
+       {std::string("Fig 1"), std::string(200, 'a'), std::string("a.b"), std::string("mask"),
+        std::string("Köln 60°"), std::string("a.mask.b")})
+    QCOMPARE(errorOf([&] { check(state(name), "cameras[0]"); }), QString());
+}
+
+void TestSession::warnsOfCutWindows() {
+  Session session = goodSession();
+  QVERIFY(warnings(session).empty());
+  session.cameras[0].psf = {0.67, 5};
+  QVERIFY(warnings(session).empty());
+  session.cameras[1].psf = {2, 7};
+  const std::vector<std::string> lines = warnings(session);
+  QCOMPARE(lines.size(), std::size_t(1));
+  QVERIFY(QString::fromStdString(lines[0]).contains("right"));
+  QVERIFY(QString::fromStdString(lines[0]).endsWith(
+      "psf: a window of 7 keeps 84.6 % of the Gaussian of sigma 2; widen it"));
+}
+
+void TestSession::resolvedTakesWhatIsLeftOut() {
+  DisplayParams display;
+  display.size = {0.3, 0.2};
+  const DisplayParams taken = resolved(display, {4, 3, 5, 6});
+  QVERIFY((taken.hogels == std::array{4, 3}) && (taken.directions == std::array{5, 6}));
+  QVERIFY(taken.size == display.size);
+  QVERIFY(resolved(taken, {4, 3, 5, 6}) == taken);
+  display.directions = {5, 6};
+  QVERIFY(resolved(display, {4, 3, 5, 6}) == taken);
+}
+
+void TestSession::resolvedRefusesWhatDiffers() {
+  const DisplayParams display = goodSession().display;
+  QCOMPARE(errorOf([&] {
+             resolved(display, {4, 2, 5, 6});
+           }),
+           QString("display.hogels: is 4×3, but the light field has 4×2"));
+  QCOMPARE(errorOf([&] {
+             resolved(display, {4, 3, 9, 6});
+           }),
+           QString("display.directions: is 5×6, but the light field has 9×6"));
+}
+
+QTEST_APPLESS_MAIN(TestSession)
+#include "test_session.moc"

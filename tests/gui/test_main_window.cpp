@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives the real window: opens the sample session, moves sliders, looks at what it shows.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QSlider>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/simulate.h"
+#include "gui/image_view.h"
+#include "gui/main_window.h"
+#include "gui/vtk_widget.h"
+#include "io/light_field_file.h"
+#include "io/session_file.h"
+
+using namespace hogelscope;
+
+namespace {
+
+const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+
+/// How many pixels of the scene are nearly of this colour.
+int count(const QImage& image, const QColor& colour) {
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor c = image.pixelColor(x, y);
+      const int distance = std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                           std::abs(c.blue() - colour.blue());
+      if (distance < 30) ++found;
+    }
+  return found;
+}
+
+bool equals(const QImage& shown, const Image& expected) {
+  if (shown.width() != expected.width || shown.height() != expected.height) return false;
+  const QImage rgb = shown.convertToFormat(QImage::Format_RGB888);
+  for (int y = 0; y < rgb.height(); ++y)
+    if (!std::equal(rgb.constScanLine(y), rgb.constScanLine(y) + 3 * rgb.width(),
+                    expected.rgb.begin() + 3 * std::ptrdiff_t(y) * rgb.width()))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+class TestMainWindow : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<MainWindow> m_window;
+  QTemporaryDir m_folder;
+
+  const QImage& view() const { return m_window->findChild<ImageView*>()->image(); }
+  template <class T>
+  T* editor(const char* dock, const char* name) const {
+    return m_window->findChild<QScrollArea*>(dock)->widget()->findChild<T*>(name);
+  }
+  QString message() const { return m_window->statusBar()->currentMessage(); }
+  void waitForSample() {
+    QVERIFY(m_window->openSession(sampleFile));
+    QTRY_VERIFY_WITH_TIMEOUT(!view().isNull() && message().contains(" ms"), 60000);
+  }
+
+ private Q_SLOTS:
+  void init() {
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  }
+  void cleanup() { m_window.reset(); }
+
+  void opensAndShowsTheReferencePicture() {
+    waitForSample();
+    const Session session = loadSession(sampleFile.toStdString());
+    const Scene scene = loadScene(session, {});
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.view(session.cameras[0]))), 20000);
+    QVERIFY(m_window->windowTitle().startsWith("table1.json"));
+    QVERIFY(!m_window->isWindowModified());
+  }
+
+  void sceneShowsPanelGridAndFrustum() {
+    waitForSample();
+    const QImage scene = m_window->findChild<VtkWidget*>()->grabFramebuffer();
+    QVERIFY(count(scene, QColor(61, 71, 92)) > 5000);    // panel
+    QVERIFY(count(scene, QColor(128, 148, 179)) > 2000);  // grid
+    QVERIFY(count(scene, QColor(255, 166, 38)) > 100);    // the current frustum
+    m_window->grab().save(QCoreApplication::applicationDirPath() + "/main_window.png");
+  }
+
+  void otherStatesHaveTheirFrusta() {
+    waitForSample();
+    editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.3);
+    QTRY_VERIFY(count(m_window->findChild<VtkWidget*>()->grabFramebuffer(),
+                      QColor(140, 191, 153)) > 50);
+  }
+
+  void movingASliderChangesThePicture() {
+    waitForSample();
+    const QImage before = view().copy();
+    auto* slider = editor<QSlider>("psfArea", "windowSize.slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Left);
+    QTest::keyClick(slider, Qt::Key_Left);
+    QTRY_VERIFY_WITH_TIMEOUT(view() != before, 20000);
+    QVERIFY(m_window->isWindowModified());
+    QCOMPARE(editor<QSpinBox>("psfArea", "windowSize")->value(), 1);
+
+    Session session = loadSession(sampleFile.toStdString());
+    session.cameras[0].psf.windowSize = 1;
+    const Scene scene = loadScene(session, {});
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.view(session.cameras[0]))), 20000);
+  }
+
+  void theLastOfManyEditsWins() {
+    waitForSample();
+    auto* slider = editor<QSlider>("distortionArea", "k1.slider");
+    const int start = slider->value();
+    for (int step = 1; step <= 30; ++step) slider->setValue(start - 20 * step);
+    Session session = loadSession(sampleFile.toStdString());
+    session.cameras[0].distortion.k1 = editor<QDoubleSpinBox>("distortionArea", "k1")->value();
+    QVERIFY(std::abs(session.cameras[0].distortion.k1) < 1e-9);
+    const Scene scene = loadScene(session, {});
+    const Image expected = simulate(scene.view(session.cameras[0]));
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), 30000);
+  }
+
+  void anotherStateIsShown() {
+    waitForSample();
+    const QImage before = view().copy();
+    m_window->findChild<QComboBox*>("stateBox")->setCurrentIndex(4);
+    QTRY_VERIFY_WITH_TIMEOUT(view() != before, 20000);
+    QCOMPARE(editor<QLineEdit>("cameraArea", "name")->text(), QString("Fig 5"));
+    QVERIFY(!m_window->isWindowModified());
+  }
+
+  void savesWhatWasEdited() {
+    waitForSample();
+    editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(1.25);
+    const QString file = m_folder.filePath("copy.json");
+    QVERIFY(m_window->saveSession(file));
+    QVERIFY(!m_window->isWindowModified());
+    Session expected = loadSession(sampleFile.toStdString());
+    expected.cameras[0].psf.sigma = 1.25;
+    Session saved = loadSession(file.toStdString());
+    QCOMPARE(QFileInfo(saved.lightField.file.c_str()).canonicalFilePath(),
+             QFileInfo(expected.lightField.file.c_str()).canonicalFilePath());
+    saved.lightField.file = expected.lightField.file;
+    QVERIFY(saved == expected);
+  }
+
+  void aBadSessionIsToldAndKeepsTheOldOne() {
+    waitForSample();
+    const QString file = m_folder.filePath("bad.json");
+    QFile bad(file);
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write(R"({"hogelscope": 1, "cameras": []})");
+    bad.close();
+    QVERIFY(!m_window->openSession(file));
+    QVERIFY2(message().contains("lightField.file"), qPrintable(message()));
+    QVERIFY(m_window->windowTitle().startsWith("table1.json"));
+  }
+
+  void anImpossibleCameraIsToldAndMended() {
+    waitForSample();
+    auto* depth = editor<QDoubleSpinBox>("cameraArea", "eye.2");
+    depth->setValue(0);  // the eye is the look-at point
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("lookat"), 20000);
+    depth->setValue(0.7);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), 20000);
+  }
+
+  void closesWhileRendering() {
+    waitForSample();
+    editor<QSpinBox>("cameraArea", "res.0")->setValue(4000);
+    m_window.reset();  // must neither hang nor crash
+  }
+};
+
+int main(int argc, char** argv) {
+  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
+  QApplication application(argc, argv);
+  TestMainWindow test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "test_main_window.moc"

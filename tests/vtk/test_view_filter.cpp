@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The filter gives the reference's picture, executes only when it must, and reports errors.
+#include <vtkCallbackCommand.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <QtTest>
+
+#include "core/simulate.h"
+#include "vtk/vtkHogelViewFilter.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// 6×5 hogels of 7×4 directions with a different value everywhere.
+View sampleView() {
+  View view;
+  view.display.hogels = {6, 5};
+  view.display.directions = {7, 4};
+  std::vector<std::uint8_t> values(std::size_t(3 * 6 * 5 * 7 * 4));
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::uint8_t(k * 37 % 251 + 1);
+  view.lightField =
+      std::make_shared<const LightField>(LightFieldSize{6, 5, 7, 4}, LightField::Values(values));
+  view.state.camera.name = "sample";
+  view.state.camera.eye = {0.05, 0.02, 0.6};
+  view.state.camera.res = {61, 47};
+  view.state.distortion.k1 = 0.2;
+  view.state.psf.windowSize = 3;
+  return view;
+}
+
+/// Counts executions of the filter.
+class Executions {
+ public:
+  explicit Executions(vtkHogelViewFilter* filter) {
+    m_command->SetClientData(&m_count);
+    m_command->SetCallback(
+        [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+    filter->AddObserver(vtkCommand::StartEvent, m_command);
+  }
+  [[nodiscard]] int count() const { return m_count; }
+
+ private:
+  int m_count = 0;
+  vtkNew<vtkCallbackCommand> m_command;
+};
+
+}  // namespace
+
+class TestViewFilter : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { vtkObject::GlobalWarningDisplayOff(); }
+
+  void givesTheReferencePicture() {
+    const View view = sampleView();
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(view);
+    const Image image = filter->GetImage();
+    const Image reference = simulate(view);
+    QVERIFY(image == reference);
+    QVERIFY(std::count(image.seen.begin(), image.seen.end(), 255) > 500);
+    QVERIFY(std::count(image.seen.begin(), image.seen.end(), 0) > 100);
+  }
+
+  void rowZeroIsTheBottom() {
+    const View view = sampleView();
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(view);
+    filter->Update();
+    const Image reference = simulate(view);
+    vtkImageData* output = filter->GetOutput();
+    for (const int y : {0, 10, 46}) {
+      const auto* rgb = static_cast<unsigned char*>(output->GetScalarPointer(30, y, 0));
+      const std::size_t at = 3 * (std::size_t(46 - y) * 61 + 30);
+      QCOMPARE(int(rgb[0]), int(reference.rgb[at]));
+      QCOMPARE(int(rgb[2]), int(reference.rgb[at + 2]));
+    }
+  }
+
+  void threadsDoNotMatter() {
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(sampleView());
+    vtkHogelViewFilter::SetThreads(1);
+    const Image one = filter->GetImage();
+    vtkHogelViewFilter::SetThreads(0);
+    filter->Modified();
+    QVERIFY(filter->GetImage() == one);
+  }
+
+  void executesOnlyWhenSomethingChanged() {
+    View view = sampleView();
+    const vtkNew<vtkHogelViewFilter> filter;
+    const Executions executions(filter);
+    filter->SetView(view);
+    filter->Update();
+    filter->Update();
+    filter->SetView(sampleView());  // same values, but a light field of its own
+    filter->Update();
+    QCOMPARE(executions.count(), 2);
+    filter->SetView(filter->GetView());
+    filter->Update();
+    QCOMPARE(executions.count(), 2);
+    view = filter->GetView();
+    view.state.psf.sigma = 0.9;
+    filter->SetView(view);
+    filter->Update();
+    QCOMPARE(executions.count(), 3);
+  }
+
+  void producesSubExtents() {
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(sampleView());
+    const int extent[6] = {10, 39, 5, 24, 0, 0};
+    filter->UpdateExtent(extent);
+    vtkImageData* output = filter->GetOutput();
+    QCOMPARE(output->GetNumberOfPoints(), vtkIdType(30 * 20));
+    const Image reference = simulate(sampleView());
+    const auto* rgb = static_cast<unsigned char*>(output->GetScalarPointer(20, 24, 0));
+    QCOMPARE(int(rgb[1]), int(reference.rgb[3 * (std::size_t(46 - 24) * 61 + 20) + 1]));
+  }
+
+  void codeValuesRoundToThePicture() {
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(sampleView());
+    const std::vector<float> values = filter->GetCodeValues();
+    const Image image = filter->GetImage();
+    QCOMPARE(values.size(), image.rgb.size());
+    bool hasFraction = false;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      QVERIFY(std::abs(double(values[k]) - image.rgb[k]) <= 0.5001);
+      hasFraction = hasFraction || values[k] != std::floor(values[k]);
+    }
+    QVERIFY(hasFraction);
+  }
+
+  void reportsErrorsInsteadOfThrowing() {
+    View view = sampleView();
+    view.state.camera.lookat = view.state.camera.eye;
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(view);
+    filter->Update();
+    QVERIFY(filter->GetErrorMessage().starts_with("lookat"));
+    QVERIFY_EXCEPTION_THROWN((void)filter->GetImage(), InputError);
+    filter->SetView(sampleView());
+    QCOMPARE(filter->GetImage().width, 61);
+    QVERIFY(filter->GetErrorMessage().empty());
+  }
+
+  void withoutALightFieldIsAnError() {
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->Update();
+    QVERIFY(!filter->GetErrorMessage().empty());
+  }
+
+  void stopsAndStartsAgain() {
+    const vtkNew<vtkHogelViewFilter> filter;
+    filter->SetView(sampleView());
+    bool goesOn = false;
+    filter->SetProgress([&goesOn](double) { return goesOn; });
+    QVERIFY_EXCEPTION_THROWN((void)filter->GetImage(), Cancelled);
+    goesOn = true;
+    filter->SetView(filter->GetView());
+    QVERIFY(filter->GetImage() == simulate(sampleView()));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestViewFilter)
+#include "test_view_filter.moc"
