@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
   } catch (const hogelscope::Cancelled&) {
     return stopped();
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "hogelscope: memory: not enough for this light field and these pictures\n");
+    std::fprintf(stderr,
+                 "hogelscope: memory: not enough for this light field and these pictures\n");
     return badInput;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "hogelscope: internal error: %s\n", error.what());

@@ -63,8 +63,8 @@ int render(const Options& options) {
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k) {
     const CameraState& state = session.cameras[k];
-    filter->SetProgress(part(bar.progress(), 0.5 + 0.5 * double(k) / count,
-                             0.5 + 0.5 * double(k + 1) / count));
+    filter->SetProgress(
+        part(bar.progress(), 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count));
     filter->SetView(scene.view(state));
     const fs::path file = fs::path(options.output) / (state.camera.name + "." + options.format);
     const auto [width, height] = state.camera.res;
@@ -126,8 +126,8 @@ std::vector<ReportRow> compareAll(const Session& session, const Options& options
   std::vector<ReportRow> rows(references.size() * options.tests.size());
   for (std::size_t t = 0; t < options.tests.size(); ++t) {
     const double from = share * double(t + 1);
-    const std::vector<Image> images = renderAll(testSession(session, options.tests[t]),
-                                                part(progress, from, from + share));
+    const std::vector<Image> images =
+        renderAll(testSession(session, options.tests[t]), part(progress, from, from + share));
     if (options.images) saveAll(folder / ("test" + std::to_string(t + 1)), session, images);
     for (std::size_t k = 0; k < images.size(); ++k)
       rows[k * options.tests.size() + t] = {session.cameras[k].camera.name, options.tests[t],
@@ -175,10 +175,13 @@ int generate(const Options& options) {
   const Session session = loadSession(options.session, options.overrides);
   const DisplayParams& display = session.display;
   if (display.hogels[0] < 1 || display.directions[0] < 1)
-    throw InputError(options.session, "display.hogels", "and directions are needed to make content");
+    throw InputError(options.session, "display.hogels",
+                     "and directions are needed to make content");
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};
   const ScenePattern pattern(display);
+  if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
+    makeFolder(folder);
   ProgressBar bar("generating", options.quiet);
   ImageRowWriter writer(options.output, size.width(), size.height());
   std::vector<std::uint8_t> row(3 * size.width());
@@ -206,12 +209,21 @@ int runBatch(const Options& options) {
   vtkObject::GlobalWarningDisplayOff();  // what fails comes back as InputError
   vtkHogelViewFilter::SetThreads(options.threads);
   switch (options.command) {
-    case Command::render: return render(options);
-    case Command::report: return report(options);
-    case Command::generate: return generate(options);
-    case Command::info: std::cout << infoText(options.infoFile); return 0;
-    case Command::version: std::cout << "hogelscope " HOGELSCOPE_VERSION "\n"; return 0;
-    default: std::cout << helpText(options.files.empty() ? "" : options.files.front()); return 0;
+    case Command::render:
+      return render(options);
+    case Command::report:
+      return report(options);
+    case Command::generate:
+      return generate(options);
+    case Command::info:
+      std::cout << infoText(options.infoFile);
+      return 0;
+    case Command::version:
+      std::cout << "hogelscope " HOGELSCOPE_VERSION "\n";
+      return 0;
+    default:
+      std::cout << helpText(options.files.empty() ? "" : options.files.front());
+      return 0;
   }
 }
 

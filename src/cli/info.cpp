@@ -19,9 +19,12 @@ namespace {
 
 const char* typeName(StoredType type) {
   switch (type) {
-    case StoredType::uint8: return "8 bit";
-    case StoredType::uint16: return "16 bit";
-    default: return "floating point";
+    case StoredType::uint8:
+      return "8 bit";
+    case StoredType::uint16:
+      return "16 bit";
+    default:
+      return "floating point";
   }
 }
 

@@ -25,8 +25,9 @@ struct Flag {
 
 void choose(Options& options, Command command) {
   if (options.command != Command::window && options.command != command)
-    throw InputError("command line", "asks for two jobs at once; give one of --render, --report, "
-                                     "--generate, --info");
+    throw InputError("command line",
+                     "asks for two jobs at once; give one of --render, --report, "
+                     "--generate, --info");
   options.command = command;
 }
 
@@ -35,8 +36,8 @@ Number number(const std::string& text, const char* flag, Number least) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= least))
-    throw InputError(flag, "\"" + text + "\" is not a number from " + std::to_string(int(least)) +
-                               " on");
+    throw InputError(flag,
+                     "\"" + text + "\" is not a number from " + std::to_string(int(least)) + " on");
   return value;
 }
 
@@ -44,7 +45,8 @@ std::string oneOf(const std::string& text, const char* flag,
                   const std::vector<std::string_view>& names) {
   if (std::find(names.begin(), names.end(), text) != names.end()) return text;
   std::string known;
-  for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+  for (const std::string_view name : names)
+    known += (known.empty() ? "" : ", ") + std::string(name);
   throw InputError(flag, "\"" + text + "\" is not one of " + known);
 }
 
@@ -52,8 +54,9 @@ const std::vector<Flag>& jobs() {
   static const std::vector<Flag> flags{
       {"render", "", "One picture for each camera state: DIR/<name>.png.",
        [](Options& o, const std::string&) { choose(o, Command::render); }},
-      {"report", "", "Renders every state from the session's light field and from each test light "
-                     "field, and compares them: DIR/report.csv, DIR/report.html.",
+      {"report", "",
+       "Renders every state from the session's light field and from each test light "
+       "field, and compares them: DIR/report.csv, DIR/report.html.",
        [](Options& o, const std::string&) { choose(o, Command::report); }},
       {"generate", "PATTERN", "Writes a test light field of the session's display: scene.",
        [](Options& o, const std::string& v) {
@@ -79,16 +82,20 @@ const std::vector<Flag>& settings() {
        [](Options& o, const std::string& v) { o.session = v; }},
       {"output", "PATH", "The folder (or for --generate the file) to write; it is made if missing.",
        [](Options& o, const std::string& v) { o.output = v; }},
-      {"test", "LF", "--report: a light field to compare: an image, a folder or a session (its "
-                     "display and light field). Repeat it for more.",
+      {"test", "LF",
+       "--report: a light field to compare: an image, a folder or a session (its "
+       "display and light field). Repeat it for more.",
        [](Options& o, const std::string& v) { o.tests.push_back(v); }},
       {"states", "GLOB", "Only the states whose name fits, such as 'Fig*'.",
        [](Options& o, const std::string& v) { o.states = v; }},
-      {"set", "S.F=VALUE", "Overrides a parameter, such as psf.sigma=0.9 or camera.res=[300,300]; "
-                           "camera, distortion and psf go to every state. Repeat it for more.",
+      {"set", "S.F=VALUE",
+       "Overrides a parameter, such as psf.sigma=0.9 or camera.res=[300,300]; "
+       "camera, distortion and psf go to every state. Repeat it for more.",
        [](Options& o, const std::string& v) { o.overrides.push_back(v); }},
       {"format", "png|exr|tif", "--render: EXR holds the unrounded values, TIFF 16 bits.",
-       [](Options& o, const std::string& v) { o.format = oneOf(v, "--format", {"png", "exr", "tif"}); }},
+       [](Options& o, const std::string& v) {
+         o.format = oneOf(v, "--format", {"png", "exr", "tif"});
+       }},
       {"masks", "", "--render: also DIR/<name>.mask.png, white where the display is seen.",
        [](Options& o, const std::string&) { o.masks = true; }},
       {"images", "", "--report: also the pictures, DIR/reference and DIR/test1, test2, …",
@@ -124,8 +131,9 @@ void refuseMissing(const Options& options) {
                      options.command == Command::generate;
   if (isJob || options.command == Command::info) {
     if (!options.files.empty())
-      throw InputError(options.files.front(), "stands alone on the command line; a session is given "
-                                              "as --session FILE");
+      throw InputError(options.files.front(),
+                       "stands alone on the command line; a session is given "
+                       "as --session FILE");
   }
   if (!isJob) return;
   need(options.session, "--session", "name the session document");
@@ -142,7 +150,8 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   while (!text.empty()) {
     const std::string_view wordText = text.substr(0, text.find(' '));
     if (column + wordText.size() > width) {
-      out += "\n" + std::string(indent, ' ');
+      out.back() = '\n';
+      out += std::string(indent, ' ');
       column = indent;
     }
     out += std::string(wordText) + " ";
@@ -202,7 +211,8 @@ std::string helpText(const std::string& topic) {
   return "hogelscope: what a viewer would see on a light field display that need not exist yet\n"
          "\n"
          "  hogelscope [SESSION.json]                                  opens the window\n"
-         "  hogelscope --render --session S.json --output DIR          one picture per camera state\n"
+         "  hogelscope --render --session S.json --output DIR          one picture per camera "
+         "state\n"
          "  hogelscope --report --session S.json --test LF --output DIR\n"
          "                                                             compares light fields\n"
          "\n"

@@ -25,7 +25,9 @@ void catchSignals() {
   std::signal(SIGTERM, remember);
 }
 
-int caughtSignal() { return signalThatCame; }
+int caughtSignal() {
+  return signalThatCame;
+}
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
     : m_what(std::move(what)), m_isShown(!quiet && ::isatty(STDERR_FILENO) == 1) {}

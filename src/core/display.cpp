@@ -22,7 +22,9 @@ double slopeFromField(HogelLens lens, double field, double fov) {
   return field * 2 * std::tan(radians(fov) / 2);
 }
 
-bool inside(double index, int count) { return index >= 0 && index < count; }
+bool inside(double index, int count) {
+  return index >= 0 && index < count;
+}
 
 }  // namespace
 

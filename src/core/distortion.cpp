@@ -10,7 +10,9 @@ namespace hogelscope {
 
 namespace {
 
-double det(const Jacobian& j) { return j.xx * j.yy - j.xy * j.yx; }
+double det(const Jacobian& j) {
+  return j.xx * j.yy - j.xy * j.yx;
+}
 
 Vec2 solve(const Jacobian& j, const Vec2& r) {
   const double d = det(j);
@@ -24,7 +26,9 @@ double inverseNorm(const Jacobian& j) {
   return (sum + difference) / 2 / std::abs(det(j));
 }
 
-double norm(const Vec2& a) { return std::hypot(a.x, a.y); }
+double norm(const Vec2& a) {
+  return std::hypot(a.x, a.y);
+}
 
 }  // namespace
 
@@ -103,8 +107,7 @@ std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
     for (;; step /= 2) {
       if (step < shortestStep) return std::nullopt;
       const double t = reached + step;
-      const Vec2 move =
-          solve(j, {t * distorted.x - here.x, t * distorted.y - here.y});
+      const Vec2 move = solve(j, {t * distorted.x - here.x, t * distorted.y - here.y});
       const double eta = norm(move);
       if (beta * secondDerivativeBound(norm(ideal) + 2 * eta) * eta <= certain) break;
     }

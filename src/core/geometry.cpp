@@ -7,24 +7,26 @@
 
 namespace hogelscope {
 
-double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+double length(const Vec3& a) {
+  return std::hypot(a.x, a.y, a.z);
+}
 
 Vec3 normalise(const Vec3& a) {
   const double n = length(a);
   return n > 0 ? Vec3{a.x / n, a.y / n, a.z / n} : Vec3{};
 }
 
-double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180);
+}
 
 Vec3 RigidTransform::direction(const Vec3& d) const {
   return d.x * xAxis + d.y * yAxis + d.z * zAxis;
 }
 
 RigidTransform RigidTransform::inverse() const {
-  RigidTransform inverse{{xAxis.x, yAxis.x, zAxis.x},
-                         {xAxis.y, yAxis.y, zAxis.y},
-                         {xAxis.z, yAxis.z, zAxis.z},
-                         {}};
+  RigidTransform inverse{
+      {xAxis.x, yAxis.x, zAxis.x}, {xAxis.y, yAxis.y, zAxis.y}, {xAxis.z, yAxis.z, zAxis.z}, {}};
   inverse.origin = -1.0 * inverse.direction(origin);
   return inverse;
 }

@@ -12,9 +12,15 @@ constexpr std::array<std::string_view, 3> layoutNames{"hogels", "views", "quilt"
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
 
-double codeValue(std::uint8_t stored) { return stored; }
-double codeValue(std::uint16_t stored) { return stored / 257.0; }
-double codeValue(float stored) { return static_cast<double>(stored) * 255.0; }
+double codeValue(std::uint8_t stored) {
+  return stored;
+}
+double codeValue(std::uint16_t stored) {
+  return stored / 257.0;
+}
+double codeValue(float stored) {
+  return static_cast<double>(stored) * 255.0;
+}
 
 }  // namespace
 
@@ -23,8 +29,9 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   v.group("lightField", "The display's content: a file and how it is laid out.");
   v.field("file", file,
           "Image (hogels, quilt), folder or %-pattern of images (views); relative to the session.");
-  v.field("layout", layout, layoutNames,
-          "One image of hogel tiles, a folder of views (sub-aperture images), or a quilt of views.");
+  v.field(
+      "layout", layout, layoutNames,
+      "One image of hogel tiles, a folder of views (sub-aperture images), or a quilt of views.");
   v.field("incoming", incoming,
           "Directions were recorded looking into the scene: both u and v are flipped.");
   if (layout == Layout::views) {
@@ -40,7 +47,8 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   if (layout == Layout::quilt) {
     v.field("columns", quiltColumns, {1, 4096, 1}, "views",
             "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
-    v.field("rows", quiltRows, {1, 4096, 1}, "views", "Rows of views, the first one at the bottom.");
+    v.field("rows", quiltRows, {1, 4096, 1}, "views",
+            "Rows of views, the first one at the bottom.");
   }
 }
 

@@ -64,8 +64,12 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-constexpr Rgb operator+(const Rgb& a, const Rgb& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-constexpr Rgb operator*(double s, const Rgb& c) { return {s * c.r, s * c.g, s * c.b}; }
+constexpr Rgb operator+(const Rgb& a, const Rgb& b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+constexpr Rgb operator*(double s, const Rgb& c) {
+  return {s * c.r, s * c.g, s * c.b};
+}
 
 /// Three values a texel, in the raster of the hogel image: texel (i, j, u, v) is at column
 /// i·du + u, row j·dv + v. 16-bit values are /257 code values, floating ones ·255.

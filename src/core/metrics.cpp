@@ -25,7 +25,7 @@ std::array<double, windowSize> gaussian(double sigma) {
   std::array<double, windowSize> w{};
   double sum = 0;
   for (int k = 0; k < windowSize; ++k) {
-    const double x = k - windowSize / 2;
+    const int x = k - windowSize / 2;
     w[std::size_t(k)] = std::exp(-x * x / (2 * sigma * sigma));
     sum += w[std::size_t(k)];
   }
@@ -63,7 +63,9 @@ std::vector<double> luma(const Image& image) {
 
 }  // namespace
 
-double psnr(double mse) { return 10 * std::log10(255.0 * 255.0 / mse); }
+double psnr(double mse) {
+  return 10 * std::log10(255.0 * 255.0 / mse);
+}
 
 double ssim(const Image& reference, const Image& test) {
   if (reference.width < windowSize || reference.height < windowSize) return nothing;

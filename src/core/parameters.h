@@ -67,7 +67,7 @@ class ParameterVisitor {
     text({name, help}, value);
   }
   template <class Enum>
-    requires std::is_enum_v<Enum>
+  requires std::is_enum_v<Enum>
   void field(std::string_view name, Enum& value, std::span<const std::string_view> names,
              std::string_view help) {
     int index = static_cast<int>(value);

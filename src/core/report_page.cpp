@@ -14,11 +14,20 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -68,9 +77,10 @@ std::string reportPage(const std::vector<ReportRow>& rows, const std::string& se
   std::string text = pageHead;
   text += "<h1>Perceived views of " + escaped(session) + "</h1>\n<pre>" +
           escaped(summaryText(summarise(rows), rows)) + "</pre>\n";
-  text += "<p>MSE and PSNR on 8-bit RGB, over the whole picture and over the pixels seen in both; "
-          "SSIM on luma.</p>\n<table><tr><th>state</th><th>test</th><th>MSE</th><th>PSNR dB</th>"
-          "<th>MSE seen</th><th>PSNR seen dB</th><th>SSIM</th><th>seen %</th></tr>\n";
+  text +=
+      "<p>MSE and PSNR on 8-bit RGB, over the whole picture and over the pixels seen in both; "
+      "SSIM on luma.</p>\n<table><tr><th>state</th><th>test</th><th>MSE</th><th>PSNR dB</th>"
+      "<th>MSE seen</th><th>PSNR seen dB</th><th>SSIM</th><th>seen %</th></tr>\n";
   for (const ReportRow& row : rows) text += tableRow(row);
   return text + "</table>\n</body></html>\n";
 }

@@ -11,7 +11,9 @@ namespace hogelscope {
 
 namespace {
 
-std::string statePath(std::size_t index) { return "cameras[" + std::to_string(index) + "]"; }
+std::string statePath(std::size_t index) {
+  return "cameras[" + std::to_string(index) + "]";
+}
 
 /// A state's name is also a file's name: NAME.png and NAME.mask.png.
 void checkName(const std::string& name, const std::string& path) {

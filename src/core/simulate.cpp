@@ -61,9 +61,9 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
   const Reconstruction reconstruction = m_view.sampling.reconstruction;
   const bool hogelsToo = reconstruction == Reconstruction::quadrilinear;
   const bool directions = reconstruction != Reconstruction::nearest;
-  const std::array axes{neighbours(hit.i, size.nx, hogelsToo), neighbours(hit.j, size.ny, hogelsToo),
-                        neighbours(hit.u, size.du, directions),
-                        neighbours(hit.v, size.dv, directions)};
+  const std::array axes{
+      neighbours(hit.i, size.nx, hogelsToo), neighbours(hit.j, size.ny, hogelsToo),
+      neighbours(hit.u, size.du, directions), neighbours(hit.v, size.dv, directions)};
   Rgb sum;
   for (unsigned corner = 0; corner < 16; ++corner) {
     std::array<int, 4> index{};
@@ -74,7 +74,8 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
       weight *= side == 1 ? axes[axis].share : 1 - axes[axis].share;
     }
     if (weight > 0)
-      sum = sum + weight * m_psf.leaked(*m_view.lightField, {index[0], index[1], index[2], index[3]});
+      sum =
+          sum + weight * m_psf.leaked(*m_view.lightField, {index[0], index[1], index[2], index[3]});
   }
   return sum;
 }
@@ -91,8 +92,7 @@ std::optional<Rgb> Simulation::pixel(int x, int y) const {
   Rgb sum;
   for (int sy = 0; sy < n; ++sy) {
     for (int sx = 0; sx < n; ++sx) {
-      const std::optional<Rgb> sample =
-          ray(x + (sx + 0.5) / n - 0.5, y + (sy + 0.5) / n - 0.5);
+      const std::optional<Rgb> sample = ray(x + (sx + 0.5) / n - 0.5, y + (sy + 0.5) / n - 0.5);
       seen = seen || sample;
       if (sample) sum = sum + *sample;
     }

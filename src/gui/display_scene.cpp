@@ -70,7 +70,9 @@ DisplayScene::DisplayScene(VtkWidget& widget) : m_widget(widget) {
   m_marker->InteractiveOff();
 }
 
-DisplayScene::~DisplayScene() { m_marker->SetInteractor(nullptr); }
+DisplayScene::~DisplayScene() {
+  m_marker->SetInteractor(nullptr);
+}
 
 void DisplayScene::show(const DisplayParams& display, const std::vector<CameraState>& states,
                         std::size_t current) {

@@ -6,7 +6,9 @@
 
 namespace hogelscope {
 
-ImageView::ImageView(QWidget* parent) : QWidget(parent) { setMinimumSize(160, 120); }
+ImageView::ImageView(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(160, 120);
+}
 
 void ImageView::setImage(const QImage& image) {
   m_image = image;

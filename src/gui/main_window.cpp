@@ -83,8 +83,8 @@ void MainWindow::connectModel() {
   });
   connect(m_worker, &ViewWorker::rendered, this, [this](const QImage& image, double ms) {
     m_ui->imageView->setImage(image);
-    statusBar()->showMessage(tr("%1 × %2 px in %3 ms").arg(image.width()).arg(image.height()).arg(
-        ms, 0, 'f', 1));
+    statusBar()->showMessage(
+        tr("%1 × %2 px in %3 ms").arg(image.width()).arg(image.height()).arg(ms, 0, 'f', 1));
   });
 }
 
@@ -108,8 +108,8 @@ bool MainWindow::saveSession(const QString& file) {
 }
 
 void MainWindow::askOpen() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open session"), m_model->file(), tr("Sessions (*.json)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open session"), m_model->file(),
+                                                    tr("Sessions (*.json)"));
   if (!file.isEmpty()) openSession(file);
 }
 
@@ -119,8 +119,8 @@ void MainWindow::save() {
 }
 
 void MainWindow::askSaveAs() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save session as"), m_model->file(), tr("Sessions (*.json)"));
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save session as"), m_model->file(),
+                                                    tr("Sessions (*.json)"));
   if (!file.isEmpty()) saveSession(file);
 }
 
@@ -137,8 +137,8 @@ void MainWindow::showSession() {
     m_stateBox->addItem(QString::fromStdString(state.camera.name));
   m_display = m_model->session().display;
   m_worker->load(m_model->session());
-  statusBar()->showMessage(tr("Reading %1 …").arg(
-      QString::fromStdString(m_model->session().lightField.file)));
+  statusBar()->showMessage(
+      tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
   showCurrent();
   m_scene->fit();
 }
@@ -155,7 +155,8 @@ void MainWindow::showCurrent() {
 }
 
 void MainWindow::showTitle() {
-  const QString name = m_model->file().isEmpty() ? tr("no session") : QFileInfo(m_model->file()).fileName();
+  const QString name =
+      m_model->file().isEmpty() ? tr("no session") : QFileInfo(m_model->file()).fileName();
   setWindowTitle(tr("%1[*] – Hogelscope").arg(name));
   setWindowModified(m_model->isModified());
   setWindowFilePath(m_model->file());
@@ -163,6 +164,8 @@ void MainWindow::showTitle() {
   m_ui->saveAsAction->setEnabled(!m_model->session().cameras.empty());
 }
 
-void MainWindow::showError(const QString& line) { statusBar()->showMessage(tr("Error: %1").arg(line)); }
+void MainWindow::showError(const QString& line) {
+  statusBar()->showMessage(tr("Error: %1").arg(line));
+}
 
 }  // namespace hogelscope

@@ -75,7 +75,8 @@ void ParameterForm::group(std::string_view name, std::string_view help) {
 void ParameterForm::addRow(const Field& field, QWidget* editor) {
   auto* label = new QLabel(toQString(field.name), this);
   label->setBuddy(editor);
-  for (QWidget* widget : {static_cast<QWidget*>(label), editor}) widget->setToolTip(toQString(field.help));
+  for (QWidget* widget : {static_cast<QWidget*>(label), editor})
+    widget->setToolTip(toQString(field.help));
   m_layout->addRow(label, editor);
 }
 

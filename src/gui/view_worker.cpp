@@ -14,7 +14,7 @@ namespace hogelscope {
 namespace {
 
 QImage toQImage(const Image& image) {
-  const QImage view(image.rgb.data(), image.width, image.height, 3 * image.width,
+  const QImage view(image.rgb.data(), image.width, image.height, qsizetype(3) * image.width,
                     QImage::Format_RGB888);
   return view.copy();
 }

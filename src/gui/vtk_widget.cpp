@@ -74,7 +74,9 @@ void VtkWidget::releaseGL() {
   doneCurrent();
 }
 
-QSize VtkWidget::deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+QSize VtkWidget::deviceSize() const {
+  return (QSizeF(size()) * devicePixelRatioF()).toSize();
+}
 
 void VtkWidget::resizeGL(int, int) {
   m_window->SetDPI(qRound(72 * devicePixelRatioF()));
@@ -128,7 +130,9 @@ void VtkWidget::onSupportsOpenGL(vtkObject*, unsigned long, void* isSupported) {
   *static_cast<int*>(isSupported) = 1;
 }
 
-void VtkWidget::onRenderRequest(vtkObject*, unsigned long, void*) { update(); }
+void VtkWidget::onRenderRequest(vtkObject*, unsigned long, void*) {
+  update();
+}
 
 bool VtkWidget::event(QEvent* event) {
   if (event->type() == QEvent::ScreenChangeInternal) update();

@@ -62,7 +62,8 @@ void AtomicFile::commit() {
 
 void writeTextFile(const fs::path& path, std::string_view text) {
   AtomicFile file(path);
-  const Descriptor out{::open(file.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+  const Descriptor out{
+      ::open(file.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
   if (out.fd < 0) throw cannotWrite(path, errno);
   writeAll(out.fd, text, path);
   if (::fsync(out.fd) != 0 && errno != EINVAL && errno != EROFS) throw cannotWrite(path, errno);

@@ -35,12 +35,14 @@ std::string oneLine(std::string text, const fs::path& file) {
 }
 
 void refuseNotANumber(std::span<const float> values, std::size_t width, const fs::path& file) {
-  const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return std::isnan(v); });
+  const auto bad =
+      std::find_if(values.begin(), values.end(), [](float v) { return std::isnan(v); });
   if (bad == values.end()) return;
   const std::size_t pixel = std::size_t(bad - values.begin()) / 3;
-  throw InputError(file.string(), "pixel (" + std::to_string(pixel % width) + ", " +
-                                      std::to_string(pixel / width) + ")",
-                   "is not a number");
+  throw InputError(
+      file.string(),
+      "pixel (" + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + ")",
+      "is not a number");
 }
 
 std::string gigabytes(double bytes) {
@@ -54,8 +56,9 @@ std::string gigabytes(double bytes) {
 void checkFits(std::size_t bytes, const fs::path& file) {
   const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE));
   if (double(bytes) > 0.9 * memory)
-    throw InputError(file.string(), "size", "needs " + gigabytes(double(bytes)) +
-                                                " of memory, this machine has " + gigabytes(memory));
+    throw InputError(
+        file.string(), "size",
+        "needs " + gigabytes(double(bytes)) + " of memory, this machine has " + gigabytes(memory));
 }
 
 struct ImageFile::Input {
@@ -67,7 +70,8 @@ ImageFile::ImageFile(const fs::path& file) : m_file(file), m_input(std::make_uni
   std::error_code error;
   if (!fs::exists(file, error)) throw InputError(file.string(), "", "there is no such file");
   if (fs::is_directory(file, error))
-    throw InputError(file.string(), "", "is a folder, not a picture; a folder has layout \"views\"");
+    throw InputError(file.string(), "",
+                     "is a folder, not a picture; a folder has layout \"views\"");
   m_input->image = OIIO::ImageInput::open(file.string());
   if (!m_input->image)
     throw InputError(file.string(), "cannot be read as a picture", oneLine(OIIO::geterror(), file));
@@ -80,18 +84,29 @@ ImageFile::ImageFile(const fs::path& file) : m_file(file), m_input(std::make_uni
 ImageFile::~ImageFile() = default;
 ImageFile::ImageFile(ImageFile&&) noexcept = default;
 
-std::size_t ImageFile::width() const { return std::size_t(m_input->spec.width); }
-std::size_t ImageFile::height() const { return std::size_t(m_input->spec.height); }
-int ImageFile::channels() const { return m_input->spec.nchannels; }
-std::string ImageFile::format() const { return m_input->image->format_name(); }
+std::size_t ImageFile::width() const {
+  return std::size_t(m_input->spec.width);
+}
+std::size_t ImageFile::height() const {
+  return std::size_t(m_input->spec.height);
+}
+int ImageFile::channels() const {
+  return m_input->spec.nchannels;
+}
+std::string ImageFile::format() const {
+  return m_input->image->format_name();
+}
 
 StoredType ImageFile::type() const {
   switch (m_input->spec.format.basetype) {
     case OIIO::TypeDesc::UINT8:
-    case OIIO::TypeDesc::INT8: return StoredType::uint8;
+    case OIIO::TypeDesc::INT8:
+      return StoredType::uint8;
     case OIIO::TypeDesc::UINT16:
-    case OIIO::TypeDesc::INT16: return StoredType::uint16;
-    default: return StoredType::real;
+    case OIIO::TypeDesc::INT16:
+      return StoredType::uint16;
+    default:
+      return StoredType::real;
   }
 }
 
@@ -116,17 +131,19 @@ std::vector<T> ImageFile::readAs(const Progress& progress) {
   if (!whole || m_input->image->has_error())
     throw InputError(m_file.string(), "is damaged", oneLine(m_input->image->geterror(), m_file));
   if (used == 1)
-    for (std::size_t p = 0; p < pixels; ++p)
-      values[3 * p + 1] = values[3 * p + 2] = values[3 * p];
+    for (std::size_t p = 0; p < pixels; ++p) values[3 * p + 1] = values[3 * p + 2] = values[3 * p];
   if constexpr (std::is_same_v<T, float>) refuseNotANumber(values, width(), m_file);
   return values;
 }
 
 LightField::Values ImageFile::read(StoredType type, const Progress& progress) {
   switch (type) {
-    case StoredType::uint8: return readAs<std::uint8_t>(progress);
-    case StoredType::uint16: return readAs<std::uint16_t>(progress);
-    default: return readAs<float>(progress);
+    case StoredType::uint8:
+      return readAs<std::uint8_t>(progress);
+    case StoredType::uint16:
+      return readAs<std::uint16_t>(progress);
+    default:
+      return readAs<float>(progress);
   }
 }
 
@@ -143,8 +160,10 @@ struct ImageRowWriter::Output {
                        "no picture format has the extension \"" + path.extension().string() + "\"");
     // libjpeg's own handler ends the process beyond this.
     constexpr int jpegLimit = 65500;
-    if (std::string(image->format_name()) == "jpeg" && std::max(spec.width, spec.height) > jpegLimit)
-      throw InputError(path.string(), "cannot be written", "JPEG ends at 65500 px; use PNG or TIFF");
+    if (std::string(image->format_name()) == "jpeg" &&
+        std::max(spec.width, spec.height) > jpegLimit)
+      throw InputError(path.string(), "cannot be written",
+                       "JPEG ends at 65500 px; use PNG or TIFF");
     if (!image->open(atomic.temporary().string(), spec)) fail();
   }
 
@@ -206,6 +225,8 @@ void ImageRowWriter::write(std::span<const std::uint8_t> row) {
     m_output->fail();
 }
 
-void ImageRowWriter::finish() { m_output->finish(); }
+void ImageRowWriter::finish() {
+  m_output->finish();
+}
 
 }  // namespace hogelscope

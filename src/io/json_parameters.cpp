@@ -48,8 +48,7 @@ void checkNumber(const Json& value, const Field& field, const std::string& path,
 void checkNumber(const Json& value, const Field& field, const std::string& path, int) {
   checkNumber(value, field, path, 0.0);
   const auto number = value.get<double>();
-  if (number != std::floor(number))
-    throw InputError(path, shown(value) + " is not a whole number");
+  if (number != std::floor(number)) throw InputError(path, shown(value) + " is not a whole number");
   if (std::fmod(number - field.range.min, field.range.step) != 0)
     throw InputError(path, shown(value) + " is not allowed: " + rangeText(field) + " in steps of " +
                                numberText(field.range.step));
@@ -101,8 +100,8 @@ void JsonReader::list(const Field& field, std::span<Number> values, bool isList)
     return;
   }
   if (!value->is_array() || value->size() != values.size())
-    throw InputError(path, shown(*value) + " is not a list of " + std::to_string(values.size()) +
-                               " numbers");
+    throw InputError(
+        path, shown(*value) + " is not a list of " + std::to_string(values.size()) + " numbers");
   for (std::size_t k = 0; k < values.size(); ++k) {
     checkNumber((*value)[k], field, path + "[" + std::to_string(k) + "]", Number{});
     values[k] = (*value)[k].get<Number>();
@@ -153,7 +152,9 @@ void JsonWriter::integers(const Field& field, std::span<int> values, bool isList
   write(m_object, field, values, isList);
 }
 
-void JsonWriter::flag(const Field& field, bool& value) { m_object[std::string(field.name)] = value; }
+void JsonWriter::flag(const Field& field, bool& value) {
+  m_object[std::string(field.name)] = value;
+}
 
 void JsonWriter::text(const Field& field, std::string& value) {
   m_object[std::string(field.name)] = value;
@@ -177,7 +178,8 @@ Json parseJson(const std::string& text) {
   } catch (const Json::exception& error) {
     std::string why = error.what();
     why.erase(0, std::min(why.size(), why.find("] ") + 2));
-    std::replace_if(why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
+    std::replace_if(
+        why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
     throw InputError("is not JSON", why);
   }
 }
@@ -186,9 +188,9 @@ namespace {
 
 void format(const Json& value, const std::string& indent, std::string& out) {
   const bool isLeaf = !value.is_structured() || value.empty();
-  const bool isFlat = value.is_array() && std::none_of(value.begin(), value.end(), [](const Json& v) {
-                        return v.is_structured();
-                      });
+  const bool isFlat =
+      value.is_array() &&
+      std::none_of(value.begin(), value.end(), [](const Json& v) { return v.is_structured(); });
   if (isLeaf || isFlat) {
     out += value.dump();
     return;

@@ -96,8 +96,8 @@ class HogelImage : public LightFieldFile {
     LightField::Values values = blank(raster, m_size, m_params.file);
     place(raster, int(m_size.width()), int(m_size.height()), values, m_size, true,
           [this](int x, int y) {
-            return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du,
-                                            y % m_size.dv});
+            return std::optional(
+                TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
           });
     return {m_size, std::move(values)};
   }
@@ -136,7 +136,8 @@ class ViewsFolder : public LightFieldFile {
     ImageFile image(file);
     if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
       throw InputError(file.string(), "size",
-                       "is " + pixels(image.width(), image.height()) + " px, but the first view is " +
+                       "is " + pixels(image.width(), image.height()) +
+                           " px, but the first view is " +
                            pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)));
     return image.read(m_type, {});
   }
@@ -169,8 +170,9 @@ class QuiltImage : public LightFieldFile {
     m_columns = params.quiltColumns > 0 ? params.quiltColumns : columns;
     m_rows = params.quiltRows > 0 ? params.quiltRows : rows;
     if (m_columns < 1 || m_rows < 1)
-      throw InputError(params.file, "lightField.columns",
-                       "and rows are not given, and the file's name has no _qs{columns}x{rows}a{aspect}");
+      throw InputError(
+          params.file, "lightField.columns",
+          "and rows are not given, and the file's name has no _qs{columns}x{rows}a{aspect}");
     const auto tilesX = std::size_t(m_columns);
     const auto tilesY = std::size_t(m_rows);
     if (m_image.width() % tilesX != 0 || m_image.height() % tilesY != 0)
@@ -215,9 +217,12 @@ std::array<int, 2> quiltTilesFromName(const std::string& file) {
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display) {
   switch (params.layout) {
-    case Layout::views: return std::make_unique<ViewsFolder>(params, display);
-    case Layout::quilt: return std::make_unique<QuiltImage>(params);
-    default: return std::make_unique<HogelImage>(params, display);
+    case Layout::views:
+      return std::make_unique<ViewsFolder>(params, display);
+    case Layout::quilt:
+      return std::make_unique<QuiltImage>(params);
+    default:
+      return std::make_unique<HogelImage>(params, display);
   }
 }
 

@@ -41,8 +41,8 @@ void checkVersion(const Json* version) {
   const std::string wanted = "\"hogelscope\": " + std::to_string(documentVersion);
   if (version == nullptr) throw InputError("hogelscope", "is missing: a session says " + wanted);
   if (*version != documentVersion)
-    throw InputError("hogelscope", version->dump() + " is not a version that this program reads: " +
-                                       wanted);
+    throw InputError("hogelscope",
+                     version->dump() + " is not a version that this program reads: " + wanted);
 }
 
 Session readSession(const Json& document) {
@@ -83,8 +83,9 @@ void applyOverride(Json& document, const std::string& text) {
     return;
   }
   if (!isOneOf(stateSections))
-    throw InputError("--set " + text, "there is no section \"" + section +
-                                          "\": display, lightField, sampling, camera, distortion, psf");
+    throw InputError("--set " + text,
+                     "there is no section \"" + section +
+                         "\": display, lightField, sampling, camera, distortion, psf");
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
@@ -112,8 +113,8 @@ Json writtenState(const CameraState& state) {
 std::string relativeTo(const fs::path& document, const std::string& file) {
   std::error_code error;
   const fs::path folder = fs::absolute(document).parent_path();
-  const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(
-      folder.lexically_normal());
+  const fs::path relative =
+      fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal());
   return relative.empty() ? fs::absolute(file).string() : relative.string();
 }
 

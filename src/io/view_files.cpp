@@ -104,8 +104,8 @@ Found matches(const fs::path& folder, const NamePattern& pattern) {
       (pattern.meaning[g] == 'R' ? key.first : key.second) = number(groups[g + 1].str());
     const auto [first, isNew] = found.emplace(key, entry.path());
     if (!isNew)
-      throw InputError(folder.string(), "views", name + " and " + first->second.filename().string() +
-                                                     " are the same view");
+      throw InputError(folder.string(), "views",
+                       name + " and " + first->second.filename().string() + " are the same view");
   }
   return found;
 }
@@ -122,11 +122,10 @@ ViewFiles gridOf(const Found& found, const fs::path& folder) {
     for (const int column : columns) {
       const auto at = found.find({row, column});
       if (at == found.end())
-        throw InputError(folder.string(), "views", "row " + std::to_string(row) + ", column " +
-                                                       std::to_string(column) + " is missing (" +
-                                                       std::to_string(rows.size()) + " rows and " +
-                                                       std::to_string(columns.size()) +
-                                                       " columns were found)");
+        throw InputError(folder.string(), "views",
+                         "row " + std::to_string(row) + ", column " + std::to_string(column) +
+                             " is missing (" + std::to_string(rows.size()) + " rows and " +
+                             std::to_string(columns.size()) + " columns were found)");
       grid.files.push_back(at->second);
     }
   }
@@ -165,7 +164,8 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
   } else if (!params.pattern.empty()) {
     patterns.push_back(fromTokens(params.pattern));
   } else {
-    for (const char* known : {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
+    for (const char* known :
+         {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
       patterns.push_back(fromTokens(known));
   }
   if (!fs::is_directory(folder)) throw InputError(folder.string(), "", "there is no such folder");
@@ -177,7 +177,8 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
   }
   std::string tried;
   for (const NamePattern& pattern : patterns) tried += (tried.empty() ? "" : ", ") + pattern.text;
-  throw InputError(folder.string(), "views", "no file name fits " + tried + "; give lightField.pattern");
+  throw InputError(folder.string(), "views",
+                   "no file name fits " + tried + "; give lightField.pattern");
 }
 
 }  // namespace hogelscope

@@ -4,15 +4,20 @@
 
 #include <vtkSMPTools.h>
 
-namespace hogelscope {
+namespace hogelscope
+{
 
-void parallelRows(int count, const std::function<void(int, int)>& rows) {
+void parallelRows(int count, const std::function<void(int, int)>& rows)
+{
   constexpr vtkIdType grain = 4;
-  vtkSMPTools::For(0, count, grain, [&rows](vtkIdType begin, vtkIdType end) {
-    rows(static_cast<int>(begin), static_cast<int>(end));
-  });
+  vtkSMPTools::For(0, count, grain,
+    [&rows](vtkIdType begin, vtkIdType end)
+    { rows(static_cast<int>(begin), static_cast<int>(end)); });
 }
 
-void setThreads(int count) { vtkSMPTools::Initialize(count); }
+void setThreads(int count)
+{
+  vtkSMPTools::Initialize(count);
+}
 
-}  // namespace hogelscope
+} // namespace hogelscope

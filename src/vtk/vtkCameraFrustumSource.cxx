@@ -20,10 +20,10 @@ vtkNew<vtkPoints> frustumPoints(const hogelscope::CameraParams& params, double d
   const hogelscope::Camera camera(params);
   const auto [width, height] = params.res;
   vtkNew<vtkPoints> points;
-  const auto add = [&](double px, double py, double depth) {
+  const auto add = [&](double px, double py, double depth)
+  {
     const hogelscope::Vec2 p = camera.normalised(px, py);
-    const hogelscope::Vec3 w =
-      camera.worldFromCamera().point({ depth * p.x, depth * p.y, depth });
+    const hogelscope::Vec3 w = camera.worldFromCamera().point({ depth * p.x, depth * p.y, depth });
     points->InsertNextPoint(w.x, w.y, w.z);
   };
   add(0, 0, 0);

@@ -12,7 +12,7 @@
 #include <vtkPolyDataAlgorithm.h>
 
 #include "core/camera.h"
-#include "hogelscope_vtkModule.h"  // for export macro
+#include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkCameraFrustumSource : public vtkPolyDataAlgorithm
 {

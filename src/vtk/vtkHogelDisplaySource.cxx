@@ -20,8 +20,7 @@ class PanelPoints
 public:
   explicit PanelPoints(const hogelscope::DisplayParams& display)
     : Size(display.size)
-    , WorldFromDisplay(
-        hogelscope::transformFromPose(display.position, display.orientation))
+    , WorldFromDisplay(hogelscope::transformFromPose(display.position, display.orientation))
   {
   }
   vtkIdType Add(double x, double y)
@@ -70,7 +69,8 @@ void fillGrid(const hogelscope::DisplayParams& display, int maximumLines, vtkPol
 {
   PanelPoints points(display);
   vtkNew<vtkCellArray> lines;
-  const auto add = [&](double x0, double y0, double x1, double y1) {
+  const auto add = [&](double x0, double y0, double x1, double y1)
+  {
     lines->InsertNextCell(2);
     lines->InsertCellPoint(points.Add(x0, y0));
     lines->InsertCellPoint(points.Add(x1, y1));

@@ -13,7 +13,7 @@
 #include <vtkPolyDataAlgorithm.h>
 
 #include "core/display.h"
-#include "hogelscope_vtkModule.h"  // for export macro
+#include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelDisplaySource : public vtkPolyDataAlgorithm
 {

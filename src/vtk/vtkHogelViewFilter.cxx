@@ -37,8 +37,7 @@ void write(const hogelscope::Rgb& colour, float* rgb)
 
 /// One row of the update extent, VTK's row y.
 template <class T>
-void fillRow(
-  const hogelscope::Simulation& simulation, int height, vtkImageData* output, int y)
+void fillRow(const hogelscope::Simulation& simulation, int height, vtkImageData* output, int y)
 {
   const int* extent = output->GetExtent();
   T* rgb = static_cast<T*>(output->GetScalarPointer(extent[0], y, 0));
@@ -137,20 +136,22 @@ void vtkHogelViewFilter::Fill(const hogelscope::Simulation& simulation, vtkImage
   const int first = output->GetExtent()[2];
   const int rows = output->GetExtent()[3] - first + 1;
   const int height = this->View.state.camera.res[1];
-  hogelscope::parallelRows(rows, [&](int begin, int end) {
-    for (int row = begin; row < end && !this->Stopped; ++row)
+  hogelscope::parallelRows(rows,
+    [&](int begin, int end)
     {
-      if (this->FloatOutput)
+      for (int row = begin; row < end && !this->Stopped; ++row)
       {
-        fillRow<float>(simulation, height, output, first + row);
+        if (this->FloatOutput)
+        {
+          fillRow<float>(simulation, height, output, first + row);
+        }
+        else
+        {
+          fillRow<unsigned char>(simulation, height, output, first + row);
+        }
       }
-      else
-      {
-        fillRow<unsigned char>(simulation, height, output, first + row);
-      }
-    }
-    this->Advance(end - begin, rows);
-  });
+      this->Advance(end - begin, rows);
+    });
 }
 
 void vtkHogelViewFilter::Advance(int rows, int allRows)

@@ -21,7 +21,7 @@
 #include "core/image.h"
 #include "core/progress.h"
 #include "core/simulate.h"
-#include "hogelscope_vtkModule.h"  // for export macro
+#include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelViewFilter : public vtkImageAlgorithm
 {
