@@ -94,7 +94,7 @@ std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
   // Kantorovich: h = β K η ≤ 1/2 keeps the whole step on one branch; β bounds the inverse
   // Jacobian, η is Newton's first move, K bounds the second derivative in the ball 2η.
   constexpr double certain = 0.45;
-  constexpr double shortestStep = 1e-13;  // of the segment: nearer to a fold is on it
+  constexpr double shortestStep = 1e-13;  // of what is reached: nearer to a fold is on it
   Vec2 ideal{0, 0};
   double reached = 0;  // the part of the segment whose preimage is known
   double step = 1;
@@ -105,7 +105,7 @@ std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
     const Vec2 here = distort(ideal);
     step = std::min(2 * step, 1 - reached);
     for (;; step /= 2) {
-      if (step < shortestStep) return std::nullopt;
+      if (!(step > shortestStep * reached)) return std::nullopt;
       const double t = reached + step;
       const Vec2 move = solve(j, {t * distorted.x - here.x, t * distorted.y - here.y});
       const double eta = norm(move);

@@ -22,7 +22,7 @@ Metrics compare(const Image& reference, const Image& test);
 double psnr(double mse);
 
 /// Mean SSIM of Wang et al. 2004 on the luma (BT.601) of the pictures: 11×11 Gaussian of σ 1.5,
-/// K1 0.01, K2 0.03, L = 255, over the places where the whole window lies inside.
+/// K1 0.01, K2 0.03, L = 255, over the places where the whole window lies inside. Same sizes.
 double ssim(const Image& reference, const Image& test);
 
 }  // namespace hogelscope

@@ -36,7 +36,7 @@ void check(const Session& session);
 /// The rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);
 
-/// What is allowed but probably not meant: one line each, with its path.
+/// What is allowed but probably not meant: one line each, which begins with the state's name.
 std::vector<std::string> warnings(const Session& session);
 
 /// Takes what `fromFile` says where the display leaves hogels or directions out. Throws InputError

@@ -94,7 +94,7 @@ void TestCalibrations::initTestCase() {
   QFile document(file);
   if (!document.open(QIODevice::ReadOnly)) QSKIP(qPrintable(QString("no file ") + file));
   const QJsonArray cameras = QJsonDocument::fromJson(document.readAll())["cameras"].toArray();
-  for (const QJsonValue& camera : cameras) {
+  for (const QJsonValue camera : cameras) {
     m_calibrations << calibration(camera.toObject());
     m_names << camera["name"].toString();
   }

@@ -63,6 +63,7 @@ void TestCamera::frame_data() {
   row("rolled", {0, 0, 1}, {}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 0, -1});
   row("upside down", {0, 0, 1}, {}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1});
   row("up is tilted", {0, 0, 1}, {}, {0, 5, 5}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1});
+  row("up is nearly parallel", {0, 2, 0}, {}, {0, 1, -1e-8}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0});
   row("diagonal", {1, 0, 1}, {}, {0, 1, 0}, {s, 0, -s}, {0, -1, 0}, {-s, 0, -s});
   row("away from the origin", {3, 4, 5}, {3, 4, 2}, {0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1});
   row("tiny", {0, 0, 1e-200}, {}, {0, 1e-200, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1});
@@ -174,7 +175,7 @@ void TestCamera::noFrame_data() {
   row("up is zero", {0, 0, 1}, {}, {}, "up: is zero: give the direction that is up in the picture");
   row("up is parallel", {0, 5, 0}, {}, {0, 1, 0}, parallel);
   row("up is forward", {0, 5, 0}, {}, {0, -3, 0}, parallel);
-  row("up is parallel, but for rounding", {0.3, 0.1, 0.7}, {}, {0.9, 0.3, 2.1}, parallel);
+  row("up is parallel, but for rounding", {0, 5, 0}, {}, {1e-10, 1, 0}, parallel);
 }
 
 void TestCamera::noFrame() {

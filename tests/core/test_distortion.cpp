@@ -45,10 +45,10 @@ double residual(const DistortionParams& lens, const Vec2& ideal, const Vec2& q) 
 
 /// 41×41 points over the whole picture.
 std::vector<Vec2> gridOf41() {
-  std::vector<Vec2> points;
-  for (int k = 0; k < 41 * 41; ++k)
-    points.push_back(
-        {(k % 41 * 599 / 40.0 - 299.5) / focal, (k / 41 * 599 / 40.0 - 299.5) / focal});
+  std::vector<Vec2> points(std::size_t{41} * 41);
+  const auto coordinate = [](std::size_t k) { return (double(k) * 599 / 40 - 299.5) / focal; };
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] = {coordinate(k % 41), coordinate(k / 41)};
   return points;
 }
 

@@ -26,7 +26,7 @@ void TestLightField::texelsLieInTheHogelImagesRaster() {
   const LightFieldSize size{3, 2, 5, 4};
   QCOMPARE(size.width(), std::size_t(15));
   QCOMPARE(size.height(), std::size_t(8));
-  std::vector<std::uint16_t> values(3 * 15 * 8);
+  std::vector<std::uint16_t> values(3 * size.width() * size.height());
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<std::uint16_t>(257 * k);
   // 257 k overflows 16 bits from k = 256 on, so look at the first rows only.
   const LightField lightField(size, values);
@@ -52,8 +52,8 @@ void TestLightField::storedValues() {
 
 void TestLightField::wrongCountIsRefused() {
   const LightFieldSize size{1, 1, 2, 2};
-  QVERIFY_EXCEPTION_THROWN(LightField(size, std::vector<std::uint8_t>(11)), std::invalid_argument);
-  QVERIFY_EXCEPTION_THROWN(LightField(size, std::vector<float>(13)), std::invalid_argument);
+  QVERIFY_THROWS_EXCEPTION(std::invalid_argument, LightField(size, std::vector<std::uint8_t>(11)));
+  QVERIFY_THROWS_EXCEPTION(std::invalid_argument, LightField(size, std::vector<float>(13)));
 }
 
 void TestLightField::quantisedRoundsHalfUp_data() {

@@ -158,8 +158,11 @@ void TestSession::goodNames() {
 void TestSession::warnsOfCutWindows() {
   Session session = goodSession();
   QVERIFY(warnings(session).empty());
-  session.cameras[0].psf = {0.67, 5};
+  session.cameras[0].psf = {0.89, 5};  // keeps 99.006 %
   QVERIFY(warnings(session).empty());
+  session.cameras[0].psf = {0.9, 5};  // keeps 98.907 %
+  QCOMPARE(warnings(session).size(), std::size_t(1));
+  session.cameras[0].psf = {};
   session.cameras[1].psf = {2, 7};
   const std::vector<std::string> lines = warnings(session);
   QCOMPARE(lines.size(), std::size_t(1));

@@ -85,7 +85,7 @@ class TestMainWindow : public QObject {
   void sceneShowsPanelGridAndFrustum() {
     waitForSample();
     const QImage scene = m_window->findChild<VtkWidget*>()->grabFramebuffer();
-    QVERIFY(count(scene, QColor(61, 71, 92)) > 5000);    // panel
+    QVERIFY(count(scene, QColor(61, 71, 92)) > 5000);     // panel
     QVERIFY(count(scene, QColor(128, 148, 179)) > 2000);  // grid
     QVERIFY(count(scene, QColor(255, 166, 38)) > 100);    // the current frustum
     m_window->grab().save(QCoreApplication::applicationDirPath() + "/main_window.png");
@@ -94,8 +94,8 @@ class TestMainWindow : public QObject {
   void otherStatesHaveTheirFrusta() {
     waitForSample();
     editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.3);
-    QTRY_VERIFY(count(m_window->findChild<VtkWidget*>()->grabFramebuffer(),
-                      QColor(140, 191, 153)) > 50);
+    QTRY_VERIFY(count(m_window->findChild<VtkWidget*>()->grabFramebuffer(), QColor(140, 191, 153)) >
+                50);
   }
 
   void movingASliderChangesThePicture() {

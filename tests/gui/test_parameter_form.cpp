@@ -18,8 +18,8 @@ class TestParameterForm : public QObject {
   void hasARowForEachField() {
     CameraState state;
     const ParameterForm form([&](ParameterVisitor& v) { describe(v, state.psf); });
-    for (const char* name : {"sigma", "sigma.slider", "windowSize", "windowSize.slider", "border",
-                             "light"})
+    for (const char* name :
+         {"sigma", "sigma.slider", "windowSize", "windowSize.slider", "border", "light"})
       QVERIFY2(form.findChild<QWidget*>(name) != nullptr, name);
     QVERIFY(!form.findChild<QWidget*>("sigma")->parentWidget()->toolTip().isEmpty());
     QCOMPARE(form.findChild<QDoubleSpinBox*>("sigma")->suffix(), QString(" px"));

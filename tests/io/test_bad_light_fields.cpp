@@ -1,3 +1,281 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Being written.
-int main() { return 0; }
+// Tests the line that the program prints for pictures and folders it cannot show.
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "io/light_field_file.h"
+#include "tests/io/pictures.h"
+#include "tests/io/refusal.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Of 4×3 hogels and 2×2 directions.
+QByteArray hogels(const QByteArray& file) {
+  return text({.display = R"({"hogels": [4, 3], "directions": [2, 2]})",
+               .lightField = R"({"file": ")" + file + R"("})"});
+}
+
+QByteArray views(const QByteArray& file, const QByteArray& more = {},
+                 const QByteArray& display = "{}") {
+  return text({.display = display,
+               .lightField = R"({"layout": "views", "file": ")" + file + "\"" + more + "}"});
+}
+
+QByteArray quilt(const QByteArray& file, const QByteArray& more = {},
+                 const QByteArray& display = "{}") {
+  return text({.display = display,
+               .lightField = R"({"layout": "quilt", "file": ")" + file + "\"" + more + "}"});
+}
+
+float noise(int x, int y, int channel) {
+  return float((x * 7919 + y * 104729 + channel * 1299709) % 251) / 250.0F;
+}
+
+/// A new file of the first half of `file`.
+void cut(const QString& file, const QString& half) {
+  const QByteArray whole = contentOf(file);
+  writeFile(half, whole.left(whole.size() / 2));
+}
+
+void damage(const QString& file, const QString& damaged) {
+  QByteArray bytes = contentOf(file);
+  for (qsizetype at = bytes.size() / 2; at < bytes.size() / 2 + 100; ++at) bytes[at] = '\xff';
+  writeFile(damaged, bytes);
+}
+
+/// As checkProgram, but read here.
+void checkReading() {
+  QFETCH(QByteArray, document);
+  QFETCH(QByteArray, line);
+  writeFile("s.json", document);
+  const auto load = [] { (void)loadScene(loadSession("s.json"), {}); };
+  QCOMPARE(errorOf(load).toUtf8(), line);
+}
+
+void writeViews(const QString& folder, const QStringList& names) {
+  for (const QString& name : names) writeGrey(folder + "/" + name, 8, 6);
+}
+
+}  // namespace
+
+class TestBadLightFields : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void pictures_data();
+  void pictures() { checkProgram(m_folder.path()); }
+  void folders_data();
+  void folders() { checkProgram(m_folder.path()); }
+  void twoFilesForOneView();
+  void patterns_data();
+  void patterns() { checkReading(); }
+  void quilts_data();
+  void quilts() { checkReading(); }
+  void attacks_data();
+  void attacks();
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+void TestBadLightFields::initTestCase() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  writeGrey("ok.png", 8, 6);
+  writePicture("noise.png", 64, 48, noise);
+  writePicture("noise.jpg", 64, 48, noise);
+  cut("noise.png", "cut.png");
+  cut("noise.jpg", "cut.jpg");
+  damage("noise.png", "damaged.png");
+  writeFile("text.png", "hello\n");
+  writeFile("text.txt", "hello\n");
+  writeFile("empty.png", "");
+  const auto oneNan = [](int x, int y, int c) { return x == 5 && y == 2 && c == 1 ? NAN : 0.5F; };
+  writePicture("nan.exr", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
+  writePicture("nan.tif", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
+
+  QVERIFY(QDir().mkdir("none"));
+  writeViews("views", {"000_000.png", "000_001.png", "001_000.png", "001_001.png"});
+  writeViews("missing", {"000_000.png", "000_001.png", "001_000.png"});
+  writeViews("sizes", {"000_000.png", "000_001.png", "001_000.png"});
+  writeGrey("sizes/001_001.png", 4, 6);
+  writeViews("twice", {"000_000.png", "000_001.png", "000_001.tif"});
+  writePicture("broken/000_000.jpg", 64, 48, noise);
+  cut("noise.jpg", "broken/000_001.jpg");
+  writeViews("five", {"input_Cam000.png", "input_Cam001.png", "input_Cam002.png",
+                      "input_Cam003.png", "input_Cam004.png"});
+  writeViews("gap",
+             {"input_Cam000.png", "input_Cam001.png", "input_Cam002.png", "input_Cam004.png"});
+  writeViews("long", {QString(60, 'a') + "_0.png"});
+}
+
+void TestBadLightFields::pictures_data() {
+  refusalColumns();
+  refused("missing", hogels("none.png"), "none.png: there is no such file");
+  refused("in a missing folder", hogels("nowhere/ok.png"), "nowhere/ok.png: there is no such file");
+  refused("a folder", hogels("views"),
+          "views: is a folder, not a picture; a folder has layout \"views\"");
+  refused("text, named .png", hogels("text.png"),
+          "text.png: cannot be read as a picture: Not a PNG file");
+  refused("text", hogels("text.txt"),
+          "text.txt: cannot be read as a picture: OpenImageIO could not find a format reader for "
+          "it. Is it a file format that OpenImageIO doesn't know about?");
+  refused("the session itself", hogels("s.json"),
+          "s.json: cannot be read as a picture: OpenImageIO could not find a format reader for it. "
+          "Is it a file format that OpenImageIO doesn't know about?");
+  refused("empty", hogels("empty.png"), "empty.png: cannot be read as a picture: Not a PNG file");
+  // TODO wording: libpng's own line, and the same three times
+  refused("PNG cut in half",
+          text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
+                .lightField = R"({"file": "cut.png"})"}),
+          "libpng error: IDAT: Read error: hit end of file\nhogelscope: cut.png: is damaged: Read "
+          "error: hit end of file PNG read error: IDAT: Read error: hit end of file PNG library "
+          "error");
+  // TODO wording: libpng's own line
+  refused(
+      "PNG damaged",
+      text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
+            .lightField = R"({"file": "damaged.png"})"}),
+      "libpng error: IDAT: invalid distance too far back\nhogelscope: damaged.png: is damaged: PNG "
+      "read error: IDAT: invalid distance too far back PNG library error");
+  // TODO wording: "(it)"
+  refused("JPEG cut in half",
+          text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
+                .lightField = R"({"file": "cut.jpg"})"}),
+          "cut.jpg: is damaged: JPEG error: Premature end of JPEG file (it)");
+  refused("not hogels times directions", hogels("noise.png"),
+          "noise.png: size: is 64×48 px, but 4×3 hogels of 2×2 directions need 8×6");
+  refused("hogels and directions changed over",
+          text({.display = R"({"hogels": [3, 4], "directions": [2, 2]})",
+                .lightField = R"({"file": "ok.png"})"}),
+          "ok.png: size: is 8×6 px, but 3×4 hogels of 2×2 directions need 6×8");
+  refused("NaN in EXR", hogels("nan.exr"), "nan.exr: pixel (5, 2): is not a number");
+  refused("NaN in TIFF", hogels("nan.tif"), "nan.tif: pixel (5, 2): is not a number");
+  // TODO wording: on two lines
+  refused("a line break in its name", hogels(R"(a\nb.png)"), "a\nb.png: there is no such file");
+}
+
+void TestBadLightFields::folders_data() {
+  refusalColumns();
+  refused("missing", views("nowhere"), "nowhere: there is no such folder");
+  // TODO wording: there is one, but it is a picture
+  refused("a picture", views("ok.png"), "ok.png: there is no such folder");
+  refused("empty", views("none"),
+          "none: views: no file name fits out_RR_CC_y_x, input_CamNNN, RRR_CCC; give "
+          "lightField.pattern");
+  refused("a view is missing", views("missing"),
+          "missing: views: row 1, column 1 is missing (2 rows and 2 columns were found)");
+  refused("views of different size", views("sizes"),
+          "sizes/001_001.png: size: is 4×6 px, but the first view is 8×6");
+  // TODO wording: "(it)"
+  refused("a broken view", views("broken"),
+          "broken/000_001.jpg: is damaged: JPEG error: Premature end of JPEG file (it)");
+  refused("five numbered views", views("five"),
+          "five: views: 5 views do not make a grid of 2×2; give display.directions");
+  // TODO wording: display.directions is given, and wrong
+  refused("five numbered views, nine expected", views("five", "", R"({"directions": [3, 3]})"),
+          "five: views: 5 views do not make a grid of 3×3; give display.directions");
+  refused("a number is missing", views("gap"), "gap: views: number 3 is missing");
+  // TODO wording: display.hogels is the session's
+  refused("other hogels", views("views", "", R"({"hogels": [6, 8]})"),
+          "views: display.hogels: is 6×8, but the light field has 8×6");
+  // TODO wording: display.directions is the session's
+  refused("other directions", views("views", "", R"({"directions": [4, 1]})"),
+          "views: display.directions: is 4×1, but the light field has 2×2");
+}
+
+/// Which of them comes first is the file system's choice.
+void TestBadLightFields::twoFilesForOneView() {
+  writeFile("s.json", views("twice"));
+  const Outcome outcome =
+      run({"--render", "--session", "s.json", "--output", "out"}, m_folder.path());
+  QCOMPARE(outcome.status, 2);
+  const QByteArray one = "000_001.png";
+  const QByteArray other = "000_001.tif";
+  const auto line = [](const QByteArray& a, const QByteArray& b) {
+    return "hogelscope: twice: views: " + a + " and " + b + " are the same view\n";
+  };
+  QVERIFY2(outcome.err == line(one, other) || outcome.err == line(other, one), outcome.err);
+}
+
+void TestBadLightFields::patterns_data() {
+  refusalColumns();
+  refused("fits no name", views("views", R"(, "pattern": "view_RR_CC")"),
+          "views: views: no file name fits view_RR_CC; give lightField.pattern");
+  refused("another extension", views("views", R"(, "pattern": "RRR_CCC.jpg")"),
+          "views: views: no file name fits RRR_CCC.jpg; give lightField.pattern");
+  // TODO wording: the session's name
+  refused("without numbers", views("views", R"(, "pattern": "view")"),
+          "lightField.pattern: \"view\" names neither one row (RR) and one column (CC) nor one "
+          "running number (NNN)");
+  // TODO wording: the session's name
+  refused("only rows", views("views", R"(, "pattern": "RRR_*")"),
+          "lightField.pattern: \"RRR_*\" names neither one row (RR) and one column (CC) nor one "
+          "running number (NNN)");
+  // TODO wording: the session's name
+  refused("rows, columns and a number", views("views", R"(, "pattern": "RR_CC_NN")"),
+          "lightField.pattern: \"RR_CC_NN\" names neither one row (RR) and one column (CC) nor one "
+          "running number (NNN)");
+  // TODO wording: the session's name; on two lines
+  refused("a line break", views("views", R"(, "pattern": "a\nb")"),
+          "lightField.pattern: \"a\nb\" names neither one row (RR) and one column (CC) nor one "
+          "running number (NNN)");
+  refused("% that fits no name", views("views/%03d_%03d.tif"),
+          "views: views: no file name fits %03d_%03d.tif; give lightField.pattern");
+  // TODO wording: the session's name
+  refused("%s", views("views/%s.png"),
+          "lightField.file: \"%s.png\": only %d and %02d stand for numbers");
+  // TODO wording: three numbers are one too many
+  refused("% three times", views("views/%d_%d%d.png"),
+          "views: views: 000_000.png and 000_001.png are the same view");
+  refused("% in a missing folder", views("nowhere/%d_%d.png"), "nowhere: there is no such folder");
+  refused("% in a folder's name", views("%d/a.png"), "%d/a.png: there is no such folder");
+}
+
+void TestBadLightFields::quilts_data() {
+  refusalColumns();
+  refused("does not divide", quilt("ok.png", R"(, "columns": 3, "rows": 3)"),
+          "ok.png: size: is 8×6 px, which does not divide into 3×3 views");
+  refused("neither columns nor suffix", quilt("ok.png"),
+          "ok.png: lightField.columns: and rows are not given, and the file's name has no "
+          "_qs{columns}x{rows}a{aspect}");
+  refused("columns without rows", quilt("ok.png", R"(, "columns": 2)"),
+          "ok.png: lightField.columns: and rows are not given, and the file's name has no "
+          "_qs{columns}x{rows}a{aspect}");
+  refused("a folder", quilt("views", R"(, "columns": 2, "rows": 2)"),
+          "views: is a folder, not a picture; a folder has layout \"views\"");
+  // TODO wording: display.directions is the session's
+  refused("other directions",
+          quilt("ok.png", R"(, "columns": 2, "rows": 3)", R"({"directions": [2, 3]})"),
+          "ok.png: display.directions: is 2×3, but the light field has 6×1");
+}
+
+/// What somebody might try; the line is not told, but there is one.
+void TestBadLightFields::attacks_data() {
+  QTest::addColumn<QByteArray>("document");
+  QTest::addColumn<QString>("bug");
+  QTest::newRow("many stars") << views("long", ", \"pattern\": \"" + QByteArray("*a").repeated(12) +
+                                                   "_NNN.x\"")
+                              << "std::regex tries all ways to match: minutes";
+  QTest::newRow("a pattern of 300 kB")
+      << views("long", ", \"pattern\": \"" + QByteArray("ab_").repeated(100000) + "\"")
+      << "std::regex: out of stack, or its own exception and status 3";
+  QTest::newRow("a zero in the name") << hogels(R"(ok.png\u0000.exr)") << "ok.png is read";
+}
+
+void TestBadLightFields::attacks() {
+  QFETCH(QByteArray, document);
+  QFETCH(QString, bug);
+  writeFile("s.json", document);
+  const QStringList arguments{"--render", "--session", "s.json", "--output", "attacks"};
+  const Outcome outcome = run(arguments, m_folder.path(), 2000);
+  QEXPECT_FAIL("", qPrintable("BUG: " + bug), Abort);
+  QCOMPARE(outcome.status, 2);
+  QVERIFY(outcome.err.startsWith("hogelscope: "));
+  QCOMPARE(outcome.err.count('\n'), 1);
+}
+
+QTEST_GUILESS_MAIN(TestBadLightFields)
+#include "test_bad_light_fields.moc"

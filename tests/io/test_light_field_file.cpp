@@ -1,3 +1,263 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Being written.
-int main() { return 0; }
+// Tests that hogel images and quilts of any format put each pixel at the right directional pixel.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/light_field_file.h"
+#include "tests/io/pictures.h"
+#include "tests/io/texels.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr LightFieldSize size{4, 3, 3, 2};
+
+DisplayParams display() {
+  DisplayParams params;
+  params.hogels = {size.nx, size.ny};
+  params.directions = {size.du, size.dv};
+  return params;
+}
+
+/// Differs in each of the four indices and between the channels; a little off whole code values.
+Rgb colourOf(const TexelIndex& at) {
+  return {40.25 * at.i + 10 * at.j + 5, 30.25 * at.u + 20 * at.v + 7,
+          230.0 - 30 * at.i - 25 * at.j - 11 * at.u - 5 * at.v};
+}
+
+float channelOf(const Rgb& colour, int channel) {
+  return float((channel == 0 ? colour.r : channel == 1 ? colour.g : colour.b) / 255);
+}
+
+/// Tile (i, j) of the picture is hogel (i, j).
+float hogelImage(int x, int y, int channel) {
+  if (channel == 3) return 1;
+  return channelOf(colourOf({x / size.du, y / size.dv, x % size.du, y % size.dv}), channel);
+}
+
+constexpr int quiltColumns = 3;
+constexpr int quiltRows = 2;
+
+/// Views of 4×3 px; the first one is at the bottom left.
+float quilt(int x, int y, int channel) {
+  const int view = (quiltRows - 1 - y / size.ny) * quiltColumns + x / size.nx;
+  return channelOf(colourOf({x % size.nx, y % size.ny, view, 0}), channel);
+}
+
+LightFieldParams paramsOf(const QString& file, bool incoming = false) {
+  LightFieldParams params;
+  params.file = file.toStdString();
+  params.incoming = incoming;
+  return params;
+}
+
+LightFieldParams quiltOf(const QString& file, int columns, int rows, bool incoming = false) {
+  LightFieldParams params = paramsOf(file, incoming);
+  params.layout = Layout::quilt;
+  params.quiltColumns = columns;
+  params.quiltRows = rows;
+  return params;
+}
+
+LightField read(const LightFieldParams& params, const DisplayParams& given = display()) {
+  return openLightField(params, given)->read({});
+}
+
+}  // namespace
+
+class TestLightFieldFile : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { QVERIFY(QDir::setCurrent(m_folder.path())); }
+  void formats_data();
+  void formats();
+  void grey_data();
+  void grey();
+  void jpeg();
+  void alphaIsLightOverBlack_data();
+  void alphaIsLightOverBlack();
+  void incomingFlipsBoth();
+  void quilts_data();
+  void quilts();
+  void tilesFromName_data();
+  void tilesFromName();
+  void displayTakesTheFilesSize();
+  void canBeStopped();
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+void TestLightFieldFile::formats_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("type");
+  QTest::addColumn<int>("channels");
+  QTest::addColumn<int>("tile");
+  QTest::addColumn<double>("tolerance");
+  constexpr double eight = 0.5001;
+  constexpr double sixteen = 0.5001 / 257;
+  constexpr double half = 0.1;
+  constexpr double single = 1e-4;
+  QTest::newRow("PNG") << "a.png" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
+  QTest::newRow("PNG, 16 bit") << "b.png" << int(OIIO::TypeDesc::UINT16) << 3 << 0 << sixteen;
+  QTest::newRow("PNG, RGBA") << "c.png" << int(OIIO::TypeDesc::UINT8) << 4 << 0 << eight;
+  QTest::newRow("TIFF") << "d.tif" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
+  QTest::newRow("TIFF, 16 bit, tiles")
+      << "e.tif" << int(OIIO::TypeDesc::UINT16) << 3 << 16 << sixteen;
+  QTest::newRow("TIFF, float, RGBA") << "f.tif" << int(OIIO::TypeDesc::FLOAT) << 4 << 0 << single;
+  QTest::newRow("TIFF, double") << "g.tif" << int(OIIO::TypeDesc::DOUBLE) << 3 << 0 << single;
+  QTest::newRow("EXR") << "h.exr" << int(OIIO::TypeDesc::FLOAT) << 3 << 0 << single;
+  QTest::newRow("EXR, half, tiles, RGBA")
+      << "i.exr" << int(OIIO::TypeDesc::HALF) << 4 << 16 << half;
+  QTest::newRow("BMP") << "j.bmp" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
+  QTest::newRow("PPM") << "k.ppm" << int(OIIO::TypeDesc::UINT8) << 3 << 0 << eight;
+}
+
+void TestLightFieldFile::formats() {
+  QFETCH(QString, file);
+  QFETCH(int, type);
+  QFETCH(int, channels);
+  QFETCH(int, tile);
+  QFETCH(double, tolerance);
+  writePicture(file, size.nx * size.du, size.ny * size.dv, hogelImage,
+               {OIIO::TypeDesc::BASETYPE(type), channels, tile});
+  const LightField lightField = read(paramsOf(file));
+  QCOMPARE(firstWrong(lightField, colourOf, tolerance), QString());
+  QVERIFY(!firstWrong(
+               lightField, [](const TexelIndex&) { return Rgb(); }, tolerance)
+               .isEmpty());
+}
+
+void TestLightFieldFile::grey_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("channels");
+  QTest::newRow("PNG") << "grey.png" << 1;
+  QTest::newRow("PNG with alpha") << "alpha.png" << 2;
+  QTest::newRow("TIFF") << "grey.tif" << 1;
+}
+
+void TestLightFieldFile::grey() {
+  QFETCH(QString, file);
+  QFETCH(int, channels);
+  const auto value = [](int x, int y, int c) { return c == 1 ? 1 : hogelImage(x, y, 0); };
+  writePicture(file, size.nx * size.du, size.ny * size.dv, value,
+               {OIIO::TypeDesc::UINT8, channels});
+  const auto expected = [](const TexelIndex& at) {
+    const double r = colourOf(at).r;
+    return Rgb{r, r, r};
+  };
+  QCOMPARE(firstWrong(read(paramsOf(file)), expected, 0.5001), QString());
+}
+
+/// Lossy, so it is near only where the picture is smooth.
+void TestLightFieldFile::jpeg() {
+  const auto smooth = [](int x, int y, int c) { return float(x + y + 40 * c) / 255; };
+  writePicture("smooth.jpg", 64, 48, smooth);
+  DisplayParams large;
+  large.hogels = {16, 12};
+  large.directions = {4, 4};
+  const auto expected = [](const TexelIndex& at) {
+    const double sum = 4 * at.i + at.u + 4 * at.j + at.v;
+    return Rgb{sum, sum + 40, sum + 80};
+  };
+  QCOMPARE(firstWrong(read(paramsOf("smooth.jpg"), large), expected, 4), QString());
+}
+
+void TestLightFieldFile::alphaIsLightOverBlack_data() {
+  QTest::addColumn<QString>("file");
+  QTest::newRow("PNG") << "half.png";
+  QTest::newRow("TIFF") << "half.tif";
+}
+
+void TestLightFieldFile::alphaIsLightOverBlack() {
+  QFETCH(QString, file);
+  const auto value = [](int x, int y, int c) {
+    return c == 3 ? 102.0F / 255 : hogelImage(x, y, c);
+  };
+  writePicture(file, size.nx * size.du, size.ny * size.dv, value, {OIIO::TypeDesc::UINT8, 4});
+  const auto expected = [](const TexelIndex& at) { return 0.4 * colourOf(at); };
+  QEXPECT_FAIL("TIFF", "BUG: OpenImageIO's TIFF reader keeps alpha out when asked for 3 channels",
+               Continue);
+  QCOMPARE(firstWrong(read(paramsOf(file)), expected, 1), QString());
+}
+
+void TestLightFieldFile::incomingFlipsBoth() {
+  writePicture("hogels.tif", size.nx * size.du, size.ny * size.dv, hogelImage,
+               {OIIO::TypeDesc::UINT16});
+  const auto expected = [](const TexelIndex& at) {
+    return colourOf({at.i, at.j, size.du - 1 - at.u, size.dv - 1 - at.v});
+  };
+  QCOMPARE(firstWrong(read(paramsOf("hogels.tif", true)), expected, 0.002), QString());
+}
+
+void TestLightFieldFile::quilts_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<int>("rows");
+  QTest::addColumn<bool>("incoming");
+  QTest::newRow("as the session says") << "q.png" << quiltColumns << quiltRows << false;
+  QTest::newRow("as its name says") << "a_qs3x2a0.75.png" << 0 << 0 << false;
+  QTest::newRow("the session overrules the name") << "a_qs2x3a1.png" << 3 << 2 << false;
+  QTest::newRow("incoming") << "q.tif" << quiltColumns << quiltRows << true;
+}
+
+void TestLightFieldFile::quilts() {
+  QFETCH(QString, file);
+  QFETCH(int, columns);
+  QFETCH(int, rows);
+  QFETCH(bool, incoming);
+  writePicture(file, size.nx * quiltColumns, size.ny * quiltRows, quilt);
+  const LightField lightField = read(quiltOf(file, columns, rows, incoming), {});
+  constexpr LightFieldSize expectedSize{size.nx, size.ny, quiltColumns * quiltRows, 1};
+  QVERIFY(lightField.size() == expectedSize);
+  const auto expected = [incoming](const TexelIndex& at) {
+    return colourOf({at.i, at.j, incoming ? quiltColumns * quiltRows - 1 - at.u : at.u, 0});
+  };
+  QCOMPARE(firstWrong(lightField, expected, 0.5001), QString());
+}
+
+void TestLightFieldFile::tilesFromName_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<int>("rows");
+  QTest::newRow("Looking Glass") << "folder.d/name_qs8x6a0.75.png" << 8 << 6;
+  QTest::newRow("whole aspect") << "n_qs5x9a1.jpg" << 5 << 9;
+  QTest::newRow("no suffix") << "quilt.png" << 0 << 0;
+  QTest::newRow("no aspect") << "n_qs8x6.png" << 0 << 0;
+  QTest::newRow("not at the end") << "n_qs8x6a1_small.png" << 0 << 0;
+  QTest::newRow("the folder's") << "n_qs8x6a1/quilt.png" << 0 << 0;
+  QTest::newRow("too many digits") << "n_qs80000x6a1.png" << 0 << 0;
+}
+
+void TestLightFieldFile::tilesFromName() {
+  QFETCH(QString, file);
+  QFETCH(int, columns);
+  QFETCH(int, rows);
+  const auto [c, r] = quiltTilesFromName(file.toStdString());
+  QCOMPARE(c, columns);
+  QCOMPARE(r, rows);
+}
+
+void TestLightFieldFile::displayTakesTheFilesSize() {
+  writePicture("q.png", size.nx * quiltColumns, size.ny * quiltRows, quilt);
+  Session session;
+  session.lightField = quiltOf("q.png", quiltColumns, quiltRows);
+  const Scene scene = loadScene(session, {});
+  QCOMPARE(scene.display.hogels, (std::array<int, 2>{size.nx, size.ny}));
+  QCOMPARE(scene.display.directions, (std::array<int, 2>{6, 1}));
+  QVERIFY(scene.lightField->size() == (LightFieldSize{size.nx, size.ny, 6, 1}));
+}
+
+void TestLightFieldFile::canBeStopped() {
+  writePicture("large.png", 300, 200, [](int, int, int) { return 0.5F; });
+  DisplayParams large;
+  large.hogels = {30, 20};
+  large.directions = {10, 10};
+  const auto file = openLightField(paramsOf("large.png"), large);
+  QVERIFY_EXCEPTION_THROWN((void)file->read([](double) { return false; }), Cancelled);
+}
+
+QTEST_APPLESS_MAIN(TestLightFieldFile)
+#include "test_light_field_file.moc"

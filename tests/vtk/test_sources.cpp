@@ -20,7 +20,9 @@ Vec3 point(vtkPolyData* data, vtkIdType id) {
   return {p[0], p[1], p[2]};
 }
 
-bool isNear(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-6; }
+bool isNear(const Vec3& a, const Vec3& b) {
+  return length(a - b) < 1e-6;
+}
 
 }  // namespace
 

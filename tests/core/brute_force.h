@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A second simulator for tests, written from DESIGN §2 alone and sharing no arithmetic with core.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/simulate.h"
+#include "tests/core/lens_oracle.h"
+
+namespace brute {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<Vector, 3>;  ///< rows
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+inline Vector vector(const hogelscope::Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+inline Vector minus(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline Vector crossProduct(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Vector unit(const Vector& a) {
+  const double n = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  return {a[0] / n, a[1] / n, a[2] / n};
+}
+
+inline Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      for (std::size_t k = 0; k < 3; ++k) c[row][column] += a[row][k] * b[k][column];
+  return c;
+}
+
+inline Vector times(const Matrix& m, const Vector& v) {
+  Vector r{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t k = 0; k < 3; ++k) r[row] += m[row][k] * v[k];
+  return r;
+}
+
+inline Matrix transposed(const Matrix& m) {
+  Matrix t{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column) t[row][column] = m[column][row];
+  return t;
+}
+
+/// worldFromDisplay, Rz·Rx·Ry.
+inline Matrix rotation(const hogelscope::Vec3& degrees) {
+  const auto c = [](double angle) { return std::cos(angle * degree); };
+  const auto s = [](double angle) { return std::sin(angle * degree); };
+  const auto [x, y, z] = degrees;
+  const Matrix rx{{{1, 0, 0}, {0, c(x), -s(x)}, {0, s(x), c(x)}}};
+  const Matrix ry{{{c(y), 0, s(y)}, {0, 1, 0}, {-s(y), 0, c(y)}}};
+  const Matrix rz{{{c(z), -s(z), 0}, {s(z), c(z), 0}, {0, 0, 1}}};
+  return product(rz, product(rx, ry));
+}
+
+/// The display's content in code values, texel by texel in the hogel image's raster.
+struct Content {
+  hogelscope::LightFieldSize size;
+  std::vector<double> codes;
+
+  [[nodiscard]] const double* texel(int i, int j, int u, int v) const {
+    return &codes[3 * std::size_t((j * size.dv + v) * size.nx * size.du + i * size.du + u)];
+  }
+};
+
+/// What a ray meets; `unclear` where rounding decides.
+struct Ray {
+  enum class Meets { nothing, display, unclear } meets;
+  std::array<double, 4> hit{};  ///< i, j, u, v
+};
+
+class Simulator {
+ public:
+  Simulator(const hogelscope::View& view, const Content& content)
+      : m_view(view),
+        m_content(content),
+        m_displayFromWorld(transposed(rotation(view.display.orientation))) {
+    const auto& camera = view.state.camera;
+    m_forward = unit(minus(vector(camera.lookat), vector(camera.eye)));
+    m_right = unit(crossProduct(m_forward, vector(camera.up)));
+    m_down = crossProduct(m_forward, m_right);
+  }
+
+  [[nodiscard]] Ray ray(double px, double py) const {
+    const auto& [width, height] = m_view.state.camera.res;
+    const double f = height / 2.0 / std::tan(m_view.state.camera.fov * degree / 2);
+    const LensOracle::Point q((px - (width - 1) / 2.0) / f, (py - (height - 1) / 2.0) / f);
+    const auto [k1, k2, p1, p2, k3] = m_view.state.distortion;
+    const LensOracle lens(k1, k2, p1, p2, k3);
+    if (m_view.sampling.mapping == hogelscope::LensMapping::direct) return along(lens.distort(q));
+    const LensOracle::Walk walk = lens.walk(q, 0.05, 0.05);
+    if (walk.end == LensOracle::Walk::End::unclear) return {Ray::Meets::unclear};
+    if (walk.end == LensOracle::Walk::End::fold) return {Ray::Meets::nothing};
+    return along(lens.refined(walk.point, q));
+  }
+
+  /// P'(u, v) of a directional pixel, in the light that is summed.
+  [[nodiscard]] Vector leaked(int i, int j, int u, int v) const {
+    const auto& psf = m_view.state.psf;
+    const int n = psf.windowSize / 2;
+    Vector sum{};
+    double weights = 0;
+    for (int y = -n; y <= n; ++y) {
+      for (int x = -n; x <= n; ++x) {
+        const double w = n == 0 ? 1 : std::exp(-(x * x + y * y) / (2 * psf.sigma * psf.sigma));
+        const bool inU = 0 <= u + x && u + x <= m_content.size.du - 1;
+        const bool inV = 0 <= v + y && v + y <= m_content.size.dv - 1;
+        const bool inside = inU && inV;
+        if (inside || psf.border != hogelscope::PsfBorder::renormalise) weights += w;
+        if (!inside && psf.border != hogelscope::PsfBorder::clamp) continue;
+        const double* tap =
+            m_content.texel(i, j, std::min(std::max(u + x, 0), m_content.size.du - 1),
+                            std::min(std::max(v + y, 0), m_content.size.dv - 1));
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += w * decoded(tap[c]);
+      }
+    }
+    for (double& channel : sum) channel /= weights;
+    return sum;
+  }
+
+  /// Summed light to code values.
+  [[nodiscard]] double encoded(double light) const {
+    if (m_view.state.psf.light == hogelscope::LightModel::encoded) return light;
+    return 255 * (light > 0.0031308 ? 1.055 * std::pow(light, 1 / 2.4) - 0.055 : 12.92 * light);
+  }
+
+ private:
+  [[nodiscard]] double decoded(double code) const {
+    if (m_view.state.psf.light == hogelscope::LightModel::encoded) return code;
+    return code / 255 > 0.04045 ? std::pow((code / 255 + 0.055) / 1.055, 2.4) : code / 255 / 12.92;
+  }
+
+  /// `slope` is that of the leaving light; 0 … 1 over the angular field.
+  [[nodiscard]] double acrossField(double slope, double fov) const {
+    if (m_view.display.lens == hogelscope::HogelLens::equiangular)
+      return 0.5 + std::atan(slope) / (fov * degree);
+    return 0.5 + slope / (2 * std::tan(fov * degree / 2));
+  }
+
+  /// The ray through (x, y, 1) of the camera frame.
+  [[nodiscard]] Ray along(LensOracle::Point p) const {
+    Vector world{};
+    for (std::size_t k = 0; k < 3; ++k)
+      world[k] = p.real() * m_right[k] + p.imag() * m_down[k] + m_forward[k];
+    const Vector d = times(m_displayFromWorld, world);
+    const auto& display = m_view.display;
+    const Vector o =
+        times(m_displayFromWorld, minus(vector(m_view.state.camera.eye), vector(display.position)));
+    if (o[2] <= 0 || d[2] >= 1e-9) return {Ray::Meets::nothing};
+    if (d[2] > -1e-9) return {Ray::Meets::unclear};
+    const double t = -o[2] / d[2];
+    const double x = o[0] + t * d[0];
+    const double y = o[1] + t * d[1];
+    return met({(x + display.size[0] / 2) / display.size[0] * m_content.size.nx,
+                (display.size[1] / 2 - y) / display.size[1] * m_content.size.ny,
+                acrossField(d[0] / d[2], display.fov[0]) * m_content.size.du,
+                acrossField(-d[1] / d[2], display.fov[1]) * m_content.size.dv});
+  }
+
+  [[nodiscard]] Ray met(const std::array<double, 4>& hit) const {
+    constexpr double margin = 1e-4;
+    const auto& [nx, ny, du, dv] = m_content.size;
+    const std::array<int, 4> counts{nx, ny, du, dv};
+    bool clear = true;
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      if (hit[axis] < -margin || hit[axis] > counts[axis] + margin) return {Ray::Meets::nothing};
+      clear = clear && std::abs(hit[axis] - std::round(hit[axis])) > margin;
+    }
+    return {clear ? Ray::Meets::display : Ray::Meets::unclear, hit};
+  }
+
+  const hogelscope::View& m_view;
+  const Content& m_content;
+  Matrix m_displayFromWorld;
+  Vector m_forward{}, m_right{}, m_down{};
+};
+
+}  // namespace brute

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random scenes for tests of the simulation: a display with noise on it, and a camera before it.
+#pragma once
+
+#include <memory>
+
+#include "tests/core/brute_force.h"
+#include "tests/core/random.h"
+
+struct RandomScene {
+  hogelscope::View view;
+  brute::Content content;
+};
+
+/// Noise, stored as T; `codeValue` is what one step of T is worth.
+template <class T>
+void fillWithNoise(Random& random, RandomScene& scene, double min, double max, double codeValue) {
+  const auto& size = scene.content.size;
+  std::vector<T> values(3 * size.width() * size.height());
+  for (T& value : values) value = static_cast<T>(random.uniform(min, max));
+  for (const T value : values) scene.content.codes.push_back(double(value) * codeValue);
+  scene.view.lightField = std::make_shared<hogelscope::LightField>(size, std::move(values));
+}
+
+inline void fillWithNoise(Random& random, RandomScene& scene) {
+  switch (random.integer(0, 2)) {
+    case 0:
+      return fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
+    case 1:
+      return fillWithNoise<std::uint16_t>(random, scene, 0, 65536, 1 / 257.0);
+    // Floating content may leave the range of a picture.
+    default:
+      return fillWithNoise<float>(random, scene, -0.1, 1.2, 255);
+  }
+}
+
+inline hogelscope::DisplayParams randomDisplay(Random& random) {
+  hogelscope::DisplayParams display;
+  display.position = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+  display.orientation = {random.uniform(-180, 180), random.uniform(-180, 180),
+                         random.uniform(-180, 180)};
+  display.size = {random.uniform(0.05, 1), random.uniform(0.05, 1)};
+  display.hogels = {random.integer(1, 9), random.integer(1, 9)};
+  display.directions = {random.integer(1, 9), random.integer(1, 9)};
+  display.fov = {random.uniform(10, 170), random.uniform(10, 170)};
+  display.lens =
+      random.flip() ? hogelscope::HogelLens::rectilinear : hogelscope::HogelLens::equiangular;
+  return display;
+}
+
+/// Looks at a point of the panel from somewhere inside that point's angular field.
+inline hogelscope::CameraParams randomCamera(Random& random,
+                                             const hogelscope::DisplayParams& display) {
+  const auto& [width, height] = display.size;
+  const auto slope = [&](double fov) {
+    return random.uniform(-0.6, 0.6) * std::min(std::tan(fov / 2 * brute::degree), 1.5);
+  };
+  const brute::Vector target{random.uniform(-0.3, 0.3) * width, random.uniform(-0.3, 0.3) * height,
+                             random.uniform(-0.05, 0.05)};
+  const double z = random.uniform(0.3, 3) * std::max(width, height) + 0.05;
+  const brute::Vector eye{target[0] + z * slope(display.fov[0]),
+                          target[1] + z * slope(display.fov[1]), z};
+  const brute::Matrix rotation = brute::rotation(display.orientation);
+  const auto world = [&](const brute::Vector& p) {
+    const brute::Vector turned = brute::times(rotation, p);
+    return hogelscope::Vec3{turned[0] + display.position.x, turned[1] + display.position.y,
+                            turned[2] + display.position.z};
+  };
+  hogelscope::CameraParams camera;
+  camera.eye = world(eye);
+  camera.lookat = world(target);
+  camera.up = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  camera.fov = random.uniform(10, 70);
+  camera.res = {random.integer(20, 28), random.integer(15, 21)};
+  return camera;
+}
+
+inline hogelscope::DistortionParams randomLens(Random& random) {
+  if (random.integer(0, 4) == 0) return {};
+  const auto k = [&](double limit) { return random.uniform(-limit, limit); };
+  return {k(0.8), k(0.8), k(0.2), k(0.2), k(0.8)};
+}
+
+inline hogelscope::PsfParams randomPsf(Random& random) {
+  return {random.uniform(0.3, 3), 2 * random.integer(0, 4) + 1,
+          static_cast<hogelscope::PsfBorder>(random.integer(0, 2)),
+          static_cast<hogelscope::LightModel>(random.integer(0, 1))};
+}
+
+inline RandomScene randomScene(Random& random) {
+  RandomScene scene;
+  scene.view.display = randomDisplay(random);
+  scene.view.state = {randomCamera(random, scene.view.display), randomLens(random),
+                      randomPsf(random)};
+  scene.view.sampling.mapping =
+      random.flip() ? hogelscope::LensMapping::exact : hogelscope::LensMapping::direct;
+  const auto& [hogels, directions] =
+      std::pair(scene.view.display.hogels, scene.view.display.directions);
+  scene.content.size = {hogels[0], hogels[1], directions[0], directions[1]};
+  fillWithNoise(random, scene);
+  return scene;
+}

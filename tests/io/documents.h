@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Session documents and files for the tests of reading and writing.
+#pragma once
+
+#include <QByteArray>
+#include <QDir>
+#include <QFile>
+#include <functional>
+
+#include "core/error.h"
+
+/// A document by its sections; each is JSON.
+struct Sections {
+  QByteArray display = R"({"hogels": [4, 3], "directions": [5, 6]})";
+  QByteArray lightField = R"({"file": "scene.png"})";
+  QByteArray sampling = "{}";
+  QByteArray cameras = R"([{"name": "a", "psf": {"sigma": 1.5, "windowSize": 9}}, {"name": "b"}])";
+};
+
+inline QByteArray text(const Sections& sections = {}) {
+  return R"({"hogelscope": 1, "display": )" + sections.display + R"(, "lightField": )" +
+         sections.lightField + R"(, "sampling": )" + sections.sampling + R"(, "cameras": )" +
+         sections.cameras + "}";
+}
+
+/// What `action` throws, as main() prints it; "" if nothing.
+inline QString errorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const hogelscope::InputError& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    return QString("not an InputError: ") + error.what();
+  }
+  return {};
+}
+
+/// Makes the file's folder too.
+inline void writeFile(const QString& file, const QByteArray& content) {
+  QDir().mkpath(QFileInfo(file).path());
+  QFile out(file);
+  if (!out.open(QIODevice::WriteOnly) || out.write(content) != content.size())
+    qFatal("cannot write %s", qPrintable(file));
+}
+
+inline QByteArray contentOf(const QString& file) {
+  QFile in(file);
+  return in.open(QIODevice::ReadOnly) ? in.readAll() : "cannot be read: " + file.toUtf8();
+}
+
+/// All that a folder holds, hidden files and broken links too.
+inline QStringList namesIn(const QString& folder) {
+  return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System |
+                                QDir::NoDotAndDotDot);
+}

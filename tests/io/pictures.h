@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture files of any kind for the tests of reading, by OpenImageIO alone.
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QString>
+#include <functional>
+#include <vector>
+
+struct PictureKind {
+  OIIO::TypeDesc::BASETYPE type = OIIO::TypeDesc::UINT8;
+  int channels = 3;
+  int tile = 0;  ///< side of a tile, 0 = rows
+};
+
+/// 0 … 1 is the range of an integer type.
+using PictureValue = std::function<float(int x, int y, int channel)>;
+
+/// Makes the file's folder too.
+inline void writePicture(const QString& file, int width, int height, const PictureValue& value,
+                         const PictureKind& kind = {}) {
+  QDir().mkpath(QFileInfo(file).path());
+  OIIO::ImageSpec spec(width, height, kind.channels, kind.type);
+  spec.tile_width = spec.tile_height = kind.tile;
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // colours are written as they are given
+  std::vector<float> values;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < kind.channels; ++c) values.push_back(value(x, y, c));
+  const auto out = OIIO::ImageOutput::create(file.toStdString());
+  if (!out || !out->open(file.toStdString(), spec) ||
+      !out->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !out->close())
+    qFatal("cannot write %s", qPrintable(file));
+}
+
+inline void writeGrey(const QString& file, int width, int height) {
+  writePicture(file, width, height, [](int, int, int) { return 0.5F; });
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every document that the program cannot use must meet with: one line, status 2, no picture.
+#pragma once
+
+#include <QTest>
+
+#include "io/session_file.h"
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+
+/// Columns of a table of such documents.
+inline void refusalColumns() {
+  QTest::addColumn<QByteArray>("document");
+  QTest::addColumn<QByteArray>("line");
+}
+
+/// A row: the document, and the line on stderr after "hogelscope: ".
+inline void refused(const char* name, const QByteArray& document, const QByteArray& line) {
+  QTest::newRow(name) << document << line;
+}
+
+/// The row's document, as s.json in `folder`, given to the real program. It starts in 0.3 s, mostly
+/// to link OpenImageIO's 300 libraries, so only the tables that need it do this.
+inline void checkProgram(const QString& folder) {
+  QFETCH(QByteArray, document);
+  QFETCH(QByteArray, line);
+  writeFile(folder + "/s.json", document);
+  const QString output = folder + "/out";
+  QDir(output).removeRecursively();
+  const Outcome outcome =
+      run({"--render", "--session", "s.json", "--output", "out", "--masks"}, folder, 10000);
+  QVERIFY2(outcome.why.isEmpty(), qPrintable(outcome.why));
+  // TODO wording: libpng prints a line of its own first; make it go, then take this prefix out
+  const QByteArray ours = line.startsWith("libpng error: ") ? line : "hogelscope: " + line;
+  QCOMPARE(outcome.err, ours + "\n");
+  QCOMPARE(outcome.out, QByteArray());
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn(output), QStringList());
+}
+
+/// The row's document, loaded here: the program prints such errors as they are.
+inline void checkLoading(const QString& folder) {
+  QFETCH(QByteArray, document);
+  QFETCH(QByteArray, line);
+  QVERIFY(QDir::setCurrent(folder));
+  writeFile("s.json", document);
+  QByteArray error;
+  try {
+    (void)hogelscope::loadSession("s.json");
+  } catch (const hogelscope::InputError& caught) {
+    error = caught.what();
+  }
+  QCOMPARE(error, line);
+}

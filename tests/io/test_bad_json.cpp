@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the line for documents that are no JSON, or have not the shape of a session.
+#include <QTemporaryDir>
+
+#include "tests/io/refusal.h"
+
+namespace {
+
+/// A row whose line is about s.json.
+void refusedIn(const char* name, const QByteArray& document, const QByteArray& why) {
+  refused(name, document, "s.json: " + why);
+}
+
+/// A document with one state of these fields.
+QByteArray state(const QByteArray& fields) {
+  return text({.cameras = R"([{"name": "a", )" + fields + "}]"});
+}
+
+}  // namespace
+
+class TestBadJson : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void notJson_data();
+  void notJson() { checkProgram(m_folder.path()); }
+  void structure_data();
+  void structure() { checkLoading(m_folder.path()); }
+  void deepNesting_data();
+  void deepNesting();
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+void TestBadJson::notJson_data() {
+  refusalColumns();
+  // TODO wording: say that the file is empty
+  refusedIn("empty file", "",
+            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
+            "unexpected end of input; expected '[', '{', or a literal");
+  // TODO wording: say that the file is empty
+  refusedIn("only a line break", R"(
+)",
+            "is not JSON: parse error at line 2, column 1: syntax error while parsing value - "
+            "unexpected end of input; expected '[', '{', or a literal");
+  refusedIn("truncated", R"({"hogelscope": 1, "display": {"fov": [60,)",
+            "is not JSON: parse error at line 1, column 42: syntax error while parsing value - "
+            "unexpected end of input; expected '[', '{', or a literal");
+  refusedIn("truncated on line 3", R"({
+  "hogelscope": 1,
+  "disp)",
+            "is not JSON: parse error at line 3, column 8: syntax error while parsing object key - "
+            "invalid string: missing closing quote; last read: '\"disp'; expected string literal");
+  refusedIn("trailing comma", R"({"hogelscope": 1,})",
+            "is not JSON: parse error at line 1, column 18: syntax error while parsing object key "
+            "- unexpected '}'; expected string literal");
+  refusedIn("trailing comma in a list", R"({"hogelscope": 1, "cameras": [{"name": "a"},]})",
+            "is not JSON: parse error at line 1, column 45: syntax error while parsing value - "
+            "unexpected ']'; expected '[', '{', or a literal");
+  refusedIn("comment", R"({"hogelscope": 1 /* first */})",
+            "is not JSON: parse error at line 1, column 18: syntax error while parsing object - "
+            "invalid literal; last read: '1 /'; expected '}'");
+  refusedIn("single quotes", "{'hogelscope': 1}",
+            "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
+            "invalid literal; last read: '{''; expected string literal");
+  refusedIn("two documents", R"({"hogelscope": 1} {"hogelscope": 1})",
+            "is not JSON: parse error at line 1, column 19: syntax error while parsing value - "
+            "unexpected '{'; expected end of input");
+  refusedIn("NaN", R"({"hogelscope": 1, "display": {"fov": [NaN, 60]}})",
+            "is not JSON: parse error at line 1, column 39: syntax error while parsing value - "
+            "invalid literal; last read: '\"fov\": [N'");
+  refusedIn("Infinity", R"({"hogelscope": 1, "display": {"fov": [-Infinity, 60]}})",
+            "is not JSON: parse error at line 1, column 40: syntax error while parsing value - "
+            "invalid number; expected digit after '-'; last read: '-I'");
+  // TODO wording: it is JSON, and where is it?
+  refusedIn("1e999", R"({"hogelscope": 1, "display": {"fov": [1e999, 60]}})",
+            "is not JSON: number overflow parsing '1e999'");
+  refusedIn("hexadecimal", R"({"hogelscope": 0x1})",
+            "is not JSON: parse error at line 1, column 17: syntax error while parsing object - "
+            "invalid literal; last read: '0x'; expected '}'");
+  refusedIn("leading plus", R"({"hogelscope": +1})",
+            "is not JSON: parse error at line 1, column 16: syntax error while parsing value - "
+            "invalid literal; last read: '\"hogelscope\": +'");
+  refusedIn("True", R"({"hogelscope": 1, "lightField": {"incoming": True}})",
+            "is not JSON: parse error at line 1, column 46: syntax error while parsing value - "
+            "invalid literal; last read: '\"incoming\": T'");
+  refusedIn("line break in a text", R"({"hogelscope": 1, "x": "a
+b"})",
+            "is not JSON: parse error at line 2, column 0: syntax error while parsing value - "
+            "invalid string: control character U+000A (LF) must be escaped to \\u000A or \\n; last "
+            "read: '\"a<U+000A>'");
+  // TODO wording: a byte that is no text goes to the terminal
+  refusedIn("a picture", QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
+            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
+            "invalid literal; last read: '\x89'");
+  // TODO wording: the file is not empty
+  refusedIn("zeros", QByteArray(64, '\0'),
+            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
+            "unexpected end of input; expected '[', '{', or a literal");
+  // TODO wording: the line itself is no UTF-8
+  refusedIn("no UTF-8", "{\"hogelscope\": 1, \"x\": \"\xff\"}",
+            "is not JSON: parse error at line 1, column 25: syntax error while parsing value - "
+            "invalid string: ill-formed UTF-8 byte; last read: '\"\xff'");
+  // TODO wording: the line itself is no UTF-8
+  refusedIn("UTF-16", QByteArray("\xff\xfe{\0}\0", 6),
+            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
+            "invalid literal; last read: '\xff'");
+  refusedIn("a CSV file", R"(state,test,mse
+)",
+            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
+            "invalid literal; last read: 's'");
+  refusedIn("twice the same key", R"({"hogelscope": 1, "hogelscope": 1})",
+            "hogelscope: stands twice in one object");
+  // TODO wording: which of the objects? cameras[1].psf.sigma
+  refusedIn(
+      "twice the same key, deeper",
+      R"({"hogelscope": 1, "cameras": [{"psf": {"sigma": 1}}, {"psf": {"sigma": 1, "sigma": 2}}]})",
+      "sigma: stands twice in one object");
+}
+
+void TestBadJson::structure_data() {
+  refusalColumns();
+  refusedIn("a list", "[]", "[] is not an object: { \"name\": value, … }");
+  refusedIn("a number", "1", "1 is not an object: { \"name\": value, … }");
+  refusedIn("null", "null", "null is not an object: { \"name\": value, … }");
+  refusedIn("a text", R"("session")", "\"session\" is not an object: { \"name\": value, … }");
+  refusedIn("no version", R"({"display": {}})",
+            "hogelscope: is missing: a session says \"hogelscope\": 1");
+  refusedIn("later version", R"({"hogelscope": 2})",
+            "hogelscope: 2 is not a version that this program reads: \"hogelscope\": 1");
+  refusedIn("version as a text", R"({"hogelscope": "1"})",
+            "hogelscope: \"1\" is not a version that this program reads: \"hogelscope\": 1");
+  refusedIn("version null", R"({"hogelscope": null})",
+            "hogelscope: null is not a version that this program reads: \"hogelscope\": 1");
+  refusedIn("version true", R"({"hogelscope": true})",
+            "hogelscope: true is not a version that this program reads: \"hogelscope\": 1");
+  refusedIn("nothing but a version", R"({"hogelscope": 1})",
+            "lightField.file: is missing: name the image or folder to show");
+  refusedIn("unknown section", R"({"hogelscope": 1, "dispaly": {}})",
+            "dispaly: is not known here; did you mean \"display\"?");
+  refusedIn(
+      "unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
+      "metadata: is not known here; known are hogelscope, display, lightField, sampling, cameras");
+  refusedIn("camera for cameras", R"({"hogelscope": 1, "camera": []})",
+            "camera: is not known here; did you mean \"cameras\"?");
+  refusedIn("unknown display field", text({.display = R"({"hogel": [4, 3]})"}),
+            "display.hogel: is not known here; did you mean \"hogels\"?");
+  refusedIn("unknown display field, nothing near", text({.display = R"({"thickness": 0.1})"}),
+            "display.thickness: is not known here; known are position, orientation, size, hogels, "
+            "directions, fov, lens");
+  refusedIn("unknown lightField field", text({.lightField = R"({"filename": "scene.png"})"}),
+            "lightField.filename: is not known here; did you mean \"file\"?");
+  // TODO wording: say that layout views has it
+  refusedIn("a field of another layout",
+            text({.lightField = R"({"file": "scene.png", "shear": [1, 1]})"}),
+            "lightField.shear: is not known here; known are file, layout, incoming");
+  refusedIn("unknown sampling field", text({.sampling = R"({"samples_per_pixel": 1})"}),
+            "sampling.samples_per_pixel: is not known here; did you mean \"samplesPerPixel\"?");
+  refusedIn("unknown state field", state(R"("lookAt": [0, 0, 0])"),
+            "cameras[0].lookAt: is not known here; did you mean \"lookat\"?");
+  refusedIn("unknown distortion field", state(R"("distortion": {"k4": 0})"),
+            "cameras[0].distortion.k4: is not known here; did you mean \"k1\"?");
+  refusedIn("unknown psf field", state(R"("psf": {"window": 3})"),
+            "cameras[0].psf.window: is not known here; known are sigma, windowSize, border, light");
+  // TODO wording: on two lines
+  refusedIn("a line break in a key", text({.display = R"({"a\nb": 1})"}),
+            "display.a\nb: is not known here; known are position, orientation, size, hogels, "
+            "directions, fov, lens");
+  // TODO wording: changes the terminal
+  refusedIn("an escape code in a key", text({.display = R"({"\u001b[31m": 1})"}),
+            "display.\x1b[31m: is not known here; known are position, orientation, size, hogels, "
+            "directions, fov, lens");
+  refusedIn("display null", text({.display = "null"}),
+            "display: null is not an object: { \"name\": value, … }");
+  refusedIn("display a list", text({.display = "[]"}),
+            "display: [] is not an object: { \"name\": value, … }");
+  refusedIn("lightField a text", text({.lightField = R"("scene.png")"}),
+            "lightField: \"scene.png\" is not an object: { \"name\": value, … }");
+  refusedIn("sampling a number", text({.sampling = "3"}),
+            "sampling: 3 is not an object: { \"name\": value, … }");
+  // TODO wording: the value
+  refusedIn("cameras an object", text({.cameras = R"({"name": "a"})"}),
+            "cameras: is not a list of camera states");
+  // TODO wording: the value
+  refusedIn("cameras null", text({.cameras = "null"}), "cameras: is not a list of camera states");
+  refusedIn("no cameras", text({.cameras = "[]"}),
+            "cameras: is empty: give at least one camera state");
+  refusedIn("a state null", text({.cameras = R"([{"name": "a"}, null])"}),
+            "cameras[1]: null is not an object: { \"name\": value, … }");
+  refusedIn("a state as a name", text({.cameras = R"(["a"])"}),
+            "cameras[0]: \"a\" is not an object: { \"name\": value, … }");
+  refusedIn("psf a number", state(R"("psf": 0.67)"),
+            "cameras[0].psf: 0.67 is not an object: { \"name\": value, … }");
+  refusedIn("distortion a list", state(R"("distortion": [0.6, 0.4, 0, 0, 0.3])"),
+            "cameras[0].distortion: [0.6,0.4,0,0,0.3] is not an object: { \"name\": value, … }");
+}
+
+/// Documents of many brackets; the line need not show them all.
+void TestBadJson::deepNesting_data() {
+  QTest::addColumn<QByteArray>("document");
+  QTest::addColumn<bool>("crashes");
+  const QByteArray open(100000, '[');
+  const QByteArray closed = open + QByteArray(100000, ']');
+  QTest::newRow("never closed") << open << false;
+  QTest::newRow("as the document") << closed << true;
+  QTest::newRow("as a value") << text({.display = R"({"hogels": )" + closed + "}"}) << true;
+  QTest::newRow("as the version") << QByteArray(R"({"hogelscope": )" + closed + "}") << true;
+  QTest::newRow("as an unknown field")
+      << text({.display = R"({"hogel": )" + closed + "}"}) << false;
+  QTest::newRow("objects") << QByteArray(R"({"a": )").repeated(100000) + "1" +
+                                  QByteArray(100000, '}')
+                           << false;
+}
+
+void TestBadJson::deepNesting() {
+  QFETCH(QByteArray, document);
+  QFETCH(bool, crashes);
+  writeFile(m_folder.filePath("s.json"), document);
+  const Outcome outcome =
+      run({"--render", "--session", "s.json", "--output", "out"}, m_folder.path());
+  if (crashes) QEXPECT_FAIL("", "BUG: Json::dump runs out of stack in the message", Abort);
+  QCOMPARE(outcome.status, 2);
+  QVERIFY(outcome.err.startsWith("hogelscope: s.json: "));
+  QCOMPARE(outcome.err.count('\n'), 1);
+  QVERIFY(outcome.err.size() < 400);
+}
+
+QTEST_GUILESS_MAIN(TestBadJson)
+#include "test_bad_json.moc"

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that saving a session replaces the old file whole, or leaves it alone.
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "io/session_file.h"
+#include "tests/io/documents.h"
+
+using namespace hogelscope;
+
+namespace {
+
+Session someSession() {
+  Session session;
+  session.lightField.file = "scene.png";
+  session.display.hogels = {4, 3};
+  session.display.directions = {5, 6};
+  session.cameras.resize(1);
+  session.cameras[0].camera.name = "a";
+  return session;
+}
+
+QString errorOfSaving(const QString& file, const Session& session = someSession()) {
+  return errorOf([&] { saveSession(file.toStdString(), session); });
+}
+
+/// Works as an ordinary user while it lives, since root may write anywhere.
+class OrdinaryUser {
+ public:
+  OrdinaryUser() : m_isRoot(::geteuid() == 0) {
+    if (m_isRoot && ::seteuid(65534) != 0) qFatal("seteuid");
+  }
+  ~OrdinaryUser() {
+    if (m_isRoot && ::seteuid(0) != 0) qFatal("seteuid");
+  }
+  OrdinaryUser(const OrdinaryUser&) = delete;
+  OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+ private:
+  bool m_isRoot;
+};
+
+/// No file grows beyond `bytes` while it lives: what a full disk is like.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &m_old);
+    const rlimit limited{bytes, m_old.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limited);
+  }
+  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_old); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit m_old{};
+};
+
+}  // namespace
+
+class TestSessionSaving : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void replacesTheOldFile();
+  void missingFolder();
+  void aFolderInItsPlace();
+  void readOnlyFolder();
+  void fullDisk();
+  void linksStay();
+  void linksToNothing();
+  void noContentYet();
+  void notText();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestSessionSaving::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestSessionSaving::replacesTheOldFile() {
+  writeFile("s.json", QByteArray(100000, 'x'));
+  QCOMPARE(errorOfSaving("s.json"), "");
+  QVERIFY(loadSession("s.json") == someSession());
+  QCOMPARE(namesIn("."), QStringList{"s.json"});
+}
+
+void TestSessionSaving::missingFolder() {
+  QCOMPARE(errorOfSaving("none/s.json"),
+           "none/s.json: cannot be written: No such file or directory");
+  QCOMPARE(namesIn("."), QStringList());
+}
+
+void TestSessionSaving::aFolderInItsPlace() {
+  QVERIFY(QDir().mkdir("s.json"));
+  writeFile("s.json/inside", "kept");
+  QCOMPARE(errorOfSaving("s.json"), "s.json: cannot be written: Is a directory");
+  QCOMPARE(namesIn("."), QStringList{"s.json"});
+  QCOMPARE(contentOf("s.json/inside"), "kept");
+}
+
+void TestSessionSaving::readOnlyFolder() {
+  QVERIFY(QDir().mkdir("locked"));
+  writeFile("locked/s.json", "old");
+  constexpr auto all = QFile::ReadUser | QFile::ReadGroup | QFile::ReadOther | QFile::ExeUser |
+                       QFile::ExeGroup | QFile::ExeOther;
+  QVERIFY(QFile::setPermissions(".", all | QFile::WriteUser));
+  QVERIFY(QFile::setPermissions("locked", all));
+  {
+    const OrdinaryUser user;
+    QCOMPARE(errorOfSaving("locked/s.json"), "locked/s.json: cannot be written: Permission denied");
+  }
+  QCOMPARE(namesIn("locked"), QStringList{"s.json"});
+  QCOMPARE(contentOf("locked/s.json"), "old");
+  QVERIFY(QFile::setPermissions("locked", all | QFile::WriteUser));
+}
+
+void TestSessionSaving::fullDisk() {
+  writeFile("s.json", "old");
+  QString error;
+  {
+    const FullDisk disk(100);
+    error = errorOfSaving("s.json");
+  }
+  QCOMPARE(error, "s.json: cannot be written: File too large");
+  QCOMPARE(contentOf("s.json"), "old");
+  QCOMPARE(namesIn("."), QStringList{"s.json"});
+}
+
+void TestSessionSaving::linksStay() {
+  QVERIFY(QDir().mkdir("real"));
+  writeFile("real/s.json", "old");
+  QVERIFY(QFile::link("real/s.json", "link.json"));
+  QCOMPARE(errorOfSaving("link.json"), "");
+  QCOMPARE(QFileInfo("link.json").symLinkTarget(), QFileInfo("real/s.json").absoluteFilePath());
+  QVERIFY(contentOf("real/s.json").startsWith("{\n"));
+  QCOMPARE(namesIn("."), (QStringList{"link.json", "real"}));
+  QCOMPARE(namesIn("real"), QStringList{"s.json"});
+  QVERIFY(loadSession("link.json") == someSession());
+}
+
+void TestSessionSaving::linksToNothing() {
+  QVERIFY(QFile::link("later.json", "link.json"));
+  QCOMPARE(errorOfSaving("link.json"), "");
+  QEXPECT_FAIL("", "BUG: AtomicFile puts a file in the place of a link to nothing", Abort);
+  QCOMPARE(namesIn("."), (QStringList{"later.json", "link.json"}));
+  QVERIFY(QFileInfo("link.json").isSymLink());
+  QVERIFY(loadSession("later.json") == someSession());
+}
+
+/// A new session of the desktop app.
+void TestSessionSaving::noContentYet() {
+  Session session = someSession();
+  session.lightField.file.clear();
+  QEXPECT_FAIL("", "BUG: std::filesystem::absolute(\"\") throws filesystem_error", Abort);
+  QCOMPARE(errorOfSaving("s.json", session), "");
+  QVERIFY2(contentOf("s.json").contains(R"("file": "")"), contentOf("s.json"));
+}
+
+/// JSON has no place for other bytes than UTF-8.
+void TestSessionSaving::notText() {
+  writeFile("s.json", "old");
+  Session session = someSession();
+  session.lightField.file = "sc\xffne.png";
+  const QString error = errorOfSaving("s.json", session);
+  QEXPECT_FAIL("", "BUG: nlohmann's type_error comes out instead of an InputError", Continue);
+  QVERIFY2(error.startsWith("s.json: "), qPrintable(error));
+  QCOMPARE(contentOf("s.json"), "old");
+  QCOMPARE(namesIn("."), QStringList{"s.json"});
+}
+
+QTEST_APPLESS_MAIN(TestSessionSaving)
+#include "test_session_saving.moc"
