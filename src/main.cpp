@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program: batch mode where the command line asks for a job, else the window. The one place
 // where errors become a line and an exit status.
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -24,7 +26,8 @@ int run(int argc, char** argv) {
 
 /// Ends as the signal would have, so that a calling script sees it.
 int stopped() {
-  std::fprintf(stderr, "\nhogelscope: stopped; what is finished is kept\n");
+  const char* endOfBar = ::isatty(STDERR_FILENO) == 1 ? "\n" : "";
+  std::fprintf(stderr, "%shogelscope: stopped; what is finished is kept\n", endOfBar);
   const int signal = hogelscope::caughtSignal();
   std::signal(signal, SIG_DFL);
   std::raise(signal);

@@ -129,10 +129,12 @@ std::vector<ReportRow> compareAll(const Session& session, const Options& options
     const std::vector<Image> images =
         renderAll(testSession(session, options.tests[t]), part(progress, from, from + share));
     if (options.images) saveAll(folder / ("test" + std::to_string(t + 1)), session, images);
-    for (std::size_t k = 0; k < images.size(); ++k)
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      advance(progress, from + share);
       rows[k * options.tests.size() + t] = {session.cameras[k].camera.name, options.tests[t],
                                             compare(references[k], images[k]),
                                             session.cameras[k].camera.eye};
+    }
   }
   return rows;
 }

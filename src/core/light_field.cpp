@@ -52,22 +52,54 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   }
 }
 
-LightField::LightField(LightFieldSize size, Values values)
-    : m_size(size), m_values(std::move(values)) {
-  const std::size_t count = std::visit([](const auto& list) { return list.size(); }, m_values);
-  if (count != 3 * size.width() * size.height())
-    throw std::invalid_argument("LightField: not three values for each directional pixel");
+namespace {
+
+LightField::Texels blackTexels(std::size_t count, StoredType type) {
+  switch (type) {
+    case StoredType::uint8:
+      return TexelArray<std::uint8_t>(count);
+    case StoredType::uint16:
+      return TexelArray<std::uint16_t>(count);
+    default:
+      return TexelArray<float>(count);
+  }
+}
+
+}  // namespace
+
+LightField::LightField(LightFieldSize size, StoredType type,
+                       const std::array<std::uint32_t, 4>& block)
+    : m_size(size),
+      m_layout(size, block),
+      m_texels(blackTexels(std::size_t(m_layout.texels) + 1, type)) {}
+
+LightField::LightField(LightFieldSize size, const Values& values)
+    : LightField(size, static_cast<StoredType>(values.index())) {
+  std::visit(
+      [&](const auto& list) {
+        if (list.size() != 3 * size.width() * size.height())
+          throw std::invalid_argument("LightField: not three values for each directional pixel");
+        auto rgb = list.data();
+        const auto [nx, ny, du, dv] = size;
+        for (int y = 0; y < ny * dv; ++y)
+          for (int x = 0; x < nx * du; ++x, rgb += 3) set({x / du, y / dv, x % du, y % dv}, rgb);
+      },
+      values);
+}
+
+std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
+  constexpr std::array<std::size_t, 3> texelBytes{4, 8, 16};
+  const BlockLayout layout(size, standardBlock);
+  return (std::size_t(layout.texels) + 1) * texelBytes[std::size_t(type)];
 }
 
 Rgb LightField::texel(const TexelIndex& at) const {
-  const std::size_t column = std::size_t(at.i) * std::size_t(m_size.du) + std::size_t(at.u);
-  const std::size_t row = std::size_t(at.j) * std::size_t(m_size.dv) + std::size_t(at.v);
-  const std::size_t first = 3 * (row * m_size.width() + column);
   return std::visit(
-      [first](const auto& list) {
-        return Rgb{codeValue(list[first]), codeValue(list[first + 1]), codeValue(list[first + 2])};
+      [address = m_layout.address(at)](const auto& list) {
+        const auto& stored = list[address];
+        return Rgb{codeValue(stored.r), codeValue(stored.g), codeValue(stored.b)};
       },
-      m_values);
+      m_texels);
 }
 
 }  // namespace hogelscope

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/block_layout.h"
+#include "core/huge_pages.h"
 #include "core/parameters.h"
 
 namespace hogelscope {
@@ -71,23 +73,58 @@ constexpr Rgb operator*(double s, const Rgb& c) {
   return {s * c.r, s * c.g, s * c.b};
 }
 
-/// Three values a texel, in the raster of the hogel image: texel (i, j, u, v) is at column
-/// i·du + u, row j·dv + v. 16-bit values are /257 code values, floating ones ·255.
+enum class StoredType { uint8, uint16, real };
+
+/// A directional pixel as it is stored; `unused` makes it a power of two of bytes.
+template <class T>
+struct Texel {
+  T r{};
+  T g{};
+  T b{};
+  T unused{};
+};
+
+template <class T>
+using TexelArray = std::vector<Texel<T>, HugePageAllocator<Texel<T>>>;
+
+/// Stored values: 16-bit ones are /257 code values, floating ones ·255. In memory the texels lie in
+/// 4-D blocks, and one black texel follows them: what a ray that sees nothing can read.
 class LightField {
  public:
+  /// Three values a texel, in the raster of the hogel image: texel (i, j, u, v) is at column
+  /// i·du + u, row j·dv + v.
   using Values =
       std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
+  using Texels =
+      std::variant<TexelArray<std::uint8_t>, TexelArray<std::uint16_t>, TexelArray<float>>;
 
-  /// Throws std::invalid_argument unless there are 3·width·height values.
-  LightField(LightFieldSize size, Values values);
+  /// Cells of a block along i, j, u, v, as powers of two: measured, see ARCHITECTURE.md.
+  static constexpr std::array<std::uint32_t, 4> standardBlock{3, 3, 3, 3};
+
+  /// Black. Throws std::length_error beyond 2^32 - 2 texels.
+  LightField(LightFieldSize size, StoredType type,
+             const std::array<std::uint32_t, 4>& block = standardBlock);
+  /// From a hogel image. Throws std::invalid_argument unless there are 3·width·height values.
+  LightField(LightFieldSize size, const Values& values);
+
+  /// Bytes that a light field of this size takes in memory.
+  static std::size_t bytes(const LightFieldSize& size, StoredType type);
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  [[nodiscard]] const BlockLayout& layout() const { return m_layout; }
+  [[nodiscard]] const Texels& texels() const { return m_texels; }
   /// The index must lie in the light field.
   [[nodiscard]] Rgb texel(const TexelIndex& at) const;
+  /// T must be the stored type.
+  template <class T>
+  void set(const TexelIndex& at, const T* rgb) {
+    std::get<TexelArray<T>>(m_texels)[m_layout.address(at)] = {rgb[0], rgb[1], rgb[2], T{}};
+  }
 
  private:
   LightFieldSize m_size;
-  Values m_values;
+  BlockLayout m_layout;
+  Texels m_texels;
 };
 
 }  // namespace hogelscope

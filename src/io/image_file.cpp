@@ -2,11 +2,15 @@
 // Picture files, through OpenImageIO.
 #include "io/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -34,15 +38,16 @@ std::string oneLine(std::string text, const fs::path& file) {
   return text.empty() ? "unknown reason" : text;
 }
 
-void refuseNotANumber(std::span<const float> values, std::size_t width, const fs::path& file) {
+void refuseNotANumber(std::span<const float> values, std::size_t width, std::size_t firstRow,
+                      const fs::path& file) {
   const auto bad =
       std::find_if(values.begin(), values.end(), [](float v) { return std::isnan(v); });
   if (bad == values.end()) return;
   const std::size_t pixel = std::size_t(bad - values.begin()) / 3;
-  throw InputError(
-      file.string(),
-      "pixel (" + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + ")",
-      "is not a number");
+  throw InputError(file.string(),
+                   "pixel (" + std::to_string(pixel % width) + ", " +
+                       std::to_string(firstRow + pixel / width) + ")",
+                   "is not a number");
 }
 
 std::string gigabytes(double bytes) {
@@ -111,49 +116,111 @@ StoredType ImageFile::type() const {
 }
 
 template <class T>
-std::vector<T> ImageFile::readAs(const Progress& progress) {
-  const std::size_t pixels = width() * height();
-  checkFits(3 * pixels * sizeof(T), m_file);
-  std::vector<T> values(3 * pixels);
+std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
+  OIIO::ImageInput& image = *m_input->image;
+  const OIIO::ImageSpec& spec = m_input->spec;
+  std::vector<T> values(3 * width() * rows);
   const int used = channels() < 3 ? 1 : 3;
-  bool stopped = false;
-  const auto stop = [](void* data, float done) {
-    const auto& [tell, flag] = *static_cast<std::pair<const Progress*, bool*>*>(data);
-    *flag = *tell && !(*tell)(double(done));
-    return *flag;
-  };
-  std::pair<const Progress*, bool*> context{&progress, &stopped};
-  const bool whole =
-      m_input->image->read_image(0, 0, 0, used, baseType<T>(), values.data(), 3 * sizeof(T),
-                                 OIIO::AutoStride, OIIO::AutoStride, stop, &context);
-  if (stopped) throw Cancelled();
+  const int begin = spec.y + int(first);
+  const int end = begin + int(rows);
+  const auto stride = OIIO::stride_t(3 * sizeof(T));
+  const bool isRead =
+      spec.tile_width > 0
+          ? image.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
+                             used, baseType<T>(), values.data(), stride)
+          : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), values.data(),
+                                 stride);
   // Some readers fill the rest of a truncated file and only leave a message.
-  if (!whole || m_input->image->has_error())
-    throw InputError(m_file.string(), "is damaged", oneLine(m_input->image->geterror(), m_file));
+  if (!isRead || image.has_error())
+    throw InputError(m_file.string(), "is damaged", oneLine(image.geterror(), m_file));
   if (used == 1)
-    for (std::size_t p = 0; p < pixels; ++p) values[3 * p + 1] = values[3 * p + 2] = values[3 * p];
-  if constexpr (std::is_same_v<T, float>) refuseNotANumber(values, width(), m_file);
+    for (std::size_t p = 0; p < values.size(); p += 3) values[p + 1] = values[p + 2] = values[p];
+  if constexpr (std::is_same_v<T, float>) refuseNotANumber(values, width(), first, m_file);
   return values;
 }
 
-LightField::Values ImageFile::read(StoredType type, const Progress& progress) {
-  switch (type) {
-    case StoredType::uint8:
-      return readAs<std::uint8_t>(progress);
-    case StoredType::uint16:
-      return readAs<std::uint16_t>(progress);
-    default:
-      return readAs<float>(progress);
+void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
+  constexpr std::size_t bandPixels = std::size_t{1} << 20;
+  const auto tileRows = std::size_t(std::max(m_input->spec.tile_height, 1));
+  const std::size_t rows = (bandPixels / width() / tileRows + 1) * tileRows;
+  for (std::size_t first = 0; first < height(); first += rows) {
+    advance(progress, double(first) / double(height()));
+    const std::size_t count = std::min(rows, height() - first);
+    switch (type) {
+      case StoredType::uint8:
+        band(first, count, readRows<std::uint8_t>(first, count));
+        break;
+      case StoredType::uint16:
+        band(first, count, readRows<std::uint16_t>(first, count));
+        break;
+      default:
+        band(first, count, readRows<float>(first, count));
+    }
   }
 }
 
+namespace {
+
+/// Where OpenImageIO's writers put their bytes: some of them do not notice that a disk is full.
+class CheckedFile : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit CheckedFile(const fs::path& path)
+      : IOProxy(path.string(), Mode::Write), m_file(std::fopen(path.c_str(), "wb+")) {
+    if (m_file == nullptr) m_error = errno;
+  }
+  ~CheckedFile() override { CheckedFile::close(); }
+
+  [[nodiscard]] const char* proxytype() const override { return "checked file"; }
+  bool seek(int64_t offset) override {
+    m_pos = offset;
+    return m_file != nullptr && ::fseeko(m_file, offset, SEEK_SET) == 0;
+  }
+  std::size_t write(const void* data, std::size_t size) override {
+    const std::size_t written = m_file == nullptr ? 0 : std::fwrite(data, 1, size, m_file);
+    if (written < size && m_error == 0) m_error = errno;
+    m_pos += int64_t(written);
+    // What is lost is told at the end: libjpeg and libpng would end the process here.
+    return size;
+  }
+  std::size_t read(void* data, std::size_t size) override {
+    return m_file == nullptr ? 0 : std::fread(data, 1, size, m_file);
+  }
+  [[nodiscard]] std::size_t size() const override {
+    const auto here = ::ftello(m_file);
+    ::fseeko(m_file, 0, SEEK_END);
+    const auto end = ::ftello(m_file);
+    ::fseeko(m_file, here, SEEK_SET);
+    return std::size_t(end);
+  }
+  void flush() const override {}
+  void close() override {
+    if (m_file != nullptr && std::fclose(m_file) != 0 && m_error == 0) m_error = errno;
+    m_file = nullptr;
+  }
+  /// errno of the first failure, or 0; after close.
+  [[nodiscard]] int error() const { return m_error; }
+
+ private:
+  std::FILE* m_file;
+  int m_error = 0;
+};
+
+InputError cannotWrite(const fs::path& file, int error) {
+  return {file.string(), "cannot be written", std::strerror(error)};
+}
+
+}  // namespace
+
+/// A picture on its way to the disk.
 struct ImageRowWriter::Output {
   AtomicFile atomic;
   fs::path file;
+  CheckedFile bytes;
   std::unique_ptr<OIIO::ImageOutput> image;
   int row = 0;
 
-  Output(const fs::path& path, const OIIO::ImageSpec& spec) : atomic(path), file(path) {
+  Output(const fs::path& path, const OIIO::ImageSpec& spec)
+      : atomic(path), file(path), bytes(atomic.temporary()) {
     image = OIIO::ImageOutput::create(path.string());
     if (!image)
       throw InputError(path.string(), "cannot be written",
@@ -164,8 +231,18 @@ struct ImageRowWriter::Output {
         std::max(spec.width, spec.height) > jpegLimit)
       throw InputError(path.string(), "cannot be written",
                        "JPEG ends at 65500 px; use PNG or TIFF");
-    if (!image->open(atomic.temporary().string(), spec)) fail();
+    if (bytes.error() != 0) throw cannotWrite(file, bytes.error());
+    if (!image->supports("ioproxy") || !image->set_ioproxy(&bytes) ||
+        !image->open(atomic.temporary().string(), spec))
+      fail();
   }
+
+  ~Output() {
+    // Closing a PNG without rows complains on stderr; a writer that was stopped is left alone.
+    if (!isFinished) (void)image.release();
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
 
   [[noreturn]] void fail() {
     throw InputError(file.string(), "cannot be written",
@@ -173,23 +250,23 @@ struct ImageRowWriter::Output {
   }
 
   void finish() {
+    isFinished = true;
     if (!image->close()) fail();
+    bytes.close();
+    if (bytes.error() != 0) throw cannotWrite(file, bytes.error());
     atomic.commit();
   }
+
+  bool isFinished = false;
 };
 
 namespace {
 
 template <class T>
 void writeWhole(const fs::path& file, const OIIO::ImageSpec& spec, std::span<const T> values) {
-  AtomicFile atomic(file);
-  const auto image = OIIO::ImageOutput::create(file.string());
-  const bool done = image && image->open(atomic.temporary().string(), spec) &&
-                    image->write_image(baseType<T>(), values.data()) && image->close();
-  if (!done)
-    throw InputError(file.string(), "cannot be written",
-                     oneLine(image ? image->geterror() : OIIO::geterror(), atomic.temporary()));
-  atomic.commit();
+  ImageRowWriter::Output output(file, spec);
+  if (!output.image->write_image(baseType<T>(), values.data())) output.fail();
+  output.finish();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,8 +13,6 @@
 #include "core/progress.h"
 
 namespace hogelscope {
-
-enum class StoredType { uint8, uint16, real };
 
 /// An opened picture file; every error names it. Grey becomes RGB, alpha is light over black.
 class ImageFile {
@@ -29,15 +28,16 @@ class ImageFile {
   [[nodiscard]] StoredType type() const;
   [[nodiscard]] std::string format() const;  ///< such as "png"
 
-  /// All pixels, row by row from the top, as `type`. Throws InputError: damaged, not a number,
-  /// more than this machine's memory.
-  [[nodiscard]] LightField::Values read(StoredType type, const Progress& progress);
+  /// Hears rows [first, first + rows) as `type`, three values a pixel.
+  using Band = std::function<void(std::size_t first, std::size_t rows, const LightField::Values&)>;
+  /// Reads all pixels from the top, some rows at a time. Throws InputError: damaged, not a number.
+  void read(StoredType type, const Band& band, const Progress& progress);
 
   [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
 
  private:
   template <class T>
-  std::vector<T> readAs(const Progress& progress);
+  std::vector<T> readRows(std::size_t first, std::size_t rows);
 
   struct Input;
   std::filesystem::path m_file;
@@ -68,8 +68,9 @@ class ImageRowWriter {
   void write(std::span<const std::uint8_t> row);
   void finish();
 
- private:
   struct Output;
+
+ private:
   std::unique_ptr<Output> m_output;
 };
 

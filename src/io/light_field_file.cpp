@@ -20,58 +20,41 @@ std::string pixels(std::size_t width, std::size_t height) {
   return std::to_string(width) + "×" + std::to_string(height);
 }
 
-/// Puts texels where the hogel image's raster has them; flips directions that were recorded
-/// looking into the scene.
-template <class T>
-class TexelWriter {
- public:
-  TexelWriter(std::vector<T>& values, const LightFieldSize& size, bool incoming)
-      : m_values(values), m_size(size), m_incoming(incoming) {}
-
-  void put(TexelIndex at, const T* rgb) {
-    if (m_incoming) {
-      at.u = m_size.du - 1 - at.u;
-      at.v = m_size.dv - 1 - at.v;
-    }
-    const std::size_t column = std::size_t(at.i) * std::size_t(m_size.du) + std::size_t(at.u);
-    const std::size_t row = std::size_t(at.j) * std::size_t(m_size.dv) + std::size_t(at.v);
-    std::copy_n(rgb, 3, m_values.data() + 3 * (row * m_size.width() + column));
+/// A black light field of the type; refused where the machine's memory is too small.
+LightField blank(const LightFieldSize& size, StoredType type, const fs::path& file) {
+  try {
+    checkFits(LightField::bytes(size, type), file);
+    return {size, type};
+  } catch (const std::length_error&) {
+    throw InputError(file.string(), "size", "is more than 2^32 directional pixels in memory");
   }
-
- private:
-  std::vector<T>& m_values;
-  LightFieldSize m_size;
-  bool m_incoming;
-};
-
-/// Black values of the type that `like` holds.
-LightField::Values blank(const LightField::Values& like, const LightFieldSize& size,
-                         const fs::path& file) {
-  return std::visit(
-      [&](const auto& list) -> LightField::Values {
-        using List = std::decay_t<decltype(list)>;
-        const std::size_t count = 3 * size.width() * size.height();
-        checkFits(count * sizeof(typename List::value_type), file);
-        return List(count);
-      },
-      like);
 }
 
-/// Copies `width`×`height` pixels of one picture; `target(x, y)` says which texel pixel (x, y) is,
-/// or none.
+/// Reads a picture into the light field; `target(x, y)` says which texel pixel (x, y) is, or none.
+/// `incoming` flips directions that were recorded looking into the scene.
 template <class Target>
-void place(const LightField::Values& picture, int width, int height, LightField::Values& values,
-           const LightFieldSize& size, bool incoming, Target target) {
-  std::visit(
-      [&](auto& list) {
-        using List = std::decay_t<decltype(list)>;
-        TexelWriter writer(list, size, incoming);
-        auto source = std::get<List>(picture).data();
-        for (int y = 0; y < height; ++y)
-          for (int x = 0; x < width; ++x, source += 3)
-            if (const std::optional<TexelIndex> at = target(x, y)) writer.put(*at, source);
+void place(ImageFile& image, StoredType type, LightField& lightField, bool incoming, Target target,
+           const Progress& progress) {
+  const auto [nx, ny, du, dv] = lightField.size();
+  const auto putRow = [&, du = du, dv = dv](int y, const auto* rgb) {
+    for (int x = 0; x < int(image.width()); ++x, rgb += 3) {
+      std::optional<TexelIndex> at = target(x, y);
+      if (!at) continue;
+      if (incoming) at = {at->i, at->j, du - 1 - at->u, dv - 1 - at->v};
+      lightField.set(*at, rgb);
+    }
+  };
+  image.read(
+      type,
+      [&](std::size_t first, std::size_t rows, const LightField::Values& values) {
+        std::visit(
+            [&](const auto& list) {
+              for (std::size_t row = 0; row < rows; ++row)
+                putRow(int(first + row), list.data() + 3 * row * image.width());
+            },
+            values);
       },
-      values);
+      progress);
 }
 
 class HogelImage : public LightFieldFile {
@@ -91,15 +74,12 @@ class HogelImage : public LightFieldFile {
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField::Values raster = m_image.read(m_image.type(), progress);
-    if (!m_params.incoming) return {m_size, std::move(raster)};
-    LightField::Values values = blank(raster, m_size, m_params.file);
-    place(raster, int(m_size.width()), int(m_size.height()), values, m_size, true,
-          [this](int x, int y) {
-            return std::optional(
-                TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
-          });
-    return {m_size, std::move(values)};
+    LightField lightField = blank(m_size, m_image.type(), m_params.file);
+    const auto target = [this](int x, int y) {
+      return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
+    };
+    place(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
+    return lightField;
   }
 
  private:
@@ -120,40 +100,35 @@ class ViewsFolder : public LightFieldFile {
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField::Values values;
+    LightField lightField = blank(m_size, m_type, m_params.file);
     const std::size_t count = m_views.files.size();
     for (std::size_t k = 0; k < count; ++k) {
       advance(progress, double(k) / double(count));
-      const LightField::Values picture = readView(m_views.files[k]);
-      if (k == 0) values = blank(picture, m_size, m_params.file);
-      placeView(picture, int(k) / m_views.columns, int(k) % m_views.columns, values);
+      readView(int(k) / m_views.columns, int(k) % m_views.columns, lightField);
     }
-    return {m_size, std::move(values)};
+    return lightField;
   }
 
  private:
-  LightField::Values readView(const fs::path& file) const {
+  void readView(int row, int column, LightField& lightField) const {
+    const fs::path& file =
+        m_views.files[std::size_t(row) * std::size_t(m_views.columns) + std::size_t(column)];
     ImageFile image(file);
     if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
       throw InputError(file.string(), "size",
                        "is " + pixels(image.width(), image.height()) +
                            " px, but the first view is " +
                            pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)));
-    return image.read(m_type, {});
-  }
-
-  void placeView(const LightField::Values& picture, int row, int column,
-                 LightField::Values& values) const {
     const int u = m_params.columns == ColumnOrder::leftRight ? column : m_size.du - 1 - column;
     const int v = m_params.rows == RowOrder::topDown ? row : m_size.dv - 1 - row;
     const int right = int(std::floor(m_params.shear[0] * (u - (m_size.du - 1) / 2.0) + 0.5));
     const int down = int(std::floor(m_params.shear[1] * (v - (m_size.dv - 1) / 2.0) + 0.5));
-    place(picture, m_size.nx, m_size.ny, values, m_size, m_params.incoming,
-          [&](int x, int y) -> std::optional<TexelIndex> {
-            const TexelIndex at{x + right, y + down, u, v};
-            if (at.i < 0 || at.i >= m_size.nx || at.j < 0 || at.j >= m_size.ny) return std::nullopt;
-            return at;
-          });
+    const auto target = [&](int x, int y) -> std::optional<TexelIndex> {
+      const TexelIndex at{x + right, y + down, u, v};
+      if (at.i < 0 || at.i >= m_size.nx || at.j < 0 || at.j >= m_size.ny) return std::nullopt;
+      return at;
+    };
+    place(image, m_type, lightField, m_params.incoming, target, {});
   }
 
   LightFieldParams m_params;
@@ -185,15 +160,14 @@ class QuiltImage : public LightFieldFile {
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    const LightField::Values picture = m_image.read(m_image.type(), progress);
-    LightField::Values values = blank(picture, m_size, m_params.file);
-    place(picture, m_size.nx * m_columns, m_size.ny * m_rows, values, m_size, m_params.incoming,
-          [this](int x, int y) {
-            const int rowFromBottom = m_rows - 1 - y / m_size.ny;
-            return std::optional(TexelIndex{x % m_size.nx, y % m_size.ny,
-                                            rowFromBottom * m_columns + x / m_size.nx, 0});
-          });
-    return {m_size, std::move(values)};
+    LightField lightField = blank(m_size, m_image.type(), m_params.file);
+    const auto target = [this](int x, int y) {
+      const int rowFromBottom = m_rows - 1 - y / m_size.ny;
+      return std::optional(
+          TexelIndex{x % m_size.nx, y % m_size.ny, rowFromBottom * m_columns + x / m_size.nx, 0});
+    };
+    place(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
+    return lightField;
   }
 
  private:

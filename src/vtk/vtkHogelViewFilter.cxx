@@ -12,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "parallel_rows.h"
 
@@ -21,35 +22,16 @@ namespace
 {
 constexpr const char* seenName = "Seen";
 
-void write(const hogelscope::Rgb& colour, unsigned char* rgb)
-{
-  rgb[0] = hogelscope::quantised(colour.r);
-  rgb[1] = hogelscope::quantised(colour.g);
-  rgb[2] = hogelscope::quantised(colour.b);
-}
-
-void write(const hogelscope::Rgb& colour, float* rgb)
-{
-  rgb[0] = static_cast<float>(colour.r);
-  rgb[1] = static_cast<float>(colour.g);
-  rgb[2] = static_cast<float>(colour.b);
-}
-
 /// One row of the update extent, VTK's row y.
 template <class T>
-void fillRow(const hogelscope::Simulation& simulation, int height, vtkImageData* output, int y)
+void fillRow(const hogelscope::FastSimulation& simulation, int height, vtkImageData* output, int y)
 {
   const int* extent = output->GetExtent();
-  T* rgb = static_cast<T*>(output->GetScalarPointer(extent[0], y, 0));
   auto* seen = vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray(seenName));
   const int width = extent[1] - extent[0] + 1;
-  unsigned char* mask = seen->GetPointer(vtkIdType(y - extent[2]) * width);
-  for (int x = extent[0]; x <= extent[1]; ++x, rgb += 3, ++mask)
-  {
-    const auto colour = simulation.pixel(x, height - 1 - y);
-    write(colour.value_or(hogelscope::Rgb{}), rgb);
-    *mask = colour ? 255 : 0;
-  }
+  simulation.row(height - 1 - y, extent[0], extent[1] + 1,
+    static_cast<T*>(output->GetScalarPointer(extent[0], y, 0)),
+    seen->GetPointer(vtkIdType(y - extent[2]) * width));
 }
 
 /// VTK's rows, from the bottom, become a picture's, from the top.
@@ -83,7 +65,8 @@ void vtkHogelViewFilter::SetView(const hogelscope::View& view)
 
 void vtkHogelViewFilter::SetThreads(int count)
 {
-  hogelscope::setThreads(count);
+  // More than there are gain nothing, and TBB would complain.
+  hogelscope::setThreads(std::min(count, int(std::thread::hardware_concurrency())));
 }
 
 int vtkHogelViewFilter::RequestInformation(
@@ -120,7 +103,8 @@ int vtkHogelViewFilter::RequestData(
   output->GetPointData()->AddArray(seen);
   try
   {
-    this->Fill(hogelscope::Simulation(this->View), output);
+    this->Fill(
+      hogelscope::FastSimulation(this->View, this->Tables, hogelscope::parallelRows), output);
   }
   catch (const std::exception& error)
   {
@@ -131,7 +115,7 @@ int vtkHogelViewFilter::RequestData(
   return this->Stopped ? 0 : 1;
 }
 
-void vtkHogelViewFilter::Fill(const hogelscope::Simulation& simulation, vtkImageData* output)
+void vtkHogelViewFilter::Fill(const hogelscope::FastSimulation& simulation, vtkImageData* output)
 {
   const int first = output->GetExtent()[2];
   const int rows = output->GetExtent()[3] - first + 1;

@@ -3,7 +3,7 @@
  * @class   vtkHogelViewFilter
  * @brief   what a camera state sees of a light field display, as an image
  *
- * A source without inputs: an adapter of hogelscope::Simulation to VTK's pipeline, run over
+ * A source without inputs: an adapter of hogelscope::FastSimulation to VTK's pipeline, run over
  * vtkSMPTools. The output has the camera's resolution, spacing 1, and two point arrays: "View"
  * (RGB, the scalars; 8 bit, or float code values) and "Seen" (8 bit, 255 or 0). As in all of VTK
  * row 0 is the bottom. What a user can mend is an error event and GetErrorMessage(), never an
@@ -18,9 +18,9 @@
 #include <mutex>
 #include <string>
 
+#include "core/fast_simulation.h"
 #include "core/image.h"
 #include "core/progress.h"
-#include "core/simulate.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelViewFilter : public vtkImageAlgorithm
@@ -84,11 +84,12 @@ private:
   vtkHogelViewFilter(const vtkHogelViewFilter&) = delete;
   void operator=(const vtkHogelViewFilter&) = delete;
 
-  void Fill(const hogelscope::Simulation& simulation, vtkImageData* output);
+  void Fill(const hogelscope::FastSimulation& simulation, vtkImageData* output);
   void Advance(int rows, int allRows);
   void UpdateOrThrow();
 
   hogelscope::View View;
+  hogelscope::LensTables Tables;
   bool FloatOutput = false;
   hogelscope::Progress Progress;
   std::string ErrorMessage;

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fast engine. A ray's light is a sum over taps along four axes, hogels i, j and directions u,
+// v: one tap where nothing is interpolated or leaks, two for an interpolation, a window for
+// leakage.
+#include "core/fast_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace hogelscope {
+
+namespace {
+
+HitMap hitMapOf(const DisplayParams& params, const Display& display, const Camera& camera) {
+  const RigidTransform& world = camera.worldFromCamera();
+  const RigidTransform& displayFromWorld = display.displayFromWorld();
+  const auto list = [](const Vec3& d) { return std::array{d.x, d.y, d.z}; };
+  const Vec3 eye = displayFromWorld.point(world.origin);
+  const auto [nx, ny, du, dv] = display.size();
+  const double fieldX = 2 * std::tan(radians(params.fov[0]) / 2);
+  const double fieldY = 2 * std::tan(radians(params.fov[1]) / 2);
+  HitMap map;
+  map.right = list(displayFromWorld.direction(world.xAxis));
+  map.down = list(displayFromWorld.direction(world.yAxis));
+  map.forward = list(displayFromWorld.direction(world.zAxis));
+  map.count = {nx, ny, du, dv};
+  map.constant = {(eye.x / params.size[0] + 0.5) * nx, (0.5 - eye.y / params.size[1]) * ny,
+                  0.5 * du, 0.5 * dv};
+  map.slope = {-eye.z / params.size[0] * nx, eye.z / params.size[1] * ny, du / fieldX,
+               -dv / fieldY};
+  return map;
+}
+
+/// The part of [low, high] where constant + slope·x ≥ 0.
+void clip(double constant, double slope, std::array<double, 2>& part) {
+  if (slope > 0)
+    part[0] = std::max(part[0], -constant / slope);
+  else if (slope < 0)
+    part[1] = std::min(part[1], -constant / slope);
+  else if (constant < 0)
+    part = {1, 0};
+}
+
+std::uint32_t clampedCell(int cell, int cells) {
+  return static_cast<std::uint32_t>(std::clamp(cell, 0, cells - 1));
+}
+
+constexpr int vectorLanes = 16;
+int wholeVectors(int count) {
+  return (count + vectorLanes - 1) / vectorLanes * vectorLanes;
+}
+
+}  // namespace
+
+/// Taps of a batch along one axis.
+struct AxisTaps {
+  int taps = 1;
+  const float* share = nullptr;  ///< the same for all rays; null: `weight`
+  std::vector<std::array<std::uint32_t, batchSize>> offset;
+  std::vector<std::array<float, batchSize>> weight;
+};
+
+struct FastSimulation::Scratch {
+  CellBatch cells{};
+  std::array<double, batchSize> x{};
+  std::array<double, batchSize> y{};
+  std::array<AxisTaps, 4> axes;
+  LightBatch sum{};
+};
+
+FastSimulation::FastSimulation(const View& view, LensTables& tables,
+                               const ParallelRows& parallelRows)
+    : m_view(view), m_distortion(view.state.distortion) {
+  const Simulation valid(view);  // throws what is wrong
+  m_plan = hogelscope::plan(view);
+  m_lensKey = lensKeyOf(view);
+  const Display display(view.display);
+  m_map = hitMapOf(view.display, display, Camera(view.state.camera));
+  m_seesNothing = !(display.displayFromWorld().point(view.state.camera.eye).z > 0);
+  m_unseen = view.lightField->layout().texels;
+  for (int x = 0; x < view.state.camera.res[0]; ++x)
+    m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength);
+  if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
+  const LightFieldSize& size = view.lightField->size();
+  m_weights = {axisWeights(view.state.psf, m_plan.psfReach, size.du),
+               axisWeights(view.state.psf, m_plan.psfReach, size.dv)};
+}
+
+FastSimulation::AxisWeights FastSimulation::axisWeights(const PsfParams& psf, int reach,
+                                                        int cells) {
+  AxisWeights axis;
+  axis.cells = cells;
+  axis.reach = std::min(reach, cells - 1);
+  axis.weights.resize(std::size_t(cells) * std::size_t(2 * axis.reach + 1));
+  for (int cell = 0; cell < cells; ++cell) {
+    std::vector<double> weights(std::size_t(2 * axis.reach + 1));
+    double total = 0;
+    for (int x = -reach; x <= reach; ++x) {
+      const double s = reach > 0 ? x / psf.sigma : 0;
+      const double weight = std::exp(-s * s / 2);
+      int tap = cell + x;
+      if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
+      const bool inside = tap >= 0 && tap < cells;
+      if (inside) weights[std::size_t(tap - cell + axis.reach)] += weight;
+      if (inside || psf.border == PsfBorder::black) total += weight;
+    }
+    std::transform(weights.begin(), weights.end(),
+                   &axis.weights[std::size_t(cell) * weights.size()],
+                   [total](double weight) { return static_cast<float>(weight / total); });
+  }
+  if (axis.reach == reach) {
+    axis.firstInner = reach;
+    axis.lastInner = cells - 1 - reach;
+  }
+  return axis;
+}
+
+const AxisLayout& FastSimulation::layoutOf(std::size_t axis) const {
+  const BlockLayout& layout = m_view.lightField->layout();
+  return *std::array{&layout.i, &layout.j, &layout.u, &layout.v}[axis];
+}
+
+/// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
+/// once it is multiplied by the direction's z.
+std::array<int, 2> FastSimulation::seenPart(int y, int x0, int x1) const {
+  const double py = (y - m_lensKey.centre.y) / m_lensKey.focalLength;
+  const auto at = [&](std::size_t c) { return m_map.down[c] * py + m_map.forward[c]; };
+  std::array<double, 2> part{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
+  clip(-at(2), -m_map.right[2], part);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const std::size_t c = axis % 2;
+    for (const auto& [border, sign] : {std::pair{0, -1.0}, std::pair{m_map.count[axis], 1.0}}) {
+      const double constant = m_map.constant[axis] - border;
+      clip(sign * (constant * at(2) + m_map.slope[axis] * at(c)),
+           sign * (constant * m_map.right[2] + m_map.slope[axis] * m_map.right[c]), part);
+    }
+  }
+  if (!(part[0] <= part[1])) return {x0, x0};
+  const auto column = [&](double x) { return x * m_lensKey.focalLength + m_lensKey.centre.x; };
+  int first = std::max(x0, static_cast<int>(std::ceil(column(part[0]))) - 1);
+  int last = std::min(x1, static_cast<int>(std::floor(column(part[1]))) + 2);
+  // The ends are decided by the ray itself, not by the rounding of the division above.
+  const auto isUnseen = [&](int x) {
+    std::uint32_t address = 0;
+    addresses(m_map, m_view.lightField->layout(), &m_x[std::size_t(x)], &py, 1, m_unseen, &address);
+    return address == m_unseen;
+  };
+  while (first < last && isUnseen(first)) ++first;
+  while (first < last && isUnseen(last - 1)) --last;
+  return {first, last};
+}
+
+void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
+  const auto count = std::size_t(x1 - x0);
+  std::memset(rgb, 0, 3 * count);
+  std::memset(seen, 0, count);
+  if (m_seesNothing) return;
+  const bool isPlain = !m_plan.hasLens && m_view.display.lens == HogelLens::rectilinear;
+  if (m_plan.copiesTexels && isPlain) return copyPlainRow(y, x0, x1, rgb, seen);
+  if (m_plan.copiesTexels && m_lens && m_view.display.lens == HogelLens::rectilinear)
+    return copyRow(y, x0, x1, rgb, seen);
+  std::vector<float> sums(3 * count);
+  sumRow(y, x0, x1, sums, seen);
+  for (std::size_t k = 0; k < sums.size(); ++k) rgb[k] = quantised(double(sums[k]));
+}
+
+void FastSimulation::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
+  std::vector<float> sums(3 * std::size_t(x1 - x0));
+  std::memset(seen, 0, std::size_t(x1 - x0));
+  if (!m_seesNothing) sumRow(y, x0, x1, sums, seen);
+  std::copy(sums.begin(), sums.end(), rgb);
+}
+
+namespace {
+
+using ByteTexel = Texel<std::uint8_t>;
+
+void pack(const ByteTexel* texels, int count, std::uint8_t* rgb) {
+  for (int k = 0; k < count; ++k, rgb += 3) {
+    rgb[0] = texels[k].r;
+    rgb[1] = texels[k].g;
+    rgb[2] = texels[k].b;
+  }
+}
+
+/// While a batch's texels come from memory the next batch's addresses are worked out.
+template <class AddressesOf, class Take>
+void inBatches(int begin, int end, const ByteTexel* texels, AddressesOf addressesOf, Take take) {
+  std::array<std::array<std::uint32_t, batchSize>, 2> address;
+  std::array<ByteTexel, batchSize> found;
+  int previous = begin;
+  std::size_t turn = 0;
+  for (int x = begin; previous < end; x += batchSize, turn = 1 - turn) {
+    const int count = std::min(batchSize, end - x);
+    if (count > 0) {
+      addressesOf(x, count, address[turn].data());
+      prefetch(texels, address[turn].data(), count);
+    }
+    if (x == begin) continue;
+    const int before = std::min(batchSize, end - previous);
+    gather(texels, address[1 - turn].data(), before, found.data());
+    take(previous, before, address[1 - turn].data(), found.data());
+    previous += before;
+  }
+}
+
+}  // namespace
+
+void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
+                                  std::uint8_t* seen) const {
+  const auto [first, last] = seenPart(y, x0, x1);
+  const double py = (y - m_lensKey.centre.y) / m_lensKey.focalLength;
+  const BlockLayout& layout = m_view.lightField->layout();
+  std::memset(seen + (first - x0), 255, std::size_t(last - first));
+  inBatches(
+      first, last, std::get<TexelArray<std::uint8_t>>(m_view.lightField->texels()).data(),
+      [&](int x, int count, std::uint32_t* address) {
+        addressesOfHits(m_map, layout, &m_x[std::size_t(x)], py, count, address);
+      },
+      [&](int x, int count, const std::uint32_t*, const ByteTexel* found) {
+        pack(found, count, rgb + 3 * (x - x0));
+      });
+}
+
+void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
+  const BlockLayout& layout = m_view.lightField->layout();
+  const double* px = m_lens->x(y, 0, 0);
+  const double* py = m_lens->y(y, 0, 0);
+  inBatches(
+      x0, x1, std::get<TexelArray<std::uint8_t>>(m_view.lightField->texels()).data(),
+      [&](int x, int count, std::uint32_t* address) {
+        addresses(m_map, layout, px + x, py + x, count, m_unseen, address);
+      },
+      [&](int x, int count, const std::uint32_t* address, const ByteTexel* found) {
+        pack(found, count, rgb + 3 * (x - x0));
+        for (int k = 0; k < count; ++k) seen[x - x0 + k] = address[k] == m_unseen ? 0 : 255;
+      });
+}
+
+namespace {
+
+/// Lanes without a hit get the cells of one with a hit, so that whole batches stay away from
+/// borders. False if there is none.
+bool fillUnseen(int count, CellBatch& batch) {
+  const auto end = batch.seen.begin() + count;
+  const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
+  if (hit == end) return false;
+  std::fill(end, batch.seen.end(), std::uint8_t{0});
+  const auto at = std::size_t(hit - batch.seen.begin());
+  for (auto& cell : batch.cell)
+    for (std::size_t k = 0; k < batchSize; ++k) cell[k] = batch.seen[k] == 0 ? cell[at] : cell[k];
+  return true;
+}
+
+}  // namespace
+
+/// Cells of the rays of `count` pixels from x0 on. False if none of them hits.
+bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const {
+  const double* x = scratch.x.data();
+  const double* py = scratch.y.data();
+  if (m_lens) {
+    x = m_lens->x(y, sx, sy) + x0;
+    py = m_lens->y(y, sx, sy) + x0;
+  } else {
+    lensRow(m_lensKey, m_distortion, y, sx, sy, x0, count, scratch.x.data(), scratch.y.data());
+  }
+  if (m_view.display.lens == HogelLens::equiangular)
+    equiangularCells(m_map, {radians(m_view.display.fov[0]), radians(m_view.display.fov[1])}, x, py,
+                     count, scratch.cells);
+  else
+    cells(m_map, x, py, count, scratch.cells);
+  return fillUnseen(count, scratch.cells);
+}
+
+void FastSimulation::sumRow(int y, int x0, int x1, std::vector<float>& rgb,
+                            std::uint8_t* seen) const {
+  const auto scratch = std::make_unique<Scratch>();
+  const int n = m_view.sampling.samplesPerPixel;
+  const float share = 1 / static_cast<float>(n * n);
+  for (int first = x0; first < x1; first += batchSize) {
+    const int count = std::min(batchSize, x1 - first);
+    for (int s = 0; s < n * n; ++s) {
+      if (!castRays(y, first, count, s % n, s / n, *scratch)) continue;
+      sumBatch(count, *scratch);
+      for (int k = 0; k < count; ++k) {
+        const auto ray = std::size_t(k);
+        if (scratch->cells.seen[ray] == 0) continue;
+        const auto pixel = std::size_t(first - x0) + ray;
+        seen[pixel] = 255;
+        rgb[3 * pixel] += share * scratch->sum.r[ray];
+        rgb[3 * pixel + 1] += share * scratch->sum.g[ray];
+        rgb[3 * pixel + 2] += share * scratch->sum.b[ray];
+      }
+    }
+  }
+  if (!m_plan.sumsLinear) return;
+  for (float& value : rgb) value = static_cast<float>(encodedFromLinear(double(value)));
+}
+
+/// Hogel axes: the cell itself, or the two whose centres lie around the hit.
+void FastSimulation::hogelTaps(std::size_t axis, Scratch& scratch) const {
+  AxisTaps& taps = scratch.axes[axis];
+  const AxisLayout layout = layoutOf(axis);
+  taps.taps = m_view.sampling.reconstruction == Reconstruction::quadrilinear ? 2 : 1;
+  taps.offset.resize(2);
+  taps.weight.resize(2);
+  const auto& cell = scratch.cells.cell[axis];
+  if (taps.taps == 1) {
+    for (std::size_t k = 0; k < batchSize; ++k) taps.offset[0][k] = layout(cell[k]);
+    return;
+  }
+  const int count = m_map.count[axis];
+  for (std::size_t k = 0; k < batchSize; ++k) {
+    const float place = scratch.cells.place[axis][k];
+    const int left = int(cell[k]) - (place < 0.5F ? 1 : 0);
+    const float share = place < 0.5F ? place + 0.5F : place - 0.5F;
+    taps.offset[0][k] = layout(clampedCell(left, count));
+    taps.offset[1][k] = layout(clampedCell(left + 1, count));
+    taps.weight[0][k] = 1 - share;
+    taps.weight[1][k] = share;
+  }
+}
+
+/// Direction axes without interpolation: the window of each ray's cell.
+void FastSimulation::directionTaps(std::size_t axis, Scratch& scratch) const {
+  AxisTaps& taps = scratch.axes[axis];
+  const AxisWeights& weights = m_weights[axis - 2];
+  const AxisLayout layout = layoutOf(axis);
+  const auto& cell = scratch.cells.cell[axis];
+  taps.taps = 2 * weights.reach + 1;
+  taps.offset.resize(std::size_t(taps.taps));
+  taps.weight.resize(taps.offset.size());
+  const auto [low, high] = std::minmax_element(cell.begin(), cell.end());
+  const bool isInner = int(*low) >= weights.firstInner && int(*high) <= weights.lastInner;
+  taps.share = isInner ? weights.of(weights.firstInner) : nullptr;
+  for (int t = 0; t < taps.taps; ++t) {
+    const int step = t - weights.reach;
+    auto& offset = taps.offset[std::size_t(t)];
+    if (isInner) {
+      for (std::size_t k = 0; k < batchSize; ++k)
+        offset[k] = layout(cell[k] + static_cast<std::uint32_t>(step));
+      continue;
+    }
+    for (std::size_t k = 0; k < batchSize; ++k) {
+      offset[k] = layout(clampedCell(int(cell[k]) + step, weights.cells));
+      taps.weight[std::size_t(t)][k] = weights.of(int(cell[k]))[t];
+    }
+  }
+}
+
+/// Direction axes with interpolation: the windows of the two cells around the hit, one tap apart.
+void FastSimulation::interpolatedTaps(std::size_t axis, Scratch& scratch) const {
+  AxisTaps& taps = scratch.axes[axis];
+  const AxisWeights& weights = m_weights[axis - 2];
+  const AxisLayout layout = layoutOf(axis);
+  const int window = 2 * weights.reach + 1;
+  taps.taps = window + 1;
+  taps.share = nullptr;
+  taps.offset.resize(std::size_t(taps.taps));
+  taps.weight.resize(taps.offset.size());
+  for (std::size_t k = 0; k < batchSize; ++k) {
+    const float place = scratch.cells.place[axis][k];
+    const int left = int(scratch.cells.cell[axis][k]) - (place < 0.5F ? 1 : 0);
+    const float share = place < 0.5F ? place + 0.5F : place - 0.5F;
+    const int first = std::max(left, 0);
+    const int second = std::min(left + 1, weights.cells - 1);
+    for (int t = 0; t < taps.taps; ++t) {
+      const int fromSecond = t - (second - first);
+      taps.offset[std::size_t(t)][k] =
+          layout(clampedCell(first - weights.reach + t, weights.cells));
+      taps.weight[std::size_t(t)][k] =
+          (t < window ? (1 - share) * weights.of(first)[t] : 0) +
+          (fromSecond >= 0 && fromSecond < window ? share * weights.of(second)[fromSecond] : 0);
+    }
+  }
+}
+
+void FastSimulation::addTaps(int count, const Scratch&, const TapBatch& taps,
+                             LightBatch& sum) const {
+  std::visit(
+      [&](const auto& texels) {
+        if (m_plan.sumsLinear)
+          accumulateLinear(texels.data(), taps, count, sum);
+        else
+          accumulate(texels.data(), taps, count, sum);
+      },
+      m_view.lightField->texels());
+}
+
+void FastSimulation::sumBatch(int count, Scratch& scratch) const {
+  const bool interpolates = m_view.sampling.reconstruction != Reconstruction::nearest;
+  for (const std::size_t axis : {0U, 1U}) hogelTaps(axis, scratch);
+  for (const std::size_t axis : {2U, 3U})
+    interpolates ? interpolatedTaps(axis, scratch) : directionTaps(axis, scratch);
+  const auto& [i, j, u, v] = scratch.axes;
+  scratch.sum = {};
+  std::array<std::uint32_t, batchSize> base;
+  std::array<float, batchSize> scale;
+  std::vector<float> share(std::size_t(u.taps));
+  const bool isUniform = u.share != nullptr && v.share != nullptr && i.taps * j.taps == 1;
+  for (int t = 0; t < i.taps * j.taps * v.taps; ++t) {
+    const auto ti = std::size_t(t % i.taps);
+    const auto tj = std::size_t(t / i.taps % j.taps);
+    const auto tv = std::size_t(t / i.taps / j.taps);
+    for (std::size_t k = 0; k < batchSize; ++k)
+      base[k] = i.offset[ti][k] + j.offset[tj][k] + v.offset[tv][k];
+    TapBatch taps{u.taps, base.data(), u.offset.data(), u.share, u.weight.data(), nullptr};
+    if (isUniform) {
+      std::transform(u.share, u.share + u.taps, share.begin(),
+                     [&](float weight) { return weight * v.share[tv]; });
+      taps.share = share.data();
+    } else {
+      for (std::size_t k = 0; k < batchSize; ++k) {
+        const float hogel = i.taps == 2 ? i.weight[ti][k] * j.weight[tj][k] : 1;
+        scale[k] = hogel * (v.share != nullptr ? v.share[tv] : v.weight[tv][k]);
+      }
+      taps.scale = scale.data();
+    }
+    addTaps(wholeVectors(count), scratch, taps, scratch.sum);
+  }
+}
+
+Image simulateFast(const View& view) {
+  LensTables tables;
+  const FastSimulation simulation(view, tables, serialRows);
+  const auto [width, height] = view.state.camera.res;
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    const std::size_t first = std::size_t(y) * std::size_t(width);
+    simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
+  }
+  return image;
+}
+
+}  // namespace hogelscope

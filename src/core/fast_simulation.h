@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fast engine: rows of rays in batches. The same pixels as the reference (core/simulate.h),
+// except where a coordinate lies within 1e-4 of a cell border or a sum within 1e-3 of a rounding
+// half.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/display.h"
+#include "core/lens_table.h"
+#include "core/plan.h"
+#include "core/row_kernels.h"
+#include "core/simulate.h"
+
+namespace hogelscope {
+
+class FastSimulation {
+ public:
+  /// Throws InputError, as Simulation does. `tables` keeps lens tables from view to view.
+  FastSimulation(const View& view, LensTables& tables, const ParallelRows& parallelRows);
+
+  [[nodiscard]] const Plan& plan() const { return m_plan; }
+  /// Null for a plain lens.
+  [[nodiscard]] const LensTable* lens() const { return m_lens.get(); }
+
+  /// Pixels [x0, x1) of row y: three 8-bit values each, and 255 or 0 whether they are seen. May be
+  /// called from several threads.
+  void row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
+  /// The same in code values, unrounded.
+  void row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
+
+ private:
+  /// Taps along one direction axis for each cell of it.
+  struct AxisWeights {
+    int reach = 0;
+    int cells = 0;
+    int firstInner = 0;  ///< cells [firstInner, lastInner] have all taps inside
+    int lastInner = -1;
+    std::vector<float> weights;  ///< (2·reach + 1) for each cell, normalised; 0 outside
+    [[nodiscard]] const float* of(int cell) const {
+      return &weights[std::size_t(cell) * std::size_t(2 * reach + 1)];
+    }
+  };
+  struct Scratch;
+
+  static AxisWeights axisWeights(const PsfParams& psf, int reach, int cells);
+  void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
+  void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
+  void sumRow(int y, int x0, int x1, std::vector<float>& rgb, std::uint8_t* seen) const;
+  [[nodiscard]] bool castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const;
+  void sumBatch(int count, Scratch& scratch) const;
+  void addTaps(int count, const Scratch& scratch, const TapBatch& taps, LightBatch& sum) const;
+  void hogelTaps(std::size_t axis, Scratch& scratch) const;
+  void directionTaps(std::size_t axis, Scratch& scratch) const;
+  void interpolatedTaps(std::size_t axis, Scratch& scratch) const;
+  [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
+  [[nodiscard]] const AxisLayout& layoutOf(std::size_t axis) const;
+
+  View m_view;
+  Plan m_plan;
+  std::shared_ptr<const LensTable> m_lens;
+  HitMap m_map;
+  bool m_seesNothing = false;
+  std::uint32_t m_unseen = 0;  ///< address of the black texel
+  std::vector<double> m_x;     ///< of each pixel column, plain lens
+  LensKey m_lensKey;
+  Distortion m_distortion;
+  std::array<AxisWeights, 2> m_weights;  ///< along u and v
+};
+
+/// The whole picture by the fast engine, on the calling thread.
+Image simulateFast(const View& view);
+
+}  // namespace hogelscope

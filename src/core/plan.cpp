@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a view needs to have modelled, and what not.
+#include "core/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/report.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Taps are left out where a pixel's light changes by less than this (code values): so the two
+/// engines still agree to a thousandth.
+constexpr double droppedBound = 1e-3;
+
+/// The sum of the window's weights where the middle one is 1.
+double weightWithin(const PsfParams& psf, int reach) {
+  double sum = 0;
+  for (int x = -reach; x <= reach; ++x) {
+    const double s = x / psf.sigma;
+    sum += std::exp(-s * s / 2);
+  }
+  return sum * sum;
+}
+
+/// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
+/// and leaving out taps of weight d changes their mean by at most 2·255·d.
+int neededReach(const PsfParams& psf) {
+  const int windowReach = (psf.windowSize - 1) / 2;
+  const double whole = weightWithin(psf, windowReach);
+  int reach = windowReach;
+  while (reach > 0 && 2 * 255 * (whole - weightWithin(psf, reach - 1)) < droppedBound) --reach;
+  return reach;
+}
+
+std::string megabytes(std::size_t bytes) {
+  return numberText(std::round(double(bytes) / 1e5) / 10) + " MB";
+}
+
+void decideLens(const View& view, Plan& plan) {
+  const LensKey key = lensKeyOf(view);
+  const Distortion lens(view.state.distortion);
+  plan.hasLens = !lens.isIdentity();
+  if (!plan.hasLens) {
+    plan.decisions.push_back({"no lens model", "all coefficients are 0; saves a table of " +
+                                                   megabytes(LensTable::bytes(key))});
+    return;
+  }
+  plan.isTableKept = LensTable::bytes(key) <= LensTables::largestBytes;
+  const bool isExact = view.sampling.mapping == LensMapping::exact;
+  plan.decisions.push_back(
+      {isExact ? "the lens, inverted exactly" : "the lens, applied directly",
+       "one table of rays for all states with this lens and resolution, " +
+           megabytes(LensTable::bytes(key)) +
+           (plan.isTableKept ? "" : ", too large to keep: made row by row for each picture")});
+}
+
+void decidePsf(const View& view, Plan& plan) {
+  const PsfParams& psf = view.state.psf;
+  const int windowReach = (psf.windowSize - 1) / 2;
+  plan.psfReach = windowReach > 0 ? neededReach(psf) : 0;
+  const auto taps = [](int reach) { return std::to_string((2 * reach + 1) * (2 * reach + 1)); };
+  if (windowReach == 0)
+    plan.decisions.push_back({"no light leakage", "windowSize is 1: one texel for each ray"});
+  else if (plan.psfReach < windowReach)
+    plan.decisions.push_back(
+        {"light leakage of " + taps(plan.psfReach) + " taps, not " + taps(windowReach),
+         "the others change no pixel's light by a thousandth of a code value"});
+  else
+    plan.decisions.push_back(
+        {"light leakage of " + taps(windowReach) + " taps", "each of them counts"});
+}
+
+void decideLight(const View& view, Plan& plan) {
+  const SamplingParams& sampling = view.sampling;
+  const bool isSum = plan.psfReach > 0 || sampling.samplesPerPixel > 1 ||
+                     sampling.reconstruction != Reconstruction::nearest;
+  plan.sumsLinear = isSum && view.state.psf.light == LightModel::linear;
+  const bool isByte = std::holds_alternative<TexelArray<std::uint8_t>>(view.lightField->texels());
+  plan.copiesTexels = !isSum && isByte;
+  if (plan.copiesTexels)
+    plan.decisions.push_back({"texels are copied", "nothing is summed and they have 8 bits"});
+  if (!isSum && view.state.psf.light == LightModel::linear)
+    plan.decisions.push_back({"no decoding to linear light", "nothing is summed"});
+}
+
+void decideOutline(const View& view, Plan& plan) {
+  const Vec3 eye = Display(view.display).displayFromWorld().point(view.state.camera.eye);
+  if (!(eye.z > 0))
+    plan.decisions.push_back({"no rays at all", "the eye is not in front of the panel"});
+  else if (!plan.hasLens && view.sampling.samplesPerPixel == 1 &&
+           view.display.lens == HogelLens::rectilinear)
+    plan.decisions.push_back({"only rays within the panel's outline and angular field",
+                              "each row's part that sees it is known beforehand"});
+}
+
+}  // namespace
+
+LensKey lensKeyOf(const View& view) {
+  const Camera camera(view.state.camera);
+  return {view.state.distortion, view.sampling.mapping, view.state.camera.res,
+          camera.focalLength(),  camera.centre(),       view.sampling.samplesPerPixel};
+}
+
+Plan plan(const View& view) {
+  Plan result;
+  decideLens(view, result);
+  decideOutline(view, result);
+  decidePsf(view, result);
+  decideLight(view, result);
+  return result;
+}
+
+}  // namespace hogelscope

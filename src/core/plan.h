@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a view needs to have modelled, and what not: decided before the work, with reasons that
+// --explain prints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/lens_table.h"
+#include "core/simulate.h"
+
+namespace hogelscope {
+
+/// One decision in words.
+struct Decision {
+  std::string what;
+  std::string why;
+};
+
+struct Plan {
+  bool hasLens = false;       ///< rays go through the lens model
+  bool isTableKept = false;   ///< its rays are kept in a table
+  int psfReach = 0;           ///< taps on each side: (windowSize - 1) / 2, or fewer
+  bool sumsLinear = false;    ///< light is decoded before it is summed
+  bool copiesTexels = false;  ///< each pixel is one stored texel
+  std::vector<Decision> decisions;
+};
+
+/// `view.lightField` must be loaded.
+Plan plan(const View& view);
+
+LensKey lensKeyOf(const View& view);
+
+}  // namespace hogelscope

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loops that the time goes into, compiled once for each kind of machine.
+#include "core/row_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/psf.h"
+
+// GCC makes a copy of the function for each and chooses at the program's start.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
+#define FOR_EACH_MACHINE \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define FOR_EACH_MACHINE
+#endif
+
+namespace hogelscope {
+
+namespace {
+
+/// A texel of 8-bit values as one word, red in the lowest byte.
+#if defined(__GNUC__)
+using Word = std::uint32_t __attribute__((may_alias));
+#else
+using Word = std::uint32_t;
+#endif
+
+/// Where the ray through (x, y, 1) meets the display, as real-valued indices.
+struct RealHit {
+  double i;
+  double j;
+  double u;
+  double v;
+  bool isToward;
+};
+
+inline RealHit hitOf(const HitMap& m, double x, double y) {
+  const double dx = m.right[0] * x + m.down[0] * y + m.forward[0];
+  const double dy = m.right[1] * x + m.down[1] * y + m.forward[1];
+  const double dz = m.right[2] * x + m.down[2] * y + m.forward[2];
+  const double inverse = 1 / dz;
+  const double a = dx * inverse;
+  const double b = dy * inverse;
+  return {m.constant[0] + m.slope[0] * a, m.constant[1] + m.slope[1] * b,
+          m.constant[2] + m.slope[2] * a, m.constant[3] + m.slope[3] * b, dz < 0};
+}
+
+/// Bitwise on purpose: no branches. False for what is not a number.
+inline bool isSeen(const HitMap& m, const RealHit& h) {
+  return static_cast<bool>(h.isToward & (h.i >= 0) & (h.i < m.count[0]) & (h.j >= 0) &
+                           (h.j < m.count[1]) & (h.u >= 0) & (h.u < m.count[2]) & (h.v >= 0) &
+                           (h.v < m.count[3]));
+}
+
+inline std::uint32_t cellOf(double index) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(index));
+}
+
+}  // namespace
+
+FOR_EACH_MACHINE
+void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
+                     int count, std::uint32_t* address) {
+  const HitMap m = map;  // copies: the compiler knows that the stores leave them alone
+  const BlockLayout l = layout;
+  const std::uint32_t lastI = std::uint32_t(m.count[0]) - 1;
+  const std::uint32_t lastJ = std::uint32_t(m.count[1]) - 1;
+  const std::uint32_t lastU = std::uint32_t(m.count[2]) - 1;
+  const std::uint32_t lastV = std::uint32_t(m.count[3]) - 1;
+  for (int k = 0; k < count; ++k) {
+    const RealHit h = hitOf(m, x[k], y);
+    address[k] = l.i(std::min(cellOf(h.i), lastI)) + l.j(std::min(cellOf(h.j), lastJ)) +
+                 l.u(std::min(cellOf(h.u), lastU)) + l.v(std::min(cellOf(h.v), lastV));
+  }
+}
+
+FOR_EACH_MACHINE
+void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
+               int count, std::uint32_t unseen, std::uint32_t* address) {
+  const HitMap m = map;
+  const BlockLayout l = layout;
+  for (int k = 0; k < count; ++k) {
+    const RealHit h = hitOf(m, x[k], y[k]);
+    const bool seen = isSeen(m, h);
+    const std::uint32_t found = l.i(cellOf(seen ? h.i : 0)) + l.j(cellOf(seen ? h.j : 0)) +
+                                l.u(cellOf(seen ? h.u : 0)) + l.v(cellOf(seen ? h.v : 0));
+    address[k] = seen ? found : unseen;
+  }
+}
+
+namespace {
+
+inline void keep(const HitMap& m, RealHit h, int k, CellBatch& batch) {
+  const bool seen = isSeen(m, h);
+  const std::array<double, 4> index{seen ? h.i : 0, seen ? h.j : 0, seen ? h.u : 0, seen ? h.v : 0};
+  const auto at = std::size_t(k);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const std::uint32_t cell = cellOf(index[axis]);
+    batch.cell[axis][at] = cell;
+    batch.place[axis][at] = static_cast<float>(index[axis] - double(cell));
+  }
+  batch.seen[at] = seen ? 255 : 0;
+}
+
+}  // namespace
+
+FOR_EACH_MACHINE
+void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
+  const HitMap m = map;
+  for (int k = 0; k < count; ++k) keep(m, hitOf(m, x[k], y[k]), k, batch);
+}
+
+void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
+                      const double* y, int count, CellBatch& batch) {
+  HitMap slopes = map;  // u and v become the slopes themselves
+  slopes.constant[2] = slopes.constant[3] = 0;
+  slopes.slope[2] = slopes.slope[3] = 1;
+  for (int k = 0; k < count; ++k) {
+    RealHit h = hitOf(slopes, x[k], y[k]);
+    h.u = map.count[2] * (0.5 + std::atan(h.u) / fieldOfView[0]);
+    h.v = map.count[3] * (0.5 - std::atan(h.v) / fieldOfView[1]);
+    keep(map, h, k, batch);
+  }
+}
+
+FOR_EACH_MACHINE
+void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
+            Texel<std::uint8_t>* out) {
+  const auto* from = reinterpret_cast<const Word*>(texels);
+  auto* to = reinterpret_cast<Word*>(out);
+  for (int k = 0; k < count; ++k) to[k] = from[address[k]];
+}
+
+namespace {
+
+/// r, g, b of a stored texel as code values.
+struct Light {
+  float r;
+  float g;
+  float b;
+};
+
+inline Light encodedLight(const Texel<std::uint8_t>* texels, std::uint32_t at) {
+  const std::uint32_t word = reinterpret_cast<const Word*>(texels)[at];
+  return {static_cast<float>(std::int32_t(word & 255U)),
+          static_cast<float>(std::int32_t(word >> 8U & 255U)),
+          static_cast<float>(std::int32_t(word >> 16U & 255U))};
+}
+
+inline Light encodedLight(const Texel<std::uint16_t>* texels, std::uint32_t at) {
+  constexpr float scale = 1 / 257.0F;
+  const Texel<std::uint16_t>& t = texels[at];
+  return {scale * t.r, scale * t.g, scale * t.b};
+}
+
+inline Light encodedLight(const Texel<float>* texels, std::uint32_t at) {
+  const Texel<float>& t = texels[at];
+  return {255 * t.r, 255 * t.g, 255 * t.b};
+}
+
+/// One loop over the rays for each tap; `light(at)` is what texel `at` gives.
+template <class LightAt>
+inline __attribute__((always_inline)) void sumTaps(const TapBatch& taps, int count, LightBatch& sum,
+                                                   LightAt light) {
+  const std::uint32_t* base = taps.base;
+  float* r = sum.r.data();
+  float* g = sum.g.data();
+  float* b = sum.b.data();
+  for (int t = 0; t < taps.taps; ++t) {
+    const std::uint32_t* offset = taps.offset[t].data();
+    const auto add = [&](int k, float weight) {
+      const Light c = light(base[k] + offset[k]);
+      r[k] += weight * c.r;
+      g[k] += weight * c.g;
+      b[k] += weight * c.b;
+    };
+    if (taps.share != nullptr && taps.scale == nullptr) {
+      const float share = taps.share[t];
+#pragma GCC ivdep
+      for (int k = 0; k < count; ++k) add(k, share);
+    } else if (taps.share != nullptr) {
+      const float share = taps.share[t];
+      const float* scale = taps.scale;
+#pragma GCC ivdep
+      for (int k = 0; k < count; ++k) add(k, share * scale[k]);
+    } else {
+      const float* weight = taps.weight[t].data();
+      const float* scale = taps.scale;
+#pragma GCC ivdep
+      for (int k = 0; k < count; ++k) add(k, weight[k] * scale[k]);
+    }
+  }
+}
+
+}  // namespace
+
+FOR_EACH_MACHINE
+void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,
+                LightBatch& sum) {
+  sumTaps(taps, count, sum, [texels](std::uint32_t at) { return encodedLight(texels, at); });
+}
+
+FOR_EACH_MACHINE
+void accumulate(const Texel<std::uint16_t>* texels, const TapBatch& taps, int count,
+                LightBatch& sum) {
+  sumTaps(taps, count, sum, [texels](std::uint32_t at) { return encodedLight(texels, at); });
+}
+
+FOR_EACH_MACHINE
+void accumulate(const Texel<float>* texels, const TapBatch& taps, int count, LightBatch& sum) {
+  sumTaps(taps, count, sum, [texels](std::uint32_t at) { return encodedLight(texels, at); });
+}
+
+template <class T>
+void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, LightBatch& sum) {
+  sumTaps(taps, count, sum, [texels](std::uint32_t at) {
+    const Light c = encodedLight(texels, at);
+    return Light{static_cast<float>(linearFromEncoded(c.r)),
+                 static_cast<float>(linearFromEncoded(c.g)),
+                 static_cast<float>(linearFromEncoded(c.b))};
+  });
+}
+
+template void accumulateLinear(const Texel<std::uint8_t>*, const TapBatch&, int, LightBatch&);
+template void accumulateLinear(const Texel<std::uint16_t>*, const TapBatch&, int, LightBatch&);
+template void accumulateLinear(const Texel<float>*, const TapBatch&, int, LightBatch&);
+
+}  // namespace hogelscope
