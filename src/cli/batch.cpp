@@ -91,7 +91,13 @@ Session testSession(const Session& session, const std::string& test) {
     result.display = other.display;
     result.lightField = other.lightField;
   } else {
+    const bool isFolder = fs::is_directory(test);
+    if (isFolder != (session.lightField.layout == Layout::views)) {
+      result.lightField = {};  // the session's own layout says nothing about it
+      result.lightField.layout = isFolder ? Layout::views : Layout::hogels;
+    }
     result.lightField.file = test;
+    check(result);
   }
   return result;
 }
@@ -207,7 +213,9 @@ int generate(const Options& options) {
 
 }  // namespace
 
-int runBatch(const Options& options) {
+namespace {
+
+int runJob(const Options& options) {
   vtkObject::GlobalWarningDisplayOff();  // what fails comes back as InputError
   vtkHogelViewFilter::SetThreads(options.threads);
   switch (options.command) {
@@ -226,6 +234,16 @@ int runBatch(const Options& options) {
     default:
       std::cout << helpText(options.files.empty() ? "" : options.files.front());
       return 0;
+  }
+}
+
+}  // namespace
+
+int runBatch(const Options& options) {
+  try {
+    return runJob(options);
+  } catch (const InputError& error) {
+    throw options.session.empty() ? error : error.in(options.session);
   }
 }
 

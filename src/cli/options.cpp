@@ -24,6 +24,7 @@ struct Flag {
 };
 
 void choose(Options& options, Command command) {
+  if (options.command == Command::help || options.command == Command::version) return;
   if (options.command != Command::window && options.command != command)
     throw InputError("command line",
                      "asks for two jobs at once; give one of --render, --report, "
@@ -198,6 +199,8 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         throw InputError("--" + name, "needs a value: " + std::string(flag.value));
       value = *++at;
     }
+    if (!flag.value.empty() && (value.empty() || value.starts_with("--")))
+      throw InputError("--" + name, "needs a value: " + std::string(flag.value));
     flag.apply(options, value);
   }
   refuseMissing(options);

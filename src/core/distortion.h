@@ -32,7 +32,7 @@ struct Jacobian {
 /// Maps points of the plane z = 1 of the camera frame. All lengths are in units of that plane.
 class Distortion {
  public:
-  explicit Distortion(const DistortionParams& params);
+  explicit Distortion(const DistortionParams& params) : m_params(params) {}
 
   [[nodiscard]] bool isIdentity() const { return m_params == DistortionParams{}; }
 
@@ -45,23 +45,30 @@ class Distortion {
   /// (det J = 0). The residual is a few units of rounding of `distorted`.
   [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted) const;
 
-  /// The same point, sooner where Newton from `start` (a neighbour's ideal point) finds it and the
-  /// certain radius proves it.
-  [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted, const Vec2& start) const;
-
-  /// Within this radius of ideal points the Jacobian is positive definite, so the model is
-  /// injective there; and the preimages of all segments shorter than `certainDistorted` stay in it.
-  [[nodiscard]] double certainRadius() const { return m_certainRadius; }
-  [[nodiscard]] double certainDistorted() const { return m_certainDistorted; }
-
  private:
   [[nodiscard]] double secondDerivativeBound(double radius) const;
-  [[nodiscard]] double leastEigenvalue(double radius) const;
   [[nodiscard]] Vec2 polish(Vec2 ideal, const Vec2& distorted) const;
 
+  friend class QuickInverse;
   DistortionParams m_params;
-  double m_certainRadius = 0;
-  double m_certainDistorted = 0;
+};
+
+/// The same inverse, for many points of one lens. Within a certain radius of ideal points the
+/// Jacobian is positive definite, so the model is injective there, and preimages of all segments
+/// shorter than a certain length stay in it: any root that Newton finds there is the right one.
+class QuickInverse {
+ public:
+  explicit QuickInverse(const Distortion& distortion);
+
+  /// Newton from `start`, a neighbour's ideal point; outside the certain radius, Distortion's way.
+  [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted, const Vec2& start) const;
+
+ private:
+  [[nodiscard]] double leastEigenvalue(double radius) const;
+
+  Distortion m_distortion;
+  double m_certainRadius = 0;     ///< of ideal points
+  double m_certainDistorted = 0;  ///< of distorted points
 };
 
 }  // namespace hogelscope

@@ -73,7 +73,7 @@ struct FastSimulation::Scratch {
 
 FastSimulation::FastSimulation(const View& view, LensTables& tables,
                                const ParallelRows& parallelRows)
-    : m_view(view), m_distortion(view.state.distortion) {
+    : m_view(view) {
   const Simulation valid(view);  // throws what is wrong
   m_plan = hogelscope::plan(view);
   m_lensKey = lensKeyOf(view);
@@ -84,6 +84,7 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
   for (int x = 0; x < view.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength);
   if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
+  if (!m_lens) m_inverse = QuickInverse(Distortion(view.state.distortion));
   const LightFieldSize& size = view.lightField->size();
   m_weights = {axisWeights(view.state.psf, m_plan.psfReach, size.du),
                axisWeights(view.state.psf, m_plan.psfReach, size.dv)};
@@ -178,14 +179,6 @@ namespace {
 
 using ByteTexel = Texel<std::uint8_t>;
 
-void pack(const ByteTexel* texels, int count, std::uint8_t* rgb) {
-  for (int k = 0; k < count; ++k, rgb += 3) {
-    rgb[0] = texels[k].r;
-    rgb[1] = texels[k].g;
-    rgb[2] = texels[k].b;
-  }
-}
-
 /// While a batch's texels come from memory the next batch's addresses are worked out.
 template <class AddressesOf, class Take>
 void inBatches(int begin, int end, const ByteTexel* texels, AddressesOf addressesOf, Take take) {
@@ -236,7 +229,7 @@ void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint
       },
       [&](int x, int count, const std::uint32_t* address, const ByteTexel* found) {
         pack(found, count, rgb + 3 * (x - x0));
-        for (int k = 0; k < count; ++k) seen[x - x0 + k] = address[k] == m_unseen ? 0 : 255;
+        mask(address, count, m_unseen, seen + (x - x0));
       });
 }
 
@@ -265,7 +258,7 @@ bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch&
     x = m_lens->x(y, sx, sy) + x0;
     py = m_lens->y(y, sx, sy) + x0;
   } else {
-    lensRow(m_lensKey, m_distortion, y, sx, sy, x0, count, scratch.x.data(), scratch.y.data());
+    lensRow(m_lensKey, *m_inverse, y, sx, sy, x0, count, scratch.x.data(), scratch.y.data());
   }
   if (m_view.display.lens == HogelLens::equiangular)
     equiangularCells(m_map, {radians(m_view.display.fov[0]), radians(m_view.display.fov[1])}, x, py,
@@ -300,28 +293,27 @@ void FastSimulation::sumRow(int y, int x0, int x1, std::vector<float>& rgb,
   for (float& value : rgb) value = static_cast<float>(encodedFromLinear(double(value)));
 }
 
-/// Hogel axes: the cell itself, or the two whose centres lie around the hit.
-void FastSimulation::hogelTaps(std::size_t axis, Scratch& scratch) const {
+/// One tap: the cell itself.
+void FastSimulation::nearestTap(std::size_t axis, Scratch& scratch) const {
+  static constexpr float whole = 1;
   AxisTaps& taps = scratch.axes[axis];
+  taps.taps = 1;
+  taps.share = &whole;
+  taps.offset.resize(1);
   const AxisLayout layout = layoutOf(axis);
-  taps.taps = m_view.sampling.reconstruction == Reconstruction::quadrilinear ? 2 : 1;
+  for (std::size_t k = 0; k < batchSize; ++k)
+    taps.offset[0][k] = layout(scratch.cells.cell[axis][k]);
+}
+
+/// Two taps: the cells whose centres lie around the hit.
+void FastSimulation::linearTaps(std::size_t axis, Scratch& scratch) const {
+  AxisTaps& taps = scratch.axes[axis];
+  taps.taps = 2;
+  taps.share = nullptr;
   taps.offset.resize(2);
   taps.weight.resize(2);
-  const auto& cell = scratch.cells.cell[axis];
-  if (taps.taps == 1) {
-    for (std::size_t k = 0; k < batchSize; ++k) taps.offset[0][k] = layout(cell[k]);
-    return;
-  }
-  const int count = m_map.count[axis];
-  for (std::size_t k = 0; k < batchSize; ++k) {
-    const float place = scratch.cells.place[axis][k];
-    const int left = int(cell[k]) - (place < 0.5F ? 1 : 0);
-    const float share = place < 0.5F ? place + 0.5F : place - 0.5F;
-    taps.offset[0][k] = layout(clampedCell(left, count));
-    taps.offset[1][k] = layout(clampedCell(left + 1, count));
-    taps.weight[0][k] = 1 - share;
-    taps.weight[1][k] = share;
-  }
+  pairs(layoutOf(axis), m_map.count[axis], scratch.cells.cell[axis].data(),
+        scratch.cells.place[axis].data(), taps.offset[0].data(), taps.weight[0].data());
 }
 
 /// Direction axes without interpolation: the window of each ray's cell.
@@ -378,6 +370,18 @@ void FastSimulation::interpolatedTaps(std::size_t axis, Scratch& scratch) const 
   }
 }
 
+void FastSimulation::tapsOf(std::size_t axis, Scratch& scratch) const {
+  const Reconstruction reconstruction = m_view.sampling.reconstruction;
+  const bool isHogel = axis < 2;
+  const bool interpolates = isHogel ? reconstruction == Reconstruction::quadrilinear
+                                    : reconstruction != Reconstruction::nearest;
+  const bool leaks = !isHogel && m_plan.psfReach > 0;
+  if (leaks)
+    interpolates ? interpolatedTaps(axis, scratch) : directionTaps(axis, scratch);
+  else
+    interpolates ? linearTaps(axis, scratch) : nearestTap(axis, scratch);
+}
+
 void FastSimulation::addTaps(int count, const Scratch&, const TapBatch& taps,
                              LightBatch& sum) const {
   std::visit(
@@ -391,10 +395,7 @@ void FastSimulation::addTaps(int count, const Scratch&, const TapBatch& taps,
 }
 
 void FastSimulation::sumBatch(int count, Scratch& scratch) const {
-  const bool interpolates = m_view.sampling.reconstruction != Reconstruction::nearest;
-  for (const std::size_t axis : {0U, 1U}) hogelTaps(axis, scratch);
-  for (const std::size_t axis : {2U, 3U})
-    interpolates ? interpolatedTaps(axis, scratch) : directionTaps(axis, scratch);
+  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, scratch);
   const auto& [i, j, u, v] = scratch.axes;
   scratch.sum = {};
   std::array<std::uint32_t, batchSize> base;

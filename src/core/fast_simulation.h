@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/display.h"
@@ -51,7 +52,9 @@ class FastSimulation {
   [[nodiscard]] bool castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const;
   void sumBatch(int count, Scratch& scratch) const;
   void addTaps(int count, const Scratch& scratch, const TapBatch& taps, LightBatch& sum) const;
-  void hogelTaps(std::size_t axis, Scratch& scratch) const;
+  void tapsOf(std::size_t axis, Scratch& scratch) const;
+  void nearestTap(std::size_t axis, Scratch& scratch) const;
+  void linearTaps(std::size_t axis, Scratch& scratch) const;
   void directionTaps(std::size_t axis, Scratch& scratch) const;
   void interpolatedTaps(std::size_t axis, Scratch& scratch) const;
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
@@ -65,8 +68,8 @@ class FastSimulation {
   std::uint32_t m_unseen = 0;  ///< address of the black texel
   std::vector<double> m_x;     ///< of each pixel column, plain lens
   LensKey m_lensKey;
-  Distortion m_distortion;
-  std::array<AxisWeights, 2> m_weights;  ///< along u and v
+  std::optional<QuickInverse> m_inverse;  ///< where rays are not kept in a table
+  std::array<AxisWeights, 2> m_weights;   ///< along u and v
 };
 
 /// The whole picture by the fast engine, on the calling thread.

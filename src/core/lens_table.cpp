@@ -22,15 +22,16 @@ Vec2 onSensor(const LensKey& key, int x, int y, int sx, int sy) {
 
 }  // namespace
 
-void lensRow(const LensKey& key, const Distortion& distortion, int y, int sx, int sy, int x0,
+void lensRow(const LensKey& key, const QuickInverse& inverse, int y, int sx, int sy, int x0,
              int count, double* idealX, double* idealY) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Distortion distortion(key.distortion);
   Vec2 previous;
   for (int k = 0; k < count; ++k) {
     const Vec2 pixel = onSensor(key, x0 + k, y, sx, sy);
     const std::optional<Vec2> ideal = key.mapping == LensMapping::direct
                                           ? distortion.distort(pixel)
-                                          : distortion.undistort(pixel, previous);
+                                          : inverse.undistort(pixel, previous);
     previous = ideal.value_or(Vec2{});
     idealX[k] = ideal ? ideal->x : none;
     idealY[k] = ideal ? ideal->y : none;
@@ -47,12 +48,13 @@ LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows)
       m_distortion(key.distortion),
       m_x(bytes(key) / (2 * sizeof(double))),
       m_y(m_x.size()) {
+  const QuickInverse inverse{m_distortion};
   const int rows = key.res[1] * key.samplesPerPixel * key.samplesPerPixel;
   parallelRows(rows, [&](int begin, int end) {
     const int n = key.samplesPerPixel;
     for (int row = begin; row < end; ++row) {
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
-      lensRow(key, m_distortion, row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first],
+      lensRow(key, inverse, row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first],
               &m_y[first]);
     }
   });

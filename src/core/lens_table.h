@@ -42,7 +42,7 @@ struct LensCertificate {
 
 /// Ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy); not numbers where there is
 /// no ray.
-void lensRow(const LensKey& key, const Distortion& distortion, int y, int sx, int sy, int x0,
+void lensRow(const LensKey& key, const QuickInverse& inverse, int y, int sx, int sy, int x0,
              int count, double* idealX, double* idealY);
 
 class LensTable {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/psf.h"
 
@@ -125,11 +126,37 @@ void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfVie
 }
 
 FOR_EACH_MACHINE
+void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
+           std::uint32_t* offset, float* weight) {
+  const AxisLayout l = layout;
+  for (int k = 0; k < batchSize; ++k) {
+    const int before = place[k] < 0.5F ? 1 : 0;
+    const int left = static_cast<int>(cell[k]) - before;
+    const float share = place[k] - 0.5F + static_cast<float>(before);
+    offset[k] = l(static_cast<std::uint32_t>(std::max(left, 0)));
+    offset[batchSize + k] = l(static_cast<std::uint32_t>(std::min(left + 1, cells - 1)));
+    weight[k] = 1 - share;
+    weight[batchSize + k] = share;
+  }
+}
+
+FOR_EACH_MACHINE
 void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
             Texel<std::uint8_t>* out) {
   const auto* from = reinterpret_cast<const Word*>(texels);
   auto* to = reinterpret_cast<Word*>(out);
   for (int k = 0; k < count; ++k) to[k] = from[address[k]];
+}
+
+void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb) {
+  // Whole texels, each over the last one's unused byte; the last has no room for its own.
+  for (int k = 0; k + 1 < count; ++k) std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + k, 4);
+  if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + count - 1, 3);
+}
+
+FOR_EACH_MACHINE
+void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen) {
+  for (int k = 0; k < count; ++k) seen[k] = address[k] == unseen ? 0 : 255;
 }
 
 namespace {

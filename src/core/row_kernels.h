@@ -51,6 +51,11 @@ void cells(const HitMap& map, const double* x, const double* y, int count, CellB
 void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
                       const double* y, int count, CellBatch& batch);
 
+/// Addresses and weights of the two cells of an axis whose centres lie around each place of a whole
+/// batch, the first ones in [0, batchSize), the second ones after them.
+void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
+           std::uint32_t* offset, float* weight);
+
 /// Asks for the cache lines of texels.
 template <class T>
 inline void prefetch(const Texel<T>* texels, const std::uint32_t* address, int count) {
@@ -61,6 +66,11 @@ inline void prefetch(const Texel<T>* texels, const std::uint32_t* address, int c
 
 void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
             Texel<std::uint8_t>* out);
+
+/// Three bytes a texel.
+void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
+/// 0 where the address is `unseen`, else 255.
+void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
 
 /// Sums of a batch, a channel each.
 struct LightBatch {

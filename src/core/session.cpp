@@ -19,13 +19,14 @@ std::string statePath(std::size_t index) {
 void checkName(const std::string& name, const std::string& path) {
   constexpr std::size_t longest = 200;
   const auto refuse = [&](const std::string& why) { throw InputError(path + ".name", why); };
+  const std::string shown = "\"" + name + "\" ";
   if (name.empty()) refuse("is missing: every state has a name of its own");
   if (name.size() > longest) refuse("is longer than 200 bytes");
   for (const char c : name)
     if (static_cast<unsigned char>(c) < 32 || c == '/' || c == '\\' || c == 127)
-      refuse("has a slash or a control character; it names the picture's file");
-  if (name.front() == '.') refuse("begins with a dot; it names the picture's file");
-  if (name.ends_with(".mask")) refuse("ends with .mask, which names the masks");
+      refuse(shown + "has a slash or a control character; it names the picture's file");
+  if (name.front() == '.') refuse(shown + "begins with a dot; it names the picture's file");
+  if (name.ends_with(".mask")) refuse(shown + "ends with .mask, which names the masks");
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromF
       const auto text = [](std::array<int, 2> n) {
         return std::to_string(n[0]) + "×" + std::to_string(n[1]);
       };
-      throw InputError(what, "is " + text(given) + ", but the light field has " + text(found));
+      throw InputError(what,
+                       "is " + text(given) + ", but the light field's file has " + text(found));
     }
     return found;
   };

@@ -43,8 +43,10 @@ void writeAll(int fd, std::string_view text, const fs::path& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path) : m_path(path) {
+  constexpr int mostLinks = 16;
   std::error_code none;
-  if (fs::is_symlink(path, none)) m_path = fs::weakly_canonical(path, none);
+  for (int k = 0; k < mostLinks && fs::is_symlink(m_path, none); ++k)
+    m_path = m_path.parent_path() / fs::read_symlink(m_path, none);
   m_temporary = m_path.parent_path() / ("." + m_path.stem().string() + ".part");
   m_temporary += m_path.extension();
 }

@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,10 +34,31 @@ std::string oneLine(std::string text, const fs::path& file) {
   for (const std::string& noise : {"\"" + file.string() + "\"", "'" + file.string() + "'"})
     if (const std::size_t at = text.find(noise); at != std::string::npos)
       text.replace(at, noise.size(), "it");
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  text = text.substr(0, text.find('\n'));  // the rest says it again
+  if (text.ends_with(" (it)")) text.resize(text.size() - 5);
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   return text.empty() ? "unknown reason" : text;
 }
+
+/// libpng and libjpeg write to stderr what OpenImageIO tells us anyway; our line is to stand alone.
+class QuietLibraries {
+ public:
+  QuietLibraries() : m_stderr(::dup(STDERR_FILENO)) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) ::close(nowhere);
+  }
+  QuietLibraries(const QuietLibraries&) = delete;
+  QuietLibraries& operator=(const QuietLibraries&) = delete;
+  ~QuietLibraries() {
+    if (m_stderr < 0) return;
+    ::dup2(m_stderr, STDERR_FILENO);
+    ::close(m_stderr);
+  }
+
+ private:
+  int m_stderr;
+};
 
 void refuseNotANumber(std::span<const float> values, std::size_t width, std::size_t firstRow,
                       const fs::path& file) {
@@ -119,22 +141,29 @@ template <class T>
 std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
   OIIO::ImageInput& image = *m_input->image;
   const OIIO::ImageSpec& spec = m_input->spec;
-  std::vector<T> values(3 * width() * rows);
-  const int used = channels() < 3 ? 1 : 3;
+  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader wants to be asked for
+  // alpha to do so with scanlines, and does it twice if it is asked with tiles.
+  const bool isAsked = spec.tile_width == 0;
+  const bool hasAlpha = isAsked && (spec.alpha_channel == 1 || spec.alpha_channel == 3);
+  const int used = hasAlpha ? spec.alpha_channel + 1 : channels() < 3 ? 1 : 3;
+  const auto stored = std::size_t(used);
+  std::vector<T> read(stored * width() * rows);
+  const QuietLibraries quiet;
   const int begin = spec.y + int(first);
   const int end = begin + int(rows);
-  const auto stride = OIIO::stride_t(3 * sizeof(T));
+  const auto stride = OIIO::stride_t(stored * sizeof(T));
   const bool isRead =
       spec.tile_width > 0
           ? image.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
-                             used, baseType<T>(), values.data(), stride)
-          : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), values.data(),
+                             used, baseType<T>(), read.data(), stride)
+          : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), read.data(),
                                  stride);
   // Some readers fill the rest of a truncated file and only leave a message.
   if (!isRead || image.has_error())
     throw InputError(m_file.string(), "is damaged", oneLine(image.geterror(), m_file));
-  if (used == 1)
-    for (std::size_t p = 0; p < values.size(); p += 3) values[p + 1] = values[p + 2] = values[p];
+  std::vector<T> values(3 * width() * rows);
+  for (std::size_t p = 0; p < width() * rows; ++p)
+    for (std::size_t c = 0; c < 3; ++c) values[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
   if constexpr (std::is_same_v<T, float>) refuseNotANumber(values, width(), first, m_file);
   return values;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "core/error.h"
@@ -17,8 +18,10 @@ namespace {
 std::string shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t longest = 60;
-  if (text.size() > longest) text = text.substr(0, longest) + "…";
-  return text;
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;  // not within a letter
+  while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;
+  return text.substr(0, end) + "…";
 }
 
 std::string rangeText(const Field& field) {
@@ -50,8 +53,9 @@ void checkNumber(const Json& value, const Field& field, const std::string& path,
   const auto number = value.get<double>();
   if (number != std::floor(number)) throw InputError(path, shown(value) + " is not a whole number");
   if (std::fmod(number - field.range.min, field.range.step) != 0)
-    throw InputError(path, shown(value) + " is not allowed: " + rangeText(field) + " in steps of " +
-                               numberText(field.range.step));
+    throw InputError(path, shown(value) + " is not one of " + numberText(field.range.min) + ", " +
+                               numberText(field.range.min + field.range.step) + ", … " +
+                               numberText(field.range.max));
 }
 
 template <class Number>
@@ -129,6 +133,8 @@ void JsonReader::text(const Field& field, std::string& value) {
   if (found == nullptr) return;
   if (!found->is_string()) throw InputError(pathOf(field.name), shown(*found) + " is not a text");
   value = found->get<std::string>();
+  if (std::any_of(value.begin(), value.end(), [](unsigned char c) { return c < 32 || c == 127; }))
+    throw InputError(pathOf(field.name), shown(*found) + " has a control character");
 }
 
 void JsonReader::choice(const Field& field, int& index) {
@@ -164,17 +170,46 @@ void JsonWriter::choice(const Field& field, int& index) {
   m_object[std::string(field.name)] = field.choices[std::size_t(index)];
 }
 
-Json parseJson(const std::string& text) {
-  std::vector<std::set<std::string>> open;
-  const auto refuseTwice = [&open](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
-      throw InputError(parsed.get<std::string>(), "stands twice in one object");
+namespace {
+
+/// Hears a document's structure while it is parsed: refuses a key that stands twice in an object,
+/// and a depth that nothing of ours has.
+class StructureCheck {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    constexpr int deepest = 32;
+    if (depth > deepest) throw InputError("is nested deeper than any session", "");
+    if (event == Json::parse_event_t::object_start) m_open.emplace_back();
+    if (event == Json::parse_event_t::object_end) m_open.pop_back();
+    if (event == Json::parse_event_t::key) addKey(parsed.get<std::string>());
     return true;
+  }
+
+ private:
+  struct Object {
+    std::set<std::string> keys;
+    std::string latest;
   };
+
+  void addKey(const std::string& key) {
+    m_open.back().latest = key;
+    if (m_open.back().keys.insert(key).second) return;
+    std::string path;
+    for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
+    throw InputError(path, "stands twice in one object");
+  }
+
+  std::vector<Object> m_open;
+};
+
+}  // namespace
+
+Json parseJson(const std::string& text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("is empty: not a session document", "");
+  StructureCheck check;
   try {
-    return Json::parse(text, refuseTwice);
+    return Json::parse(text, std::ref(check));
   } catch (const Json::exception& error) {
     std::string why = error.what();
     why.erase(0, std::min(why.size(), why.find("] ") + 2));

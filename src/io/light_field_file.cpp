@@ -203,11 +203,7 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
 Scene loadScene(const Session& session, const Progress& progress) {
   const auto file = openLightField(session.lightField, session.display);
   Scene scene{nullptr, {}, session.sampling};
-  try {
-    scene.display = resolved(session.display, file->size());
-  } catch (const InputError& error) {
-    throw error.in(session.lightField.file);
-  }
+  scene.display = resolved(session.display, file->size());
   scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;
 }

@@ -53,7 +53,8 @@ Session readSession(const Json& document) {
   readSection(reader, "lightField", session.lightField);
   readSection(reader, "sampling", session.sampling);
   if (const Json* cameras = reader.section("cameras"); cameras != nullptr) {
-    if (!cameras->is_array()) throw InputError("cameras", "is not a list of camera states");
+    if (!cameras->is_array())
+      throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
     for (std::size_t k = 0; k < cameras->size(); ++k)
       session.cameras.push_back(readState((*cameras)[k], "cameras[" + std::to_string(k) + "]"));
   }
@@ -111,7 +112,7 @@ Json writtenState(const CameraState& state) {
 
 /// `file`, seen from the document's folder.
 std::string relativeTo(const fs::path& document, const std::string& file) {
-  std::error_code error;
+  if (file.empty()) return {};
   const fs::path folder = fs::absolute(document).parent_path();
   const fs::path relative =
       fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal());
@@ -143,7 +144,11 @@ void saveSession(const fs::path& file, const Session& session) {
   document["cameras"] = Json::array();
   for (const CameraState& state : session.cameras)
     document["cameras"].push_back(writtenState(state));
-  writeTextFile(file, formatJson(document));
+  try {
+    writeTextFile(file, formatJson(document));
+  } catch (const Json::exception&) {
+    throw InputError(file.string(), "cannot be written", "a name in it is not UTF-8");
+  }
 }
 
 bool isSessionFile(const fs::path& file) {

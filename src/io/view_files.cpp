@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <regex>
+#include <optional>
 #include <set>
 
 #include "core/error.h"
@@ -17,67 +17,135 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A pattern as a regular expression, and what each of its groups means.
+/// A pattern, token by token.
+struct Token {
+  enum class Kind { letter, number, coordinate, anything, extension } kind;
+  char letter;  ///< itself, or R, C, N for what a number means
+};
+
 struct NamePattern {
-  std::regex expression;
-  std::string meaning;  ///< a letter for each group: R, C or N
-  std::string text;     ///< as the user knows it
+  std::vector<Token> tokens;
+  std::string text;  ///< as the user knows it
+
+  [[nodiscard]] std::string meaning() const {
+    std::string letters;
+    for (const Token& token : tokens)
+      if (token.kind == Token::Kind::number) letters += token.letter;
+    return letters;
+  }
 };
 
 bool isLetter(const std::string& text, std::size_t at) {
   return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
 }
 
-std::string escaped(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 ? std::string(1, c)
-                                                          : std::string("\\") + c;
-}
-
 /// RR, CC, NNN (or one such letter alone) are numbers, x and y alone are coordinates, * anything.
 NamePattern fromTokens(const std::string& text) {
-  std::string expression;
-  std::string meaning;
+  using Kind = Token::Kind;
+  constexpr std::size_t longest = 255;  // as a file's name
+  if (text.size() > longest)
+    throw InputError("lightField.pattern", "is longer than a file's name can be");
+  NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
     const std::size_t run = std::min(text.find_first_not_of(c, at), text.size()) - at;
     const bool isAlone = (at == 0 || !isLetter(text, at - 1)) && !isLetter(text, at + run);
-    if ((c == 'R' || c == 'C' || c == 'N') && (run > 1 || isAlone)) {
-      expression += "(\\d{1,9})";
-      meaning += c;
-      at += run;
-    } else if ((c == 'x' || c == 'y') && run == 1 && isAlone) {
-      expression += "[-+0-9.eE]+";
-      ++at;
-    } else {
-      expression += c == '*' ? ".*" : escaped(c);
-      ++at;
-    }
+    const bool isNumber = (c == 'R' || c == 'C' || c == 'N') && (run > 1 || isAlone);
+    const bool isCoordinate = (c == 'x' || c == 'y') && run == 1 && isAlone;
+    pattern.tokens.push_back({isNumber       ? Kind::number
+                              : isCoordinate ? Kind::coordinate
+                              : c == '*'     ? Kind::anything
+                                             : Kind::letter,
+                              c});
+    at += isNumber ? run : 1;
   }
-  if (text.find('.') == std::string::npos) expression += "\\.[^.]+";
-  return {std::regex(expression), meaning, text};
+  if (text.find('.') == std::string::npos) {
+    pattern.tokens.push_back({Kind::letter, '.'});
+    pattern.tokens.push_back({Kind::extension, '.'});
+  }
+  return pattern;
 }
 
 /// printf's %d, %02d: row and column, or one running number.
 NamePattern fromPercent(const std::string& text) {
-  std::string expression;
-  std::size_t numbers = 0;
+  NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] != '%') {
-      expression += escaped(text[at++]);
+      pattern.tokens.push_back({Token::Kind::letter, text[at++]});
       continue;
     }
     const std::size_t end = text.find_first_not_of("0123456789", at + 1);
     if (end == std::string::npos || text[end] != 'd')
       throw InputError("lightField.file", "\"" + text + "\": only %d and %02d stand for numbers");
-    expression += "(\\d{1,9})";
-    ++numbers;
+    pattern.tokens.push_back({Token::Kind::number, pattern.meaning().empty() ? 'R' : 'C'});
     at = end + 1;
   }
-  return {std::regex(expression), numbers == 1 ? "N" : "RC", text};
+  if (pattern.meaning() == "R")
+    for (Token& token : pattern.tokens)
+      if (token.kind == Token::Kind::number) token.letter = 'N';
+  return pattern;
 }
 
+/// Fits a name to a pattern. What was tried once in vain is not tried again, so that many stars
+/// cost no more than name times pattern.
+class NameMatch {
+ public:
+  NameMatch(const NamePattern& pattern, const std::string& name)
+      : m_tokens(pattern.tokens), m_name(name), m_failed(m_tokens.size() * (name.size() + 1)) {}
+
+  /// The numbers in the order of the pattern; none if the name does not fit.
+  std::optional<std::vector<std::string>> numbers() {
+    if (!fits(0, 0)) return std::nullopt;
+    std::reverse(m_numbers.begin(), m_numbers.end());
+    return m_numbers;
+  }
+
+ private:
+  /// Do the tokens from `token` on fit the name from `at` on?
+  bool fits(std::size_t token, std::size_t at) {
+    if (token == m_tokens.size()) return at == m_name.size();
+    const std::size_t state = token * (m_name.size() + 1) + at;
+    if (m_failed[state]) return false;
+    const auto [least, most] = lengths(m_tokens[token], at);
+    for (std::size_t length = most + 1; length-- > least;) {
+      if (!fits(token + 1, at + length)) continue;
+      if (m_tokens[token].kind == Token::Kind::number)
+        m_numbers.push_back(m_name.substr(at, length));
+      return true;
+    }
+    m_failed[state] = true;
+    return false;
+  }
+
+  /// How many letters of the name the token can take: least to most, none where least > most.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> lengths(const Token& token,
+                                                            std::size_t at) const {
+    const auto run = [&](const char* letters) {
+      return std::min(m_name.find_first_not_of(letters, at), m_name.size()) - at;
+    };
+    constexpr std::size_t mostDigits = 9;
+    switch (token.kind) {
+      case Token::Kind::number:
+        return {1, std::min(run("0123456789"), mostDigits)};
+      case Token::Kind::coordinate:
+        return {1, run("-+0123456789.eE")};
+      case Token::Kind::anything:
+        return {0, m_name.size() - at};
+      case Token::Kind::extension:
+        return {1, std::min(m_name.find('.', at), m_name.size()) - at};
+      default:
+        return {1, at < m_name.size() && m_name[at] == token.letter ? 1 : 0};
+    }
+  }
+
+  const std::vector<Token>& m_tokens;
+  const std::string& m_name;
+  std::vector<bool> m_failed;
+  std::vector<std::string> m_numbers;  ///< the last one first
+};
+
 void checkMeaning(const NamePattern& pattern) {
-  std::string sorted = pattern.meaning;
+  std::string sorted = pattern.meaning();
   std::sort(sorted.begin(), sorted.end());
   if (sorted != "CR" && sorted != "N")
     throw InputError("lightField.pattern", "\"" + pattern.text +
@@ -94,14 +162,15 @@ int number(const std::string& digits) {
 }
 
 Found matches(const fs::path& folder, const NamePattern& pattern) {
+  const std::string meaning = pattern.meaning();
   Found found;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    std::smatch groups;
-    if (!std::regex_match(name, groups, pattern.expression)) continue;
+    const auto numbers = NameMatch(pattern, name).numbers();
+    if (!numbers) continue;
     std::pair<int, int> key{0, 0};
-    for (std::size_t g = 0; g < pattern.meaning.size(); ++g)
-      (pattern.meaning[g] == 'R' ? key.first : key.second) = number(groups[g + 1].str());
+    for (std::size_t g = 0; g < meaning.size(); ++g)
+      (meaning[g] == 'R' ? key.first : key.second) = number((*numbers)[g]);
     const auto [first, isNew] = found.emplace(key, entry.path());
     if (!isNew)
       throw InputError(folder.string(), "views",
@@ -168,12 +237,16 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
          {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
       patterns.push_back(fromTokens(known));
   }
-  if (!fs::is_directory(folder)) throw InputError(folder.string(), "", "there is no such folder");
+  if (!fs::is_directory(folder))
+    throw InputError(folder.string(), "",
+                     fs::exists(folder) ? "is a file; layout \"views\" reads a folder"
+                                        : "there is no such folder");
   for (const NamePattern& pattern : patterns) {
     checkMeaning(pattern);
     const Found found = matches(folder, pattern);
     if (found.empty()) continue;
-    return pattern.meaning == "N" ? runningGrid(found, directions, folder) : gridOf(found, folder);
+    return pattern.meaning() == "N" ? runningGrid(found, directions, folder)
+                                    : gridOf(found, folder);
   }
   std::string tried;
   for (const NamePattern& pattern : patterns) tried += (tried.empty() ? "" : ", ") + pattern.text;

@@ -4,6 +4,9 @@
 
 #include <vtkSMPTools.h>
 
+#include <algorithm>
+#include <thread>
+
 namespace hogelscope
 {
 
@@ -17,7 +20,9 @@ void parallelRows(int count, const std::function<void(int, int)>& rows)
 
 void setThreads(int count)
 {
-  vtkSMPTools::Initialize(count);
+  // More threads than cores gain nothing, and TBB complains or ends the process.
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  vtkSMPTools::Initialize(count > 0 ? std::min(count, cores) : cores);
 }
 
 } // namespace hogelscope

@@ -12,7 +12,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "parallel_rows.h"
 
@@ -65,8 +64,7 @@ void vtkHogelViewFilter::SetView(const hogelscope::View& view)
 
 void vtkHogelViewFilter::SetThreads(int count)
 {
-  // More than there are gain nothing, and TBB would complain.
-  hogelscope::setThreads(std::min(count, int(std::thread::hardware_concurrency())));
+  hogelscope::setThreads(count);
 }
 
 int vtkHogelViewFilter::RequestInformation(

@@ -41,3 +41,6 @@ inline Outcome run(const QStringList& arguments, const QString& folder, int limi
     outcome.why = ended ? QString("crashed") : QString("still at work after %1 ms").arg(limit);
   return outcome;
 }
+
+/// The paper's six states, on the sample light field.
+inline const QString sampleSession = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");

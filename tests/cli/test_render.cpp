@@ -1,3 +1,262 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Being written.
-int main() { return 0; }
+// Tests --render: its pictures are the reference engine's, in every format, and go where they
+// should.
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+
+#include "tests/cli/program.h"
+#include "tests/cli/views.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+namespace {
+
+const QStringList states{"Fig 1", "Fig 2", "Fig 3", "Fig 4", "Fig 5", "Fig 6"};
+
+QStringList filesOf(const QStringList& names, const QString& ending) {
+  QStringList files;
+  for (const QString& name : names) files << name + ending;
+  return files;
+}
+
+/// Renders the sample's states with 60×60 px to "out".
+QStringList job(const QStringList& more = {}) {
+  return QStringList{"--render", "--session", sampleSession,       "--output",
+                     "out",      "--set",     "camera.res=[60,60]"} +
+         more;
+}
+
+}  // namespace
+
+class TestRender : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void init();
+  void pictures();
+  void needsNoDisplayServer();
+  void masks();
+  void exrHoldsTheValues();
+  void tiffHoldsSixteenBits();
+  void statesByName_data();
+  void statesByName();
+  void threadsMakeNoDifference();
+  void threadsBeyondReason();
+  void quietIsSilent();
+  void overrides();
+  void warnsOfCutWindows();
+  void outputIsMade();
+  void outputIsNoFolder_data();
+  void outputIsNoFolder();
+  void replacesOlderPictures();
+
+ private:
+  Outcome render(const QStringList& more = {}) { return run(job(more), m_folder->path()); }
+
+  Session m_session;
+  std::vector<Image> m_expected;
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestRender::initTestCase() {
+  m_session = loadSession(sampleSession.toStdString(), {"camera.res=[60,60]"});
+  m_expected = simulated(m_session);
+  QCOMPARE(m_expected.size(), std::size_t(6));
+}
+
+void TestRender::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestRender::pictures() {
+  const Outcome outcome = render();
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.out, QByteArray("6 picture(s) in out\n"));
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(namesIn("out"), filesOf(states, ".png"));
+  QCOMPARE(namesIn("."), QStringList{"out"});
+  for (int k = 0; k < 6; ++k) {
+    const OIIO::ImageSpec spec = specOf("out/" + states[k] + ".png");
+    QCOMPARE(spec.nchannels, 3);
+    QVERIFY(spec.format == OIIO::TypeDesc::UINT8);
+    QVERIFY2(valuesOf<std::uint8_t>("out/" + states[k] + ".png") == m_expected[std::size_t(k)].rgb,
+             qPrintable(states[k]));
+  }
+  QVERIFY(m_expected[0].rgb != m_expected[3].rgb);
+}
+
+void TestRender::needsNoDisplayServer() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+    QVERIFY(!withoutDisplay().contains(name));
+  QCOMPARE(render({"--states", "Fig 4"}).status, 0);
+}
+
+void TestRender::masks() {
+  QCOMPARE(render({"--masks", "--states", "Fig [14]"}).status, 0);
+  QCOMPARE(namesIn("out"),
+           (QStringList{"Fig 1.mask.png", "Fig 1.png", "Fig 4.mask.png", "Fig 4.png"}));
+  for (const std::size_t k : {std::size_t(0), std::size_t(3)}) {
+    const QString file = "out/" + states[int(k)] + ".mask.png";
+    QCOMPARE(specOf(file).nchannels, 1);
+    const std::vector<std::uint8_t>& seen = m_expected[k].seen;
+    QVERIFY(valuesOf<std::uint8_t>(file) == seen);
+    QVERIFY(std::count(seen.begin(), seen.end(), 0) > 0);
+  }
+}
+
+/// Unrounded, 1 = the code value 255.
+void TestRender::exrHoldsTheValues() {
+  QCOMPARE(render({"--format", "exr", "--masks", "--states", "Fig 1"}).status, 0);
+  QCOMPARE(namesIn("out"), (QStringList{"Fig 1.exr", "Fig 1.mask.png"}));
+  QVERIFY(specOf("out/Fig 1.exr").format == OIIO::TypeDesc::FLOAT);
+  const std::vector<float> values = valuesOf<float>("out/Fig 1.exr");
+  const Scene scene = loadScene(m_session, {});
+  const Simulation simulation(scene.view(m_session.cameras[0]));
+  int fractions = 0;
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});
+      const float* rgb = &values[std::size_t(3 * (60 * y + x))];
+      QVERIFY(std::abs(255.0 * rgb[0] - expected.r) < 1e-4);
+      QVERIFY(std::abs(255.0 * rgb[1] - expected.g) < 1e-4);
+      QVERIFY(std::abs(255.0 * rgb[2] - expected.b) < 1e-4);
+      if (std::abs(expected.r - std::round(expected.r)) > 0.1) ++fractions;
+    }
+  }
+  QVERIFY(fractions > 100);
+}
+
+void TestRender::tiffHoldsSixteenBits() {
+  QCOMPARE(render({"--format=tif", "--states", "Fig 1"}).status, 0);
+  QCOMPARE(namesIn("out"), QStringList{"Fig 1.tif"});
+  QVERIFY(specOf("out/Fig 1.tif").format == OIIO::TypeDesc::UINT16);
+  const std::vector<std::uint16_t> values = valuesOf<std::uint16_t>("out/Fig 1.tif");
+  const Scene scene = loadScene(m_session, {});
+  const Simulation simulation(scene.view(m_session.cameras[0]));
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});
+      const std::uint16_t* rgb = &values[std::size_t(3 * (60 * y + x))];
+      QVERIFY(std::abs(rgb[0] - 257 * expected.r) < 0.51);
+      QVERIFY(std::abs(rgb[1] - 257 * expected.g) < 0.51);
+      QVERIFY(std::abs(rgb[2] - 257 * expected.b) < 0.51);
+    }
+  }
+}
+
+void TestRender::statesByName_data() {
+  QTest::addColumn<QString>("glob");
+  QTest::addColumn<QStringList>("rendered");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("one") << "Fig 5" << QStringList{"Fig 5"} << QByteArray();
+  QTest::newRow("some") << "*[246]" << QStringList{"Fig 2", "Fig 4", "Fig 6"} << QByteArray();
+  QTest::newRow("no match") << "Fug*" << QStringList{}
+                            << "hogelscope: " + sampleSession.toUtf8() +
+                                   ": --states Fug*: fits none of the states: Fig 1, Fig 2, "
+                                   "Fig 3, Fig 4, Fig 5, Fig 6\n";
+}
+
+void TestRender::statesByName() {
+  QFETCH(QString, glob);
+  QFETCH(QStringList, rendered);
+  QFETCH(QByteArray, line);
+  const Outcome outcome = render({"--states", glob});
+  QCOMPARE(outcome.err, line);
+  QCOMPARE(outcome.status, rendered.isEmpty() ? 2 : 0);
+  QCOMPARE(namesIn("out"), filesOf(rendered, ".png"));
+}
+
+void TestRender::threadsMakeNoDifference() {
+  const QStringList more{"--states", "Fig [13]", "--masks", "--set", "sampling.samplesPerPixel=2"};
+  QCOMPARE(render(more + QStringList{"--threads", "1"}).status, 0);
+  QVERIFY(QDir().rename("out", "one"));
+  QCOMPARE(render(more + QStringList{"--threads", "2"}).status, 0);
+  QCOMPARE(namesIn("out").size(), 4);
+  for (const QString& name : namesIn("out"))
+    QVERIFY2(contentOf("out/" + name) == contentOf("one/" + name), qPrintable(name));
+}
+
+void TestRender::threadsBeyondReason() {
+  const Outcome outcome =
+      render({"--states", "Fig 5", "--threads", "100000", "--set", "camera.res=[4,4]"});
+  QVERIFY2(outcome.why.isEmpty(), qPrintable(outcome.why));
+  QCOMPARE(outcome.status, 0);
+}
+
+/// Also where there is something to warn of.
+void TestRender::quietIsSilent() {
+  const QString threads = QString::number(4 * QThread::idealThreadCount());
+  const Outcome outcome =
+      render({"--quiet", "--states", "Fig 4", "--set", "psf.sigma=9", "--threads", threads});
+  QCOMPARE(outcome.out, QByteArray());
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(outcome.err, QByteArray());
+}
+
+void TestRender::overrides() {
+  const std::vector<std::string> given{"camera.res=[60,60]", "camera.res=[40,20]",
+                                       "sampling.mapping=direct", "psf.windowSize=1"};
+  QStringList flags{"--states", "Fig 1"};
+  for (std::size_t k = 1; k < given.size(); ++k)
+    flags << "--set" << QString::fromStdString(given[k]);
+  QCOMPARE(render(flags).status, 0);
+  Session session = loadSession(sampleSession.toStdString(), given);
+  session.cameras.resize(1);
+  const Image expected = simulated(session)[0];
+  QCOMPARE(expected.width, 40);
+  QVERIFY(valuesOf<std::uint8_t>("out/Fig 1.png") == expected.rgb);
+}
+
+void TestRender::warnsOfCutWindows() {
+  const Outcome outcome = render({"--states", "Fig 4", "--set", "psf.sigma=2"});
+  QCOMPARE(outcome.err, "hogelscope: " + sampleSession.toUtf8() +
+                            ": warning: Fig 4: psf: a window of 5 keeps 62.2 % of the Gaussian of "
+                            "sigma 2; widen it\n");
+  QCOMPARE(outcome.status, 0);
+}
+
+void TestRender::outputIsMade() {
+  QStringList arguments = job({"--states", "Fig 5"});
+  arguments[4] = "new/and deeper/ä";
+  QCOMPARE(run(arguments, m_folder->path()).status, 0);
+  QCOMPARE(namesIn("new/and deeper/ä"), QStringList{"Fig 5.png"});
+}
+
+void TestRender::outputIsNoFolder_data() {
+  QTest::addColumn<QString>("output");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("a file") << "file" << QByteArray("file: cannot be made: Not a directory");
+  QTest::newRow("below a file") << "file/out"
+                                << QByteArray("file/out: cannot be made: Not a directory");
+  QTest::newRow("where nobody may write")
+      << "/proc/out" << QByteArray("/proc/out: cannot be made: No such file or directory");
+}
+
+void TestRender::outputIsNoFolder() {
+  QFETCH(QString, output);
+  QFETCH(QByteArray, line);
+  writeFile("file", "kept");
+  QStringList arguments = job();
+  arguments[4] = output;
+  const Outcome outcome = run(arguments, m_folder->path());
+  QCOMPARE(outcome.err, "hogelscope: " + line + "\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(contentOf("file"), QByteArray("kept"));
+  QCOMPARE(namesIn("."), QStringList{"file"});
+}
+
+void TestRender::replacesOlderPictures() {
+  writeFile("out/Fig 5.png", "old");
+  writeFile("out/notes.txt", "kept");
+  QCOMPARE(render({"--states", "Fig 5"}).status, 0);
+  QVERIFY(valuesOf<std::uint8_t>("out/Fig 5.png") == m_expected[4].rgb);
+  QCOMPARE(contentOf("out/notes.txt"), QByteArray("kept"));
+}
+
+QTEST_GUILESS_MAIN(TestRender)
+#include "test_render.moc"

@@ -1,3 +1,280 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Being written.
-int main() { return 0; }
+// Tests --report: its numbers, its page, its gate, and what may be compared.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "tests/cli/csv.h"
+#include "tests/cli/program.h"
+#include "tests/cli/views.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr const char* header = "state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x,eye_y,eye_z";
+
+/// 16×16 hogels of 8×8 directions.
+float content(int x, int y, int channel) {
+  return float((x * 5 + y * 3 + channel * 40 + (x / 16) * (y / 8)) % 200 + 20) / 255;
+}
+
+/// The same with some noise of at most 15 code values.
+float noisy(int x, int y, int channel) {
+  return content(x, y, channel) + float((x * 7919 + y * 104729 + channel) % 16) / 255;
+}
+
+// No raw strings before the class: moc would not find it.
+const QByteArray cameras =
+    "[{\"name\": \"a, \\\"b\\\"\", \"eye\": [0.1, -0.05, 0.6], \"fov\": 50, \"res\": [40, 30]},"
+    " {\"name\": \"<i>&\", \"eye\": [0, 0, 0.5], \"fov\": 40, \"res\": [30, 30],"
+    "  \"psf\": {\"sigma\": 0.7, \"windowSize\": 7}},"
+    " {\"name\": \"behind\", \"eye\": [0, 0, -1], \"fov\": 40, \"res\": [20, 20]}]";
+
+std::vector<Metrics> metricsOf(const Session& session, const Session& test) {
+  const std::vector<Image> references = simulated(session);
+  const std::vector<Image> others = simulated(test);
+  std::vector<Metrics> metrics;
+  for (std::size_t k = 0; k < references.size(); ++k)
+    metrics.push_back(compare(references[k], others[k]));
+  return metrics;
+}
+
+QStringList job(const QStringList& more) {
+  return QStringList{"--report", "--session", "s.json", "--output", "out"} + more;
+}
+
+}  // namespace
+
+class TestReport : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void table();
+  void testIsASession();
+  void testIsAFolder();
+  void testIsAFolderOfAnotherLayout();
+  void testIsAnImageOfAnotherLayout();
+  void pictures();
+  void page();
+  void summary();
+  void gate_data();
+  void gate();
+  void badTestsAreToldFirst_data();
+  void badTestsAreToldFirst();
+
+ private:
+  Outcome report(const QStringList& more) { return run(job(more), m_folder->path()); }
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestReport::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+  writePicture("a.png", 128, 128, content);
+  writePicture("b.png", 128, 128, noisy);
+  writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
+                            .lightField = R"({"file": "a.png"})",
+                            .cameras = cameras}));
+}
+
+void TestReport::table() {
+  const Outcome outcome = report({"--test", "b.png", "--test", "a.png"});
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(namesIn("out"), (QStringList{"report.csv", "report.html"}));
+  const Session session = loadSession("s.json");
+  const std::vector<Metrics> noise =
+      metricsOf(session, loadSession("s.json", {"lightField.file=b.png"}));
+  const std::vector<Metrics> same = metricsOf(session, session);
+  QList<QByteArray> lines = contentOf("out/report.csv").split('\n');
+  QCOMPARE(lines.takeFirst(), QByteArray(header));
+  QCOMPARE(lines.takeLast(), QByteArray());
+  QCOMPARE(lines.size(), 6);
+  for (int k = 0; k < 3; ++k) {
+    const CameraParams& camera = session.cameras[std::size_t(k)].camera;
+    const QStringList first = cellsOf(lines[2 * k]);
+    const QStringList second = cellsOf(lines[2 * k + 1]);
+    QCOMPARE(first.mid(0, 2), (QStringList{QString::fromStdString(camera.name), "b.png"}));
+    QCOMPARE(second.mid(0, 2), (QStringList{QString::fromStdString(camera.name), "a.png"}));
+    QVERIFY2(saysAll(first, noise[std::size_t(k)], camera.eye), lines[2 * k]);
+    QVERIFY2(saysAll(second, same[std::size_t(k)], camera.eye), lines[2 * k + 1]);
+  }
+  QVERIFY(lines[0].startsWith("\"a, \"\"b\"\"\",b.png,"));
+  QVERIFY(noise[0].mse > 5 && noise[0].seen > 0.2 && noise[0].seen < 1);
+  QVERIFY(lines[3].startsWith("<i>&,a.png,0,inf,0,inf,1,"));
+  QCOMPARE(lines[4], QByteArray("behind,b.png,0,inf,nan,nan,1,0,0,0,-1"));
+}
+
+/// Its display and its light field; the states are the reference's.
+void TestReport::testIsASession() {
+  writePicture("c.png", 64, 96, noisy);
+  writeFile("deep/t.json",
+            text({.display = R"({"hogels": [8, 12], "directions": [8, 8], "fov": [50, 70]})",
+                  .lightField = R"({"file": "../c.png"})",
+                  .cameras = R"([{"name": "another"}])"}));
+  const Outcome outcome = report({"--test", "deep/t.json", "--states", "<i>&"});
+  QCOMPARE(outcome.err, QByteArray());
+  Session session = loadSession("s.json");
+  session.cameras = {session.cameras[1]};
+  Session test = loadSession("deep/t.json");
+  test.cameras = session.cameras;
+  const QList<QByteArray> lines = contentOf("out/report.csv").split('\n');
+  QCOMPARE(lines.size(), 3);
+  const QStringList cells = cellsOf(lines[1]);
+  QCOMPARE(cells.mid(0, 2), (QStringList{"<i>&", "deep/t.json"}));
+  QVERIFY2(saysAll(cells, metricsOf(session, test)[0], session.cameras[0].camera.eye), lines[1]);
+}
+
+void TestReport::testIsAFolder() {
+  for (int k = 0; k < 4; ++k) {
+    const QString name = QString("/00%1_00%2.png").arg(k / 2).arg(k % 2);
+    writePicture("v" + name, 24, 20, [k](int x, int y, int c) { return content(x + k, y, c); });
+    writePicture("w" + name, 24, 20, [k](int x, int y, int c) { return noisy(x + k, y, c); });
+  }
+  writeFile("s.json", text({.display = "{}",
+                            .lightField = R"({"file": "v", "layout": "views", "shear": [1, 0]})",
+                            .cameras = cameras}));
+  QCOMPARE(report({"--test", "w"}).status, 0);
+  const Session session = loadSession("s.json");
+  const Session test = loadSession("s.json", {"lightField.file=w"});
+  const QList<QByteArray> lines = contentOf("out/report.csv").split('\n');
+  QVERIFY2(saysAll(cellsOf(lines[1]), metricsOf(session, test)[0], {0.1, -0.05, 0.6}), lines[1]);
+}
+
+/// A folder can only be views, whatever the session's own layout is.
+void TestReport::testIsAFolderOfAnotherLayout() {
+  for (int k = 0; k < 64; ++k)
+    writePicture(QString("v/%1_%2.png").arg(k / 8, 3, 10, QChar('0')).arg(k % 8, 3, 10, QChar('0')),
+                 16, 16,
+                 [k](int x, int y, int c) { return content(8 * x + k % 8, 8 * y + k / 8, c); });
+  const Outcome outcome = report({"--test", "v"});
+  QCOMPARE(outcome.err, QByteArray());
+  QVERIFY(contentOf("out/report.csv").contains("<i>&,v,0,inf,0,inf,1,"));
+}
+
+/// And a picture can only be hogels, which the session of views need not say.
+void TestReport::testIsAnImageOfAnotherLayout() {
+  for (const char* name : {"v/000_000.png", "v/000_001.png"}) writeGrey(name, 6, 4);
+  writeGrey("hogels.png", 12, 4);
+  writeFile("s.json", text({.display = "{}",
+                            .lightField = R"({"file": "v", "layout": "views"})",
+                            .cameras = cameras}));
+  const Outcome outcome = report({"--test", "hogels.png"});
+  QVERIFY2(!outcome.err.contains("0×0"), outcome.err);
+}
+
+void TestReport::pictures() {
+  QCOMPARE(report({"--test", "b.png", "--test", "a.png", "--images", "--states", "[!a]*"}).status,
+           0);
+  QCOMPARE(namesIn("out"),
+           (QStringList{"reference", "report.csv", "report.html", "test1", "test2"}));
+  Session session = loadSession("s.json");
+  session.cameras.erase(session.cameras.begin());
+  const std::vector<Image> references = simulated(session);
+  session.lightField.file = "b.png";
+  const std::vector<Image> tests = simulated(session);
+  for (const char* folder : {"out/reference", "out/test1", "out/test2"})
+    QCOMPARE(namesIn(folder), (QStringList{"<i>&.png", "behind.png"}));
+  QVERIFY(valuesOf<std::uint8_t>("out/reference/<i>&.png") == references[0].rgb);
+  QVERIFY(valuesOf<std::uint8_t>("out/test1/<i>&.png") == tests[0].rgb);
+  QVERIFY(valuesOf<std::uint8_t>("out/test2/<i>&.png") == references[0].rgb);
+  QVERIFY(references[0].rgb != tests[0].rgb);
+}
+
+/// It can be mailed: nothing of it lies elsewhere.
+void TestReport::page() {
+  QCOMPARE(report({"--test", "b.png", "--images"}).status, 0);
+  const QString page = QString::fromUtf8(contentOf("out/report.html"));
+  QVERIFY(page.startsWith("<!DOCTYPE html>"));
+  QVERIFY(page.trimmed().endsWith("</html>"));
+  for (const char* outside : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"})
+    QVERIFY2(!page.contains(outside), outside);
+  QVERIFY(page.contains("<td>&lt;i&gt;&amp;</td><td>b.png</td>"));
+  QVERIFY(page.contains("<td>a, &quot;b&quot;</td><td>b.png</td>"));
+  QVERIFY(!page.contains("<i>"));
+  const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
+  QVERIFY(page.contains(">" + QString::number(cells[3].toDouble(), 'f', 2) + "</td>"));
+  QVERIFY(page.contains("s.json"));
+}
+
+void TestReport::summary() {
+  const Outcome outcome = report({"--test", "b.png"});
+  const QString out = QString::fromUtf8(outcome.out);
+  const QList<QByteArray> lines = contentOf("out/report.csv").split('\n');
+  const double first = cellsOf(lines[1])[3].toDouble();
+  const double second = cellsOf(lines[2])[3].toDouble();
+  const double mean = (cellsOf(lines[1])[2].toDouble() + cellsOf(lines[2])[2].toDouble()) / 3;
+  QVERIFY2(out.contains(
+               QString("mean of the finite PSNRs  %1 dB\n").arg((first + second) / 2, 0, 'f', 2)),
+           outcome.out);
+  QVERIFY2(out.contains(QString("PSNR of the mean MSE      %1 dB\n")
+                            .arg(10 * std::log10(255.0 * 255 / mean), 0, 'f', 2)),
+           outcome.out);
+  const QString worst = first < second ? "a, \"b\"" : "<i>&";
+  QVERIFY2(out.contains(QString("worst view                %1 dB: %2, b.png\n")
+                            .arg(std::min(first, second), 0, 'f', 2)
+                            .arg(worst)),
+           outcome.out);
+  QVERIFY2(out.contains("identical views           1 of 3\n"), outcome.out);
+  const Outcome quiet = report({"--test", "b.png", "--quiet"});
+  QCOMPARE(quiet.out + quiet.err, QByteArray());
+}
+
+void TestReport::gate_data() {
+  QTest::addColumn<QString>("test");
+  QTest::addColumn<QString>("below");
+  QTest::addColumn<int>("status");
+  QTest::newRow("met") << "b.png"
+                       << "20" << 0;
+  QTest::newRow("failed") << "b.png"
+                          << "60.5" << 1;
+  QTest::newRow("identical passes any") << "a.png"
+                                        << "1e6" << 0;
+}
+
+void TestReport::gate() {
+  QFETCH(QString, test);
+  QFETCH(QString, below);
+  QFETCH(int, status);
+  const Outcome outcome =
+      report({"--test", test, "--fail-below", below, "--states", "<i>&", "--quiet"});
+  QCOMPARE(outcome.status, status);
+  const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
+  const QString line =
+      QString("hogelscope: <i>&: %1: %2 dB is below %3\n").arg(test, cells[3], below);
+  QCOMPARE(QString::fromUtf8(outcome.err), status == 1 ? line : QString());
+}
+
+void TestReport::badTestsAreToldFirst_data() {
+  QTest::addColumn<QString>("test");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("missing") << "none.png" << QByteArray("none.png: there is no such file");
+  QTest::newRow("empty") << "" << QByteArray("--test: needs a value: LF");
+  QTest::newRow("another size") << "small.png"
+                                << QByteArray(
+                                       "small.png: size: is 8×8 px, but 16×16 hogels of 8×8 "
+                                       "directions need 128×128");
+  QTest::newRow("a session without content")
+      << "t.json"
+      << QByteArray("t.json: display.hogels: is missing: a hogel image does not say it");
+}
+
+void TestReport::badTestsAreToldFirst() {
+  QFETCH(QString, test);
+  QFETCH(QByteArray, line);
+  writeGrey("small.png", 8, 8);
+  writeFile("t.json", text({.display = "{}"}));
+  const Outcome outcome = report({"--test", "b.png", "--test", test});
+  QCOMPARE(outcome.err, "hogelscope: " + line + "\n");
+  QCOMPARE(outcome.out, QByteArray());
+  QCOMPARE(outcome.status, 2);
+  QVERIFY(!QFileInfo::exists("out"));
+}
+
+QTEST_GUILESS_MAIN(TestReport)
+#include "test_report.moc"

@@ -1,3 +1,169 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Being written.
-int main() { return 0; }
+// Tests that Ctrl-C and a full disk end the program soon, in one line, and leave no half files.
+#include <sys/resource.h>
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+namespace {
+
+constexpr int soon = 5000;  ///< milliseconds, on a machine that has other work too
+
+/// As run(), where no file can grow beyond `bytes`: what a full disk is like.
+Outcome runOnFullDisk(const QStringList& arguments, const QString& folder, rlim_t bytes) {
+  QProcess process;
+  process.setChildProcessModifier([bytes] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  });
+  start(process, arguments, folder);
+  process.waitForFinished();
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          {},
+          process.readAllStandardOutput(),
+          process.readAllStandardError()};
+}
+
+QStringList render(const QStringList& more) {
+  return QStringList{"--render", "--session", sampleSession, "--output", "out"} + more;
+}
+
+QStringList generate(const QString& file, const QString& hogels) {
+  return {"--generate", "scene", "--session", sampleSession,
+          "--output",   file,    "--set",     "display.hogels=" + hogels};
+}
+
+}  // namespace
+
+class TestStop : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void signalsStop_data();
+  void signalsStop();
+  void twoSignalsEndAtOnce();
+  void fullDisk_data();
+  void fullDisk();
+  void fullDiskForTheReport();
+  void fullDiskKeepsTheOldFile();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestStop::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestStop::signalsStop_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<int>("signal");
+  const QStringList large{"--set", "camera.res=[2500,2500]"};
+  QTest::newRow("Ctrl-C in a render") << render(large) << SIGINT;
+  QTest::newRow("SIGTERM in a render") << render(large) << SIGTERM;
+  const QStringList rays{"--set", "camera.res=[4000,4000]", "--set", "sampling.samplesPerPixel=8"};
+  QTest::newRow("Ctrl-C, many rays in a pixel") << render(rays) << SIGINT;
+  const QStringList report{"--report", "--session", sampleSession, "--output",
+                           "out",      "--test",    sampleSession};
+  QTest::newRow("Ctrl-C in a report") << report + large << SIGINT;
+  QTest::newRow("Ctrl-C in a pattern") << generate("out/a.png", "[2000,2000]") << SIGINT;
+}
+
+void TestStop::signalsStop() {
+  QFETCH(QStringList, arguments);
+  QFETCH(int, signal);
+  const bool isGenerated = arguments.contains("--generate");
+  if (isGenerated) QVERIFY(QDir().mkdir("out"));
+  QProcess process;
+  start(process, arguments, m_folder->path());
+  QTRY_VERIFY_WITH_TIMEOUT(isGenerated ? !namesIn("out").isEmpty() : QFileInfo::exists("out"),
+                           10000);
+  QTest::qWait(300);  // now it is at work
+  QCOMPARE(process.state(), QProcess::Running);
+  ::kill(pid_t(process.processId()), signal);
+  const bool hasEnded = process.waitForFinished(soon);
+  if (!hasEnded) process.kill();
+  process.waitForFinished();
+  QVERIFY(hasEnded);
+  QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+  QCOMPARE(process.exitCode(), signal);
+  for (const QString& name : namesIn("out"))
+    QVERIFY2(!name.contains(".part") && !valuesOf<std::uint8_t>("out/" + name).empty(),
+             qPrintable(name));
+  QCOMPARE(process.readAllStandardError(),
+           QByteArray("hogelscope: stopped; what is finished is kept\n"));
+}
+
+/// For who cannot wait.
+void TestStop::twoSignalsEndAtOnce() {
+  QProcess process;
+  start(process,
+        render({"--set", "camera.res=[4000,4000]", "--set", "sampling.samplesPerPixel=16"}),
+        m_folder->path());
+  QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists("out"), 10000);
+  QTest::qWait(300);
+  ::kill(pid_t(process.processId()), SIGINT);
+  QTest::qWait(100);
+  ::kill(pid_t(process.processId()), SIGINT);
+  const bool hasEnded = process.waitForFinished(soon);
+  if (!hasEnded) process.kill();
+  process.waitForFinished();
+  QVERIFY(hasEnded);
+  QCOMPARE(process.exitCode(), SIGINT);
+}
+
+void TestStop::fullDisk_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QByteArray>("file");
+  const QStringList small{"--set", "camera.res=[60,60]", "--states", "Fig 1"};
+  QTest::newRow("PNG") << render(small) << QByteArray("out/Fig 1.png");
+  QTest::newRow("EXR") << render(small + QStringList{"--format", "exr"})
+                       << QByteArray("out/Fig 1.exr");
+  QTest::newRow("TIFF") << render(small + QStringList{"--format", "tif"})
+                        << QByteArray("out/Fig 1.tif");
+  QTest::newRow("pattern, PNG") << generate("a.png", "[16,16]") << QByteArray("a.png");
+  QTest::newRow("pattern, TIFF") << generate("a.tif", "[16,16]") << QByteArray("a.tif");
+  QTest::newRow("pattern, JPEG") << generate("a.jpg", "[16,16]") << QByteArray("a.jpg");
+}
+
+void TestStop::fullDisk() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QByteArray, file);
+  const Outcome outcome = runOnFullDisk(arguments, m_folder->path(), 2000);
+  QCOMPARE(outcome.err, "hogelscope: " + file + ": cannot be written: File too large\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(outcome.out, QByteArray());
+  QCOMPARE(namesIn("out") + namesIn("."),
+           QFileInfo::exists("out") ? QStringList{"out"} : QStringList{});
+}
+
+void TestStop::fullDiskForTheReport() {
+  const Outcome outcome = runOnFullDisk({"--report", "--session", sampleSession, "--output", "out",
+                                         "--test", sampleSession, "--set", "camera.res=[20,20]"},
+                                        m_folder->path(), 100);
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(outcome.err,
+           QByteArray("hogelscope: out/report.csv: cannot be written: File too large\n"));
+  QCOMPARE(namesIn("out"), QStringList());
+}
+
+void TestStop::fullDiskKeepsTheOldFile() {
+  writeFile("out/Fig 1.exr", "old");
+  const QStringList arguments =
+      render({"--set", "camera.res=[60,60]", "--states", "Fig 1", "--format", "exr"});
+  QCOMPARE(runOnFullDisk(arguments, m_folder->path(), 2000).status, 2);
+  QCOMPARE(contentOf("out/Fig 1.exr"), QByteArray("old"));
+  QCOMPARE(namesIn("out"), QStringList{"Fig 1.exr"});
+}
+
+QTEST_GUILESS_MAIN(TestStop)
+#include "test_stop.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files of any kind for the tests of reading, by OpenImageIO alone.
+// Picture files of any kind, written and read by OpenImageIO alone.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -38,4 +38,21 @@ inline void writePicture(const QString& file, int width, int height, const Pictu
 
 inline void writeGrey(const QString& file, int width, int height) {
   writePicture(file, width, height, [](int, int, int) { return 0.5F; });
+}
+
+inline OIIO::ImageSpec specOf(const QString& file) {
+  const auto in = OIIO::ImageInput::open(file.toStdString());
+  return in ? in->spec() : OIIO::ImageSpec();
+}
+
+/// All channels of all pixels, as T: unsigned char, unsigned short or float; none if unreadable.
+template <class T>
+std::vector<T> valuesOf(const QString& file) {
+  const auto in = OIIO::ImageInput::open(file.toStdString());
+  if (!in) return {};
+  const OIIO::ImageSpec& spec = in->spec();
+  std::vector<T> values(spec.image_pixels() * std::size_t(spec.nchannels));
+  const bool isRead =
+      in->read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<T>::value, values.data());
+  return isRead && !in->has_error() ? values : std::vector<T>();
 }

@@ -22,8 +22,10 @@ class TestBadJson : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void atTheProgram_data();
+  void atTheProgram() { checkProgram(m_folder.path()); }
   void notJson_data();
-  void notJson() { checkProgram(m_folder.path()); }
+  void notJson() { checkLoading(m_folder.path()); }
   void structure_data();
   void structure() { checkLoading(m_folder.path()); }
   void deepNesting_data();
@@ -33,49 +35,58 @@ class TestBadJson : public QObject {
   QTemporaryDir m_folder;
 };
 
-void TestBadJson::notJson_data() {
+void TestBadJson::atTheProgram_data() {
   refusalColumns();
-  // TODO wording: say that the file is empty
-  refusedIn("empty file", "",
-            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "unexpected end of input; expected '[', '{', or a literal");
-  // TODO wording: say that the file is empty
-  refusedIn("only a line break", R"(
-)",
-            "is not JSON: parse error at line 2, column 1: syntax error while parsing value - "
-            "unexpected end of input; expected '[', '{', or a literal");
+  refusedIn("empty file", "", "is empty: not a session document");
   refusedIn("truncated", R"({"hogelscope": 1, "display": {"fov": [60,)",
             "is not JSON: parse error at line 1, column 42: syntax error while parsing value - "
             "unexpected end of input; expected '[', '{', or a literal");
+  refusedIn("trailing comma", R"({"hogelscope": 1,})",
+            "is not JSON: parse error at line 1, column 18: syntax error while parsing object key "
+            "- unexpected '}'; expected string literal");
+  refusedIn("comment", R"({"hogelscope": 1 /* first */})",
+            "is not JSON: parse error at line 1, column 18: syntax error while parsing object - "
+            "invalid literal; last read: '1 /'; expected '}'");
+  refusedIn("NaN", R"({"hogelscope": 1, "display": {"fov": [NaN, 60]}})",
+            "is not JSON: parse error at line 1, column 39: syntax error while parsing value - "
+            "invalid literal; last read: '\"fov\": [N'");
+  refusedIn("1e999", R"({"hogelscope": 1, "display": {"fov": [1e999, 60]}})",
+            "is not JSON: number overflow parsing '1e999'");
+  refusedIn("a picture", QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
+            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
+            "invalid literal; last read: '\\x89'");
+  refusedIn("no UTF-8", "{\"hogelscope\": 1, \"x\": \"\xff\"}",
+            "is not JSON: parse error at line 1, column 25: syntax error while parsing value - "
+            "invalid string: ill-formed UTF-8 byte; last read: '\"\\xff'");
+  // TODO wording: which of the cameras?
+  refusedIn(
+      "twice the same key, deeper",
+      R"({"hogelscope": 1, "cameras": [{"psf": {"sigma": 1}}, {"psf": {"sigma": 1, "sigma": 2}}]})",
+      "cameras.psf.sigma: stands twice in one object");
+}
+
+void TestBadJson::notJson_data() {
+  refusalColumns();
+  refusedIn("only a line break", R"(
+)",
+            "is empty: not a session document");
   refusedIn("truncated on line 3", R"({
   "hogelscope": 1,
   "disp)",
             "is not JSON: parse error at line 3, column 8: syntax error while parsing object key - "
             "invalid string: missing closing quote; last read: '\"disp'; expected string literal");
-  refusedIn("trailing comma", R"({"hogelscope": 1,})",
-            "is not JSON: parse error at line 1, column 18: syntax error while parsing object key "
-            "- unexpected '}'; expected string literal");
   refusedIn("trailing comma in a list", R"({"hogelscope": 1, "cameras": [{"name": "a"},]})",
             "is not JSON: parse error at line 1, column 45: syntax error while parsing value - "
             "unexpected ']'; expected '[', '{', or a literal");
-  refusedIn("comment", R"({"hogelscope": 1 /* first */})",
-            "is not JSON: parse error at line 1, column 18: syntax error while parsing object - "
-            "invalid literal; last read: '1 /'; expected '}'");
   refusedIn("single quotes", "{'hogelscope': 1}",
             "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
             "invalid literal; last read: '{''; expected string literal");
   refusedIn("two documents", R"({"hogelscope": 1} {"hogelscope": 1})",
             "is not JSON: parse error at line 1, column 19: syntax error while parsing value - "
             "unexpected '{'; expected end of input");
-  refusedIn("NaN", R"({"hogelscope": 1, "display": {"fov": [NaN, 60]}})",
-            "is not JSON: parse error at line 1, column 39: syntax error while parsing value - "
-            "invalid literal; last read: '\"fov\": [N'");
   refusedIn("Infinity", R"({"hogelscope": 1, "display": {"fov": [-Infinity, 60]}})",
             "is not JSON: parse error at line 1, column 40: syntax error while parsing value - "
             "invalid number; expected digit after '-'; last read: '-I'");
-  // TODO wording: it is JSON, and where is it?
-  refusedIn("1e999", R"({"hogelscope": 1, "display": {"fov": [1e999, 60]}})",
-            "is not JSON: number overflow parsing '1e999'");
   refusedIn("hexadecimal", R"({"hogelscope": 0x1})",
             "is not JSON: parse error at line 1, column 17: syntax error while parsing object - "
             "invalid literal; last read: '0x'; expected '}'");
@@ -90,33 +101,18 @@ b"})",
             "is not JSON: parse error at line 2, column 0: syntax error while parsing value - "
             "invalid string: control character U+000A (LF) must be escaped to \\u000A or \\n; last "
             "read: '\"a<U+000A>'");
-  // TODO wording: a byte that is no text goes to the terminal
-  refusedIn("a picture", QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
-            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "invalid literal; last read: '\x89'");
-  // TODO wording: the file is not empty
   refusedIn("zeros", QByteArray(64, '\0'),
             "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
             "unexpected end of input; expected '[', '{', or a literal");
-  // TODO wording: the line itself is no UTF-8
-  refusedIn("no UTF-8", "{\"hogelscope\": 1, \"x\": \"\xff\"}",
-            "is not JSON: parse error at line 1, column 25: syntax error while parsing value - "
-            "invalid string: ill-formed UTF-8 byte; last read: '\"\xff'");
-  // TODO wording: the line itself is no UTF-8
   refusedIn("UTF-16", QByteArray("\xff\xfe{\0}\0", 6),
             "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "invalid literal; last read: '\xff'");
+            "invalid literal; last read: '\\xff'");
   refusedIn("a CSV file", R"(state,test,mse
 )",
             "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
             "invalid literal; last read: 's'");
   refusedIn("twice the same key", R"({"hogelscope": 1, "hogelscope": 1})",
             "hogelscope: stands twice in one object");
-  // TODO wording: which of the objects? cameras[1].psf.sigma
-  refusedIn(
-      "twice the same key, deeper",
-      R"({"hogelscope": 1, "cameras": [{"psf": {"sigma": 1}}, {"psf": {"sigma": 1, "sigma": 2}}]})",
-      "sigma: stands twice in one object");
 }
 
 void TestBadJson::structure_data() {
@@ -151,7 +147,6 @@ void TestBadJson::structure_data() {
             "directions, fov, lens");
   refusedIn("unknown lightField field", text({.lightField = R"({"filename": "scene.png"})"}),
             "lightField.filename: is not known here; did you mean \"file\"?");
-  // TODO wording: say that layout views has it
   refusedIn("a field of another layout",
             text({.lightField = R"({"file": "scene.png", "shear": [1, 1]})"}),
             "lightField.shear: is not known here; known are file, layout, incoming");
@@ -163,13 +158,11 @@ void TestBadJson::structure_data() {
             "cameras[0].distortion.k4: is not known here; did you mean \"k1\"?");
   refusedIn("unknown psf field", state(R"("psf": {"window": 3})"),
             "cameras[0].psf.window: is not known here; known are sigma, windowSize, border, light");
-  // TODO wording: on two lines
   refusedIn("a line break in a key", text({.display = R"({"a\nb": 1})"}),
-            "display.a\nb: is not known here; known are position, orientation, size, hogels, "
+            "display.a\\x0ab: is not known here; known are position, orientation, size, hogels, "
             "directions, fov, lens");
-  // TODO wording: changes the terminal
   refusedIn("an escape code in a key", text({.display = R"({"\u001b[31m": 1})"}),
-            "display.\x1b[31m: is not known here; known are position, orientation, size, hogels, "
+            "display.\\x1b[31m: is not known here; known are position, orientation, size, hogels, "
             "directions, fov, lens");
   refusedIn("display null", text({.display = "null"}),
             "display: null is not an object: { \"name\": value, … }");
@@ -179,11 +172,10 @@ void TestBadJson::structure_data() {
             "lightField: \"scene.png\" is not an object: { \"name\": value, … }");
   refusedIn("sampling a number", text({.sampling = "3"}),
             "sampling: 3 is not an object: { \"name\": value, … }");
-  // TODO wording: the value
   refusedIn("cameras an object", text({.cameras = R"({"name": "a"})"}),
-            "cameras: is not a list of camera states");
-  // TODO wording: the value
-  refusedIn("cameras null", text({.cameras = "null"}), "cameras: is not a list of camera states");
+            "cameras: is not a list of camera states: [ { … }, … ]");
+  refusedIn("cameras null", text({.cameras = "null"}),
+            "cameras: is not a list of camera states: [ { … }, … ]");
   refusedIn("no cameras", text({.cameras = "[]"}),
             "cameras: is empty: give at least one camera state");
   refusedIn("a state null", text({.cameras = R"([{"name": "a"}, null])"}),
@@ -199,27 +191,23 @@ void TestBadJson::structure_data() {
 /// Documents of many brackets; the line need not show them all.
 void TestBadJson::deepNesting_data() {
   QTest::addColumn<QByteArray>("document");
-  QTest::addColumn<bool>("crashes");
   const QByteArray open(100000, '[');
   const QByteArray closed = open + QByteArray(100000, ']');
-  QTest::newRow("never closed") << open << false;
-  QTest::newRow("as the document") << closed << true;
-  QTest::newRow("as a value") << text({.display = R"({"hogels": )" + closed + "}"}) << true;
-  QTest::newRow("as the version") << QByteArray(R"({"hogelscope": )" + closed + "}") << true;
-  QTest::newRow("as an unknown field")
-      << text({.display = R"({"hogel": )" + closed + "}"}) << false;
+  QTest::newRow("never closed") << open;
+  QTest::newRow("as the document") << closed;
+  QTest::newRow("as a value") << text({.display = R"({"hogels": )" + closed + "}"});
+  QTest::newRow("as the version") << QByteArray(R"({"hogelscope": )" + closed + "}");
+  QTest::newRow("as an unknown field") << text({.display = R"({"hogel": )" + closed + "}"});
   QTest::newRow("objects") << QByteArray(R"({"a": )").repeated(100000) + "1" +
-                                  QByteArray(100000, '}')
-                           << false;
+                                  QByteArray(100000, '}');
 }
 
 void TestBadJson::deepNesting() {
   QFETCH(QByteArray, document);
-  QFETCH(bool, crashes);
   writeFile(m_folder.filePath("s.json"), document);
   const Outcome outcome =
       run({"--render", "--session", "s.json", "--output", "out"}, m_folder.path());
-  if (crashes) QEXPECT_FAIL("", "BUG: Json::dump runs out of stack in the message", Abort);
+  QVERIFY2(outcome.why.isEmpty(), qPrintable(outcome.why));
   QCOMPARE(outcome.status, 2);
   QVERIFY(outcome.err.startsWith("hogelscope: s.json: "));
   QCOMPARE(outcome.err.count('\n'), 1);

@@ -25,6 +25,7 @@ View sampleView() {
       std::make_shared<const LightField>(LightFieldSize{6, 5, 7, 4}, LightField::Values(values));
   view.state.camera.name = "sample";
   view.state.camera.eye = {0.05, 0.02, 0.6};
+  view.state.camera.lookat = {0.013, 0.007, 0};  // no ray goes through a corner of four hogels
   view.state.camera.res = {61, 47};
   view.state.distortion.k1 = 0.2;
   view.state.psf.windowSize = 3;

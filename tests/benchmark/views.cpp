@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How fast views are, against limits measured in the same run (DESIGN §8): the paper's display and
+// camera, 64 poses in turn. `limit/…` reads the same texels from addresses worked out before.
+//
+//   hogelscope-benchmark --hogels=512 --directions=64 --benchmark_repetitions=5
+//     --benchmark_report_aggregates_only=true --benchmark_out=views.json
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+#include <thread>
+
+#include "core/fast_simulation.h"
+#include "vtk/parallel_rows.h"
+
+namespace {
+
+using namespace hogelscope;
+
+#define FOR_EACH_MACHINE \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+
+constexpr int poses = 64;
+int hogels = 512;
+int directions = 64;
+
+/// Noise: every cache line is different.
+std::shared_ptr<const LightField> lightField() {
+  static const auto field = [] {
+    const LightFieldSize size{hogels, hogels, directions, directions};
+    auto made = std::make_shared<LightField>(size, StoredType::uint8);
+    parallelRows(hogels, [&](int begin, int end) {
+      for (int j = begin; j < end; ++j)
+        for (int v = 0; v < directions; ++v)
+          for (int i = 0; i < hogels; ++i)
+            for (int u = 0; u < directions; ++u) {
+              const std::uint32_t noise =
+                  std::uint32_t(((j * directions + v) * hogels + i) * directions + u) * 2654435761U;
+              std::array<std::uint8_t, 4> rgb{};
+              std::memcpy(rgb.data(), &noise, 4);
+              made->set({i, j, u, v}, rgb.data());
+            }
+    });
+    return std::shared_ptr<const LightField>(made);
+  }();
+  return field;
+}
+
+View viewOf(int pose) {
+  View view;
+  view.lightField = lightField();
+  view.display.hogels = {hogels, hogels};
+  view.display.directions = {directions, directions};
+  const double angle = 2 * std::numbers::pi * pose / poses;
+  view.state.camera.eye = {0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.559};
+  return view;
+}
+
+View plain(int pose) {
+  return viewOf(pose);
+}
+
+View distorted(int pose) {
+  View view = viewOf(pose);
+  view.state.distortion = {0.6, 0.3, 0.2, 0.01, 0.2};  // the paper's Fig. 3, OpenCV's order
+  return view;
+}
+
+View leaking(int pose, double sigma, int windowSize) {
+  View view = viewOf(pose);
+  view.state.psf = {sigma, windowSize};
+  return view;
+}
+View leaking5(int pose) {
+  return leaking(pose, 0.67, 5);
+}
+View leaking7(int pose) {
+  return leaking(pose, 0.946, 7);
+}
+
+View quadrilinear(int pose) {
+  View view = viewOf(pose);
+  view.sampling.reconstruction = Reconstruction::quadrilinear;
+  return view;
+}
+
+void countViews(benchmark::State& state, std::size_t pixels) {
+  state.SetItemsProcessed(std::int64_t(state.iterations()) * std::int64_t(pixels));
+  state.counters["views/s"] =
+      benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+/// Whole pictures by the fast engine; each iteration is another pose.
+void view(benchmark::State& state, View (*make)(int), int threads) {
+  setThreads(threads);
+  LensTables tables;
+  Image image(600, 600);
+  (void)FastSimulation(make(0), tables, parallelRows);  // the table is warm
+  int pose = 0;
+  for (auto _ : state) {
+    const FastSimulation simulation(make(pose++ % poses), tables, parallelRows);
+    parallelRows(600, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        const std::size_t first = 600 * std::size_t(y);
+        simulation.row(y, 0, 600, &image.rgb[3 * first], &image.seen[first]);
+      }
+    });
+    benchmark::DoNotOptimize(image.rgb.data());
+  }
+  countViews(state, image.pixelCount());
+}
+
+/// Addresses of every tap of every pixel of all poses, tap by tap within a row.
+struct Reads {
+  int taps = 0;
+  std::vector<std::uint32_t> address;  ///< pose, row, tap, column
+  [[nodiscard]] const std::uint32_t* of(int pose, int y, int tap) const {
+    return &address[((std::size_t(pose) * 600 + std::size_t(y)) * std::size_t(taps) +
+                     std::size_t(tap)) *
+                    600];
+  }
+};
+
+/// The texels that a view reads: `across`×`across` directions and `hogelsToo`² hogels round each
+/// hit.
+Reads readsOf(View (*make)(int), int across, int hogelsAcross, int poseCount) {
+  Reads reads{across * across * hogelsAcross * hogelsAcross, {}};
+  reads.address.resize(std::size_t(poseCount) * 600 * 600 * std::size_t(reads.taps));
+  const BlockLayout& layout = lightField()->layout();
+  parallelRows(poseCount, [&](int begin, int end) {
+    for (int pose = begin; pose < end; ++pose) {
+      const View view = make(pose);
+      const Display display(view.display);
+      const Camera camera(view.state.camera);
+      const Distortion lens(view.state.distortion);
+      const RigidTransform& world = camera.worldFromCamera();
+      const Vec3 eye = display.displayFromWorld().point(world.origin);
+      for (int y = 0; y < 600; ++y)
+        for (int x = 0; x < 600; ++x) {
+          const auto p = lens.undistort(camera.normalised(x, y));
+          const auto hit =
+              p ? display.hit(
+                      eye, display.displayFromWorld().direction(world.direction({p->x, p->y, 1})))
+                : std::nullopt;
+          for (int t = 0; t < reads.taps; ++t) {
+            std::uint32_t& address =
+                reads
+                    .address[((std::size_t(pose) * 600 + std::size_t(y)) * std::size_t(reads.taps) +
+                              std::size_t(t)) *
+                                 600 +
+                             std::size_t(x)];
+            address = layout.texels;
+            if (!hit) continue;
+            const auto at = [](double index, int step, int count) {
+              return std::clamp(int(index) + step, 0, count - 1);
+            };
+            const int half = across / 2;
+            const int hogel = t / (across * across);
+            address = layout.address({at(hit->i, hogel % hogelsAcross, hogels),
+                                      at(hit->j, hogel / hogelsAcross, hogels),
+                                      at(hit->u, t % across - half, directions),
+                                      at(hit->v, t / across % across - half, directions)});
+          }
+        }
+    }
+  });
+  return reads;
+}
+
+FOR_EACH_MACHINE
+void addWords(const std::uint32_t* texels, const std::uint32_t* address, int count,
+              std::uint32_t* redBlue, std::uint32_t* green) {
+  for (int k = 0; k < count; ++k) {
+    const std::uint32_t word = texels[address[k]];
+    redBlue[k] += word & 0xff00ffU;
+    green[k] += word >> 8U & 0xffU;
+  }
+}
+
+FOR_EACH_MACHINE
+void loadWords(const std::uint32_t* texels, const std::uint32_t* address, int count,
+               std::uint32_t* out) {
+  for (int k = 0; k < count; ++k) out[k] = texels[address[k]];
+}
+
+void limit(benchmark::State& state, View (*make)(int), int across, int hogelsAcross) {
+  setThreads(0);
+  const int poseCount = across * hogelsAcross > 1 ? 16 : poses;
+  const Reads reads = readsOf(make, across, hogelsAcross, poseCount);
+  const auto* texels = reinterpret_cast<const std::uint32_t*>(
+      std::get<TexelArray<std::uint8_t>>(lightField()->texels()).data());
+  int pose = 0;
+  for (auto _ : state) {
+    parallelRows(600, [&](int begin, int end) {
+      std::array<std::uint32_t, 600> redBlue;
+      std::array<std::uint32_t, 600> green;
+      for (int y = begin; y < end; ++y) {
+        if (reads.taps == 1) {
+          loadWords(texels, reads.of(pose, y, 0), 600, redBlue.data());
+        } else {
+          redBlue.fill(0);
+          green.fill(0);
+          for (int t = 0; t < reads.taps; ++t)
+            addWords(texels, reads.of(pose, y, t), 600, redBlue.data(), green.data());
+          benchmark::DoNotOptimize(green.data());
+        }
+        benchmark::DoNotOptimize(redBlue.data());
+        benchmark::ClobberMemory();
+      }
+    });
+    pose = (pose + 1) % poseCount;
+  }
+  countViews(state, 600 * 600);
+}
+
+/// The reference loop, one thread.
+void reference(benchmark::State& state) {
+  int pose = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(plain(pose++ % poses)).rgb.data());
+  countViews(state, 600 * 600);
+}
+
+LensKey lensKey() {
+  const View view = distorted(0);
+  const Camera camera(view.state.camera);
+  return {view.state.distortion, LensMapping::exact, {600, 600},
+          camera.focalLength(),  camera.centre(),    1};
+}
+
+void lensTable(benchmark::State& state) {
+  setThreads(0);
+  for (auto _ : state) {
+    const LensTable table(lensKey(), parallelRows);
+    benchmark::DoNotOptimize(table.x(300, 0, 0));
+  }
+}
+
+void lensTableOpenCv(benchmark::State& state) {
+  const LensKey key = lensKey();
+  const auto& [k1, k2, p1, p2, k3] = key.distortion;
+  const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength, 0, key.centre.x, 0,
+                          key.focalLength, key.centre.y, 0, 0, 1);
+  const cv::Mat coefficients = (cv::Mat_<double>(1, 5) << k1, k2, p1, p2, k3);
+  std::vector<cv::Point2d> points;
+  for (int y = 0; y < 600; ++y)
+    for (int x = 0; x < 600; ++x) points.emplace_back(x, y);
+  std::vector<cv::Point2d> ideal;
+  for (auto _ : state) {
+    cv::undistortPoints(points, ideal, camera, coefficients);
+    benchmark::DoNotOptimize(ideal.data());
+  }
+}
+
+/// cv::remap with ready maps, on a hogel image small enough for it (32767 columns).
+void remapOpenCv(benchmark::State& state) {
+  const cv::Mat source(8192, 8192, CV_8UC3, cv::Scalar(1, 2, 3));
+  cv::Mat x(600, 600, CV_32F);
+  cv::Mat y(600, 600, CV_32F);
+  for (int row = 0; row < 600; ++row)
+    for (int column = 0; column < 600; ++column) {
+      x.at<float>(row, column) = float(column * 13 + (column * 31 + row * 7) % 13);
+      y.at<float>(row, column) = float(row * 13 + (row * 31 + column * 7) % 13);
+    }
+  cv::Mat out;
+  for (auto _ : state) {
+    cv::remap(source, out, x, y, cv::INTER_NEAREST);
+    benchmark::DoNotOptimize(out.data);
+  }
+  countViews(state, 600 * 600);
+}
+
+/// Takes --name=value out of the arguments.
+void takeFlag(int& argc, char** argv, const char* name, int& value) {
+  const std::size_t length = std::strlen(name);
+  for (int k = 1; k < argc; ++k) {
+    if (std::strncmp(argv[k], name, length) != 0) continue;
+    value = std::atoi(argv[k] + length);
+    std::move(argv + k + 1, argv + argc, argv + k);
+    --argc;
+    return;
+  }
+}
+
+void registerAll() {
+  using benchmark::RegisterBenchmark;
+  const auto add = [](const char* name, auto... arguments) {
+    RegisterBenchmark(name, arguments...)->UseRealTime()->Unit(benchmark::kMillisecond);
+  };
+  add("limit/nearest", limit, plain, 1, 1);
+  add("view/nearest", view, plain, 0);
+  add("limit/nearest distorted", limit, distorted, 1, 1);
+  add("view/nearest distorted", view, distorted, 0);
+  add("limit/psf 5x5", limit, plain, 5, 1);
+  add("view/psf 5x5", view, leaking5, 0);
+  add("limit/psf 7x7", limit, plain, 7, 1);
+  add("view/psf 7x7", view, leaking7, 0);
+  add("limit/quadrilinear", limit, plain, 2, 2);
+  add("view/quadrilinear", view, quadrilinear, 0);
+  add("limit/lens table, cv::undistortPoints", lensTableOpenCv);
+  add("lens table", lensTable);
+  add("reference/nearest one thread", reference);
+  add("peer/cv::remap nearest, 8192x8192", remapOpenCv);
+  // Last: TBB does not widen again.
+  add("view/nearest one thread", view, plain, 1);
+  add("view/psf 5x5 one thread", view, leaking5, 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  takeFlag(argc, argv, "--hogels=", hogels);
+  takeFlag(argc, argv, "--directions=", directions);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  registerAll();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

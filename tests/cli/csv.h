@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads report.csv, and compares its numbers with those that they should be.
+#pragma once
+
+#include <QRegularExpression>
+#include <QStringList>
+#include <cmath>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/metrics.h"
+
+/// A line of RFC 4180 as its cells.
+inline QStringList cellsOf(const QByteArray& line) {
+  QStringList cells{""};
+  bool isQuoted = false;
+  for (const QChar c : QString::fromUtf8(line)) {
+    if (c == '"') {
+      if (!isQuoted && cells.back().size() > 0) cells.back() += c;
+      isQuoted = !isQuoted;
+    } else if (c == ',' && !isQuoted) {
+      cells << "";
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+/// Reads back as `number`, in 17 significant digits or fewer.
+inline bool says(const QString& cell, double number) {
+  if (std::isnan(number)) return cell == "nan";
+  if (std::isinf(number)) return cell == "inf";
+  const QString digits = QString(cell).section('e', 0, 0).remove('.').remove('-');
+  const qsizetype zeros = digits.size() - QString(digits).remove(QRegularExpression("^0+")).size();
+  return cell.toDouble() == number && digits.size() - zeros <= 17;
+}
+
+inline bool saysAll(const QStringList& cells, const hogelscope::Metrics& m,
+                    const hogelscope::Vec3& eye) {
+  const std::vector<double> numbers{m.mse,     hogelscope::psnr(m.mse),
+                                    m.mseSeen, hogelscope::psnr(m.mseSeen),
+                                    m.ssim,    m.seen,
+                                    eye.x,     eye.y,
+                                    eye.z};
+  if (cells.size() != int(numbers.size()) + 2) return false;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (!says(cells[int(k) + 2], numbers[k])) return false;
+  return true;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pictures that the program should make, by the reference engine.
+#pragma once
+
+#include "io/light_field_file.h"
+#include "io/session_file.h"
+
+/// One for each state.
+inline std::vector<hogelscope::Image> simulated(const hogelscope::Session& session) {
+  const hogelscope::Scene scene = hogelscope::loadScene(session, {});
+  std::vector<hogelscope::Image> images;
+  for (const hogelscope::CameraState& state : session.cameras)
+    images.push_back(hogelscope::simulate(scene.view(state)));
+  return images;
+}
