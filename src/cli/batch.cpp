@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/explain.h"
 #include "cli/info.h"
 #include "cli/progress_bar.h"
 #include "core/error.h"
@@ -54,11 +55,17 @@ void savePicture(const fs::path& folder, const std::string& name, const Image& i
   writeImage(folder / (name + ".png"), image.width, image.height, image.rgb);
 }
 
+void explainAll(const Scene& scene, const Session& session, const Options& options) {
+  if (!options.explain) return;
+  for (const CameraState& state : session.cameras) std::cout << explanation(scene.view(state));
+}
+
 int render(const Options& options) {
   const Session session = loadSelected(options);
   makeFolder(options.output);
   ProgressBar bar("rendering", options.quiet);
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.5));
+  explainAll(scene, session, options);
   const vtkNew<vtkHogelViewFilter> filter;
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k) {
@@ -102,8 +109,10 @@ Session testSession(const Session& session, const std::string& test) {
   return result;
 }
 
-std::vector<Image> renderAll(const Session& session, const Progress& progress) {
+std::vector<Image> renderAll(const Session& session, const Options& options,
+                             const Progress& progress) {
   const Scene scene = loadScene(session, part(progress, 0, 0.3));
+  explainAll(scene, session, options);
   const vtkNew<vtkHogelViewFilter> filter;
   std::vector<Image> images;
   const auto count = double(session.cameras.size());
@@ -127,13 +136,13 @@ std::vector<ReportRow> compareAll(const Session& session, const Options& options
                                   const Progress& progress) {
   const fs::path folder = options.output;
   const double share = 1 / double(options.tests.size() + 1);
-  const std::vector<Image> references = renderAll(session, part(progress, 0, share));
+  const std::vector<Image> references = renderAll(session, options, part(progress, 0, share));
   if (options.images) saveAll(folder / "reference", session, references);
   std::vector<ReportRow> rows(references.size() * options.tests.size());
   for (std::size_t t = 0; t < options.tests.size(); ++t) {
     const double from = share * double(t + 1);
-    const std::vector<Image> images =
-        renderAll(testSession(session, options.tests[t]), part(progress, from, from + share));
+    const std::vector<Image> images = renderAll(testSession(session, options.tests[t]), options,
+                                                part(progress, from, from + share));
     if (options.images) saveAll(folder / ("test" + std::to_string(t + 1)), session, images);
     for (std::size_t k = 0; k < images.size(); ++k) {
       advance(progress, from + share);

@@ -101,6 +101,11 @@ const std::vector<Flag>& settings() {
        [](Options& o, const std::string&) { o.masks = true; }},
       {"images", "", "--report: also the pictures, DIR/reference and DIR/test1, test2, …",
        [](Options& o, const std::string&) { o.images = true; }},
+      {"explain", "",
+       "--render, --report: says for each state what is modelled, what is left out and why, and "
+       "how "
+       "far its lens can be trusted.",
+       [](Options& o, const std::string&) { o.explain = true; }},
       {"fail-below", "DB", "--report: exit status 1 if any PSNR is below.",
        [](Options& o, const std::string& v) { o.failBelow = number(v, "--fail-below", 0.0); }},
       {"threads", "N", "Threads to work with; all by default.",

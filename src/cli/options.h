@@ -25,6 +25,7 @@ struct Options {
   int threads = 0;                  ///< 0: all
   bool masks = false;
   bool images = false;
+  bool explain = false;
   bool quiet = false;
 };
 

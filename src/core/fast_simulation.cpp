@@ -159,20 +159,19 @@ void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t*
   std::memset(rgb, 0, 3 * count);
   std::memset(seen, 0, count);
   if (m_seesNothing) return;
-  const bool isPlain = !m_plan.hasLens && m_view.display.lens == HogelLens::rectilinear;
-  if (m_plan.copiesTexels && isPlain) return copyPlainRow(y, x0, x1, rgb, seen);
+  if (m_plan.copiesTexels && m_plan.knowsOutline) return copyPlainRow(y, x0, x1, rgb, seen);
   if (m_plan.copiesTexels && m_lens && m_view.display.lens == HogelLens::rectilinear)
     return copyRow(y, x0, x1, rgb, seen);
   std::vector<float> sums(3 * count);
-  sumRow(y, x0, x1, sums, seen);
+  sumRow(y, x0, x1, sums.data(), seen);
   for (std::size_t k = 0; k < sums.size(); ++k) rgb[k] = quantised(double(sums[k]));
 }
 
 void FastSimulation::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
-  std::vector<float> sums(3 * std::size_t(x1 - x0));
-  std::memset(seen, 0, std::size_t(x1 - x0));
-  if (!m_seesNothing) sumRow(y, x0, x1, sums, seen);
-  std::copy(sums.begin(), sums.end(), rgb);
+  const auto count = std::size_t(x1 - x0);
+  std::fill(rgb, rgb + 3 * count, 0.0F);
+  std::memset(seen, 0, count);
+  if (!m_seesNothing) sumRow(y, x0, x1, rgb, seen);
 }
 
 namespace {
@@ -268,13 +267,13 @@ bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch&
   return fillUnseen(count, scratch.cells);
 }
 
-void FastSimulation::sumRow(int y, int x0, int x1, std::vector<float>& rgb,
-                            std::uint8_t* seen) const {
+void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
+  const auto [begin, end] = m_plan.knowsOutline ? seenPart(y, x0, x1) : std::array{x0, x1};
   const auto scratch = std::make_unique<Scratch>();
   const int n = m_view.sampling.samplesPerPixel;
   const float share = 1 / static_cast<float>(n * n);
-  for (int first = x0; first < x1; first += batchSize) {
-    const int count = std::min(batchSize, x1 - first);
+  for (int first = begin; first < end; first += batchSize) {
+    const int count = std::min(batchSize, end - first);
     for (int s = 0; s < n * n; ++s) {
       if (!castRays(y, first, count, s % n, s / n, *scratch)) continue;
       sumBatch(count, *scratch);
@@ -290,7 +289,8 @@ void FastSimulation::sumRow(int y, int x0, int x1, std::vector<float>& rgb,
     }
   }
   if (!m_plan.sumsLinear) return;
-  for (float& value : rgb) value = static_cast<float>(encodedFromLinear(double(value)));
+  for (int k = 0; k < 3 * (x1 - x0); ++k)
+    rgb[k] = static_cast<float>(encodedFromLinear(double(rgb[k])));
 }
 
 /// One tap: the cell itself.

@@ -48,7 +48,7 @@ class FastSimulation {
   static AxisWeights axisWeights(const PsfParams& psf, int reach, int cells);
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  void sumRow(int y, int x0, int x1, std::vector<float>& rgb, std::uint8_t* seen) const;
+  void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
   [[nodiscard]] bool castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const;
   void sumBatch(int count, Scratch& scratch) const;
   void addTaps(int count, const Scratch& scratch, const TapBatch& taps, LightBatch& sum) const;

@@ -90,8 +90,9 @@ void decideOutline(const View& view, Plan& plan) {
   const Vec3 eye = Display(view.display).displayFromWorld().point(view.state.camera.eye);
   if (!(eye.z > 0))
     plan.decisions.push_back({"no rays at all", "the eye is not in front of the panel"});
-  else if (!plan.hasLens && view.sampling.samplesPerPixel == 1 &&
-           view.display.lens == HogelLens::rectilinear)
+  plan.knowsOutline = !plan.hasLens && view.sampling.samplesPerPixel == 1 &&
+                      view.display.lens == HogelLens::rectilinear && eye.z > 0;
+  if (plan.knowsOutline)
     plan.decisions.push_back({"only rays within the panel's outline and angular field",
                               "each row's part that sees it is known beforehand"});
 }

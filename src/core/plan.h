@@ -20,6 +20,7 @@ struct Decision {
 struct Plan {
   bool hasLens = false;       ///< rays go through the lens model
   bool isTableKept = false;   ///< its rays are kept in a table
+  bool knowsOutline = false;  ///< the part of each row that sees the display is known beforehand
   int psfReach = 0;           ///< taps on each side: (windowSize - 1) / 2, or fewer
   bool sumsLinear = false;    ///< light is decoded before it is summed
   bool copiesTexels = false;  ///< each pixel is one stored texel

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --explain: the plan and the lens' certificate in words.
+#pragma once
+
+#include <string>
+
+#include "core/simulate.h"
+
+namespace hogelscope {
+
+/// What is modelled for a view, what is left out and why.
+std::string explanation(const View& view);
+
+}  // namespace hogelscope
