@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 
 #include "cli/batch.h"
 #include "cli/progress_bar.h"
@@ -21,7 +22,9 @@ int run(int argc, char** argv) {
   if (options.command == hogelscope::Command::window)
     return hogelscope::runWindow(argc, argv, options.files);
   hogelscope::catchSignals();
-  return hogelscope::runBatch(options);
+  const int status = hogelscope::runBatch(options);
+  if (!std::cout.flush()) throw hogelscope::InputError("standard output", "cannot be written");
+  return status;
 }
 
 /// Ends as the signal would have, so that a calling script sees it.

@@ -62,6 +62,7 @@ void explainAll(const Scene& scene, const Session& session, const Options& optio
 
 int render(const Options& options) {
   const Session session = loadSelected(options);
+  (void)openLightField(session.lightField, session.display);  // a bad one leaves no folder behind
   makeFolder(options.output);
   ProgressBar bar("rendering", options.quiet);
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.5));

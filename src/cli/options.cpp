@@ -141,6 +141,10 @@ void refuseMissing(const Options& options) {
                        "stands alone on the command line; a session is given "
                        "as --session FILE");
   }
+  if (options.command == Command::window && !(options.session.empty() && options.output.empty()))
+    throw InputError("command line",
+                     "has settings but no job; give one of --render, --report, "
+                     "--generate, or only a session to open it");
   if (!isJob) return;
   need(options.session, "--session", "name the session document");
   need(options.output, "--output", "name where the results go");

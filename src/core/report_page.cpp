@@ -62,11 +62,14 @@ constexpr const char* pageHead =
 }  // namespace
 
 std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows) {
-  std::string text = "mean of the finite PSNRs  " + rounded(summary.meanFinitePsnr, 2) + " dB\n" +
-                     "PSNR of the mean MSE      " + rounded(summary.psnrOfMeanMse, 2) + " dB\n";
+  const auto decibels = [](double value) {
+    return rounded(value, 2) + (std::isfinite(value) ? " dB" : "");
+  };
+  std::string text = "mean of the finite PSNRs  " + decibels(summary.meanFinitePsnr) + "\n" +
+                     "PSNR of the mean MSE      " + decibels(summary.psnrOfMeanMse) + "\n";
   if (summary.worst) {
     const ReportRow& row = rows[*summary.worst];
-    text += "worst view                " + rounded(psnr(row.metrics.mse), 2) + " dB: " + row.state +
+    text += "worst view                " + decibels(psnr(row.metrics.mse)) + ": " + row.state +
             ", " + row.test + "\n";
   }
   return text + "identical views           " + std::to_string(summary.identical) + " of " +

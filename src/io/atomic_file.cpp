@@ -47,6 +47,8 @@ AtomicFile::AtomicFile(const fs::path& path) : m_path(path) {
   std::error_code none;
   for (int k = 0; k < mostLinks && fs::is_symlink(m_path, none); ++k)
     m_path = m_path.parent_path() / fs::read_symlink(m_path, none);
+  if (fs::exists(m_path, none) && !fs::is_regular_file(m_path, none))
+    throw InputError(path.string(), "cannot be written", "it is there, and is not a file");
   m_temporary = m_path.parent_path() / ("." + m_path.stem().string() + ".part");
   m_temporary += m_path.extension();
 }
@@ -58,6 +60,9 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
   std::error_code error;
+  const fs::file_status old = fs::status(m_path, error);  // who may read it stays as it was
+  if (fs::exists(old)) fs::permissions(m_temporary, old.permissions(), error);
+  error.clear();
   fs::rename(m_temporary, m_path, error);
   if (error) throw cannotWrite(m_path, error.value());
 }
@@ -76,6 +81,8 @@ std::string readTextFile(const fs::path& path) {
   constexpr std::size_t largest = std::size_t{64} << 20;
   std::error_code error;
   if (fs::is_directory(path, error)) throw InputError(path.string(), "", "is a folder, not a file");
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+    throw InputError(path.string(), "", "is a device or a pipe, not a file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string(), "cannot be read", std::strerror(errno));

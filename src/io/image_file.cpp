@@ -41,10 +41,11 @@ std::string oneLine(std::string text, const fs::path& file) {
 }
 
 /// libpng and libjpeg write to stderr what OpenImageIO tells us anyway; our line is to stand alone.
+/// For the whole process: one thread at a time reads pictures here.
 class QuietLibraries {
  public:
   QuietLibraries() : m_stderr(::dup(STDERR_FILENO)) {
-    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int nowhere = m_stderr < 0 ? -1 : ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
     if (nowhere >= 0) ::close(nowhere);
   }
@@ -63,13 +64,13 @@ class QuietLibraries {
 void refuseNotANumber(std::span<const float> values, std::size_t width, std::size_t firstRow,
                       const fs::path& file) {
   const auto bad =
-      std::find_if(values.begin(), values.end(), [](float v) { return std::isnan(v); });
+      std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
   if (bad == values.end()) return;
   const std::size_t pixel = std::size_t(bad - values.begin()) / 3;
   throw InputError(file.string(),
                    "pixel (" + std::to_string(pixel % width) + ", " +
                        std::to_string(firstRow + pixel / width) + ")",
-                   "is not a number");
+                   std::isnan(*bad) ? "is not a number" : "is infinite");
 }
 
 std::string gigabytes(double bytes) {
@@ -99,7 +100,12 @@ ImageFile::ImageFile(const fs::path& file) : m_file(file), m_input(std::make_uni
   if (fs::is_directory(file, error))
     throw InputError(file.string(), "",
                      "is a folder, not a picture; a folder has layout \"views\"");
-  m_input->image = OIIO::ImageInput::open(file.string());
+  if (!fs::is_regular_file(file, error))
+    throw InputError(file.string(), "", "is a device or a pipe, not a picture file");
+  {
+    const QuietLibraries quiet;
+    m_input->image = OIIO::ImageInput::open(file.string());
+  }
   if (!m_input->image)
     throw InputError(file.string(), "cannot be read as a picture", oneLine(OIIO::geterror(), file));
   m_input->spec = m_input->image->spec();

@@ -110,13 +110,24 @@ Json writtenState(const CameraState& state) {
   return object;
 }
 
+/// A document's file name, seen from the current folder.
+std::string besideDocument(const fs::path& document, const std::string& file) {
+  std::error_code error;
+  const fs::path joined = document.parent_path() / file;
+  const fs::path shorter = joined.lexically_normal();
+  // ".." after a link leads elsewhere than it reads.
+  const bool isSame = !fs::exists(joined, error) || fs::equivalent(joined, shorter, error);
+  return isSame ? shorter.string() : joined.string();
+}
+
 /// `file`, seen from the document's folder.
 std::string relativeTo(const fs::path& document, const std::string& file) {
   if (file.empty()) return {};
-  const fs::path folder = fs::absolute(document).parent_path();
-  const fs::path relative =
-      fs::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal());
-  return relative.empty() ? fs::absolute(file).string() : relative.string();
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(document).parent_path(), error);
+  const fs::path target = fs::weakly_canonical(fs::absolute(file), error);
+  const fs::path relative = target.lexically_relative(folder);
+  return relative.empty() ? target.string() : relative.string();
 }
 
 }  // namespace
@@ -126,7 +137,7 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
     Json document = parseJson(readTextFile(file));
     for (const std::string& text : overrides) applyOverride(document, text);
     Session session = readSession(document);
-    session.lightField.file = (file.parent_path() / session.lightField.file).lexically_normal();
+    session.lightField.file = besideDocument(file, session.lightField.file);
     return session;
   } catch (const InputError& error) {
     throw error.in(file.string());

@@ -164,14 +164,16 @@ int number(const std::string& digits) {
 Found matches(const fs::path& folder, const NamePattern& pattern) {
   const std::string meaning = pattern.meaning();
   Found found;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+  std::vector<fs::path> files{fs::directory_iterator(folder), fs::directory_iterator()};
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const std::string name = file.filename().string();
     const auto numbers = NameMatch(pattern, name).numbers();
     if (!numbers) continue;
     std::pair<int, int> key{0, 0};
     for (std::size_t g = 0; g < meaning.size(); ++g)
       (meaning[g] == 'R' ? key.first : key.second) = number((*numbers)[g]);
-    const auto [first, isNew] = found.emplace(key, entry.path());
+    const auto [first, isNew] = found.emplace(key, file);
     if (!isNew)
       throw InputError(folder.string(), "views",
                        name + " and " + first->second.filename().string() + " are the same view");
@@ -212,10 +214,11 @@ ViewFiles runningGrid(const Found& found, std::array<int, 2> directions, const f
   const int side = int(std::lround(std::sqrt(double(count))));
   const auto [columns, rows] = directions[0] > 0 ? directions : std::array<int, 2>{side, side};
   if (columns * rows != count)
-    throw InputError(folder.string(), "views",
-                     std::to_string(count) + " views do not make a grid of " +
-                         std::to_string(columns) + "×" + std::to_string(rows) +
-                         "; give display.directions");
+    throw InputError(
+        folder.string(), "views",
+        std::to_string(count) + " views do not make a grid of " + std::to_string(columns) + "×" +
+            std::to_string(rows) +
+            (directions[0] > 0 ? "; mend display.directions" : "; give display.directions"));
   ViewFiles grid{rows, columns, {}};
   for (const auto& [key, file] : found) grid.files.push_back(file);
   return grid;

@@ -144,6 +144,7 @@ void TestBadLightFields::pictures_data() {
           text({.display = R"({"hogels": [3, 4], "directions": [2, 2]})",
                 .lightField = R"({"file": "ok.png"})"}),
           "ok.png: size: is 8×6 px, but 3×4 hogels of 2×2 directions need 6×8");
+  refused("a device", hogels("/dev/zero"), "/dev/zero: is a device or a pipe, not a picture file");
   refused("NaN in EXR", hogels("nan.exr"), "nan.exr: pixel (5, 2): is not a number");
   refused("NaN in TIFF", hogels("nan.tif"), "nan.tif: pixel (5, 2): is not a number");
   refused("a line break in its name", hogels(R"(a\nb.png)"),
@@ -166,7 +167,7 @@ void TestBadLightFields::folders_data() {
   refused("five numbered views", views("five"),
           "five: views: 5 views do not make a grid of 2×2; give display.directions");
   refused("five numbered views, nine expected", views("five", "", R"({"directions": [3, 3]})"),
-          "five: views: 5 views do not make a grid of 3×3; give display.directions");
+          "five: views: 5 views do not make a grid of 3×3; mend display.directions");
   refused("a number is missing", views("gap"), "gap: views: number 3 is missing");
   refused("other hogels", views("views", "", R"({"hogels": [6, 8]})"),
           "s.json: display.hogels: is 6×8, but the light field's file has 8×6");

@@ -103,7 +103,7 @@ void TestSessionSaving::missingFolder() {
 void TestSessionSaving::aFolderInItsPlace() {
   QVERIFY(QDir().mkdir("s.json"));
   writeFile("s.json/inside", "kept");
-  QCOMPARE(errorOfSaving("s.json"), "s.json: cannot be written: Is a directory");
+  QCOMPARE(errorOfSaving("s.json"), "s.json: cannot be written: it is there, and is not a file");
   QCOMPARE(namesIn("."), QStringList{"s.json"});
   QCOMPARE(contentOf("s.json/inside"), "kept");
 }

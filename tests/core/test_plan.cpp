@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each decision of the plan: that it is taken, and that the picture stays the reference's.
+#include "core/plan.h"
+
+#include <QTest>
+
+#include "core/fast_simulation.h"
+#include "tests/core/random.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// 16×12 hogels of 11×9 directions with noise on them, seen from the front.
+View sampleView() {
+  Random random(3);
+  const LightFieldSize size{16, 12, 11, 9};
+  std::vector<std::uint8_t> values(3 * size.width() * size.height());
+  for (std::uint8_t& value : values) value = static_cast<std::uint8_t>(random.integer(0, 255));
+  View view;
+  view.lightField = std::make_shared<LightField>(size, values);
+  view.display.hogels = {16, 12};
+  view.display.directions = {11, 9};
+  view.state.camera.eye = {0.03, 0.02, 0.6};
+  view.state.camera.lookat = {0.013, 0.007, 0};
+  view.state.camera.res = {70, 50};
+  return view;
+}
+
+bool says(const Plan& plan, const std::string& what) {
+  return std::any_of(plan.decisions.begin(), plan.decisions.end(), [&](const Decision& decision) {
+    return decision.what.find(what) != std::string::npos && !decision.why.empty();
+  });
+}
+
+/// The largest difference from the reference, in code values.
+int worstDifference(const View& view) {
+  const Image fast = simulateFast(view);
+  const Image reference = simulate(view);
+  if (fast.seen != reference.seen) return 256;
+  int worst = 0;
+  for (std::size_t k = 0; k < fast.rgb.size(); ++k)
+    worst = std::max(worst, std::abs(fast.rgb[k] - reference.rgb[k]));
+  return worst;
+}
+
+}  // namespace
+
+class TestPlan : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void plainLensHasNoTable() {
+    View view = sampleView();
+    QVERIFY(!plan(view).hasLens && says(plan(view), "no lens model"));
+    LensTables tables;
+    QVERIFY(FastSimulation(view, tables, serialRows).lens() == nullptr);
+    QCOMPARE(worstDifference(view), 0);
+    view.state.distortion.k1 = 0.1;
+    QVERIFY(plan(view).hasLens && plan(view).isTableKept);
+    QCOMPARE(worstDifference(view), 0);
+  }
+
+  void statesWithOneLensShareItsTable() {
+    View view = sampleView();
+    view.state.distortion.k1 = 0.1;
+    LensTables tables;
+    const FastSimulation first(view, tables, serialRows);
+    view.state.camera.eye = {0.1, 0, 0.7};
+    const FastSimulation moved(view, tables, serialRows);
+    QVERIFY(first.lens() != nullptr && first.lens() == moved.lens());
+    view.state.camera.res = {71, 50};
+    QVERIFY(FastSimulation(view, tables, serialRows).lens() != first.lens());
+  }
+
+  void aTableThatIsTooLargeIsNotKept() {
+    View view = sampleView();
+    view.state.distortion.k1 = 0.1;
+    view.state.camera.res = {16384, 16384};
+    QVERIFY(!plan(view).isTableKept && says(plan(view), "the lens"));
+  }
+
+  void windowOfOneHasNoPsf() {
+    View view = sampleView();
+    QCOMPARE(plan(view).psfReach, 0);
+    QVERIFY(says(plan(view), "no light leakage") && plan(view).copiesTexels);
+  }
+
+  void tapsThatDoNotCountAreLeftOut() {
+    View view = sampleView();
+    view.state.psf = {0.5, 9};
+    QVERIFY(plan(view).psfReach < 4);
+    QVERIFY(says(plan(view), "taps, not 81"));
+    QVERIFY(worstDifference(view) <= 1);
+    view.state.psf = {0.67, 5};
+    QCOMPARE(plan(view).psfReach, 2);
+    QVERIFY(worstDifference(view) <= 1);
+  }
+
+  void linearLightOnlyWhereSomethingIsSummed() {
+    View view = sampleView();
+    view.state.psf.light = LightModel::linear;
+    QVERIFY(!plan(view).sumsLinear && says(plan(view), "no decoding"));
+    QCOMPARE(worstDifference(view), 0);
+    view.state.psf.windowSize = 3;
+    QVERIFY(plan(view).sumsLinear);
+    QVERIFY(worstDifference(view) <= 1);
+  }
+
+  void theOutlineIsKnownForPlainLenses() {
+    View view = sampleView();
+    QVERIFY(plan(view).knowsOutline);
+    view.display.lens = HogelLens::equiangular;
+    QVERIFY(!plan(view).knowsOutline);
+    QCOMPARE(worstDifference(view), 0);
+  }
+
+  void behindThePanelThereAreNoRays() {
+    View view = sampleView();
+    view.state.camera.eye.z = -1;
+    QVERIFY(says(plan(view), "no rays"));
+    QCOMPARE(worstDifference(view), 0);
+  }
+
+  void theCertificateCountsWhatHasNoRay() {
+    View view = sampleView();
+    view.state.distortion = {0.2958943955272433, -1.0354662043042675};  // folds in the picture
+    view.state.camera.fov = 90;
+    const LensTable table(lensKeyOf(view), serialRows);
+    const LensCertificate lens = table.certificate();
+    QCOMPARE(lens.pixels, std::size_t(70 * 50));
+    std::size_t without = 0;
+    const Camera camera(view.state.camera);
+    const Distortion distortion(view.state.distortion);
+    for (int y = 0; y < 50; ++y)
+      for (int x = 0; x < 70; ++x) without += distortion.undistort(camera.normalised(x, y)) ? 0 : 1;
+    QCOMPARE(lens.withoutRay, without);
+    QVERIFY(without > 100 && lens.worstResidual < 1e-9);
+    QVERIFY(lens.validRadius > 0.6 && lens.validRadius < 0.731);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestPlan)
+#include "test_plan.moc"
