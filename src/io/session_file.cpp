@@ -114,7 +114,8 @@ Json writtenState(const CameraState& state) {
 std::string besideDocument(const fs::path& document, const std::string& file) {
   std::error_code error;
   const fs::path joined = document.parent_path() / file;
-  const fs::path shorter = joined.lexically_normal();
+  fs::path shorter = joined.lexically_normal();
+  if (!shorter.has_filename()) shorter = shorter.parent_path();  // "views/" is "views"
   // ".." after a link leads elsewhere than it reads.
   const bool isSame = !fs::exists(joined, error) || fs::equivalent(joined, shorter, error);
   return isSame ? shorter.string() : joined.string();
