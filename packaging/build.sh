@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages that are missing, configures and builds into build/release.
+# build.sh [TARGET]: installs the Debian packages that are missing, configures and builds into
+# build/release.
 # try.sh and check.sh begin with it.
 set -eu
 cd "$(dirname "$0")/.."
@@ -20,4 +21,4 @@ if [ -n "$missing" ]; then
 fi
 
 [ -f build/release/build.ninja ] || cmake --preset release >/dev/null
-cmake --build --preset release
+cmake --build --preset release ${1:+--target "$1"}

@@ -3,7 +3,7 @@
 # reports how a JPEG copy of its light field looks from each of them.
 set -eu
 here=$(dirname "$0")
-"$here/build.sh"
+"$here/build.sh" hogelscope
 cd "$here/.."
 
 program=build/release/bin/hogelscope

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fast engine. A ray's light is a sum over taps along four axes, hogels i, j and directions u,
-// v: one tap where nothing is interpolated or leaks, two for an interpolation, a window for
-// leakage.
+// The fast engine: rays in batches, their addresses one batch ahead of their texels.
 #include "core/fast_simulation.h"
 
 #include <algorithm>
@@ -44,30 +42,13 @@ void clip(double constant, double slope, std::array<double, 2>& part) {
     part = {1, 0};
 }
 
-std::uint32_t clampedCell(int cell, int cells) {
-  return static_cast<std::uint32_t>(std::clamp(cell, 0, cells - 1));
-}
-
-constexpr int vectorLanes = 16;
-int wholeVectors(int count) {
-  return (count + vectorLanes - 1) / vectorLanes * vectorLanes;
-}
-
 }  // namespace
-
-/// Taps of a batch along one axis.
-struct AxisTaps {
-  int taps = 1;
-  const float* share = nullptr;  ///< the same for all rays; null: `weight`
-  std::vector<std::array<std::uint32_t, batchSize>> offset;
-  std::vector<std::array<float, batchSize>> weight;
-};
 
 struct FastSimulation::Scratch {
   CellBatch cells{};
   std::array<double, batchSize> x{};
   std::array<double, batchSize> y{};
-  std::array<AxisTaps, 4> axes;
+  TapSum::Scratch taps;
   LightBatch sum{};
 };
 
@@ -85,43 +66,7 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength);
   if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
   if (!m_lens) m_inverse = QuickInverse(Distortion(view.state.distortion));
-  const LightFieldSize& size = view.lightField->size();
-  m_weights = {axisWeights(view.state.psf, m_plan.psfReach, size.du),
-               axisWeights(view.state.psf, m_plan.psfReach, size.dv)};
-}
-
-FastSimulation::AxisWeights FastSimulation::axisWeights(const PsfParams& psf, int reach,
-                                                        int cells) {
-  AxisWeights axis;
-  axis.cells = cells;
-  axis.reach = std::min(reach, cells - 1);
-  axis.weights.resize(std::size_t(cells) * std::size_t(2 * axis.reach + 1));
-  for (int cell = 0; cell < cells; ++cell) {
-    std::vector<double> weights(std::size_t(2 * axis.reach + 1));
-    double total = 0;
-    for (int x = -reach; x <= reach; ++x) {
-      const double s = reach > 0 ? x / psf.sigma : 0;
-      const double weight = std::exp(-s * s / 2);
-      int tap = cell + x;
-      if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
-      const bool inside = tap >= 0 && tap < cells;
-      if (inside) weights[std::size_t(tap - cell + axis.reach)] += weight;
-      if (inside || psf.border == PsfBorder::black) total += weight;
-    }
-    std::transform(weights.begin(), weights.end(),
-                   &axis.weights[std::size_t(cell) * weights.size()],
-                   [total](double weight) { return static_cast<float>(weight / total); });
-  }
-  if (axis.reach == reach) {
-    axis.firstInner = reach;
-    axis.lastInner = cells - 1 - reach;
-  }
-  return axis;
-}
-
-const AxisLayout& FastSimulation::layoutOf(std::size_t axis) const {
-  const BlockLayout& layout = m_view.lightField->layout();
-  return *std::array{&layout.i, &layout.j, &layout.u, &layout.v}[axis];
+  m_taps.emplace(view, m_plan);
 }
 
 /// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
@@ -276,7 +221,7 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
     const int count = std::min(batchSize, end - first);
     for (int s = 0; s < n * n; ++s) {
       if (!castRays(y, first, count, s % n, s / n, *scratch)) continue;
-      sumBatch(count, *scratch);
+      m_taps->sum(count, scratch->cells, scratch->taps, scratch->sum);
       for (int k = 0; k < count; ++k) {
         const auto ray = std::size_t(k);
         if (scratch->cells.seen[ray] == 0) continue;
@@ -291,137 +236,6 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
   if (!m_plan.sumsLinear) return;
   for (int k = 0; k < 3 * (x1 - x0); ++k)
     rgb[k] = static_cast<float>(encodedFromLinear(double(rgb[k])));
-}
-
-/// One tap: the cell itself.
-void FastSimulation::nearestTap(std::size_t axis, Scratch& scratch) const {
-  static constexpr float whole = 1;
-  AxisTaps& taps = scratch.axes[axis];
-  taps.taps = 1;
-  taps.share = &whole;
-  taps.offset.resize(1);
-  const AxisLayout layout = layoutOf(axis);
-  for (std::size_t k = 0; k < batchSize; ++k)
-    taps.offset[0][k] = layout(scratch.cells.cell[axis][k]);
-}
-
-/// Two taps: the cells whose centres lie around the hit.
-void FastSimulation::linearTaps(std::size_t axis, Scratch& scratch) const {
-  AxisTaps& taps = scratch.axes[axis];
-  taps.taps = 2;
-  taps.share = nullptr;
-  taps.offset.resize(2);
-  taps.weight.resize(2);
-  pairs(layoutOf(axis), m_map.count[axis], scratch.cells.cell[axis].data(),
-        scratch.cells.place[axis].data(), taps.offset[0].data(), taps.weight[0].data());
-}
-
-/// Direction axes without interpolation: the window of each ray's cell.
-void FastSimulation::directionTaps(std::size_t axis, Scratch& scratch) const {
-  AxisTaps& taps = scratch.axes[axis];
-  const AxisWeights& weights = m_weights[axis - 2];
-  const AxisLayout layout = layoutOf(axis);
-  const auto& cell = scratch.cells.cell[axis];
-  taps.taps = 2 * weights.reach + 1;
-  taps.offset.resize(std::size_t(taps.taps));
-  taps.weight.resize(taps.offset.size());
-  const auto [low, high] = std::minmax_element(cell.begin(), cell.end());
-  const bool isInner = int(*low) >= weights.firstInner && int(*high) <= weights.lastInner;
-  taps.share = isInner ? weights.of(weights.firstInner) : nullptr;
-  for (int t = 0; t < taps.taps; ++t) {
-    const int step = t - weights.reach;
-    auto& offset = taps.offset[std::size_t(t)];
-    if (isInner) {
-      for (std::size_t k = 0; k < batchSize; ++k)
-        offset[k] = layout(cell[k] + static_cast<std::uint32_t>(step));
-      continue;
-    }
-    for (std::size_t k = 0; k < batchSize; ++k) {
-      offset[k] = layout(clampedCell(int(cell[k]) + step, weights.cells));
-      taps.weight[std::size_t(t)][k] = weights.of(int(cell[k]))[t];
-    }
-  }
-}
-
-/// Direction axes with interpolation: the windows of the two cells around the hit, one tap apart.
-void FastSimulation::interpolatedTaps(std::size_t axis, Scratch& scratch) const {
-  AxisTaps& taps = scratch.axes[axis];
-  const AxisWeights& weights = m_weights[axis - 2];
-  const AxisLayout layout = layoutOf(axis);
-  const int window = 2 * weights.reach + 1;
-  taps.taps = window + 1;
-  taps.share = nullptr;
-  taps.offset.resize(std::size_t(taps.taps));
-  taps.weight.resize(taps.offset.size());
-  for (std::size_t k = 0; k < batchSize; ++k) {
-    const float place = scratch.cells.place[axis][k];
-    const int left = int(scratch.cells.cell[axis][k]) - (place < 0.5F ? 1 : 0);
-    const float share = place < 0.5F ? place + 0.5F : place - 0.5F;
-    const int first = std::max(left, 0);
-    const int second = std::min(left + 1, weights.cells - 1);
-    for (int t = 0; t < taps.taps; ++t) {
-      const int fromSecond = t - (second - first);
-      taps.offset[std::size_t(t)][k] =
-          layout(clampedCell(first - weights.reach + t, weights.cells));
-      taps.weight[std::size_t(t)][k] =
-          (t < window ? (1 - share) * weights.of(first)[t] : 0) +
-          (fromSecond >= 0 && fromSecond < window ? share * weights.of(second)[fromSecond] : 0);
-    }
-  }
-}
-
-void FastSimulation::tapsOf(std::size_t axis, Scratch& scratch) const {
-  const Reconstruction reconstruction = m_view.sampling.reconstruction;
-  const bool isHogel = axis < 2;
-  const bool interpolates = isHogel ? reconstruction == Reconstruction::quadrilinear
-                                    : reconstruction != Reconstruction::nearest;
-  const bool leaks = !isHogel && m_plan.psfReach > 0;
-  if (leaks)
-    interpolates ? interpolatedTaps(axis, scratch) : directionTaps(axis, scratch);
-  else
-    interpolates ? linearTaps(axis, scratch) : nearestTap(axis, scratch);
-}
-
-void FastSimulation::addTaps(int count, const Scratch&, const TapBatch& taps,
-                             LightBatch& sum) const {
-  std::visit(
-      [&](const auto& texels) {
-        if (m_plan.sumsLinear)
-          accumulateLinear(texels.data(), taps, count, sum);
-        else
-          accumulate(texels.data(), taps, count, sum);
-      },
-      m_view.lightField->texels());
-}
-
-void FastSimulation::sumBatch(int count, Scratch& scratch) const {
-  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, scratch);
-  const auto& [i, j, u, v] = scratch.axes;
-  scratch.sum = {};
-  std::array<std::uint32_t, batchSize> base;
-  std::array<float, batchSize> scale;
-  std::vector<float> share(std::size_t(u.taps));
-  const bool isUniform = u.share != nullptr && v.share != nullptr && i.taps * j.taps == 1;
-  for (int t = 0; t < i.taps * j.taps * v.taps; ++t) {
-    const auto ti = std::size_t(t % i.taps);
-    const auto tj = std::size_t(t / i.taps % j.taps);
-    const auto tv = std::size_t(t / i.taps / j.taps);
-    for (std::size_t k = 0; k < batchSize; ++k)
-      base[k] = i.offset[ti][k] + j.offset[tj][k] + v.offset[tv][k];
-    TapBatch taps{u.taps, base.data(), u.offset.data(), u.share, u.weight.data(), nullptr};
-    if (isUniform) {
-      std::transform(u.share, u.share + u.taps, share.begin(),
-                     [&](float weight) { return weight * v.share[tv]; });
-      taps.share = share.data();
-    } else {
-      for (std::size_t k = 0; k < batchSize; ++k) {
-        const float hogel = i.taps == 2 ? i.weight[ti][k] * j.weight[tj][k] : 1;
-        scale[k] = hogel * (v.share != nullptr ? v.share[tv] : v.weight[tv][k]);
-      }
-      taps.scale = scale.data();
-    }
-    addTaps(wholeVectors(count), scratch, taps, scratch.sum);
-  }
 }
 
 Image simulateFast(const View& view) {

@@ -13,6 +13,7 @@
 #include "core/plan.h"
 #include "core/row_kernels.h"
 #include "core/simulate.h"
+#include "core/tap_sum.h"
 
 namespace hogelscope {
 
@@ -32,33 +33,13 @@ class FastSimulation {
   void row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
 
  private:
-  /// Taps along one direction axis for each cell of it.
-  struct AxisWeights {
-    int reach = 0;
-    int cells = 0;
-    int firstInner = 0;  ///< cells [firstInner, lastInner] have all taps inside
-    int lastInner = -1;
-    std::vector<float> weights;  ///< (2·reach + 1) for each cell, normalised; 0 outside
-    [[nodiscard]] const float* of(int cell) const {
-      return &weights[std::size_t(cell) * std::size_t(2 * reach + 1)];
-    }
-  };
   struct Scratch;
 
-  static AxisWeights axisWeights(const PsfParams& psf, int reach, int cells);
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
   [[nodiscard]] bool castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const;
-  void sumBatch(int count, Scratch& scratch) const;
-  void addTaps(int count, const Scratch& scratch, const TapBatch& taps, LightBatch& sum) const;
-  void tapsOf(std::size_t axis, Scratch& scratch) const;
-  void nearestTap(std::size_t axis, Scratch& scratch) const;
-  void linearTaps(std::size_t axis, Scratch& scratch) const;
-  void directionTaps(std::size_t axis, Scratch& scratch) const;
-  void interpolatedTaps(std::size_t axis, Scratch& scratch) const;
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
-  [[nodiscard]] const AxisLayout& layoutOf(std::size_t axis) const;
 
   View m_view;
   Plan m_plan;
@@ -69,7 +50,7 @@ class FastSimulation {
   std::vector<double> m_x;     ///< of each pixel column, plain lens
   LensKey m_lensKey;
   std::optional<QuickInverse> m_inverse;  ///< where rays are not kept in a table
-  std::array<AxisWeights, 2> m_weights;   ///< along u and v
+  std::optional<TapSum> m_taps;
 };
 
 /// The whole picture by the fast engine, on the calling thread.

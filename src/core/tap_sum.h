@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of a batch of rays as a sum over taps along four axes, hogels i, j and directions u, v:
+// one tap where nothing is interpolated or leaks, two for an interpolation, a window for leakage.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/plan.h"
+#include "core/row_kernels.h"
+
+namespace hogelscope {
+
+class TapSum {
+  struct AxisTaps;
+
+ public:
+  /// What a thread works with.
+  struct Scratch {
+    Scratch();
+    ~Scratch();
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    std::unique_ptr<std::array<AxisTaps, 4>> axes;
+  };
+
+  TapSum(const View& view, const Plan& plan);
+
+  /// The light of the batch's first `count` rays, in what is summed. All lanes' cells must lie in
+  /// the light field.
+  void sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const;
+
+ private:
+  /// Taps of a batch along one axis.
+  struct AxisTaps {
+    int taps = 1;
+    const float* share = nullptr;  ///< the same for all rays; null: `weight`
+    std::vector<std::array<std::uint32_t, batchSize>> offset;
+    std::vector<std::array<float, batchSize>> weight;
+  };
+  /// Weights along one direction axis for each cell of it.
+  struct AxisWeights {
+    int reach = 0;
+    int cells = 0;
+    int firstInner = 0;  ///< cells [firstInner, lastInner] have all taps inside
+    int lastInner = -1;
+    std::vector<float> weights;  ///< (2·reach + 1) for each cell, normalised; 0 outside
+    [[nodiscard]] const float* of(int cell) const {
+      return &weights[std::size_t(cell) * std::size_t(2 * reach + 1)];
+    }
+  };
+
+  static AxisWeights axisWeights(const PsfParams& psf, int reach, int cells);
+  void tapsOf(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void nearestTap(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void directionTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void addTaps(int count, const TapBatch& taps, LightBatch& sum) const;
+  [[nodiscard]] const AxisLayout& layoutOf(std::size_t axis) const;
+
+  std::shared_ptr<const LightField> m_lightField;
+  Reconstruction m_reconstruction;
+  bool m_leaks;
+  bool m_sumsLinear;
+  std::array<int, 4> m_cells;
+  std::array<AxisWeights, 2> m_weights;  ///< along u and v
+};
+
+}  // namespace hogelscope
