@@ -158,7 +158,7 @@ void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
         addressesOfHits(m_map, layout, &m_x[std::size_t(x)], py, count, address);
       },
       [&](int x, int count, const std::uint32_t*, const ByteTexel* found) {
-        pack(found, count, rgb + 3 * (x - x0));
+        pack(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
       });
 }
 
@@ -172,7 +172,7 @@ void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint
         addresses(m_map, layout, px + x, py + x, count, m_unseen, address);
       },
       [&](int x, int count, const std::uint32_t* address, const ByteTexel* found) {
-        pack(found, count, rgb + 3 * (x - x0));
+        pack(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
         mask(address, count, m_unseen, seen + (x - x0));
       });
 }

@@ -20,9 +20,6 @@ int wholeVectors(int count) {
 
 }  // namespace
 
-TapSum::Scratch::Scratch() : axes(std::make_unique<std::array<AxisTaps, 4>>()) {}
-TapSum::Scratch::~Scratch() = default;
-
 TapSum::TapSum(const View& view, const Plan& plan)
     : m_lightField(view.lightField),
       m_reconstruction(view.sampling.reconstruction),
@@ -163,8 +160,8 @@ void TapSum::addTaps(int count, const TapBatch& taps, LightBatch& sum) const {
 }
 
 void TapSum::sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const {
-  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, batch, (*scratch.axes)[axis]);
-  const auto& [i, j, u, v] = *scratch.axes;
+  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, batch, scratch[axis]);
+  const auto& [i, j, u, v] = scratch;
   sum = {};
   std::array<std::uint32_t, batchSize> base;
   std::array<float, batchSize> scale;

@@ -12,18 +12,18 @@
 
 namespace hogelscope {
 
-class TapSum {
-  struct AxisTaps;
+/// Taps of a batch along one axis: tap t of ray k adds offset[t][k] to its address.
+struct AxisTaps {
+  int taps = 1;
+  const float* share = nullptr;  ///< weights that all rays have; null: `weight`
+  std::vector<std::array<std::uint32_t, batchSize>> offset;
+  std::vector<std::array<float, batchSize>> weight;
+};
 
+class TapSum {
  public:
   /// What a thread works with.
-  struct Scratch {
-    Scratch();
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    std::unique_ptr<std::array<AxisTaps, 4>> axes;
-  };
+  using Scratch = std::array<AxisTaps, 4>;
 
   TapSum(const View& view, const Plan& plan);
 
@@ -32,13 +32,6 @@ class TapSum {
   void sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const;
 
  private:
-  /// Taps of a batch along one axis.
-  struct AxisTaps {
-    int taps = 1;
-    const float* share = nullptr;  ///< the same for all rays; null: `weight`
-    std::vector<std::array<std::uint32_t, batchSize>> offset;
-    std::vector<std::array<float, batchSize>> weight;
-  };
   /// Weights along one direction axis for each cell of it.
   struct AxisWeights {
     int reach = 0;

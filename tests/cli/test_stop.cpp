@@ -99,7 +99,7 @@ void TestStop::signalsStop() {
   QTest::qWait(300);  // now it is at work
   QCOMPARE(process.state(), QProcess::Running);
   send(process, signal);
-  const bool hasEnded = process.waitForFinished(soon);
+  const bool hasEnded = process.state() == QProcess::NotRunning || process.waitForFinished(soon);
   if (!hasEnded) process.kill();
   process.waitForFinished();
   QVERIFY(hasEnded);
@@ -123,7 +123,7 @@ void TestStop::twoSignalsEndAtOnce() {
   send(process, SIGINT);
   QTest::qWait(100);
   send(process, SIGINT);
-  const bool hasEnded = process.waitForFinished(soon);
+  const bool hasEnded = process.state() == QProcess::NotRunning || process.waitForFinished(soon);
   if (!hasEnded) process.kill();
   process.waitForFinished();
   QVERIFY(hasEnded);
