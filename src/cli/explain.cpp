@@ -27,7 +27,8 @@ std::string certificateText(const LensCertificate& lens) {
 std::string explanation(const View& view) {
   const Plan made = plan(view);
   std::string text = view.state.camera.name + "\n";
-  for (const auto& [what, why] : made.decisions) text += "  " + what + ": " + why + "\n";
+  for (const auto& [what, why] : made.decisions)
+    text.append("  ").append(what).append(": ").append(why).append("\n");
   if (made.isTableKept)
     text += "  certificate of the lens: " +
             certificateText(LensTable(lensKeyOf(view), serialRows).certificate()) + "\n";

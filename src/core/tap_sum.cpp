@@ -35,9 +35,10 @@ TapSum::AxisWeights TapSum::axisWeights(const PsfParams& psf, int reach, int cel
   AxisWeights axis;
   axis.cells = cells;
   axis.reach = std::min(reach, cells - 1);
-  axis.weights.resize(std::size_t(cells) * std::size_t(2 * axis.reach + 1));
+  const std::size_t window = 2 * std::size_t(axis.reach) + 1;
+  axis.weights.resize(std::size_t(cells) * window);
   for (int cell = 0; cell < cells; ++cell) {
-    std::vector<double> weights(std::size_t(2 * axis.reach + 1));
+    std::vector<double> weights(window);
     double total = 0;
     for (int x = -reach; x <= reach; ++x) {
       const double s = reach > 0 ? x / psf.sigma : 0;
@@ -45,7 +46,7 @@ TapSum::AxisWeights TapSum::axisWeights(const PsfParams& psf, int reach, int cel
       int tap = cell + x;
       if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
       const bool inside = tap >= 0 && tap < cells;
-      if (inside) weights[std::size_t(tap - cell + axis.reach)] += weight;
+      if (inside) weights[static_cast<std::size_t>(tap - cell + axis.reach)] += weight;
       if (inside || psf.border == PsfBorder::black) total += weight;
     }
     std::transform(weights.begin(), weights.end(),
@@ -175,8 +176,7 @@ void TapSum::sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch
       base[k] = i.offset[ti][k] + j.offset[tj][k] + v.offset[tv][k];
     TapBatch taps{u.taps, base.data(), u.offset.data(), u.share, u.weight.data(), nullptr};
     if (isUniform) {
-      std::transform(u.share, u.share + u.taps, share.begin(),
-                     [&](float weight) { return weight * v.share[tv]; });
+      for (std::size_t tu = 0; tu < share.size(); ++tu) share[tu] = u.share[tu] * v.share[tv];
       taps.share = share.data();
     } else {
       for (std::size_t k = 0; k < batchSize; ++k) {
