@@ -46,7 +46,8 @@ TapSum::AxisWeights TapSum::axisWeights(const PsfParams& psf, int reach, int cel
       int tap = cell + x;
       if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
       const bool inside = tap >= 0 && tap < cells;
-      if (inside) weights[static_cast<std::size_t>(tap - cell + axis.reach)] += weight;
+      const int place = tap - cell + axis.reach;
+      if (inside) weights[std::size_t(place)] += weight;
       if (inside || psf.border == PsfBorder::black) total += weight;
     }
     std::transform(weights.begin(), weights.end(),
