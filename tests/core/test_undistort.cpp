@@ -78,6 +78,7 @@ class TestUndistort : public QObject {
  private Q_SLOTS:
   void radialLensEndsAtItsFold();
   void agreesWithTheWalk();
+  void theQuickInverseIsTheSame();
   void extremeLensesGiveNumbers();
   void extremePoints_data();
   void extremePoints();
@@ -170,6 +171,31 @@ void TestUndistort::extremePoints() {
   if (!isRay) return;
   const Vec2 back = lens.distort(*ideal);
   QVERIFY(std::hypot(back.x - x, back.y - y) <= 1e-13 * std::hypot(x, y));
+}
+
+/// From a neighbour, from the centre, and from starts that lead plain Newton astray.
+void TestUndistort::theQuickInverseIsTheSame() {
+  Random random(11);
+  int rays = 0;
+  int none = 0;
+  for (int repeat = 0; repeat < 1000; ++repeat) {
+    const Distortion lens(randomLens(random, repeat % 2 == 0 ? 1 : 0.05));
+    const QuickInverse quick(lens);
+    for (int point = 0; point < 20; ++point) {
+      const Vec2 distorted{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)};
+      const auto certain = lens.undistort(distorted);
+      for (const Vec2& start : {Vec2{}, distorted, Vec2{random.uniform(-9, 9), 3}}) {
+        const auto found = quick.undistort(distorted, start);
+        QCOMPARE(found.has_value(), certain.has_value());
+        if (!found) continue;
+        const Vec2 back = lens.distort(*found);
+        QVERIFY(focal * std::hypot(back.x - distorted.x, back.y - distorted.y) < 1e-9);
+        QVERIFY(std::hypot(found->x - certain->x, found->y - certain->y) < 1e-6);
+      }
+      ++(certain ? rays : none);
+    }
+  }
+  QVERIFY2(rays > 5000 && none > 1000, qPrintable(QString("%1 %2").arg(rays).arg(none)));
 }
 
 QTEST_APPLESS_MAIN(TestUndistort)
