@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -13,12 +14,14 @@
 #include "cli/progress_bar.h"
 #include "core/error.h"
 #include "core/pattern.h"
+#include "core/plan.h"
 #include "core/report.h"
 #include "core/report_page.h"
 #include "io/atomic_file.h"
 #include "io/image_file.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
+#include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
@@ -43,7 +46,9 @@ std::vector<CameraState> selected(const Session& session, const std::string& glo
 }
 
 Session loadSelected(const Options& options) {
-  Session session = loadSession(options.session, options.overrides);
+  std::optional<Calibration> calibration;
+  if (!options.calibration.empty()) calibration = loadCalibration(options.calibration);
+  Session session = loadSession(options.session, options.overrides, calibration);
   session.cameras = selected(session, options.states, options.session);
   if (!options.quiet)
     for (const std::string& line : warnings(session))
@@ -155,6 +160,20 @@ std::vector<ReportRow> compareAll(const Session& session, const Options& options
   return rows;
 }
 
+/// A lens that several states have is certified once.
+std::vector<ReportLens> certifyAll(const Session& session) {
+  std::vector<LensKey> keys;
+  std::vector<ReportLens> lenses;
+  for (const CameraState& state : session.cameras) {
+    const LensKey key = lensKeyOf(state, session.sampling);
+    const auto same = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    lenses.push_back({state.camera.name,
+                      same < keys.size() ? lenses[same].certificate : certify(key, parallelRows)});
+    keys.push_back(key);
+  }
+  return lenses;
+}
+
 int gate(const std::vector<ReportRow>& rows, const Options& options) {
   if (!options.failBelow) return 0;
   int status = 0;
@@ -179,7 +198,7 @@ int report(const Options& options) {
   const std::vector<ReportRow> rows = compareAll(session, options, bar.progress());
   const fs::path folder = options.output;
   writeTextFile(folder / "report.csv", csv(rows));
-  writeTextFile(folder / "report.html", reportPage(rows, options.session));
+  writeTextFile(folder / "report.html", reportPage(rows, certifyAll(session), options.session));
   bar.done();
   if (!options.quiet) {
     std::cout << summaryText(summarise(rows), rows);

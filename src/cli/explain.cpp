@@ -1,25 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: the plan and the lens' certificate in words.
+// --explain: the plan, the work that is left and the lens' certificate in words.
 #include "cli/explain.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
-#include "core/plan.h"
+#include "core/fast_simulation.h"
+#include "core/lens_certificate.h"
+#include "core/report.h"
+#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 
 namespace {
 
-std::string certificateText(const LensCertificate& lens) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(),
-                "rays out to r = %.4g (%.4g° off the axis), worst residual %.2g px, %zu of %zu "
-                "pixels without a ray",
-                lens.validRadius, std::atan(lens.validRadius) / radians(1), lens.worstResidual,
-                lens.withoutRay, lens.pixels);
-  return text.data();
+std::string millions(double count) {
+  return numberText(std::round(count / 1e4) / 100) + " million";
+}
+
+/// Texels that one ray reads.
+int texelsPerRay(const View& view, const Plan& plan) {
+  const int taps = (2 * plan.psfReach + 1) * (2 * plan.psfReach + 1);
+  switch (view.sampling.reconstruction) {
+    case Reconstruction::bilinear:
+      return 4 * taps;
+    case Reconstruction::quadrilinear:
+      return 16 * taps;
+    default:
+      return taps;
+  }
+}
+
+std::string workText(const View& view, const Plan& plan) {
+  LensTables tables;
+  const FastSimulation simulation(view, tables, parallelRows);
+  const auto rays = double(simulation.rays());
+  const auto [width, height] = view.state.camera.res;
+  const int texels = texelsPerRay(view, plan);
+  const std::size_t bytes =
+      std::visit([](const auto& array) { return sizeof(array[0]); }, view.lightField->texels());
+  return numberText(rays) + " rays for " + numberText(double(width) * height) + " pixels, " +
+         std::to_string(texels) + " texel" + (texels > 1 ? "s" : "") +
+         " each: " + millions(rays * texels) + " texels, " +
+         numberText(std::round(rays * texels * double(bytes) / 1e5) / 10) + " MB";
 }
 
 }  // namespace
@@ -27,11 +49,12 @@ std::string certificateText(const LensCertificate& lens) {
 std::string explanation(const View& view) {
   const Plan made = plan(view);
   std::string text = view.state.camera.name + "\n";
-  for (const auto& [what, why] : made.decisions)
-    text.append("  ").append(what).append(": ").append(why).append("\n");
-  if (made.isTableKept)
-    text += "  certificate of the lens: " +
-            certificateText(LensTable(lensKeyOf(view), serialRows).certificate()) + "\n";
+  for (const auto& [what, why, saves] : made.decisions)
+    text += "  " + what + ": " + why + (saves.empty() ? "" : "; saves " + saves) + "\n";
+  text += "  what is read: " + workText(view, made) + "\n";
+  if (made.hasLens)
+    text += "  the lens: " +
+            hogelscope::text(certify(lensKeyOf(view.state, view.sampling), parallelRows)) + "\n";
   return text;
 }
 

@@ -86,13 +86,15 @@ std::string lightFieldTable(Layout layout, std::string heading) {
 std::string parameterManual() {
   return "# Parameters of a session\n\n"
          "Made by `hogelscope --help parameters`. Any of them can be given on the command line as\n"
-         "`--set section.field=value`; `camera`, `distortion` and `psf` then go to every state.\n"
+         "`--set section.field=value`; `camera`, `intrinsics`, `distortion` and `psf` then go to "
+         "every state.\n"
          "In a session document `camera`'s fields stand in the state itself, beside its\n"
-         "`distortion` and `psf`.\n\n" +
+         "`intrinsics`, `distortion` and `psf`.\n\n" +
          table<DisplayParams>() + lightFieldTable(Layout::hogels, "lightField") +
          lightFieldTable(Layout::views, "lightField, layout views") +
          lightFieldTable(Layout::quilt, "lightField, layout quilt") + table<SamplingParams>() +
-         table<CameraParams>() + table<DistortionParams>() + table<PsfParams>();
+         table<CameraParams>() + table<IntrinsicsParams>() + table<DistortionParams>() +
+         table<PsfParams>();
 }
 
 }  // namespace hogelscope

@@ -89,9 +89,13 @@ const std::vector<Flag>& settings() {
        [](Options& o, const std::string& v) { o.tests.push_back(v); }},
       {"states", "GLOB", "Only the states whose name fits, such as 'Fig*'.",
        [](Options& o, const std::string& v) { o.states = v; }},
+      {"calibration", "FILE",
+       "Takes lens, intrinsics and picture size of every state from an OpenCV calibration (.yml, "
+       ".json).",
+       [](Options& o, const std::string& v) { o.calibration = v; }},
       {"set", "S.F=VALUE",
        "Overrides a parameter, such as psf.sigma=0.9 or camera.res=[300,300]; "
-       "camera, distortion and psf go to every state. Repeat it for more.",
+       "camera, intrinsics, distortion and psf go to every state. Repeat it for more.",
        [](Options& o, const std::string& v) { o.overrides.push_back(v); }},
       {"format", "png|exr|tif", "--render: EXR holds the unrounded values, TIFF 16 bits.",
        [](Options& o, const std::string& v) {
@@ -141,7 +145,8 @@ void refuseMissing(const Options& options) {
                        "stands alone on the command line; a session is given "
                        "as --session FILE");
   }
-  if (options.command == Command::window && !(options.session.empty() && options.output.empty()))
+  if (options.command == Command::window &&
+      !(options.session.empty() && options.output.empty() && options.calibration.empty()))
     throw InputError("command line",
                      "has settings but no job; give one of --render, --report, "
                      "--generate, or only a session to open it");

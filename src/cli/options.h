@@ -14,6 +14,7 @@ struct Options {
   Command command = Command::window;
   std::string session;
   std::string output;
+  std::string calibration;
   std::string pattern;             ///< --generate
   std::string infoFile;            ///< --info
   std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help

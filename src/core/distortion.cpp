@@ -62,8 +62,8 @@ Jacobian Distortion::jacobian(const Vec2& p) const {
           radial + slope * y * y + 6 * p1 * y + 2 * p2 * x};
 }
 
-/// Bounds the second derivative within `radius` of the origin: the field |p|²ⁿ p has
-/// 2n(2n+1) |p|²ⁿ⁻¹ there, the tangential terms are quadratic with at most 6 |(p1, p2)|.
+/// The field |p|²ⁿ p has a second derivative of norm 2n(2n+1) |p|²ⁿ⁻¹, the tangential terms are
+/// quadratic with at most 6 |(p1, p2)|.
 double Distortion::secondDerivativeBound(double radius) const {
   const auto& [k1, k2, p1, p2, k3] = m_params;
   const double r2 = radius * radius;
@@ -115,54 +115,6 @@ std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
     ideal = polish(ideal, {reached * distorted.x, reached * distorted.y});
   }
   return ideal;
-}
-
-/// Marches outwards as long as the least eigenvalue's bound, which changes by at most the second
-/// derivative's bound per length, stays positive.
-QuickInverse::QuickInverse(const Distortion& distortion) : m_distortion(distortion) {
-  constexpr double farthest = 100;  // beyond any picture but those of nearly 180°
-  double radius = 0;
-  while (radius < farthest) {
-    const double next = std::min(1.2 * radius + 0.05, farthest);
-    const double change = m_distortion.secondDerivativeBound(next);
-    const double step = std::min(next - radius, 0.9 * leastEigenvalue(radius) / change);
-    if (!(step > 1e-9 * (1 + radius))) break;
-    radius += step;
-  }
-  const auto& [k1, k2, p1, p2, k3] = m_distortion.m_params;
-  const double r2 = radius * radius;
-  m_certainRadius = radius;
-  // The least radial part of the model at that radius.
-  m_certainDistorted =
-      radius * (1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2) - 3 * r2 * std::hypot(p1, p2);
-}
-
-/// A lower bound over the circle: along and across the radius for the radial terms, the tangential
-/// ones take at most 6 |(p1, p2)| r away.
-double QuickInverse::leastEigenvalue(double radius) const {
-  const auto& [k1, k2, p1, p2, k3] = m_distortion.m_params;
-  const double r2 = radius * radius;
-  const double across = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  const double along = 1 + r2 * (3 * k1 + r2 * (5 * k2 + r2 * 7 * k3));
-  return std::min(across, along) - 6 * std::hypot(p1, p2) * radius;
-}
-
-std::optional<Vec2> QuickInverse::undistort(const Vec2& distorted, const Vec2& start) const {
-  constexpr int mostSteps = 8;
-  if (m_distortion.isIdentity()) return distorted;
-  if (!(norm(distorted) < m_certainDistorted)) return m_distortion.undistort(distorted);
-  Vec2 ideal = start;
-  for (int step = 0; step < mostSteps; ++step) {
-    const Vec2 here = m_distortion.distort(ideal);
-    const Vec2 move =
-        solve(m_distortion.jacobian(ideal), {distorted.x - here.x, distorted.y - here.y});
-    ideal = {ideal.x + move.x, ideal.y + move.y};
-    // Newton's error is squared by the next step: this one is below rounding.
-    if (!(norm(move) < 1e-9)) continue;
-    if (norm(ideal) < m_certainRadius) return ideal;
-    break;
-  }
-  return m_distortion.undistort(distorted);
 }
 
 }  // namespace hogelscope

@@ -34,6 +34,7 @@ class Distortion {
  public:
   explicit Distortion(const DistortionParams& params) : m_params(params) {}
 
+  [[nodiscard]] const DistortionParams& params() const { return m_params; }
   [[nodiscard]] bool isIdentity() const { return m_params == DistortionParams{}; }
 
   /// Ideal to distorted (DESIGN §2): where a lens puts the point that a pinhole puts at `ideal`.
@@ -45,30 +46,13 @@ class Distortion {
   /// (det J = 0). The residual is a few units of rounding of `distorted`.
   [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted) const;
 
- private:
+  /// Of the model's second derivative, over all ideal points within `radius` of the centre.
   [[nodiscard]] double secondDerivativeBound(double radius) const;
+
+ private:
   [[nodiscard]] Vec2 polish(Vec2 ideal, const Vec2& distorted) const;
 
-  friend class QuickInverse;
   DistortionParams m_params;
-};
-
-/// The same inverse, for many points of one lens. Within a certain radius of ideal points the
-/// Jacobian is positive definite, so the model is injective there, and preimages of all segments
-/// shorter than a certain length stay in it: any root that Newton finds there is the right one.
-class QuickInverse {
- public:
-  explicit QuickInverse(const Distortion& distortion);
-
-  /// Newton from `start`, a neighbour's ideal point; outside the certain radius, Distortion's way.
-  [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted, const Vec2& start) const;
-
- private:
-  [[nodiscard]] double leastEigenvalue(double radius) const;
-
-  Distortion m_distortion;
-  double m_certainRadius = 0;     ///< of ideal points
-  double m_certainDistorted = 0;  ///< of distorted points
 };
 
 }  // namespace hogelscope

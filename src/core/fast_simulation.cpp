@@ -57,13 +57,13 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
     : m_view(view) {
   const Simulation valid(view);  // throws what is wrong
   m_plan = hogelscope::plan(view);
-  m_lensKey = lensKeyOf(view);
+  m_lensKey = lensKeyOf(view.state, view.sampling);
   const Display display(view.display);
-  m_map = hitMapOf(view.display, display, Camera(view.state.camera));
+  m_map = hitMapOf(view.display, display, Camera(view.state.camera, view.state.intrinsics));
   m_seesNothing = !(display.displayFromWorld().point(view.state.camera.eye).z > 0);
   m_unseen = view.lightField->layout().texels;
   for (int x = 0; x < view.state.camera.res[0]; ++x)
-    m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength);
+    m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
   if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
   if (!m_lens) m_inverse = QuickInverse(Distortion(view.state.distortion));
   m_taps.emplace(view, m_plan);
@@ -72,7 +72,7 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
 /// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
 /// once it is multiplied by the direction's z.
 std::array<int, 2> FastSimulation::seenPart(int y, int x0, int x1) const {
-  const double py = (y - m_lensKey.centre.y) / m_lensKey.focalLength;
+  const double py = (y - m_lensKey.centre.y) / m_lensKey.focalLength.y;
   const auto at = [&](std::size_t c) { return m_map.down[c] * py + m_map.forward[c]; };
   std::array<double, 2> part{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
   clip(-at(2), -m_map.right[2], part);
@@ -85,7 +85,7 @@ std::array<int, 2> FastSimulation::seenPart(int y, int x0, int x1) const {
     }
   }
   if (!(part[0] <= part[1])) return {x0, x0};
-  const auto column = [&](double x) { return x * m_lensKey.focalLength + m_lensKey.centre.x; };
+  const auto column = [&](double x) { return x * m_lensKey.focalLength.x + m_lensKey.centre.x; };
   int first = std::max(x0, static_cast<int>(std::ceil(column(part[0]))) - 1);
   int last = std::min(x1, static_cast<int>(std::floor(column(part[1]))) + 2);
   // The ends are decided by the ray itself, not by the rounding of the division above.
@@ -97,6 +97,19 @@ std::array<int, 2> FastSimulation::seenPart(int y, int x0, int x1) const {
   while (first < last && isUnseen(first)) ++first;
   while (first < last && isUnseen(last - 1)) --last;
   return {first, last};
+}
+
+std::int64_t FastSimulation::rays() const {
+  const auto [width, height] = m_view.state.camera.res;
+  const std::int64_t n = m_view.sampling.samplesPerPixel;
+  if (m_seesNothing) return 0;
+  if (!m_plan.knowsOutline) return n * n * width * height;
+  std::int64_t count = 0;
+  for (int y = 0; y < height; ++y) {
+    const auto [first, last] = seenPart(y, 0, width);
+    count += last - first;
+  }
+  return count;
 }
 
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
@@ -149,7 +162,7 @@ void inBatches(int begin, int end, const ByteTexel* texels, AddressesOf addresse
 void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
                                   std::uint8_t* seen) const {
   const auto [first, last] = seenPart(y, x0, x1);
-  const double py = (y - m_lensKey.centre.y) / m_lensKey.focalLength;
+  const double py = (y - m_lensKey.centre.y) / m_lensKey.focalLength.y;
   const BlockLayout& layout = m_view.lightField->layout();
   std::memset(seen + (first - x0), 255, std::size_t(last - first));
   inBatches(

@@ -25,6 +25,8 @@ class FastSimulation {
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   /// Null for a plain lens.
   [[nodiscard]] const LensTable* lens() const { return m_lens.get(); }
+  /// How many rays the picture takes: all, or where the outline is known those that hit.
+  [[nodiscard]] std::int64_t rays() const;
 
   /// Pixels [x0, x1) of row y: three 8-bit values each, and 255 or 0 whether they are seen. May be
   /// called from several threads.

@@ -3,8 +3,6 @@
 #include "core/lens_table.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace hogelscope {
 
@@ -16,25 +14,25 @@ namespace {
 
 Vec2 onSensor(const LensKey& key, int x, int y, int sx, int sy) {
   const int n = key.samplesPerPixel;
-  return {(x + (sx + 0.5) / n - 0.5 - key.centre.x) / key.focalLength,
-          (y + (sy + 0.5) / n - 0.5 - key.centre.y) / key.focalLength};
+  return {(x + (sx + 0.5) / n - 0.5 - key.centre.x) / key.focalLength.x,
+          (y + (sy + 0.5) / n - 0.5 - key.centre.y) / key.focalLength.y};
 }
 
 }  // namespace
 
 void lensRow(const LensKey& key, const QuickInverse& inverse, int y, int sx, int sy, int x0,
              int count, double* idealX, double* idealY) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const Distortion distortion(key.distortion);
-  Vec2 previous;
   for (int k = 0; k < count; ++k) {
     const Vec2 pixel = onSensor(key, x0 + k, y, sx, sy);
-    const std::optional<Vec2> ideal = key.mapping == LensMapping::direct
-                                          ? distortion.distort(pixel)
-                                          : inverse.undistort(pixel, previous);
-    previous = ideal.value_or(Vec2{});
-    idealX[k] = ideal ? ideal->x : none;
-    idealY[k] = ideal ? ideal->y : none;
+    idealX[k] = pixel.x;
+    idealY[k] = pixel.y;
+  }
+  if (key.mapping == LensMapping::exact) return inverse.undistort(idealX, idealY, count);
+  const Distortion distortion(key.distortion);
+  for (int k = 0; k < count; ++k) {
+    const Vec2 ideal = distortion.distort({idealX[k], idealY[k]});
+    idealX[k] = ideal.x;
+    idealY[k] = ideal.y;
   }
 }
 
@@ -44,14 +42,10 @@ std::size_t LensTable::bytes(const LensKey& key) {
 }
 
 LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows)
-    : m_key(key),
-      m_distortion(key.distortion),
-      m_x(bytes(key) / (2 * sizeof(double))),
-      m_y(m_x.size()) {
-  const QuickInverse inverse{m_distortion};
-  const int rows = key.res[1] * key.samplesPerPixel * key.samplesPerPixel;
-  parallelRows(rows, [&](int begin, int end) {
-    const int n = key.samplesPerPixel;
+    : m_key(key), m_x(bytes(key) / (2 * sizeof(double))), m_y(m_x.size()) {
+  const QuickInverse inverse{Distortion(key.distortion)};
+  const int n = key.samplesPerPixel;
+  parallelRows(key.res[1] * n * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
       lensRow(key, inverse, row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first],
@@ -63,32 +57,6 @@ LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows)
 std::size_t LensTable::at(int y, int sx, int sy) const {
   const auto n = std::size_t(m_key.samplesPerPixel);
   return ((std::size_t(y) * n + std::size_t(sy)) * n + std::size_t(sx)) * std::size_t(m_key.res[0]);
-}
-
-LensCertificate LensTable::certificate() const {
-  LensCertificate certificate;
-  const int n = m_key.samplesPerPixel;
-  for (int y = 0; y < m_key.res[1]; ++y) {
-    for (int s = 0; s < n * n; ++s) {
-      const std::size_t first = at(y, s % n, s / n);
-      for (int x = 0; x < m_key.res[0]; ++x) {
-        ++certificate.pixels;
-        const Vec2 ideal{m_x[first + std::size_t(x)], m_y[first + std::size_t(x)]};
-        if (std::isnan(ideal.x)) {
-          ++certificate.withoutRay;
-          continue;
-        }
-        certificate.validRadius = std::max(certificate.validRadius, std::hypot(ideal.x, ideal.y));
-        if (m_key.mapping == LensMapping::direct) continue;
-        const Vec2 pixel = onSensor(m_key, x, y, s % n, s / n);
-        const Vec2 back = m_distortion.distort(ideal);
-        certificate.worstResidual =
-            std::max(certificate.worstResidual,
-                     m_key.focalLength * std::hypot(back.x - pixel.x, back.y - pixel.y));
-      }
-    }
-  }
-  return certificate;
 }
 
 std::shared_ptr<const LensTable> LensTables::get(const LensKey& key,

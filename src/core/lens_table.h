@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rays of a lens, one for each (sub-)pixel of a picture: computed once, shared by all states
-// that have the lens and the resolution; and the lens' certificate.
+// that have the lens and the resolution.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/camera.h"
-#include "core/distortion.h"
+#include "core/quick_inverse.h"
 #include "core/sampling.h"
 
 namespace hogelscope {
@@ -26,18 +26,10 @@ struct LensKey {
   DistortionParams distortion;
   LensMapping mapping = LensMapping::exact;
   std::array<int, 2> res{};
-  double focalLength = 0;  ///< pixels
-  Vec2 centre;             ///< pixels
+  Vec2 focalLength;  ///< pixels, across and down
+  Vec2 centre;       ///< pixels
   int samplesPerPixel = 1;
   bool operator==(const LensKey&) const = default;
-};
-
-/// How far a lens can be trusted.
-struct LensCertificate {
-  double validRadius = 0;      ///< largest |ideal point| with a ray, in units of the plane z = 1
-  double worstResidual = 0;    ///< of model(ideal) - pixel, over the pixels with a ray, in pixels
-  std::size_t withoutRay = 0;  ///< pixels
-  std::size_t pixels = 0;
 };
 
 /// Ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy); not numbers where there is
@@ -53,14 +45,12 @@ class LensTable {
   /// where there is no ray.
   [[nodiscard]] const double* x(int y, int sx, int sy) const { return &m_x[at(y, sx, sy)]; }
   [[nodiscard]] const double* y(int y, int sx, int sy) const { return &m_y[at(y, sx, sy)]; }
-  [[nodiscard]] LensCertificate certificate() const;
   static std::size_t bytes(const LensKey& key);
 
  private:
   [[nodiscard]] std::size_t at(int y, int sx, int sy) const;
 
   LensKey m_key;
-  Distortion m_distortion;
   std::vector<double> m_x;
   std::vector<double> m_y;
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,11 @@ struct Range {
   double min = 0;
   double max = 0;
   double step = 1;
+  bool mayBeLeftOut = false;  ///< a real number: it is notGiven then
 };
+
+/// A real number that was left out: outside every range.
+constexpr double notGiven = std::numeric_limits<double>::lowest();
 
 struct Field {
   std::string_view name;

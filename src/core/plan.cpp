@@ -39,38 +39,51 @@ std::string megabytes(std::size_t bytes) {
   return numberText(std::round(double(bytes) / 1e5) / 10) + " MB";
 }
 
+std::string raysOf(const View& view) {
+  const auto [width, height] = view.state.camera.res;
+  const int n = view.sampling.samplesPerPixel;
+  return std::to_string(std::int64_t(width) * height * n * n) + " rays";
+}
+
 void decideLens(const View& view, Plan& plan) {
-  const LensKey key = lensKeyOf(view);
-  const Distortion lens(view.state.distortion);
-  plan.hasLens = !lens.isIdentity();
+  const std::string table = megabytes(LensTable::bytes(lensKeyOf(view.state, view.sampling)));
+  plan.hasLens = !Distortion(view.state.distortion).isIdentity();
   if (!plan.hasLens) {
-    plan.decisions.push_back({"no lens model", "all coefficients are 0; saves a table of " +
-                                                   megabytes(LensTable::bytes(key))});
+    plan.decisions.push_back({"no lens model", "all coefficients are 0", "a table of " + table});
     return;
   }
-  plan.isTableKept = LensTable::bytes(key) <= LensTables::largestBytes;
   const bool isExact = view.sampling.mapping == LensMapping::exact;
-  plan.decisions.push_back(
-      {isExact ? "the lens, inverted exactly" : "the lens, applied directly",
-       "one table of rays for all states with this lens and resolution, " +
-           megabytes(LensTable::bytes(key)) +
-           (plan.isTableKept ? "" : ", too large to keep: made row by row for each picture")});
+  const std::string what = isExact ? "the lens, inverted exactly" : "the lens, applied directly";
+  plan.isTableKept =
+      LensTable::bytes(lensKeyOf(view.state, view.sampling)) <= LensTables::largestBytes;
+  if (plan.isTableKept)
+    plan.decisions.push_back(
+        {what, "one table of rays for all states with this lens and resolution, " + table,
+         raysOf(view) + " through the lens for each further picture"});
+  else
+    plan.decisions.push_back({what,
+                              "its table of rays would be larger than " +
+                                  megabytes(LensTables::largestBytes) +
+                                  ", so they are made row by row for each picture",
+                              table});
 }
 
 void decidePsf(const View& view, Plan& plan) {
   const PsfParams& psf = view.state.psf;
   const int windowReach = (psf.windowSize - 1) / 2;
   plan.psfReach = windowReach > 0 ? neededReach(psf) : 0;
-  const auto taps = [](int reach) { return std::to_string((2 * reach + 1) * (2 * reach + 1)); };
+  const auto square = [](int reach) { return (2 * reach + 1) * (2 * reach + 1); };
+  const auto taps = [square](int reach) { return std::to_string(square(reach)); };
   if (windowReach == 0)
-    plan.decisions.push_back({"no light leakage", "windowSize is 1: one texel for each ray"});
+    plan.decisions.push_back({"no light leakage", "windowSize is 1", ""});
   else if (plan.psfReach < windowReach)
     plan.decisions.push_back(
         {"light leakage of " + taps(plan.psfReach) + " taps, not " + taps(windowReach),
-         "the others change no pixel's light by a thousandth of a code value"});
+         "the others change no pixel's light by a thousandth of a code value",
+         std::to_string(square(windowReach) - square(plan.psfReach)) + " taps for each ray"});
   else
     plan.decisions.push_back(
-        {"light leakage of " + taps(windowReach) + " taps", "each of them counts"});
+        {"light leakage of " + taps(windowReach) + " taps", "each of them counts", ""});
 }
 
 void decideLight(const View& view, Plan& plan) {
@@ -81,28 +94,32 @@ void decideLight(const View& view, Plan& plan) {
   const bool isByte = std::holds_alternative<TexelArray<std::uint8_t>>(view.lightField->texels());
   plan.copiesTexels = !isSum && isByte;
   if (plan.copiesTexels)
-    plan.decisions.push_back({"texels are copied", "nothing is summed and they have 8 bits"});
+    plan.decisions.push_back(
+        {"texels are copied", "nothing is summed and they have 8 bits", "all arithmetic on light"});
   if (!isSum && view.state.psf.light == LightModel::linear)
-    plan.decisions.push_back({"no decoding to linear light", "nothing is summed"});
+    plan.decisions.push_back(
+        {"no decoding to linear light", "nothing is summed", "two conversions for each ray"});
 }
 
 void decideOutline(const View& view, Plan& plan) {
   const Vec3 eye = Display(view.display).displayFromWorld().point(view.state.camera.eye);
   if (!(eye.z > 0))
-    plan.decisions.push_back({"no rays at all", "the eye is not in front of the panel"});
+    plan.decisions.push_back(
+        {"no rays at all", "the eye is not in front of the panel", raysOf(view)});
   plan.knowsOutline = !plan.hasLens && view.sampling.samplesPerPixel == 1 &&
                       view.display.lens == HogelLens::rectilinear && eye.z > 0;
   if (plan.knowsOutline)
     plan.decisions.push_back({"only rays within the panel's outline and angular field",
-                              "each row's part that sees it is known beforehand"});
+                              "the part of each row that sees it is known beforehand",
+                              "the rays that miss it"});
 }
 
 }  // namespace
 
-LensKey lensKeyOf(const View& view) {
-  const Camera camera(view.state.camera);
-  return {view.state.distortion, view.sampling.mapping, view.state.camera.res,
-          camera.focalLength(),  camera.centre(),       view.sampling.samplesPerPixel};
+LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling) {
+  const Camera camera(state.camera, state.intrinsics);
+  return {state.distortion,     sampling.mapping, state.camera.res,
+          camera.focalLength(), camera.centre(),  sampling.samplesPerPixel};
 }
 
 Plan plan(const View& view) {

@@ -15,6 +15,7 @@ namespace hogelscope {
 struct Decision {
   std::string what;
   std::string why;
+  std::string saves;  ///< rays, taps or bytes; "" where it saves nothing
 };
 
 struct Plan {
@@ -30,6 +31,6 @@ struct Plan {
 /// `view.lightField` must be loaded.
 Plan plan(const View& view);
 
-LensKey lensKeyOf(const View& view);
+LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling);
 
 }  // namespace hogelscope

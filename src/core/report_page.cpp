@@ -76,7 +76,8 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
          std::to_string(rows.size()) + "\n";
 }
 
-std::string reportPage(const std::vector<ReportRow>& rows, const std::string& session) {
+std::string reportPage(const std::vector<ReportRow>& rows, const std::vector<ReportLens>& lenses,
+                       const std::string& session) {
   std::string text = pageHead;
   text += "<h1>Perceived views of " + escaped(session) + "</h1>\n<pre>" +
           escaped(summaryText(summarise(rows), rows)) + "</pre>\n";
@@ -85,6 +86,12 @@ std::string reportPage(const std::vector<ReportRow>& rows, const std::string& se
       "SSIM on luma.</p>\n<table><tr><th>state</th><th>test</th><th>MSE</th><th>PSNR dB</th>"
       "<th>MSE seen</th><th>PSNR seen dB</th><th>SSIM</th><th>seen %</th></tr>\n";
   for (const ReportRow& row : rows) text += tableRow(row);
+  text +=
+      "</table>\n<h2>How far the lenses can be trusted</h2>\n<table><tr><th>state</th>"
+      "<th>lens</th></tr>\n";
+  for (const ReportLens& lens : lenses)
+    text += "<tr><td>" + escaped(lens.state) + "</td><td>" +
+            escaped(hogelscope::text(lens.certificate)) + "</td></tr>\n";
   return text + "</table>\n</body></html>\n";
 }
 

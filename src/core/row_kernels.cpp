@@ -6,15 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/for_each_machine.h"
 #include "core/psf.h"
-
-// GCC makes a copy of the function for each and chooses at the program's start.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
-#define FOR_EACH_MACHINE \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define FOR_EACH_MACHINE
-#endif
 
 namespace hogelscope {
 

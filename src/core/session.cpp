@@ -38,6 +38,8 @@ void check(const CameraState& state, const std::string& path) {
   } catch (const InputError& error) {
     throw InputError(path + "." + error.what(), "");
   }
+  if (!state.intrinsics.isGiven() && state.intrinsics != IntrinsicsParams{})
+    throw InputError(path + ".intrinsics.fx", "is missing: intrinsics need at least fx, in pixels");
   if (state.psf.windowSize > 1 && !(state.psf.sigma > 0))
     throw InputError(path + ".psf.sigma",
                      "is 0 with a windowSize of " + std::to_string(state.psf.windowSize) +

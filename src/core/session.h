@@ -17,6 +17,7 @@ namespace hogelscope {
 /// One camera of a session.
 struct CameraState {
   CameraParams camera;
+  IntrinsicsParams intrinsics;
   DistortionParams distortion;
   PsfParams psf;
   bool operator==(const CameraState&) const = default;

@@ -39,7 +39,7 @@ Neighbours neighbours(double index, int count, bool interpolate) {
 Simulation::Simulation(View view)
     : m_view(std::move(view)),
       m_display(m_view.display),
-      m_camera(m_view.state.camera),
+      m_camera(m_view.state.camera, m_view.state.intrinsics),
       m_distortion(m_view.state.distortion),
       m_psf(m_view.state.psf),
       m_displayFromCamera(displayFromCameraOf(m_display, m_camera)) {

@@ -83,12 +83,12 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
     const CameraParams& camera = states[k].camera;
     if (!hasFrame(camera)) continue;
     if (k == current) {
-      m_currentFrustum->SetCamera(camera);
+      m_currentFrustum->SetCamera(camera, states[k].intrinsics);
       m_currentFrustum->SetDistance(frustumLength(camera));
       continue;
     }
     const vtkNew<vtkCameraFrustumSource> frustum;
-    frustum->SetCamera(camera);
+    frustum->SetCamera(camera, states[k].intrinsics);
     frustum->SetDistance(frustumLength(camera));
     m_otherFrusta->AddInputConnection(frustum->GetOutputPort());
   }

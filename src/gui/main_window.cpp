@@ -7,15 +7,19 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMessageBox>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 #include "core/error.h"
 #include "gui/display_scene.h"
 #include "gui/parameter_form.h"
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
+#include "io/calibration_file.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
@@ -25,7 +29,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_ui(std::make_unique<Ui::MainWindow>()),
       m_model(new SessionModel(this)),
       m_worker(new ViewWorker(this)),
-      m_stateBox(new QComboBox(this)) {
+      m_stateBox(new QComboBox(this)),
+      m_certificateLabel(new QLabel(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
   m_ui->splitter->setSizes({1, 1});
@@ -42,25 +47,47 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
+namespace {
+
+/// One below the other.
+QWidget* stacked(const std::vector<QWidget*>& widgets) {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* widget : widgets) layout->addWidget(widget);
+  layout->addStretch();
+  return column;
+}
+
+}  // namespace
+
 void MainWindow::addForms() {
-  const auto add = [this](QScrollArea* area, auto part) {
-    auto* form = new ParameterForm([this, part](ParameterVisitor& visitor) {
+  const auto form = [this](auto part) {
+    m_forms.push_back(new ParameterForm([this, part](ParameterVisitor& visitor) {
       CameraState state = m_model->current();
       describe(visitor, state.*part);
       m_model->setCurrent(state);
-    });
-    area->setWidget(form);
-    m_forms.push_back(form);
+    }));
+    return m_forms.back();
   };
-  add(m_ui->cameraArea, &CameraState::camera);
-  add(m_ui->distortionArea, &CameraState::distortion);
-  add(m_ui->psfArea, &CameraState::psf);
+  auto* importButton = new QToolButton;
+  importButton->setDefaultAction(m_ui->importAction);
+  m_certificateLabel->setObjectName("certificateLabel");
+  m_certificateLabel->setWordWrap(true);
+  m_certificateLabel->setMargin(6);
+  m_certificateLabel->setToolTip(tr("How far the lens can be trusted"));
+  m_ui->cameraArea->setWidget(
+      stacked({form(&CameraState::camera), form(&CameraState::intrinsics)}));
+  m_ui->distortionArea->setWidget(
+      stacked({form(&CameraState::distortion), m_certificateLabel, importButton}));
+  m_ui->psfArea->setWidget(form(&CameraState::psf));
 }
 
 void MainWindow::connectActions() {
   connect(m_ui->openAction, &QAction::triggered, this, &MainWindow::askOpen);
   connect(m_ui->saveAction, &QAction::triggered, this, &MainWindow::save);
   connect(m_ui->saveAsAction, &QAction::triggered, this, &MainWindow::askSaveAs);
+  connect(m_ui->importAction, &QAction::triggered, this, &MainWindow::askImport);
   connect(m_ui->quitAction, &QAction::triggered, this, &QWidget::close);
   connect(m_ui->fitAction, &QAction::triggered, this, [this] { m_scene->fit(); });
   connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
@@ -75,6 +102,7 @@ void MainWindow::connectModel() {
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
+  connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
   connect(m_worker, &ViewWorker::loaded, this, [this](const DisplayParams& display) {
     m_display = display;
@@ -107,6 +135,14 @@ bool MainWindow::saveSession(const QString& file) {
   return guarded([&] { m_model->save(file); });
 }
 
+bool MainWindow::importCalibration(const QString& file) {
+  return guarded([&] {
+    CameraState state = m_model->current();
+    apply(loadCalibration(file.toStdString()), state);
+    m_model->setCurrent(state);
+  });
+}
+
 void MainWindow::askOpen() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open session"), m_model->file(),
                                                     tr("Sessions (*.json)"));
@@ -122,6 +158,13 @@ void MainWindow::askSaveAs() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Save session as"), m_model->file(),
                                                     tr("Sessions (*.json)"));
   if (!file.isEmpty()) saveSession(file);
+}
+
+void MainWindow::askImport() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Import OpenCV calibration"), m_model->file(),
+                                   tr("Calibrations (*.yml *.yaml *.json)"));
+  if (!file.isEmpty()) importCalibration(file);
 }
 
 void MainWindow::showAbout() {
@@ -162,6 +205,18 @@ void MainWindow::showTitle() {
   setWindowFilePath(m_model->file());
   m_ui->saveAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->saveAsAction->setEnabled(!m_model->session().cameras.empty());
+  m_ui->importAction->setEnabled(!m_model->session().cameras.empty());
+}
+
+void MainWindow::showCertificate(const LensCertificate& certificate) {
+  const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
+  const QString warning =
+      certificate.withoutRay == 0
+          ? QString()
+          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
+                .arg(share, 0, 'f', 1);
+  m_certificateLabel->setText(
+      warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
 }
 
 void MainWindow::showError(const QString& line) {

@@ -5,9 +5,11 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "core/lens_certificate.h"
 #include "core/session.h"
 
 class QComboBox;
+class QLabel;
 
 namespace Ui {
 class MainWindow;
@@ -30,6 +32,8 @@ class MainWindow : public QMainWindow {
   /// What goes wrong is shown in the status bar. True if the session is open.
   bool openSession(const QString& file);
   bool saveSession(const QString& file);
+  /// Into the current state.
+  bool importCalibration(const QString& file);
 
  private:
   void connectActions();
@@ -38,10 +42,12 @@ class MainWindow : public QMainWindow {
   void askOpen();
   void save();
   void askSaveAs();
+  void askImport();
   void showAbout();
   void showSession();
   void showCurrent();
   void showTitle();
+  void showCertificate(const LensCertificate& certificate);
   void showError(const QString& line);
   template <class Action>
   bool guarded(Action action);
@@ -50,6 +56,7 @@ class MainWindow : public QMainWindow {
   SessionModel* m_model;
   ViewWorker* m_worker;
   QComboBox* m_stateBox;
+  QLabel* m_certificateLabel;
   std::unique_ptr<DisplayScene> m_scene;
   std::vector<ParameterForm*> m_forms;
   DisplayParams m_display;  ///< resolved

@@ -23,12 +23,29 @@ QString toQString(std::string_view text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
-/// Shows as many digits as the value has, not a fixed number.
+/// Shows as many digits as the value has, not a fixed number. Where a value may be left out, the
+/// emptied box, one step below the range, stands for that.
 class RealBox : public QDoubleSpinBox {
  public:
   explicit RealBox(QWidget* parent) : QDoubleSpinBox(parent) { setDecimals(12); }
   [[nodiscard]] QString textFromValue(double value) const override {
     return locale().toString(value, 'g', 9);
+  }
+  [[nodiscard]] double valueFromText(const QString& text) const override {
+    return isEmpty(text) ? minimum() : QDoubleSpinBox::valueFromText(text);
+  }
+  QValidator::State validate(QString& text, int& position) const override {
+    return isEmpty(text) ? QValidator::Acceptable : QDoubleSpinBox::validate(text, position);
+  }
+  void mayBeLeftOut() {
+    setMinimum(minimum() - singleStep());
+    setSpecialValueText(QObject::tr("not given"));
+  }
+
+ private:
+  [[nodiscard]] bool isEmpty(const QString& text) const {
+    const QString left = QString(text).remove(suffix()).trimmed();
+    return !specialValueText().isEmpty() && (left.isEmpty() || left == specialValueText());
   }
 };
 
@@ -37,13 +54,12 @@ QString boxName(const Field& field, std::size_t k, bool isList) {
   return isList ? name + "." + QString::number(k) : name;
 }
 
-template <class Number>
-Number onStep(Number value, const Range&) {
-  return value;
+double taken(const RealBox& box, const Range& range) {
+  return range.mayBeLeftOut && box.value() == box.minimum() ? notGiven : box.value();
 }
-template <>
-int onStep(int value, const Range& range) {
-  return int(range.min + range.step * std::floor((value - range.min) / range.step));
+
+int taken(const QSpinBox& box, const Range& range) {
+  return int(range.min + range.step * std::floor((box.value() - range.min) / range.step));
 }
 
 }  // namespace
@@ -94,6 +110,8 @@ void ParameterForm::addBoxes(const Field& field, std::size_t count, bool isList)
     box->setRange(Value(field.range.min), Value(field.range.max));
     box->setSingleStep(Value(field.range.step));
     if (!field.unit.empty()) box->setSuffix(" " + toQString(field.unit));
+    if constexpr (std::is_same_v<Box, RealBox>)
+      if (field.range.mayBeLeftOut) box->mayBeLeftOut();
     layout->addWidget(box);
     connect(box, &Box::valueChanged, this, [this, box] { take(box); });
     if (!isList) addSlider(field, box, row);
@@ -124,7 +142,7 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
   for (std::size_t k = 0; k < values.size(); ++k) {
     auto* box = findChild<Box*>(boxName(field, k, isList));
     if (m_pass == Pass::take) {
-      if (box == m_taken) values[k] = onStep(Number(box->value()), field.range);
+      if (box == m_taken) values[k] = taken(*box, field.range);
       continue;
     }
     const QSignalBlocker quiet(box);

@@ -7,6 +7,8 @@
 #include <QElapsedTimer>
 
 #include "core/error.h"
+#include "core/plan.h"
+#include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
@@ -23,6 +25,7 @@ QImage toQImage(const Image& image) {
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
   qRegisterMetaType<DisplayParams>("hogelscope::DisplayParams");
+  qRegisterMetaType<LensCertificate>("hogelscope::LensCertificate");
   m_thread = std::thread([this] { run(); });
 }
 
@@ -70,7 +73,9 @@ void ViewWorker::run() {
     lock.unlock();
     try {
       if (session) loadNow(*session);
-      if (state && m_scene) renderNow(*state, *filter);
+      if (!state || !m_scene) continue;
+      renderNow(*state, *filter);
+      if (!hasNewer(false)) certifyNow(*state);
     } catch (const Cancelled&) {
       // a newer request waits
     } catch (const std::exception& error) {
@@ -92,6 +97,13 @@ void ViewWorker::renderNow(const CameraState& state, vtkHogelViewFilter& filter)
   filter.SetView(m_scene->view(state));
   const Image image = filter.GetImage();
   Q_EMIT rendered(toQImage(image), double(timer.nsecsElapsed()) * 1e-6);
+}
+
+void ViewWorker::certifyNow(const CameraState& state) {
+  const LensKey key = lensKeyOf(state, m_scene->sampling);
+  if (key == m_lens) return;
+  Q_EMIT certified(certify(key, parallelRows));
+  m_lens = key;
 }
 
 }  // namespace hogelscope

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/lens_certificate.h"
 #include "core/session.h"
 #include "io/light_field_file.h"
 
@@ -33,12 +34,15 @@ class ViewWorker : public QObject {
   /// `display` has its hogels and directions resolved.
   void loaded(const hogelscope::DisplayParams& display);
   void rendered(const QImage& image, double milliseconds);
+  /// After the picture, where its lens is another one than before.
+  void certified(const hogelscope::LensCertificate& certificate);
   void failed(const QString& line);
 
  private:
   void run();
   void loadNow(const Session& session);
   void renderNow(const CameraState& state, vtkHogelViewFilter& filter);
+  void certifyNow(const CameraState& state);
   [[nodiscard]] bool hasNewer(bool isLoading);
 
   std::mutex m_mutex;  ///< guards the next four
@@ -47,7 +51,8 @@ class ViewWorker : public QObject {
   std::optional<CameraState> m_toRender;
   bool m_ends = false;
 
-  std::optional<Scene> m_scene;  ///< the thread's own
+  std::optional<Scene> m_scene;   ///< the thread's own, as the next
+  std::optional<LensKey> m_lens;  ///< the one certified last
   std::thread m_thread;
 };
 

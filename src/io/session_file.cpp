@@ -16,7 +16,8 @@ namespace {
 
 constexpr int documentVersion = 1;
 constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField", "sampling"};
-constexpr std::array<std::string_view, 3> stateSections{"camera", "distortion", "psf"};
+constexpr std::array<std::string_view, 4> stateSections{"camera", "intrinsics", "distortion",
+                                                        "psf"};
 
 template <class Params>
 void readSection(JsonReader& parent, const char* name, Params& params) {
@@ -31,6 +32,7 @@ CameraState readState(const Json& object, const std::string& path) {
   CameraState state;
   JsonReader reader(object, path);
   describe(reader, state.camera);
+  readSection(reader, "intrinsics", state.intrinsics);
   readSection(reader, "distortion", state.distortion);
   readSection(reader, "psf", state.psf);
   reader.refuseUnknown();
@@ -86,7 +88,7 @@ void applyOverride(Json& document, const std::string& text) {
   if (!isOneOf(stateSections))
     throw InputError("--set " + text,
                      "there is no section \"" + section +
-                         "\": display, lightField, sampling, camera, distortion, psf");
+                         "\": display, lightField, sampling, camera, intrinsics, distortion, psf");
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
@@ -105,9 +107,24 @@ Json written(Params params) {
 
 Json writtenState(const CameraState& state) {
   Json object = written(state.camera);
+  if (state.intrinsics.isGiven()) {
+    object["intrinsics"] = written(state.intrinsics);
+    object.erase("fov");
+  }
   object["distortion"] = written(state.distortion);
   object["psf"] = written(state.psf);
   return object;
+}
+
+/// Done to the document too, so that overrides come after it.
+void applyCalibration(Json& document, const Calibration& calibration) {
+  if (!document.is_object() || !document.contains("cameras")) return;
+  for (Json& state : document["cameras"]) {
+    if (!state.is_object()) continue;
+    state["intrinsics"] = written(calibration.intrinsics);
+    state["distortion"] = written(calibration.distortion);
+    if (calibration.res) state["res"] = *calibration.res;
+  }
 }
 
 /// A document's file name, seen from the current folder.
@@ -133,9 +150,11 @@ std::string relativeTo(const fs::path& document, const std::string& file) {
 
 }  // namespace
 
-Session loadSession(const fs::path& file, const std::vector<std::string>& overrides) {
+Session loadSession(const fs::path& file, const std::vector<std::string>& overrides,
+                    const std::optional<Calibration>& calibration) {
   try {
     Json document = parseJson(readTextFile(file));
+    if (calibration) applyCalibration(document, *calibration);
     for (const std::string& text : overrides) applyOverride(document, text);
     Session session = readSession(document);
     session.lightField.file = besideDocument(file, session.lightField.file);

@@ -7,14 +7,17 @@
 #include <vector>
 
 #include "core/session.h"
+#include "io/calibration_file.h"
 
 namespace hogelscope {
 
 /// `overrides` are of the form section.field=value, value as in JSON (a text needs no quotes);
-/// camera, distortion and psf go to every state. The light field's file becomes relative to the
-/// current folder instead of the document. Throws InputError that names the document.
+/// camera, intrinsics, distortion and psf go to every state. A calibration goes to every state
+/// before them. The light field's file becomes relative to the current folder instead of the
+/// document. Throws InputError that names the document.
 Session loadSession(const std::filesystem::path& file,
-                    const std::vector<std::string>& overrides = {});
+                    const std::vector<std::string>& overrides = {},
+                    const std::optional<Calibration>& calibration = {});
 
 /// The light field's file is written relative to the document. Throws InputError.
 void saveSession(const std::filesystem::path& file, const Session& session);

@@ -15,9 +15,10 @@ vtkStandardNewMacro(vtkCameraFrustumSource);
 namespace
 {
 /// Eye, the picture's corners from the upper left clockwise, the tip over its upper edge.
-vtkNew<vtkPoints> frustumPoints(const hogelscope::CameraParams& params, double distance)
+vtkNew<vtkPoints> frustumPoints(const hogelscope::CameraParams& params,
+  const hogelscope::IntrinsicsParams& intrinsics, double distance)
 {
-  const hogelscope::Camera camera(params);
+  const hogelscope::Camera camera(params, intrinsics);
   const auto [width, height] = params.res;
   vtkNew<vtkPoints> points;
   const auto add = [&](double px, double py, double depth)
@@ -41,13 +42,15 @@ vtkCameraFrustumSource::vtkCameraFrustumSource()
   this->SetNumberOfInputPorts(0);
 }
 
-void vtkCameraFrustumSource::SetCamera(const hogelscope::CameraParams& camera)
+void vtkCameraFrustumSource::SetCamera(
+  const hogelscope::CameraParams& camera, const hogelscope::IntrinsicsParams& intrinsics)
 {
-  if (this->Camera == camera)
+  if (this->Camera == camera && this->Intrinsics == intrinsics)
   {
     return;
   }
   this->Camera = camera;
+  this->Intrinsics = intrinsics;
   this->Modified();
 }
 
@@ -57,7 +60,7 @@ int vtkCameraFrustumSource::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   try
   {
-    output->SetPoints(frustumPoints(this->Camera, this->Distance));
+    output->SetPoints(frustumPoints(this->Camera, this->Intrinsics, this->Distance));
   }
   catch (const hogelscope::InputError& error)
   {

@@ -21,7 +21,8 @@ public:
   vtkTypeMacro(vtkCameraFrustumSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetCamera(const hogelscope::CameraParams& camera);
+  void SetCamera(
+    const hogelscope::CameraParams& camera, const hogelscope::IntrinsicsParams& intrinsics = {});
 
   ///@{
   /**
@@ -43,6 +44,7 @@ private:
   void operator=(const vtkCameraFrustumSource&) = delete;
 
   hogelscope::CameraParams Camera;
+  hogelscope::IntrinsicsParams Intrinsics;
   double Distance = 0.1;
 };
 

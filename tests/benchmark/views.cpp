@@ -14,14 +14,12 @@
 #include <thread>
 
 #include "core/fast_simulation.h"
+#include "core/for_each_machine.h"
 #include "vtk/parallel_rows.h"
 
 namespace {
 
 using namespace hogelscope;
-
-#define FOR_EACH_MACHINE \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 
 constexpr int poses = 64;
 int hogels = 512;
@@ -241,8 +239,8 @@ void lensTable(benchmark::State& state) {
 void lensTableOpenCv(benchmark::State& state) {
   const LensKey key = lensKey();
   const auto& [k1, k2, p1, p2, k3] = key.distortion;
-  const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength, 0, key.centre.x, 0,
-                          key.focalLength, key.centre.y, 0, 0, 1);
+  const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength.x, 0, key.centre.x, 0,
+                          key.focalLength.y, key.centre.y, 0, 0, 1);
   const cv::Mat coefficients = (cv::Mat_<double>(1, 5) << k1, k2, p1, p2, k3);
   std::vector<cv::Point2d> points;
   for (int y = 0; y < 600; ++y)

@@ -98,8 +98,18 @@ class Simulator {
 
   [[nodiscard]] Ray ray(double px, double py) const {
     const auto& [width, height] = m_view.state.camera.res;
-    const double f = height / 2.0 / std::tan(m_view.state.camera.fov * degree / 2);
-    const LensOracle::Point q((px - (width - 1) / 2.0) / f, (py - (height - 1) / 2.0) / f);
+    double fx = height / 2.0 / std::tan(m_view.state.camera.fov * degree / 2);
+    double fy = fx;
+    double cx = (width - 1) / 2.0;
+    double cy = (height - 1) / 2.0;
+    const auto& given = m_view.state.intrinsics;
+    if (given.fx > 0) {
+      fx = given.fx;
+      fy = given.fy > 0 ? given.fy : fx;
+      cx = given.cx > -1e7 ? given.cx : cx;
+      cy = given.cy > -1e7 ? given.cy : cy;
+    }
+    const LensOracle::Point q((px - cx) / fx, (py - cy) / fy);
     const auto [k1, k2, p1, p2, k3] = m_view.state.distortion;
     const LensOracle lens(k1, k2, p1, p2, k3);
     if (m_view.sampling.mapping == hogelscope::LensMapping::direct) return along(lens.distort(q));

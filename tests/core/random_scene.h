@@ -75,6 +75,18 @@ inline hogelscope::CameraParams randomCamera(Random& random,
   return camera;
 }
 
+/// None, or near what the field of view gives; all of them or only some.
+inline hogelscope::IntrinsicsParams randomIntrinsics(Random& random,
+                                                     const hogelscope::CameraParams& camera) {
+  if (random.integer(0, 2) > 0) return {};
+  hogelscope::IntrinsicsParams intrinsics;
+  intrinsics.fx = camera.res[1] * random.uniform(0.7, 4);
+  if (random.flip()) intrinsics.fy = intrinsics.fx * random.uniform(0.5, 2);
+  if (random.flip()) intrinsics.cx = random.uniform(0, camera.res[0]);
+  if (random.flip()) intrinsics.cy = random.uniform(-3, camera.res[1]);
+  return intrinsics;
+}
+
 inline hogelscope::DistortionParams randomLens(Random& random) {
   if (random.integer(0, 4) == 0) return {};
   const auto k = [&](double limit) { return random.uniform(-limit, limit); };
@@ -90,7 +102,8 @@ inline hogelscope::PsfParams randomPsf(Random& random) {
 inline RandomScene randomScene(Random& random) {
   RandomScene scene;
   scene.view.display = randomDisplay(random);
-  scene.view.state = {randomCamera(random, scene.view.display), randomLens(random),
+  const hogelscope::CameraParams camera = randomCamera(random, scene.view.display);
+  scene.view.state = {camera, randomIntrinsics(random, camera), randomLens(random),
                       randomPsf(random)};
   scene.view.sampling.mapping =
       random.flip() ? hogelscope::LensMapping::exact : hogelscope::LensMapping::direct;

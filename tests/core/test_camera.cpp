@@ -37,6 +37,7 @@ class TestCamera : public QObject {
   void frameIsOrthonormal();
   void focalLengthAndCentre_data();
   void focalLengthAndCentre();
+  void intrinsicsTakeThePlaceOfFov();
   void cornerEdgeIsHalfTheFov_data();
   void cornerEdgeIsHalfTheFov();
   void normalisedIsThePinholes();
@@ -124,9 +125,25 @@ void TestCamera::focalLengthAndCentre() {
   params.res = {width, height};
   params.fov = fov;
   const Camera taken(params);
-  QVERIFY(std::abs(taken.focalLength() / focal - 1) < 1e-14);
+  QVERIFY(std::abs(taken.focalLength().x / focal - 1) < 1e-14);
+  QCOMPARE(taken.focalLength().y, taken.focalLength().x);
   QCOMPARE(taken.centre().x, (width - 1) / 2.0);
   QCOMPARE(taken.centre().y, (height - 1) / 2.0);
+}
+
+/// K of OpenCV's samples/data/left_intrinsics.yml but for fy; the point under a pixel as K⁻¹ gives
+/// it.
+void TestCamera::intrinsicsTakeThePlaceOfFov() {
+  CameraParams params;
+  params.res = {640, 480};
+  const Camera all(params, {535.9, 534.25, 342.28, 235.57});
+  const Vec2 corner = all.normalised(342.28 + 535.9, 235.57 - 2 * 534.25);
+  QVERIFY(std::abs(corner.x - 1) < 1e-14 && std::abs(corner.y + 2) < 1e-14);
+  const Camera some(params, {500});
+  QVERIFY((some.normalised(319.5 + 250, 239.5 + 500) == Vec2{0.5, 1}));
+  params.fov = 90;
+  const double halfHeight = Camera(params).normalised(0, 479.5).y;
+  QVERIFY(std::abs(halfHeight - Camera(params, {240}).normalised(0, 479.5).y) < 1e-14);
 }
 
 void TestCamera::cornerEdgeIsHalfTheFov_data() {

@@ -172,7 +172,7 @@ void TestReport::summaryInWords() {
 }
 
 void TestReport::pageEscapesNames() {
-  const std::string page = reportPage({row("<b>&\"", 1)}, "a<i>.json");
+  const std::string page = reportPage({row("<b>&\"", 1)}, {{"<b>&\"", {}}}, "a<i>.json");
   QVERIFY(page.find("&lt;b&gt;&amp;&quot;") != std::string::npos);
   QVERIFY(page.find("a&lt;i&gt;.json") != std::string::npos);
   QVERIFY(page.find("<b>") == std::string::npos && page.find("<i>") == std::string::npos);

@@ -133,7 +133,8 @@ void TestSimulate::extremeStatesGiveNumbers() {
     const auto pick = [&](double usual, double low, double high) {
       return random.flip() ? usual : random.flip() ? low : high;
     };
-    auto& [camera, distortion, psf] = scene.view.state;
+    auto& [camera, intrinsics, distortion, psf] = scene.view.state;
+    if (random.flip()) intrinsics = {};
     camera.fov = pick(camera.fov, 0.01, 179.9);
     camera.eye.z = pick(camera.eye.z, -1e6, 1e6);
     distortion.k1 = pick(distortion.k1, -10, 10);

@@ -2,6 +2,7 @@
 // Drives the real window: opens the sample session, moves sliders, looks at what it shows.
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QSlider>
@@ -113,6 +114,27 @@ class TestMainWindow : public QObject {
     session.cameras[0].psf.windowSize = 1;
     const Scene scene = loadScene(session, {});
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.view(session.cameras[0]))), 20000);
+  }
+
+  void importsACalibrationAndSaysWhatTheLensIsWorth() {
+    waitForSample();
+    auto* certificate = m_window->findChild<QLabel*>("certificateLabel");
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->text().contains("one-to-one everywhere"), 20000);
+    QFile file(m_folder.filePath("k.json"));  // of OpenCV's samples/data/intrinsics.yml
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "{\"K\": [534.8, 0, 335.7, 0, 534.8, 240.7, 0, 0, 1], \"D\": [0.2958943955272433, "
+        "-1.0354662043042675, 0, 0], \"image_width\": 640, \"image_height\": 480}");
+    file.close();
+    QVERIFY(m_window->importCalibration(file.fileName()));
+    QCOMPARE(editor<QDoubleSpinBox>("cameraArea", "fx")->value(), 534.8);
+    QCOMPARE(editor<QDoubleSpinBox>("distortionArea", "k3")->value(), 0.0);
+    QTRY_COMPARE_WITH_TIMEOUT(view().size(), QSize(640, 480), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->text().contains("have no ray: the lens folds"), 20000);
+    QVERIFY(certificate->text().contains("one-to-one within r = 0.7304"));
+    QVERIFY(!m_window->importCalibration(m_folder.filePath("missing.yml")));
+    QVERIFY(message().contains("missing.yml: cannot be read"));
+    QCOMPARE(view().size(), QSize(640, 480));
   }
 
   void theLastOfManyEditsWins() {

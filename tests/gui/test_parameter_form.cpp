@@ -72,6 +72,25 @@ class TestParameterForm : public QObject {
     QVERIFY(state.psf.light == LightModel::linear);
   }
 
+  void anEmptiedBoxIsNotGiven() {
+    IntrinsicsParams intrinsics;
+    const ParameterForm form([&](ParameterVisitor& v) { describe(v, intrinsics); });
+    for (const char* name : {"fx", "cx"}) {
+      auto* box = form.findChild<QDoubleSpinBox*>(name);
+      QCOMPARE(box->text(), QString("not given"));
+      box->selectAll();
+      QTest::keyClicks(box, "320.5");
+      QTest::keyClick(box, Qt::Key_Return);
+    }
+    QVERIFY((intrinsics == IntrinsicsParams{320.5, notGiven, 320.5, notGiven}));
+    auto* box = form.findChild<QDoubleSpinBox*>("cx");
+    box->selectAll();
+    QTest::keyClick(box, Qt::Key_Delete);
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(box->text(), QString("not given"));
+    QVERIFY((intrinsics == IntrinsicsParams{320.5, notGiven, notGiven, notGiven}));
+  }
+
   void refreshShowsChanges() {
     CameraState state;
     ParameterForm form([&](ParameterVisitor& v) { describe(v, state.psf); });

@@ -99,6 +99,10 @@ void TestBadSessions::types_data() {
 
 void TestBadSessions::values_data() {
   refusalColumns();
+  refusedIn("intrinsics without fx", state(R"("intrinsics": {"cx": 3})"),
+            "cameras[0].intrinsics.fx: is missing: intrinsics need at least fx, in pixels");
+  refusedIn("fx 0", state(R"("intrinsics": {"fx": 0})"),
+            "cameras[0].intrinsics.fx: 0 is out of range: 0.001 to 1e+08 px");
   refusedIn("fov 0", state(R"("fov": 0)"), "cameras[0].fov: 0 is out of range: 0.01 to 179.9 °");
   refusedIn("fov 180", state(R"("fov": 180)"),
             "cameras[0].fov: 180 is out of range: 0.01 to 179.9 °");

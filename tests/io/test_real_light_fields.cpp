@@ -37,8 +37,8 @@ cv::Mat onPanel(const Scene& scene, const CameraState& state) {
     for (int x = 0; x < map.cols; ++x) {
       const Vec3 p = cameraFromWorld.point(
           {((x + 0.5) / map.cols - 0.5) * width, (0.5 - (y + 0.5) / map.rows) * height, 0});
-      map.at<cv::Point2f>(y, x) = {float(camera.focalLength() * p.x / p.z + camera.centre().x),
-                                   float(camera.focalLength() * p.y / p.z + camera.centre().y)};
+      map.at<cv::Point2f>(y, x) = {float(camera.focalLength().x * p.x / p.z + camera.centre().x),
+                                   float(camera.focalLength().y * p.y / p.z + camera.centre().y)};
     }
   }
   cv::Mat picture;

@@ -54,6 +54,8 @@ void TestSessionFile::roundTrip_data() {
        "up": [0, 0, 1e-6], "fov": 179.9, "res": [1, 16384],
        "distortion": {"k1": -0.45, "k2": 0.25, "p1": 1e-17, "p2": -10, "k3": 3.3333333333333335},
        "psf": {"sigma": 20, "windowSize": 99, "border": "black", "light": "linear"}},
+      {"name": "calibrated", "intrinsics": {"fx": 535.9, "fy": 534.25, "cx": -3.5, "cy": 1e6}},
+      {"name": "square pixels", "intrinsics": {"fx": 0.001}},
       {"name": "plain"}])"});
   QFile sample(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
   QVERIFY(sample.open(QIODevice::ReadOnly));

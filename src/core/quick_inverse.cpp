@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inverse of a lens for many points: plain Newton where any root is the right one.
+#include "core/quick_inverse.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/for_each_machine.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Points that take their steps together: small enough for the first-level cache.
+constexpr int batchSize = 128;
+
+double squaredNorm(const Vec2& a) {
+  return a.x * a.x + a.y * a.y;
+}
+
+/// Newton's error is squared by the next step: after a move this short it is below rounding.
+constexpr double shortMoveSquared = 1e-18;
+
+/// One Newton step of each point; Distortion's formulas, written for vectors. `move` gets the
+/// squared length; returns how many of the points nearer than `certainDistorted` move on.
+FOR_EACH_MACHINE
+int newtonStep(const DistortionParams& lens, double certainDistorted, const double* x,
+               const double* y, int count, double* idealX, double* idealY, double* move) {
+  const auto [k1, k2, p1, p2, k3] = lens;
+  const double farthest = certainDistorted * certainDistorted;
+  int moving = 0;
+  for (int k = 0; k < count; ++k) {
+    const double px = idealX[k];
+    const double py = idealY[k];
+    const double r2 = px * px + py * py;
+    const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+    const double slope = 2 * k1 + r2 * (4 * k2 + r2 * 6 * k3);
+    const double errorX = x[k] - (px * radial + 2 * p1 * px * py + p2 * (r2 + 2 * px * px));
+    const double errorY = y[k] - (py * radial + p1 * (r2 + 2 * py * py) + 2 * p2 * px * py);
+    const double mixed = slope * px * py + 2 * p1 * px + 2 * p2 * py;
+    const double xx = radial + slope * px * px + 2 * p1 * py + 6 * p2 * px;
+    const double yy = radial + slope * py * py + 6 * p1 * py + 2 * p2 * px;
+    const double inverseDet = 1 / (xx * yy - mixed * mixed);
+    const double moveX = (yy * errorX - mixed * errorY) * inverseDet;
+    const double moveY = (xx * errorY - mixed * errorX) * inverseDet;
+    idealX[k] = px + moveX;
+    idealY[k] = py + moveY;
+    move[k] = moveX * moveX + moveY * moveY;
+    const bool isCertain = x[k] * x[k] + y[k] * y[k] < farthest;
+    const bool isMoving = !(move[k] < shortMoveSquared);
+    moving += static_cast<int>(isCertain & isMoving);
+  }
+  return moving;
+}
+
+}  // namespace
+
+/// Marches outwards as long as the least eigenvalue's bound, which changes by at most the second
+/// derivative's bound per length, stays positive.
+QuickInverse::QuickInverse(const Distortion& distortion) : m_distortion(distortion) {
+  constexpr double farthest = 100;  // beyond any picture but those of nearly 180°
+  double radius = 0;
+  while (radius < farthest) {
+    const double next = std::min(1.2 * radius + 0.05, farthest);
+    const double change = m_distortion.secondDerivativeBound(next);
+    const double step = std::min(next - radius, 0.9 * leastEigenvalue(radius) / change);
+    if (!(step > 1e-9 * (1 + radius))) break;
+    radius += step;
+  }
+  const auto& [k1, k2, p1, p2, k3] = m_distortion.params();
+  const double r2 = radius * radius;
+  m_certainRadius = radius;
+  // The least radial part of the model at that radius.
+  m_certainDistorted = std::max(
+      0.0, radius * (1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2) - 3 * r2 * std::hypot(p1, p2));
+}
+
+/// A lower bound over the circle: along and across the radius for the radial terms, the tangential
+/// ones take at most 6 |(p1, p2)| r away.
+double QuickInverse::leastEigenvalue(double radius) const {
+  const auto& [k1, k2, p1, p2, k3] = m_distortion.params();
+  const double r2 = radius * radius;
+  const double across = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  const double along = 1 + r2 * (3 * k1 + r2 * (5 * k2 + r2 * 7 * k3));
+  return std::min(across, along) - 6 * std::hypot(p1, p2) * radius;
+}
+
+void QuickInverse::undistort(double* x, double* y, int count) const {
+  if (m_distortion.isIdentity()) return;
+  for (int k = 0; k < count; k += batchSize)
+    undistortBatch(x + k, y + k, std::min(batchSize, count - k));
+}
+
+void QuickInverse::undistortBatch(double* x, double* y, int count) const {
+  constexpr int mostSteps = 20;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, batchSize> idealX;
+  std::array<double, batchSize> idealY;
+  std::array<double, batchSize> move;
+  std::copy_n(x, count, idealX.data());
+  std::copy_n(y, count, idealY.data());
+  for (int step = 0; step < mostSteps; ++step)
+    if (newtonStep(m_distortion.params(), m_certainDistorted, x, y, count, idealX.data(),
+                   idealY.data(), move.data()) == 0)
+      break;
+  for (int k = 0; k < count; ++k) {
+    const auto at = std::size_t(k);
+    const Vec2 distorted{x[k], y[k]};
+    Vec2 ideal{idealX[at], idealY[at]};
+    const bool isCertain = squaredNorm(distorted) < m_certainDistorted * m_certainDistorted &&
+                           squaredNorm(ideal) < m_certainRadius * m_certainRadius &&
+                           move[at] < shortMoveSquared;
+    if (!isCertain) ideal = m_distortion.undistort(distorted).value_or(Vec2{none, none});
+    x[k] = ideal.x;
+    y[k] = ideal.y;
+  }
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inverse of a lens for many points: the same as Distortion::undistort, in batches.
+#pragma once
+
+#include "core/distortion.h"
+
+namespace hogelscope {
+
+/// Within a certain radius of ideal points the Jacobian is positive definite, so the model is
+/// injective there, and preimages of all segments shorter than a certain length stay in it: any
+/// root that Newton finds there is the right one. Other points go Distortion's certified way.
+class QuickInverse {
+ public:
+  explicit QuickInverse(const Distortion& distortion);
+
+  /// Puts ideal points in the place of `count` distorted ones; not numbers where there is no ray.
+  void undistort(double* x, double* y, int count) const;
+
+ private:
+  [[nodiscard]] double leastEigenvalue(double radius) const;
+  void undistortBatch(double* x, double* y, int count) const;
+
+  Distortion m_distortion;
+  double m_certainRadius = 0;     ///< of ideal points
+  double m_certainDistorted = 0;  ///< of distorted points
+};
+
+}  // namespace hogelscope

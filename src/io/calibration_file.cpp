@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Camera calibrations as OpenCV writes them.
+#include "io/calibration_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/json_parameters.h"
+
+namespace hogelscope {
+
+namespace {
+
+using Names = std::initializer_list<const char*>;
+
+/// OpenCV prints its errors before it throws them; they come back as InputError.
+class QuietOpenCv {
+ public:
+  QuietOpenCv() {
+    m_before =
+        cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
+  }
+  ~QuietOpenCv() { cv::redirectError(m_before); }
+  QuietOpenCv(const QuietOpenCv&) = delete;
+  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
+
+ private:
+  cv::ErrorCallback m_before;
+};
+
+/// cv::FileStorage follows lists in lists, [[ or {{ or "- - ", until the stack overflows.
+bool isDeeplyNested(const std::string& text) {
+  constexpr int deepest = 64;
+  int open = 0;
+  int dashes = 0;
+  char before = 0;
+  for (const char c : text) {
+    if (c == '[' || c == '{') ++open;
+    if (c == ']' || c == '}') open = std::max(0, open - 1);
+    if (c == '-' && before == ' ') ++dashes;
+    if (c != '-' && c != ' ') dashes = 0;
+    if (open > deepest || dashes > deepest) return true;
+    before = c;
+  }
+  return false;
+}
+
+/// The text of a YAML or JSON file that the parser can be trusted with.
+std::string textOf(const std::filesystem::path& file) {
+  constexpr std::size_t largest = std::size_t{1} << 20;
+  std::string text = readTextFile(file);
+  if (text.size() > largest)
+    throw InputError("is larger than 1 MiB: not a camera's calibration", "");
+  if (text.starts_with("<")) throw InputError("is XML", "give the calibration as YAML or JSON");
+  if (isDeeplyNested(text)) throw InputError("is nested deeper than any calibration", "");
+  return text;
+}
+
+/// A matrix' numbers, row by row: as OpenCV writes it, or as a list (of lists) of numbers.
+std::vector<double> numbersOf(const cv::FileNode& node, const std::string& name) {
+  std::vector<double> values;
+  if (node.isMap()) return numbersOf(node["data"], name);
+  if (!node.isSeq()) throw InputError(name, "is not a matrix");
+  for (const cv::FileNode& item : node) {
+    if (item.isSeq()) {
+      for (const double value : numbersOf(item, name)) values.push_back(value);
+      continue;
+    }
+    const double value = item.isReal() || item.isInt() ? item.real() : NAN;
+    if (!std::isfinite(value)) throw InputError(name, "has a value that is not a number");
+    values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<double> matrix(const cv::FileStorage& storage, Names names) {
+  for (const char* name : names)
+    if (const cv::FileNode node = storage[name]; !node.empty()) return numbersOf(node, name);
+  std::string others;
+  for (const char* name : names) others += name == *names.begin() ? "" : std::string(" ") + name;
+  throw InputError(*names.begin(), "is missing; it may also be called:" + others);
+}
+
+/// Ranges are those of the parameters' description.
+template <class Params>
+Params checked(const Json& object, const char* section) {
+  Params params;
+  JsonReader reader(object, section);
+  describe(reader, params);
+  return params;
+}
+
+IntrinsicsParams intrinsicsOf(const std::vector<double>& k) {
+  if (k.size() != 9) throw InputError("camera_matrix", "is not of 3×3 numbers");
+  if (k[1] != 0)
+    throw InputError("camera_matrix",
+                     "has a skew, " + Json(k[1]).dump() + ", which is not modelled");
+  if (k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
+    throw InputError("camera_matrix", "is not of the form [fx 0 cx; 0 fy cy; 0 0 1]");
+  return checked<IntrinsicsParams>({{"fx", k[0]}, {"fy", k[4]}, {"cx", k[2]}, {"cy", k[5]}},
+                                   "intrinsics");
+}
+
+DistortionParams distortionOf(const std::vector<double>& d) {
+  if (d.size() < 4) throw InputError("distortion_coefficients", "are fewer than k1, k2, p1, p2");
+  for (std::size_t k = 5; k < d.size(); ++k)
+    if (d[k] != 0)
+      throw InputError("distortion_coefficients",
+                       "are more than k1, k2, p1, p2, k3; calibrate without the rational, thin "
+                       "prism and tilted models");
+  return checked<DistortionParams>(
+      {{"k1", d[0]}, {"k2", d[1]}, {"p1", d[2]}, {"p2", d[3]}, {"k3", d.size() > 4 ? d[4] : 0.0}},
+      "distortion");
+}
+
+std::optional<std::array<int, 2>> resolutionOf(const cv::FileStorage& storage) {
+  const cv::FileNode width = storage["image_width"];
+  const cv::FileNode height = storage["image_height"];
+  if (width.empty() && height.empty()) return std::nullopt;
+  if (!width.isInt() || !height.isInt())
+    throw InputError("image_width", "and image_height are not two whole numbers");
+  return checked<CameraParams>({{"res", {int(width), int(height)}}}, "image size").res;
+}
+
+}  // namespace
+
+Calibration loadCalibration(const std::filesystem::path& file) {
+  const QuietOpenCv quiet;
+  try {
+    const cv::FileStorage storage(textOf(file), cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    if (!storage.isOpened()) throw InputError("is empty: not an OpenCV calibration", "");
+    return {intrinsicsOf(matrix(storage, {"camera_matrix", "cameraMatrix", "K", "M1"})),
+            distortionOf(matrix(
+                storage, {"distortion_coefficients", "dist_coeffs", "distCoeffs", "D", "D1"})),
+            resolutionOf(storage)};
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  } catch (const cv::Exception&) {
+    throw InputError(file.string(), "is not an OpenCV calibration",
+                     "a YAML file begins with %YAML:1.0, a JSON file with {");
+  }
+}
+
+void apply(const Calibration& calibration, CameraState& state) {
+  state.intrinsics = calibration.intrinsics;
+  state.distortion = calibration.distortion;
+  if (calibration.res) state.camera.res = *calibration.res;
+}
+
+}  // namespace hogelscope

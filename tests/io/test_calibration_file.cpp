@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests reading OpenCV calibrations: what cv::FileStorage itself wrote, what others write by hand,
+// and what is not one.
+#include <QTemporaryDir>
+#include <QTest>
+#include <opencv2/core.hpp>
+
+#include "io/session_file.h"
+#include "tests/io/documents.h"
+
+using namespace hogelscope;
+
+namespace {
+
+const IntrinsicsParams intrinsics{535.915733961632, 534.25, 342.28315473308373, 235.57082909788173};
+const DistortionParams lens{-0.2663726090966068, -0.03858889892230465, 0.0017831947042852964,
+                            -0.0002812210044111547, 0.23839153080878486};
+
+/// As OpenCV's calibration sample does it.
+void writeByOpenCv(const QString& file) {
+  cv::FileStorage storage(file.toStdString(), cv::FileStorage::WRITE);
+  const cv::Mat k = (cv::Mat_<double>(3, 3) << intrinsics.fx, 0, intrinsics.cx, 0, intrinsics.fy,
+                     intrinsics.cy, 0, 0, 1);
+  const cv::Mat d = (cv::Mat_<double>(5, 1) << lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
+  storage << "calibration_time"
+          << "today"
+          << "image_width" << 640 << "image_height" << 480 << "camera_matrix" << k
+          << "distortion_coefficients" << d << "avg_reprojection_error" << 0.2;
+}
+
+QByteArray json(const QByteArray& k, const QByteArray& d, const QByteArray& more = "") {
+  return "{\"K\": " + k + ", \"D\": " + d + more + "}";
+}
+
+const QByteArray plainMatrix = "[500, 0, 320, 0, 510, 240, 0, 0, 1]";
+
+}  // namespace
+
+class TestCalibrationFile : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void whatOpenCvWrites_data();
+  void whatOpenCvWrites();
+  void whatOthersWrite_data();
+  void whatOthersWrite();
+  void goesToEveryStateBeforeOverrides();
+  void isRefused_data();
+  void isRefused();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestCalibrationFile::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestCalibrationFile::whatOpenCvWrites_data() {
+  QTest::addColumn<QString>("file");
+  for (const char* file : {"k.yml", "k.yaml", "k.json"}) QTest::newRow(file) << file;
+}
+
+void TestCalibrationFile::whatOpenCvWrites() {
+  QFETCH(const QString, file);
+  writeByOpenCv(file);
+  const Calibration read = loadCalibration(file.toStdString());
+  QVERIFY(read.intrinsics == intrinsics);
+  QVERIFY(read.distortion == lens);
+  QVERIFY((read.res == std::array{640, 480}));
+}
+
+void TestCalibrationFile::whatOthersWrite_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::newRow("flat lists") << json(plainMatrix, "[0.1, -0.2, 0, 0]");
+  QTest::newRow("lists of lists") << json("[[500, 0, 320], [0, 510, 240], [0, 0, 1]]",
+                                          "[[0.1, -0.2, 0, 0, 0]]");
+  QTest::newRow("more coefficients, all 0") << json(plainMatrix, "[0.1, -0.2, 0, 0, 0, 0, 0, 0]");
+  QTest::newRow("a stereo pair's first") << QByteArray(
+      "%YAML:1.0\nM1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: " + plainMatrix +
+      "\nD1: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ 1.0e-1, "
+      "-0.2, 0., 0., 0. ]\nM2: 3\n#-----------------------------------------------"
+      "------------------------------------------------------\n");
+}
+
+void TestCalibrationFile::whatOthersWrite() {
+  QFETCH(const QByteArray, content);
+  writeFile("k", content);
+  const Calibration read = loadCalibration("k");
+  QVERIFY((read.intrinsics == IntrinsicsParams{500, 510, 320, 240}));
+  QVERIFY((read.distortion == DistortionParams{0.1, -0.2}));
+  QVERIFY(!read.res);
+}
+
+void TestCalibrationFile::goesToEveryStateBeforeOverrides() {
+  writeByOpenCv("k.yml");
+  writeFile("s.json", text());
+  const Session session =
+      loadSession("s.json", {"distortion.k1=0.5", "intrinsics.fy=1"}, loadCalibration("k.yml"));
+  QCOMPARE(session.cameras.size(), std::size_t(2));
+  for (const CameraState& state : session.cameras) {
+    QCOMPARE(state.distortion.k1, 0.5);
+    QCOMPARE(state.distortion.k3, lens.k3);
+    QCOMPARE(state.intrinsics.fx, intrinsics.fx);
+    QCOMPARE(state.intrinsics.fy, 1.0);
+    QVERIFY((state.camera.res == std::array{640, 480}));
+  }
+  QCOMPARE(session.cameras[0].psf.sigma, 1.5);
+  saveSession("t.json", session);
+  QVERIFY(loadSession("t.json") == session);
+  QCOMPARE(contentOf("t.json").count("\"fov\""), 1);  // the display's
+}
+
+void TestCalibrationFile::isRefused_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<QString>("line");
+  const auto add = [](const char* name, const QByteArray& content, const char* line) {
+    QTest::newRow(name) << content << QString("k: ") + line;
+  };
+  constexpr const char* other =
+      "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {";
+  add("empty", "", other);
+  add("a text", "something", other);
+  add("cut", R"({"K": [1, 2)", other);
+  add("XML", "<?xml version=\"1.0\"?>", "is XML: give the calibration as YAML or JSON");
+  add("no matrix", R"({"D": [1, 2, 3, 4]})",
+      "camera_matrix: is missing; it may also be called: cameraMatrix K M1");
+  add("no lens", R"({"K": [500, 0, 1, 0, 500, 1, 0, 0, 1]})",
+      "distortion_coefficients: is missing; it may also be called: dist_coeffs distCoeffs D D1");
+  add("a number", json("3", "[]"), "K: is not a matrix");
+  add("texts", json(R"(["a", "b"])", "[]"), "K: has a value that is not a number");
+  add("too few", json("[1, 2, 3]", "[0, 0, 0, 0]"), "camera_matrix: is not of 3×3 numbers");
+  add("skew", json("[500, 2, 320, 0, 510, 240, 0, 0, 1]", "[0, 0, 0, 0]"),
+      "camera_matrix: has a skew, 2.0, which is not modelled");
+  add("projective", json("[500, 0, 320, 0, 510, 240, 0, 1, 1]", "[0, 0, 0, 0]"),
+      "camera_matrix: is not of the form [fx 0 cx; 0 fy cy; 0 0 1]");
+  add("mirrored", json("[-500, 0, 320, 0, 510, 240, 0, 0, 1]", "[0, 0, 0, 0]"),
+      "intrinsics.fx: -500.0 is out of range: 0.001 to 1e+08 px");
+  add("three coefficients", json(plainMatrix, "[0, 0, 0]"),
+      "distortion_coefficients: are fewer than k1, k2, p1, p2");
+  add("rational model", json(plainMatrix, "[0, 0, 0, 0, 0, 0.5, 0, 0]"),
+      "distortion_coefficients: are more than k1, k2, p1, p2, k3; calibrate without the rational, "
+      "thin prism and tilted models");
+  add("out of range", json(plainMatrix, "[0, 35, 0, 0]"),
+      "distortion.k2: 35.0 is out of range: -10 to 10");
+  add("one size", json(plainMatrix, "[0, 0, 0, 0]", ", \"image_width\": 640"),
+      "image_width: and image_height are not two whole numbers");
+  add("huge size",
+      json(plainMatrix, "[0, 0, 0, 0]", ", \"image_width\": 640, \"image_height\": 70000"),
+      "image size.res[1]: 70000 is out of range: 1 to 16384 px");
+  add("deep", "{\"K\": " + QByteArray(100000, '['), "is nested deeper than any calibration");
+  add("deep in dashes", "%YAML:1.0\nK:\n   " + QByteArray("- ").repeated(100000),
+      "is nested deeper than any calibration");
+  add("large", "%YAML:1.0\n" + QByteArray(2 << 20, ' '),
+      "is larger than 1 MiB: not a camera's calibration");
+}
+
+void TestCalibrationFile::isRefused() {
+  QFETCH(const QByteArray, content);
+  QFETCH(const QString, line);
+  writeFile("k", content);
+  QCOMPARE(errorOf([] { (void)loadCalibration("k"); }), line);
+}
+
+QTEST_APPLESS_MAIN(TestCalibrationFile)
+#include "test_calibration_file.moc"
