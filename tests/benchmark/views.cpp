@@ -1,61 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast views are, against limits measured in the same run (DESIGN §8): the paper's display and
-// camera, 64 poses in turn. `limit/…` reads the same texels from addresses worked out before.
-//
-//   hogelscope-benchmark --hogels=512 --directions=64 --benchmark_repetitions=5
-//     --benchmark_report_aggregates_only=true --benchmark_out=views.json
-#include <benchmark/benchmark.h>
-
-#include <cmath>
-#include <cstring>
-#include <numbers>
-#include <opencv2/calib3d.hpp>
+// How fast views are, against limits measured in the same run (DESIGN §8). `limit/…` reads the same
+// texels from addresses worked out before.
 #include <opencv2/imgproc.hpp>
-#include <thread>
 
 #include "core/fast_simulation.h"
 #include "core/for_each_machine.h"
+#include "tests/benchmark/scene.h"
 #include "vtk/parallel_rows.h"
 
-namespace {
+namespace benchmarks {
 
 using namespace hogelscope;
 
-constexpr int poses = 64;
-int hogels = 512;
-int directions = 64;
-
-/// Noise: every cache line is different.
-std::shared_ptr<const LightField> lightField() {
-  static const auto field = [] {
-    const LightFieldSize size{hogels, hogels, directions, directions};
-    auto made = std::make_shared<LightField>(size, StoredType::uint8);
-    parallelRows(hogels, [&](int begin, int end) {
-      for (int j = begin; j < end; ++j)
-        for (int v = 0; v < directions; ++v)
-          for (int i = 0; i < hogels; ++i)
-            for (int u = 0; u < directions; ++u) {
-              const std::uint32_t noise =
-                  std::uint32_t(((j * directions + v) * hogels + i) * directions + u) * 2654435761U;
-              std::array<std::uint8_t, 4> rgb{};
-              std::memcpy(rgb.data(), &noise, 4);
-              made->set({i, j, u, v}, rgb.data());
-            }
-    });
-    return std::shared_ptr<const LightField>(made);
-  }();
-  return field;
-}
-
-View viewOf(int pose) {
-  View view;
-  view.lightField = lightField();
-  view.display.hogels = {hogels, hogels};
-  view.display.directions = {directions, directions};
-  const double angle = 2 * std::numbers::pi * pose / poses;
-  view.state.camera.eye = {0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.559};
-  return view;
-}
+namespace {
 
 View plain(int pose) {
   return viewOf(pose);
@@ -83,32 +40,6 @@ View quadrilinear(int pose) {
   View view = viewOf(pose);
   view.sampling.reconstruction = Reconstruction::quadrilinear;
   return view;
-}
-
-void countViews(benchmark::State& state, std::size_t pixels) {
-  state.SetItemsProcessed(std::int64_t(state.iterations()) * std::int64_t(pixels));
-  state.counters["views/s"] =
-      benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
-}
-
-/// Whole pictures by the fast engine; each iteration is another pose.
-void view(benchmark::State& state, View (*make)(int), int threads) {
-  setThreads(threads);
-  LensTables tables;
-  Image image(600, 600);
-  (void)FastSimulation(make(0), tables, parallelRows);  // the table is warm
-  int pose = 0;
-  for (auto _ : state) {
-    const FastSimulation simulation(make(pose++ % poses), tables, parallelRows);
-    parallelRows(600, [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) {
-        const std::size_t first = 600 * std::size_t(y);
-        simulation.row(y, 0, 600, &image.rgb[3 * first], &image.seen[first]);
-      }
-    });
-    benchmark::DoNotOptimize(image.rgb.data());
-  }
-  countViews(state, image.pixelCount());
 }
 
 /// Addresses of every tap of every pixel of all poses, tap by tap within a row.
@@ -211,45 +142,14 @@ void limit(benchmark::State& state, View (*make)(int), int across, int hogelsAcr
     });
     pose = (pose + 1) % poseCount;
   }
-  countViews(state, 600 * 600);
+  countViews(state);
 }
 
 /// The reference loop, one thread.
 void reference(benchmark::State& state) {
   int pose = 0;
   for (auto _ : state) benchmark::DoNotOptimize(simulate(plain(pose++ % poses)).rgb.data());
-  countViews(state, 600 * 600);
-}
-
-LensKey lensKey() {
-  const View view = distorted(0);
-  const Camera camera(view.state.camera);
-  return {view.state.distortion, LensMapping::exact, {600, 600},
-          camera.focalLength(),  camera.centre(),    1};
-}
-
-void lensTable(benchmark::State& state) {
-  setThreads(0);
-  for (auto _ : state) {
-    const LensTable table(lensKey(), parallelRows);
-    benchmark::DoNotOptimize(table.x(300, 0, 0));
-  }
-}
-
-void lensTableOpenCv(benchmark::State& state) {
-  const LensKey key = lensKey();
-  const auto& [k1, k2, p1, p2, k3] = key.distortion;
-  const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength.x, 0, key.centre.x, 0,
-                          key.focalLength.y, key.centre.y, 0, 0, 1);
-  const cv::Mat coefficients = (cv::Mat_<double>(1, 5) << k1, k2, p1, p2, k3);
-  std::vector<cv::Point2d> points;
-  for (int y = 0; y < 600; ++y)
-    for (int x = 0; x < 600; ++x) points.emplace_back(x, y);
-  std::vector<cv::Point2d> ideal;
-  for (auto _ : state) {
-    cv::undistortPoints(points, ideal, camera, coefficients);
-    benchmark::DoNotOptimize(ideal.data());
-  }
+  countViews(state);
 }
 
 /// cv::remap with ready maps, on a hogel image small enough for it (32767 columns).
@@ -267,53 +167,29 @@ void remapOpenCv(benchmark::State& state) {
     cv::remap(source, out, x, y, cv::INTER_NEAREST);
     benchmark::DoNotOptimize(out.data);
   }
-  countViews(state, 600 * 600);
-}
-
-/// Takes --name=value out of the arguments.
-void takeFlag(int& argc, char** argv, const char* name, int& value) {
-  const std::size_t length = std::strlen(name);
-  for (int k = 1; k < argc; ++k) {
-    if (std::strncmp(argv[k], name, length) != 0) continue;
-    value = std::atoi(argv[k] + length);
-    std::move(argv + k + 1, argv + argc, argv + k);
-    --argc;
-    return;
-  }
-}
-
-void registerAll() {
-  using benchmark::RegisterBenchmark;
-  const auto add = [](const char* name, auto... arguments) {
-    RegisterBenchmark(name, arguments...)->UseRealTime()->Unit(benchmark::kMillisecond);
-  };
-  add("limit/nearest", limit, plain, 1, 1);
-  add("view/nearest", view, plain, 0);
-  add("limit/nearest distorted", limit, distorted, 1, 1);
-  add("view/nearest distorted", view, distorted, 0);
-  add("limit/psf 5x5", limit, plain, 5, 1);
-  add("view/psf 5x5", view, leaking5, 0);
-  add("limit/psf 7x7", limit, plain, 7, 1);
-  add("view/psf 7x7", view, leaking7, 0);
-  add("limit/quadrilinear", limit, plain, 2, 2);
-  add("view/quadrilinear", view, quadrilinear, 0);
-  add("limit/lens table, cv::undistortPoints", lensTableOpenCv);
-  add("lens table", lensTable);
-  add("reference/nearest one thread", reference);
-  add("peer/cv::remap nearest, 8192x8192", remapOpenCv);
-  // Last: TBB does not widen again.
-  add("view/nearest one thread", view, plain, 1);
-  add("view/psf 5x5 one thread", view, leaking5, 1);
+  countViews(state);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  takeFlag(argc, argv, "--hogels=", hogels);
-  takeFlag(argc, argv, "--directions=", directions);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  registerAll();
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+void addViews() {
+  add("limit/nearest", limit, plain, 1, 1);
+  add("view/nearest", timeViews, plain, 0);
+  add("limit/nearest distorted", limit, distorted, 1, 1);
+  add("view/nearest distorted", timeViews, distorted, 0);
+  add("limit/psf 5x5", limit, plain, 5, 1);
+  add("view/psf 5x5", timeViews, leaking5, 0);
+  add("limit/psf 7x7", limit, plain, 7, 1);
+  add("view/psf 7x7", timeViews, leaking7, 0);
+  add("limit/quadrilinear", limit, plain, 2, 2);
+  add("view/quadrilinear", timeViews, quadrilinear, 0);
+  add("reference/nearest one thread", reference);
+  add("peer/cv::remap nearest, 8192x8192", remapOpenCv);
 }
+
+void addOneThread() {
+  add("view/nearest one thread", timeViews, plain, 1);
+  add("view/psf 5x5 one thread", timeViews, leaking5, 1);
+}
+
+}  // namespace benchmarks

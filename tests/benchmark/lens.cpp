@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lens tables against cv::undistortPoints, whose five iterations are not exact.
+#include <opencv2/calib3d.hpp>
+
+#include "core/lens_table.h"
+#include "core/plan.h"
+#include "tests/benchmark/scene.h"
+#include "vtk/parallel_rows.h"
+
+namespace benchmarks {
+
+using namespace hogelscope;
+
+namespace {
+
+LensKey lensKey() {
+  CameraState state;
+  state.distortion = {0.6, 0.3, 0.2, 0.01, 0.2};  // the paper's Fig. 3, OpenCV's order
+  return lensKeyOf(state, {});
+}
+
+void lensTable(benchmark::State& state) {
+  setThreads(0);
+  for (auto _ : state) {
+    const LensTable table(lensKey(), parallelRows);
+    benchmark::DoNotOptimize(table.x(300, 0, 0));
+  }
+}
+
+void lensTableOpenCv(benchmark::State& state) {
+  const LensKey key = lensKey();
+  const auto& [k1, k2, p1, p2, k3] = key.distortion;
+  const cv::Mat camera = (cv::Mat_<double>(3, 3) << key.focalLength.x, 0, key.centre.x, 0,
+                          key.focalLength.y, key.centre.y, 0, 0, 1);
+  const cv::Mat coefficients = (cv::Mat_<double>(1, 5) << k1, k2, p1, p2, k3);
+  std::vector<cv::Point2d> points;
+  for (int y = 0; y < 600; ++y)
+    for (int x = 0; x < 600; ++x) points.emplace_back(x, y);
+  std::vector<cv::Point2d> ideal;
+  for (auto _ : state) {
+    cv::undistortPoints(points, ideal, camera, coefficients);
+    benchmark::DoNotOptimize(ideal.data());
+  }
+}
+
+}  // namespace
+
+void addLens() {
+  add("limit/lens table, cv::undistortPoints", lensTableOpenCv);
+  add("lens table", lensTable);
+}
+
+}  // namespace benchmarks

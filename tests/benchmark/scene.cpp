@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene of the benchmarks, and the program itself.
+//
+//   hogelscope-benchmark --hogels=512 --directions=64 --benchmark_repetitions=5
+//     --benchmark_report_aggregates_only=true --benchmark_out=views.json
+#include "tests/benchmark/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "core/fast_simulation.h"
+#include "vtk/parallel_rows.h"
+
+namespace benchmarks {
+
+using namespace hogelscope;
+
+namespace {
+
+/// Noise: every cache line is different.
+void fillRows(LightField& field, int begin, int end) {
+  for (int j = begin; j < end; ++j)
+    for (int v = 0; v < directions; ++v)
+      for (int i = 0; i < hogels; ++i)
+        for (int u = 0; u < directions; ++u) {
+          const std::uint32_t noise =
+              std::uint32_t(((j * directions + v) * hogels + i) * directions + u) * 2654435761U;
+          std::array<std::uint8_t, 4> rgb{};
+          std::memcpy(rgb.data(), &noise, 4);
+          field.set({i, j, u, v}, rgb.data());
+        }
+}
+
+/// Takes --name=value out of the arguments.
+void takeFlag(int& argc, char** argv, const char* name, int& value) {
+  const std::size_t length = std::strlen(name);
+  for (int k = 1; k < argc; ++k) {
+    if (std::strncmp(argv[k], name, length) != 0) continue;
+    value = std::atoi(argv[k] + length);
+    std::move(argv + k + 1, argv + argc, argv + k);
+    --argc;
+    return;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const LightField> lightField(const Block& block) {
+  static std::shared_ptr<LightField> field;
+  static Block held{};
+  if (field && held == block) return field;
+  field.reset();  // before the next one takes as much again
+  field = std::make_shared<LightField>(LightFieldSize{hogels, hogels, directions, directions},
+                                       StoredType::uint8, block);
+  held = block;
+  parallelRows(hogels, [](int begin, int end) { fillRows(*field, begin, end); });
+  return field;
+}
+
+View viewOf(int pose, const Block& block) {
+  View view;
+  view.lightField = lightField(block);
+  view.display.hogels = {hogels, hogels};
+  view.display.directions = {directions, directions};
+  const double angle = 2 * std::numbers::pi * pose / poses;
+  view.state.camera.eye = {0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.559};
+  return view;
+}
+
+void countViews(benchmark::State& state) {
+  state.SetItemsProcessed(std::int64_t(state.iterations()) * 600 * 600);
+  state.counters["views/s"] =
+      benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+void timeViews(benchmark::State& state, const std::function<View(int)>& make, int threads) {
+  setThreads(threads);
+  LensTables tables;
+  Image image(600, 600);
+  (void)FastSimulation(make(0), tables, parallelRows);  // the table is warm
+  int pose = 0;
+  for (auto _ : state) {
+    const FastSimulation simulation(make(pose++ % poses), tables, parallelRows);
+    parallelRows(600, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        const std::size_t first = 600 * std::size_t(y);
+        simulation.row(y, 0, 600, &image.rgb[3 * first], &image.seen[first]);
+      }
+    });
+    benchmark::DoNotOptimize(image.rgb.data());
+  }
+  countViews(state);
+}
+
+}  // namespace benchmarks
+
+int main(int argc, char** argv) {
+  using namespace benchmarks;
+  takeFlag(argc, argv, "--hogels=", hogels);
+  takeFlag(argc, argv, "--directions=", directions);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  addLens();
+  addViews();
+  addLayouts();
+  addOneThread();  // last: vtkSMPTools does not widen again after one thread
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

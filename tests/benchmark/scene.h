@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene of the benchmarks: the paper's display and camera with noise on the display, and 64
+// poses in turn, so that nothing is cached from view to view.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+
+#include "core/simulate.h"
+
+namespace benchmarks {
+
+constexpr int poses = 64;
+inline int hogels = 512;     ///< across and down: --hogels
+inline int directions = 64;  ///< --directions
+
+using Block = std::array<std::uint32_t, 4>;
+constexpr Block standardBlock = hogelscope::LightField::standardBlock;
+
+/// Only the latest one is kept.
+std::shared_ptr<const hogelscope::LightField> lightField(const Block& block = standardBlock);
+
+/// Nearest, no leakage, plain lens.
+hogelscope::View viewOf(int pose, const Block& block = standardBlock);
+
+/// Whole pictures by the fast engine; each iteration is another pose. `threads` 0: all cores.
+void timeViews(benchmark::State& state, const std::function<hogelscope::View(int)>& make,
+               int threads);
+
+/// Rays/s and views/s.
+void countViews(benchmark::State& state);
+
+template <class Function, class... Arguments>
+void add(const std::string& name, Function function, Arguments... arguments) {
+  benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+void addViews();
+void addLens();
+void addLayouts();
+void addOneThread();
+
+}  // namespace benchmarks
