@@ -26,12 +26,15 @@ double weightWithin(const PsfParams& psf, int reach) {
 }
 
 /// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
-/// and leaving out taps of weight d changes their mean by at most 2·255·d.
+/// and leaving out taps of weight d changes their mean by at most 2·d of its range: 2·255·d code
+/// values, times 12.92 where linear light is summed, since encoding is that steep at black.
 int neededReach(const PsfParams& psf) {
   const int windowReach = (psf.windowSize - 1) / 2;
+  const double steepest = psf.light == LightModel::linear ? 12.92 : 1;
   const double whole = weightWithin(psf, windowReach);
   int reach = windowReach;
-  while (reach > 0 && 2 * 255 * (whole - weightWithin(psf, reach - 1)) < droppedBound) --reach;
+  while (reach > 0 && 2 * 255 * steepest * (whole - weightWithin(psf, reach - 1)) < droppedBound)
+    --reach;
   return reach;
 }
 

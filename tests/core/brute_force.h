@@ -86,9 +86,12 @@ struct Ray {
 
 class Simulator {
  public:
-  Simulator(const hogelscope::View& view, const Content& content)
+  /// `margin`: how near to a border rounding may decide, in cells along i, j, u, v.
+  Simulator(const hogelscope::View& view, const Content& content,
+            const std::array<double, 4>& margin = {1e-4, 1e-4, 1e-4, 1e-4})
       : m_view(view),
         m_content(content),
+        m_margin(margin),
         m_displayFromWorld(transposed(rotation(view.display.orientation))) {
     const auto& camera = view.state.camera;
     m_forward = unit(minus(vector(camera.lookat), vector(camera.eye)));
@@ -117,6 +120,16 @@ class Simulator {
     if (walk.end == LensOracle::Walk::End::unclear) return {Ray::Meets::unclear};
     if (walk.end == LensOracle::Walk::End::fold) return {Ray::Meets::nothing};
     return along(lens.refined(walk.point, q));
+  }
+
+  /// Is one of a pixel's rays so near to a border, or to a fold, that rounding decides?
+  [[nodiscard]] bool isUnclear(int x, int y) const {
+    const int n = m_view.sampling.samplesPerPixel;
+    for (int s = 0; s < n * n; ++s)
+      if (ray(x + (s % n + 0.5) / n - 0.5, y + (s / n + 0.5) / n - 0.5).meets ==
+          Ray::Meets::unclear)
+        return true;
+    return false;
   }
 
   /// P'(u, v) of a directional pixel, in the light that is summed.
@@ -183,11 +196,11 @@ class Simulator {
   }
 
   [[nodiscard]] Ray met(const std::array<double, 4>& hit) const {
-    constexpr double margin = 1e-4;
     const auto& [nx, ny, du, dv] = m_content.size;
     const std::array<int, 4> counts{nx, ny, du, dv};
     bool clear = true;
     for (std::size_t axis = 0; axis < 4; ++axis) {
+      const double margin = m_margin[axis];
       if (hit[axis] < -margin || hit[axis] > counts[axis] + margin) return {Ray::Meets::nothing};
       clear = clear && std::abs(hit[axis] - std::round(hit[axis])) > margin;
     }
@@ -196,6 +209,7 @@ class Simulator {
 
   const hogelscope::View& m_view;
   const Content& m_content;
+  std::array<double, 4> m_margin;
   Matrix m_displayFromWorld;
   Vector m_forward{}, m_right{}, m_down{};
 };

@@ -35,16 +35,6 @@ RandomScene sceneOf(std::uint64_t seed) {
   return scene;
 }
 
-/// Is one of the pixel's rays within 1e-4 of a cell border, or near a fold?
-bool isUnclear(const View& view, const brute::Simulator& simulator, int x, int y) {
-  const int n = view.sampling.samplesPerPixel;
-  for (int s = 0; s < n * n; ++s)
-    if (simulator.ray(x + (s % n + 0.5) / n - 0.5, y + (s / n + 0.5) / n - 0.5).meets ==
-        brute::Ray::Meets::unclear)
-      return true;
-  return false;
-}
-
 bool isNearHalf(double codeValue) {
   return std::abs(codeValue - std::floor(codeValue) - 0.5) < 1e-3;
 }
@@ -70,7 +60,7 @@ QString firstDifference(const RandomScene& scene, Counts& counts) {
                        agrees(fast.rgb[3 * at + 1], quantised(value.g), value.g) &&
                        agrees(fast.rgb[3 * at + 2], quantised(value.b), value.b);
     if (equal) continue;
-    if (!isUnclear(scene.view, rays, x, y))
+    if (!rays.isUnclear(x, y))
       return QString("pixel (%1, %2): red %3, reference %4, seen %5")
           .arg(x)
           .arg(y)
@@ -140,7 +130,7 @@ void TestFastSimulation::codeValuesAreTheReferences() {
       for (int x = 0; x < width; ++x) {
         const Rgb light = reference.pixel(x, y).value_or(Rgb{});
         const double difference = std::abs(double(rgb[3 * std::size_t(x)]) - light.r);
-        QVERIFY(difference < 1e-3 || isUnclear(scene.view, rays, x, y));
+        QVERIFY(difference < 1e-3 || rays.isUnclear(x, y));
       }
     }
   }
