@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one method costs and buys: a row of tradeoff.csv, a point of the chart.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hogelscope {
+
+struct TradeoffRow {
+  std::string method;          ///< its short name, unique
+  std::string lens;            ///< "exact", "direct", "fixed point 5", "table 8 px", …
+  std::string reconstruction;  ///< "nearest", "bilinear", "quadrilinear"
+  std::string psf;             ///< "full", "truncated", "off"
+  int samples = 1;             ///< per pixel, along each side
+  int scale = 1;               ///< 2: half resolution, scaled up
+  std::string precision;       ///< "double", "float"
+  double milliseconds = 0;     ///< per picture, median
+  double mraysPerSecond = 0;
+  double rmse = 0;          ///< code values of 8-bit pictures, over all states, pixels and channels
+  double psnr = 0;          ///< dB; infinite where rmse is 0
+  double maxError = 0;      ///< code values
+  double seenMismatch = 0;  ///< share of the pixels that only one of the pictures sees
+  bool isPareto = false;    ///< no other row is as fast and as good, and better in one of them
+  bool isDefault = false;   ///< what the program does without being asked
+};
+
+}  // namespace hogelscope
