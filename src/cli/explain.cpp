@@ -49,8 +49,11 @@ std::string workText(const View& view, const Plan& plan) {
 std::string explanation(const View& view) {
   const Plan made = plan(view);
   std::string text = view.state.camera.name + "\n";
-  for (const auto& [what, why, saves] : made.decisions)
-    text += "  " + what + ": " + why + (saves.empty() ? "" : "; saves " + saves) + "\n";
+  for (const auto& [what, why, saves] : made.decisions) {
+    text.append("  ").append(what).append(": ").append(why);
+    if (!saves.empty()) text.append("; saves ").append(saves);
+    text.append("\n");
+  }
   text += "  what is read: " + workText(view, made) + "\n";
   if (made.hasLens)
     text += "  the lens: " +

@@ -31,6 +31,7 @@ struct Plan {
 /// `view.lightField` must be loaded.
 Plan plan(const View& view);
 
-LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling);
+LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling,
+                  const Method& method = {});
 
 }  // namespace hogelscope

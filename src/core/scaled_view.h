@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of fewer pixels, and their way back to full size: what a moving window shows.
+#pragma once
+
+#include "core/simulate.h"
+
+namespace hogelscope {
+
+/// The view with one pixel for each method.scale × method.scale of them, at their middle, and with
+/// method.scale 1; the last ones may reach beyond the picture.
+View reduced(const View& view);
+
+/// A reduced picture at full size: colours bilinear between its pixels, seen as the nearest one.
+Image enlarged(const Image& image, int scale, int width, int height);
+
+}  // namespace hogelscope
