@@ -28,7 +28,7 @@ void choose(Options& options, Command command) {
   if (options.command != Command::window && options.command != command)
     throw InputError("command line",
                      "asks for two jobs at once; give one of --render, --report, "
-                     "--generate, --info");
+                     "--generate, --tradeoff, --info");
   options.command = command;
 }
 
@@ -64,6 +64,11 @@ const std::vector<Flag>& jobs() {
          choose(o, Command::generate);
          o.pattern = oneOf(v, "--generate", patternNames());
        }},
+      {"tradeoff", "",
+       "Speed against accuracy of every method on the session's own states: DIR/tradeoff.csv, .png, "
+       ".svg. Nearest with one ray a pixel asks for the display as built, any other sampling for "
+       "the ideal picture.",
+       [](Options& o, const std::string&) { choose(o, Command::tradeoff); }},
       {"info", "FILE", "Says what a session, a light field's image or a folder of views is.",
        [](Options& o, const std::string& v) {
          choose(o, Command::info);
@@ -138,7 +143,7 @@ void refuseMissing(const Options& options) {
     if (value.empty()) throw InputError(flag, std::string("is missing: ") + what);
   };
   const bool isJob = options.command == Command::render || options.command == Command::report ||
-                     options.command == Command::generate;
+                     options.command == Command::generate || options.command == Command::tradeoff;
   if (isJob || options.command == Command::info) {
     if (!options.files.empty())
       throw InputError(options.files.front(),
@@ -149,7 +154,7 @@ void refuseMissing(const Options& options) {
       !(options.session.empty() && options.output.empty() && options.calibration.empty()))
     throw InputError("command line",
                      "has settings but no job; give one of --render, --report, "
-                     "--generate, or only a session to open it");
+                     "--generate, --tradeoff, or only a session to open it");
   if (!isJob) return;
   need(options.session, "--session", "name the session document");
   need(options.output, "--output", "name where the results go");

@@ -8,7 +8,7 @@
 
 namespace hogelscope {
 
-enum class Command { window, render, report, generate, info, help, version };
+enum class Command { window, render, report, generate, tradeoff, info, help, version };
 
 struct Options {
   Command command = Command::window;

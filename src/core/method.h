@@ -19,7 +19,7 @@ struct Method {
   int lensSteps = 0;
   bool isSingle = false;      ///< float, not double, from the ray to the hogel and the direction
   double droppedTaps = 1e-3;  ///< leakage taps that change a pixel by less than this, code values
-  int scale = 1;              ///< only one pixel in scale × scale is rendered, the others between
+  int scale = 1;              ///< 1, 2 or 4: one pixel in scale × scale is rendered
   bool operator==(const Method&) const = default;
 };
 

@@ -21,16 +21,9 @@ double weightWithin(const PsfParams& psf, int reach) {
   return sum * sum;
 }
 
-/// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
-/// and leaving out taps of weight d changes their mean by at most 2·d of its range: 2·255·d code
-/// values, times 12.92 where linear light is summed, since encoding is that steep at black.
 int neededReach(const PsfParams& psf, double dropped) {
-  const int windowReach = (psf.windowSize - 1) / 2;
-  const double steepest = psf.light == LightModel::linear ? 12.92 : 1;
-  const double whole = weightWithin(psf, windowReach);
-  int reach = windowReach;
-  while (reach > 0 && 2 * 255 * steepest * (whole - weightWithin(psf, reach - 1)) < dropped)
-    --reach;
+  int reach = (psf.windowSize - 1) / 2;
+  while (reach > 0 && leakageLoss(psf, reach - 1) < dropped) --reach;
   return reach;
 }
 
@@ -138,6 +131,15 @@ LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling, cons
   const Camera camera(state.camera, state.intrinsics);
   return {state.distortion, sampling.mapping,         state.camera.res, camera.focalLength(),
           camera.centre(),  sampling.samplesPerPixel, method.lens,      method.lensSteps};
+}
+
+/// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
+/// and leaving out taps of weight d changes their mean by at most 2·d of its range: 2·255·d code
+/// values, times 12.92 where linear light is summed, since encoding is that steep at black.
+double leakageLoss(const PsfParams& psf, int reach) {
+  const double steepest = psf.light == LightModel::linear ? 12.92 : 1;
+  return 2 * 255 * steepest *
+         (weightWithin(psf, (psf.windowSize - 1) / 2) - weightWithin(psf, reach));
 }
 
 Plan plan(const View& view) {

@@ -3,7 +3,6 @@
 #include "core/scaled_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace hogelscope {
@@ -23,52 +22,103 @@ View reduced(const View& view) {
 
 namespace {
 
-/// The two small pixels around each pixel of an axis, the second one's share, and the nearest.
+/// The two small pixels around a pixel of an axis, and the second one's share in parts of
+/// 2·scale.
 struct Between {
   int first;
   int second;
-  double share;
-  int nearest;
+  int share;
 };
 
-std::vector<Between> between(int pixels, int smallPixels, int scale) {
-  std::vector<Between> places;
-  for (int x = 0; x < pixels; ++x) {
-    const double at = (x - (scale - 1) / 2.0) / scale;
-    const int left = static_cast<int>(std::floor(at));
-    places.push_back({std::clamp(left, 0, smallPixels - 1),
-                      std::clamp(left + 1, 0, smallPixels - 1), at - left, x / scale});
+Between between(int x, int smallPixels, int scale) {
+  const int twice = 2 * x - (scale - 1);  // its place among the small ones, times 2·scale
+  const int left = twice < 0 ? -1 : twice / (2 * scale);
+  return {std::max(left, 0), std::min(left + 1, smallPixels - 1), twice - 2 * scale * left};
+}
+
+std::vector<Between> betweenAll(int pixels, int smallPixels, int scale) {
+  std::vector<Between> all;
+  for (int x = 0; x < pixels; ++x) all.push_back(between(x, smallPixels, scale));
+  return all;
+}
+
+/// Rounds half up.
+std::uint8_t share(std::uint8_t, int sum, int scale) {
+  const int whole = 4 * scale * scale;
+  const int shift = scale == 1 ? 2 : scale == 2 ? 4 : 6;
+  return static_cast<std::uint8_t>((sum + whole / 2) >> shift);
+}
+float share(float, float sum, int scale) {
+  return sum / static_cast<float>(4 * scale * scale);
+}
+
+/// Bilinear among four values.
+template <class T>
+T mix(T upperLeft, T upperRight, T lowerLeft, T lowerRight, int across, int down, int scale) {
+  const int whole = 2 * scale;
+  const auto part = [](int times, T value) {
+    return static_cast<decltype(T{} * 1)>(times) * value;
+  };
+  const auto upper = part(whole - across, upperLeft) + part(across, upperRight);
+  const auto lower = part(whole - across, lowerLeft) + part(across, lowerRight);
+  return share(T{},
+               static_cast<decltype(upper)>(whole - down) * upper +
+                   static_cast<decltype(upper)>(down) * lower,
+               scale);
+}
+
+template <class T>
+std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
+                              const std::array<int, 2>& res) {
+  const int smallWidth = (res[0] + scale - 1) / scale;
+  const int smallHeight = int(values.size()) / 3 / smallWidth;
+  const std::vector<Between> columns = betweenAll(res[0], smallWidth, scale);
+  std::vector<T> full;
+  full.reserve(3 * std::size_t(res[0]) * std::size_t(res[1]));
+  for (const Between& y : betweenAll(res[1], smallHeight, scale)) {
+    const T* upper = &values[3 * std::size_t(y.first) * std::size_t(smallWidth)];
+    const T* lower = &values[3 * std::size_t(y.second) * std::size_t(smallWidth)];
+    for (const Between& x : columns)
+      for (int c = 0; c < 3; ++c)
+        full.push_back(mix(upper[3 * x.first + c], upper[3 * x.second + c], lower[3 * x.first + c],
+                           lower[3 * x.second + c], x.share, y.share, scale));
   }
-  return places;
+  return full;
 }
 
 }  // namespace
 
-Image enlarged(const Image& image, int scale, int width, int height) {
-  Image full(width, height);
-  const std::vector<Between> columns = between(width, image.width, scale);
-  const std::vector<Between> rows = between(height, image.height, scale);
-  const auto at = [&](int x, int y) {
-    return std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-  };
+Image enlarged(const Image& image, int scale, const std::array<int, 2>& res) {
+  Image full(res[0], res[1]);
+  full.rgb = enlargedValues(image.rgb, scale, res);
   std::size_t to = 0;
-  for (const Between& y : rows) {
-    for (const Between& x : columns) {
-      full.seen[to] = image.seen[at(x.nearest, y.nearest)];
-      for (std::size_t c = 0; c < 3 && full.seen[to] != 0; ++c) {
-        const auto value = [&](int column, int row) {
-          return double(image.rgb[3 * at(column, row) + c]);
-        };
-        const double upper =
-            (1 - x.share) * value(x.first, y.first) + x.share * value(x.second, y.first);
-        const double lower =
-            (1 - x.share) * value(x.first, y.second) + x.share * value(x.second, y.second);
-        full.rgb[3 * to + c] = quantised((1 - y.share) * upper + y.share * lower);
-      }
-      ++to;
+  for (int y = 0; y < res[1]; ++y)
+    for (int x = 0; x < res[0]; ++x, ++to) {
+      const int nearest = y / scale * image.width + x / scale;
+      full.seen[to] = image.seen[std::size_t(nearest)];
+      if (full.seen[to] == 0) std::fill_n(&full.rgb[3 * to], 3, std::uint8_t{0});
     }
-  }
   return full;
+}
+
+std::vector<float> enlarged(const std::vector<float>& codeValues, int scale,
+                            const std::array<int, 2>& res) {
+  return enlargedValues(codeValues, scale, res);
+}
+
+std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, int y) {
+  std::array<std::uint8_t, 3> rgb{};
+  if (image.seen[std::size_t(y / scale * image.width + x / scale)] == 0) return rgb;
+  const Between column = between(x, image.width, scale);
+  const Between row = between(y, image.height, scale);
+  const auto value = [&](int smallX, int smallY, std::size_t c) {
+    return image.rgb[3 * std::size_t(smallY * image.width + smallX) + c];
+  };
+  for (std::size_t c = 0; c < 3; ++c)
+    rgb[c] = mix(value(column.first, row.first, c), value(column.second, row.first, c),
+                 value(column.first, row.second, c), value(column.second, row.second, c),
+                 column.share, row.share, scale);
+  return rgb;
 }
 
 }  // namespace hogelscope

@@ -79,7 +79,7 @@ inline bool isInverted(const hogelscope::View& view) {
 
 /// The reference's work for one pixel: taps, and for a lens' inverse as much as 300 of them.
 inline int workOf(const hogelscope::View& view) {
-  const auto& [mapping, reconstruction, samples] = view.sampling;
+  const auto& [mapping, reconstruction, samples, tolerance] = view.sampling;
   const int corners = 1 << 2 * static_cast<int>(reconstruction);
   const int decoding = view.state.psf.light == hogelscope::LightModel::linear ? 4 : 1;
   const int window = view.state.psf.windowSize;
