@@ -94,7 +94,8 @@ bool place(std::vector<TradeoffLabel>& boxes, const std::vector<TradeoffRow>& ro
   std::vector<LabelRequest> requests;
   for (const TradeoffLabel& label : boxes)
     requests.push_back({label.point, markerRadius(label.purposes), sizeOf(label, rows, font),
-                        label.purposes.empty() ? beside : pointing});
+                        label.purposes.empty() ? beside : pointing,
+                        label.purposes.empty() ? 1.0 : 3.0});
   const std::vector<std::optional<LabelPlace>> places = placeLabels(requests, around);
   bool isComplete = true;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
