@@ -82,8 +82,9 @@ TradeoffAxes::TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& s
   if (times.most > movingViewMilliseconds / 10) times.take(movingViewMilliseconds);
 
   m_plot = QRectF({0, 0}, size).adjusted(5.2 * m_em, 4.7 * m_em, -4 * m_em, -3.6 * m_em);
+  m_plot.setSize(m_plot.size().expandedTo({1, 1}));  // however small the chart
   if (zeros > 0) {
-    const double gap = 0.5 * m_em;
+    const double gap = std::min(0.5 * m_em, 0.1 * m_plot.height());
     const double height = std::min((4.5 + 0.6 * zeros) * m_em, 0.5 * m_plot.height());
     m_zero = m_plot.adjusted(0, m_plot.height() - height, 0, 0);
     m_plot.setBottom(m_zero.top() - gap);
@@ -126,13 +127,14 @@ QRectF TradeoffAxes::zeroCaption(const QFont& font) const {
 void TradeoffAxes::paint(QPainter& painter, const QString& title) const {
   painter.save();
   const QFont font = painter.font();
-  paintAreas(painter);
+  for (const QRectF& area : areas()) paintGround(painter, area);
   painter.setFont(sized(font, 0.9 * m_em));
   paintTimes(painter);
   paintErrors(painter);
   paintPsnr(painter);
-  paintZero(painter);
   paintGuides(painter);
+  paintZero(painter);
+  paintFrames(painter);
   painter.setFont(font);
   paintTitles(painter, title);
   painter.restore();
@@ -148,13 +150,10 @@ void TradeoffAxes::paintGround(QPainter& painter, const QRectF& box) const {
   painter.fillRect(slow, Qt::white);
 }
 
-void TradeoffAxes::paintAreas(QPainter& painter) const {
-  for (const QRectF& area : areas()) {
-    paintGround(painter, area);
-    painter.setPen(QPen(ink, 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(area);
-  }
+void TradeoffAxes::paintFrames(QPainter& painter) const {
+  painter.setPen(QPen(ink, 1));
+  painter.setBrush(Qt::NoBrush);
+  for (const QRectF& area : areas()) painter.drawRect(area);
 }
 
 void TradeoffAxes::paintGuides(QPainter& painter) const {
@@ -225,7 +224,9 @@ void TradeoffAxes::paintZero(QPainter& painter) const {
   painter.setPen(QPen(ink, 1));
   text(painter, {m_zero.left() - 108, y - 10, 100, 20}, Qt::AlignRight | Qt::AlignVCenter, "0");
   text(painter, {m_zero.right() + 8, y - 10, 100, 20}, Qt::AlignLeft | Qt::AlignVCenter, "∞");
-  text(painter, zeroCaption(painter.font()), Qt::AlignLeft | Qt::AlignVCenter, zeroText);
+  const QRectF caption = zeroCaption(painter.font());
+  paintGround(painter, caption);
+  text(painter, caption, Qt::AlignLeft | Qt::AlignVCenter, zeroText);
 }
 
 void TradeoffAxes::paintTitles(QPainter& painter, const QString& title) const {

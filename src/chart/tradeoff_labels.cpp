@@ -92,6 +92,7 @@ LabelSurroundings surroundingsOf(const std::vector<TradeoffRow>& rows, const Tra
 bool place(std::vector<TradeoffLabel>& boxes, const std::vector<TradeoffRow>& rows,
            const LabelSurroundings& around, const QFont& font) {
   std::vector<LabelRequest> requests;
+  requests.reserve(boxes.size());
   for (const TradeoffLabel& label : boxes)
     requests.push_back({label.point, markerRadius(label.purposes), sizeOf(label, rows, font),
                         label.purposes.empty() ? beside : pointing,
