@@ -16,7 +16,7 @@ constexpr double besideGap = 6.0;  // up to this far from its marker a label nee
 
 // What a label pays, in points of distance from its marker.
 constexpr double perLineCovered = 30;
-constexpr double perLineFollowed = 60;
+constexpr double perLineFollowed = 120;
 constexpr double perObstacleCrossed = 60;
 constexpr double perNeighbour = 12;  // another marker so close that it might be the one meant
 constexpr double perOtherArea = 40;  // than the point's own
