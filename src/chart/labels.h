@@ -16,7 +16,8 @@ struct LabelRequest {
   QPointF point;
   double radius = 0;  ///< of the point's marker
   QSizeF size;
-  double gap = 2.5;  ///< at least so far from the marker
+  double gap = 2.5;   ///< at least so far from the marker
+  double weight = 1;  ///< how much a good place matters to it, against the others
 };
 
 struct LabelSurroundings {

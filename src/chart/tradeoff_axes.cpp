@@ -35,12 +35,12 @@ struct Range {
     least = most > 0 ? std::min(least, value) : value;
     most = std::max(most, value);
   }
-  /// Some room beyond both ends, so that no marker lies on the frame.
-  Range widened(double share) const {
+  /// Room beyond both ends, as shares of the range: no marker lies on the frame.
+  Range widened(double before, double behind) const {
     using Limits = std::numeric_limits<double>;
     const double decades = std::max(1.0, std::log10(most) - std::log10(least));
-    const double factor = std::pow(10.0, share * decades);
-    return {std::max(least / factor, Limits::min()), std::min(most * factor, Limits::max())};
+    return {std::max(least / std::pow(10.0, before * decades), Limits::min()),
+            std::min(most * std::pow(10.0, behind * decades), Limits::max())};
   }
 };
 
@@ -82,14 +82,15 @@ TradeoffAxes::TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& s
   if (times.most > movingViewMilliseconds / 10) times.take(movingViewMilliseconds);
 
   m_plot = QRectF({0, 0}, size).adjusted(5.2 * m_em, 4.7 * m_em, -4 * m_em, -3.6 * m_em);
+  m_plot.setSize(m_plot.size().expandedTo({1, 1}));  // however small the chart
   if (zeros > 0) {
-    const double gap = 0.5 * m_em;
+    const double gap = std::min(0.5 * m_em, 0.1 * m_plot.height());
     const double height = std::min((4.5 + 0.6 * zeros) * m_em, 0.5 * m_plot.height());
     m_zero = m_plot.adjusted(0, m_plot.height() - height, 0, 0);
     m_plot.setBottom(m_zero.top() - gap);
   }
-  times = times.widened(0.05);
-  errors = errors.widened(0.06);
+  times = times.widened(0.05, 0.05);
+  errors = errors.widened(0.06, 0.11);  // the fastest want their names above them
   m_times = LogAxis(times.least, times.most, m_plot.left(), m_plot.right());
   m_errors = LogAxis(errors.least, errors.most, m_plot.bottom(), m_plot.top());
 }
@@ -118,20 +119,22 @@ std::vector<QLineF> TradeoffAxes::guides() const {
 QRectF TradeoffAxes::zeroCaption(const QFont& font) const {
   if (m_zero.isEmpty()) return {};
   const QFontMetricsF metrics(sized(font, 0.9 * m_em));
-  return {m_zero.left() + 0.5 * m_em, m_zero.top() + 0.2 * m_em,
-          metrics.horizontalAdvance(zeroText), metrics.height()};
+  const double width = metrics.horizontalAdvance(zeroText);
+  // On the right, where it is slow: nobody's choice lies there.
+  return {m_zero.right() - 0.5 * m_em - width, m_zero.top() + 0.2 * m_em, width, metrics.height()};
 }
 
 void TradeoffAxes::paint(QPainter& painter, const QString& title) const {
   painter.save();
   const QFont font = painter.font();
-  paintAreas(painter);
+  for (const QRectF& area : areas()) paintGround(painter, area);
   painter.setFont(sized(font, 0.9 * m_em));
   paintTimes(painter);
   paintErrors(painter);
   paintPsnr(painter);
-  paintZero(painter);
   paintGuides(painter);
+  paintZero(painter);
+  paintFrames(painter);
   painter.setFont(font);
   paintTitles(painter, title);
   painter.restore();
@@ -147,13 +150,10 @@ void TradeoffAxes::paintGround(QPainter& painter, const QRectF& box) const {
   painter.fillRect(slow, Qt::white);
 }
 
-void TradeoffAxes::paintAreas(QPainter& painter) const {
-  for (const QRectF& area : areas()) {
-    paintGround(painter, area);
-    painter.setPen(QPen(ink, 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(area);
-  }
+void TradeoffAxes::paintFrames(QPainter& painter) const {
+  painter.setPen(QPen(ink, 1));
+  painter.setBrush(Qt::NoBrush);
+  for (const QRectF& area : areas()) painter.drawRect(area);
 }
 
 void TradeoffAxes::paintGuides(QPainter& painter) const {
@@ -163,10 +163,11 @@ void TradeoffAxes::paintGuides(QPainter& painter) const {
     if (!m_times.holds(guide.milliseconds)) continue;
     QRectF box(0, m_plot.top() - 1.4 * m_em, 8 * m_em, 1.2 * m_em);
     const double x = m_times.place(guide.milliseconds);
+    const double width = QFontMetricsF(painter.font()).horizontalAdvance(guide.caption);
     if (guide.side == Qt::AlignRight)
       box.moveRight(x + 0.1 * m_em);
     else
-      box.moveLeft(x - 0.1 * m_em);
+      box.moveLeft(std::min(x, m_size.width() - width) - 0.1 * m_em);
     text(painter, box, guide.side | Qt::AlignVCenter, guide.caption);
   }
 }
@@ -223,7 +224,9 @@ void TradeoffAxes::paintZero(QPainter& painter) const {
   painter.setPen(QPen(ink, 1));
   text(painter, {m_zero.left() - 108, y - 10, 100, 20}, Qt::AlignRight | Qt::AlignVCenter, "0");
   text(painter, {m_zero.right() + 8, y - 10, 100, 20}, Qt::AlignLeft | Qt::AlignVCenter, "∞");
-  text(painter, zeroCaption(painter.font()), Qt::AlignLeft | Qt::AlignVCenter, zeroText);
+  const QRectF caption = zeroCaption(painter.font());
+  paintGround(painter, caption);
+  text(painter, caption, Qt::AlignLeft | Qt::AlignVCenter, zeroText);
 }
 
 void TradeoffAxes::paintTitles(QPainter& painter, const QString& title) const {

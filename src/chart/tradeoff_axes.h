@@ -36,7 +36,7 @@ class TradeoffAxes {
   void paintGround(QPainter& painter, const QRectF& box) const;
 
  private:
-  void paintAreas(QPainter& painter) const;
+  void paintFrames(QPainter& painter) const;
   void paintGuides(QPainter& painter) const;
   void paintTimes(QPainter& painter) const;
   void paintErrors(QPainter& painter) const;

@@ -48,12 +48,12 @@ void TradeoffChart::paint(QPainter& painter, const QSizeF& size) const {
     painter.setFont(sized(painter.font(), 1.25 * axes.em()));
     text(painter, axes.areas().front(), Qt::AlignHCenter, QStringLiteral("Nothing measured yet"));
   }
-  paintFront(painter, axes);
-  for (const TradeoffLabel& label : labels.labels) {
-    axes.paintGround(painter, label.box);  // lines pass behind
-    painter.setPen(QPen(paleGrey, 0.8));
+  painter.setPen(QPen(paleGrey, 0.8));
+  for (const TradeoffLabel& label : labels.labels)
     if (label.leader) painter.drawLine(*label.leader);
-  }
+  paintFront(painter, axes);
+  for (const TradeoffLabel& label : labels.labels)
+    axes.paintGround(painter, label.box);  // lines pass behind names
   paintMarkers(painter, axes);
   painter.setFont(labels.font);
   for (const TradeoffLabel& label : labels.labels)

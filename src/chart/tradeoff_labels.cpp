@@ -92,9 +92,11 @@ LabelSurroundings surroundingsOf(const std::vector<TradeoffRow>& rows, const Tra
 bool place(std::vector<TradeoffLabel>& boxes, const std::vector<TradeoffRow>& rows,
            const LabelSurroundings& around, const QFont& font) {
   std::vector<LabelRequest> requests;
+  requests.reserve(boxes.size());
   for (const TradeoffLabel& label : boxes)
     requests.push_back({label.point, markerRadius(label.purposes), sizeOf(label, rows, font),
-                        label.purposes.empty() ? beside : pointing});
+                        label.purposes.empty() ? beside : pointing,
+                        label.purposes.empty() ? 1.0 : 3.0});
   const std::vector<std::optional<LabelPlace>> places = placeLabels(requests, around);
   bool isComplete = true;
   for (std::size_t k = 0; k < boxes.size(); ++k) {

@@ -268,7 +268,15 @@ void TestTradeoffChart::selectionShows() {
   TradeoffChart chart(sampleRows(), "Error");
   const std::string plain = pngOf(paintOf(chart), {600, 450});
   chart.select(12);
-  QVERIFY(pngOf(paintOf(chart), {600, 450}) != plain);
+  const std::string chosen = pngOf(paintOf(chart), {600, 450});
+  const QImage picture = QImage::fromData(QByteArray::fromStdString(chosen));
+  const QPointF point = *TradeoffAxes(chart.rows(), QSizeF(600, 450)).place(chart.rows()[12]);
+  const auto isYellow = [&](const QPointF& place) {
+    const QColor colour = picture.pixelColor((2 * place).toPoint());
+    return colour.red() > 200 && colour.green() > 200 && colour.blue() < 120;
+  };
+  QVERIFY(isYellow(point + QPointF(0, 6)) && isYellow(point - QPointF(0, 6)));
+  QVERIFY(!isYellow(point));
   chart.select(std::nullopt);
   QCOMPARE(pngOf(paintOf(chart), {600, 450}), plain);
 }
