@@ -22,10 +22,10 @@ struct Run {
 };
 
 /// About 3 % of the picture in runs spread evenly over it, each at a random place of its share; at
-/// least 128 of them, or all there are.
+/// least 512 of them, or all there are.
 std::vector<Run> probeRuns(const std::array<int, 2>& res) {
-  constexpr int length = 32;
-  constexpr int least = 128;
+  constexpr int length = 8;
+  constexpr int least = 512;
   constexpr double part = 0.03;
   const int perRow = (res[0] + length - 1) / length;
   const int all = perRow * res[1];
@@ -42,31 +42,35 @@ std::vector<Run> probeRuns(const std::array<int, 2>& res) {
   return runs;
 }
 
-/// The picture's pixels on the runs alone; the others stay black.
-Image renderRuns(const View& asked, const std::vector<Run>& runs, LensTables& tables,
-                 const ParallelRows& parallelRows) {
-  const int scale = asked.method.scale;
-  const View view = reduced(asked);
-  const FastSimulation simulation(view, tables, parallelRows);
-  const auto [width, height] = view.state.camera.res;
-  Image image(width, height);
-  const auto row = [&](int y, int x0, int x1) {
-    const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x0);
-    simulation.row(y, x0, x1, &image.rgb[3 * at], &image.seen[at]);
-  };
-  for (const Run& run : runs) {
-    if (scale == 1) {
-      row(run.y, run.x0, run.x1);
-      continue;
-    }
-    const int first = std::max(run.x0 / scale - 1, 0);
-    const int last = std::min(run.x1 / scale + 2, image.width);
-    for (int y = std::max(run.y / scale - 1, 0); y <= std::min(run.y / scale + 1, image.height - 1);
-         ++y)
-      row(y, first, last);
+/// Renders the pixels of runs, and for a smaller picture those around them.
+class Prober {
+ public:
+  Prober(const View& asked, LensTables& tables, const ParallelRows& parallelRows)
+      : m_scale(asked.method.scale),
+        m_simulation(reduced(asked), tables, parallelRows),
+        m_image((asked.state.camera.res[0] + m_scale - 1) / m_scale,
+                (asked.state.camera.res[1] + m_scale - 1) / m_scale) {}
+
+  void render(const Run& run) {
+    if (m_scale == 1) return row(run.y, run.x0, run.x1);
+    const int first = std::max(run.x0 / m_scale - 1, 0);
+    const int last = std::min(run.x1 / m_scale + 2, m_image.width);
+    const int bottom = std::min(run.y / m_scale + 1, m_image.height - 1);
+    for (int y = std::max(run.y / m_scale - 1, 0); y <= bottom; ++y) row(y, first, last);
   }
-  return image;
-}
+
+  [[nodiscard]] const Image& image() const { return m_image; }
+
+ private:
+  void row(int y, int x0, int x1) {
+    const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
+    m_simulation.row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+  }
+
+  int m_scale;
+  FastSimulation m_simulation;
+  Image m_image;  ///< black but for what was rendered
+};
 
 double squaredError(const Run& run, const Image& reference, const Image& image, int scale) {
   double sum = 0;
@@ -87,8 +91,8 @@ struct Estimate {
   double limit = 0;
 };
 
-/// Runs are the independent samples. Three standard errors, and as much again as the worst run
-/// gives to the mean: errors that are rare are met by few of the runs.
+/// Runs are the independent samples. Three standard errors, and twice as much again as the worst
+/// run gives to the mean: errors that are rare are met by few of the runs.
 Estimate estimate(const std::vector<double>& errors, bool isWhole) {
   const auto n = double(errors.size());
   double sum = 0;
@@ -102,7 +106,7 @@ Estimate estimate(const std::vector<double>& errors, bool isWhole) {
   const double mean = sum / n;
   if (isWhole) return {mean, mean};
   const double deviation = std::sqrt(std::max(0.0, squares / n - mean * mean));
-  return {mean, mean + 3 * deviation / std::sqrt(n) + worst / n};
+  return {mean, mean + 3 * deviation / std::sqrt(n) + 2 * worst / n};
 }
 
 /// Texels that are read, and for each ray the work of one more.
@@ -143,6 +147,26 @@ std::vector<View> cheaper(const View& view) {
 
 }  // namespace
 
+namespace {
+
+/// Mean squared errors of the runs; fewer as soon as their mean is certainly above `allowed`.
+std::vector<double> probe(const View& candidate, const std::vector<Run>& runs,
+                          const Image& reference, double allowed, LensTables& tables,
+                          const ParallelRows& parallelRows) {
+  Prober prober(candidate, tables, parallelRows);
+  std::vector<double> errors;
+  double sum = 0;
+  for (const Run& run : runs) {
+    prober.render(run);
+    errors.push_back(squaredError(run, reference, prober.image(), candidate.method.scale));
+    sum += errors.back();
+    if (sum > allowed * double(runs.size())) break;
+  }
+  return errors;
+}
+
+}  // namespace
+
 Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
@@ -150,13 +174,13 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
   const std::vector<Run> runs = probeRuns(res);
   for (const Run& run : runs) choice.pixels += run.x1 - run.x0;
   const bool isWhole = choice.pixels == res[0] * res[1];
-  const Image reference = renderRuns(view, runs, tables, parallelRows);
+  Prober reference(view, tables, parallelRows);
+  for (const Run& run : runs) reference.render(run);
   const double allowed = view.sampling.tolerance * view.sampling.tolerance;
   for (const View& candidate : cheaper(view)) {
-    const Image image = renderRuns(candidate, runs, tables, parallelRows);
-    std::vector<double> errors;
-    for (const Run& run : runs)
-      errors.push_back(squaredError(run, reference, image, candidate.method.scale));
+    const std::vector<double> errors =
+        probe(candidate, runs, reference.image(), allowed, tables, parallelRows);
+    if (errors.size() < runs.size()) continue;
     const auto [mean, limit] = estimate(errors, isWhole);
     if (limit > allowed) continue;
     choice.view = candidate;

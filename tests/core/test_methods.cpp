@@ -134,26 +134,32 @@ class TestMethods : public QObject {
       else
         onlyTable += std::isnan(table[k].x) ? 1 : 0;
     }
-    QVERIFY2(both > 100 && onlyTable < 150, qPrintable(QString("%1 %2").arg(both).arg(onlyTable)));
+    QVERIFY2(both > 100 && onlyTable < 500, qPrintable(QString("%1 %2").arg(both).arg(onlyTable)));
   }
 
+  /// Many hogels: a float has no room for their number and four digits more.
   void floatsDifferOnlyAtBorders() {
     Random random(4);
+    View view;
+    view.display.hogels = {4096, 2};
+    view.display.directions = {32, 2};
+    RandomScene scene;
+    scene.content.size = {4096, 2, 32, 2};
+    fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
+    view.lightField = scene.view.lightField;
+    view.state.camera.res = {300, 200};
     int different = 0;
-    int pixels = 0;
-    for (int repeat = 0; repeat < 40; ++repeat) {
-      RandomScene scene = randomScene(random);
-      scene.view.state.camera.res = {90, 70};
-      const Image exact = simulateFast(scene.view);
-      scene.view.method.isSingle = true;
-      const Image single = simulateFast(scene.view);
+    for (int repeat = 0; repeat < 10; ++repeat) {
+      view.state.camera.eye = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.5};
+      view.method.isSingle = false;
+      const Image exact = simulateFast(view);
+      view.method.isSingle = true;
+      const Image single = simulateFast(view);
       for (std::size_t k = 0; k < exact.seen.size(); ++k)
         different +=
             std::equal(&exact.rgb[3 * k], &exact.rgb[3 * k] + 3, &single.rgb[3 * k]) ? 0 : 1;
-      pixels += int(exact.pixelCount());
     }
-    QVERIFY2(different > 0 && different < pixels / 500,
-             qPrintable(QString("%1 of %2").arg(different).arg(pixels)));
+    QVERIFY2(different > 10 && different < 6000, qPrintable(QString::number(different)));
   }
 
   void droppedTapsStayWithinTheirBound() {
