@@ -30,7 +30,11 @@ void paintOn(QPaintDevice& device, const Paint& paint, const QSize& size) {
 OffscreenPainting::OffscreenPainting() {
   if (QCoreApplication::instance() != nullptr) return;
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Qt warns on stderr where a batch machine has no folder for a session.
+  const QtMessageHandler before =
+      qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
   m_application.emplace(m_argc, m_argv);
+  qInstallMessageHandler(before);
 }
 
 std::string pngOf(const Paint& paint, const QSize& size) {

@@ -2,7 +2,9 @@
 // Recommendations: the best row by one criterion, ties broken by the other.
 #include "chart/recommendations.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace hogelscope {
@@ -28,6 +30,17 @@ bool any(const TradeoffRow& /*row*/) {
   return true;
 }
 
+/// The default in the place of a row that is no more accurate and hardly faster.
+std::optional<std::size_t> orDefault(const std::vector<TradeoffRow>& rows,
+                                     std::optional<std::size_t> best, double atMost) {
+  constexpr double hardly = 1.25;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (best && rows[k].isDefault && isMeasured(rows[k]) && rows[k].rmse <= rows[*best].rmse &&
+        rows[k].milliseconds <= std::min(hardly * rows[*best].milliseconds, atMost))
+      best = k;
+  return best;
+}
+
 }  // namespace
 
 bool isMeasured(const TradeoffRow& row) {
@@ -40,11 +53,11 @@ std::optional<std::size_t> forMovingView(const std::vector<TradeoffRow>& rows) {
     return row.isPareto && row.milliseconds <= movingViewMilliseconds;
   };
   const std::optional<std::size_t> smooth = least(rows, isSmooth, byError);
-  return smooth ? smooth : least(rows, any, byTime);
+  return smooth ? orDefault(rows, smooth, movingViewMilliseconds) : least(rows, any, byTime);
 }
 
 std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows) {
-  return least(rows, any, byError);
+  return orDefault(rows, least(rows, any, byError), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace hogelscope

@@ -65,7 +65,8 @@ const std::vector<Flag>& jobs() {
          o.pattern = oneOf(v, "--generate", patternNames());
        }},
       {"tradeoff", "",
-       "Speed against accuracy of every method on the session's own states: DIR/tradeoff.csv, .png, "
+       "Speed against accuracy of every method on the session's own states: DIR/tradeoff.csv, "
+       ".png, "
        ".svg. Nearest with one ray a pixel asks for the display as built, any other sampling for "
        "the ideal picture.",
        [](Options& o, const std::string&) { choose(o, Command::tradeoff); }},

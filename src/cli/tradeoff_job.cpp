@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "chart/painting.h"
+#include "chart/recommendations.h"
 #include "chart/tradeoff_chart.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
@@ -26,9 +27,9 @@ int tradeoff(const Options& options) {
   std::vector<View> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
   const Tradeoff result = measureTradeoff(views, parallelRows, part(bar.progress(), 0.05, 1));
-  const std::string question = text(questionOf(session.sampling));
+  const Question question = questionOf(session.sampling);
   const OffscreenPainting painting;
-  const TradeoffChart chart(result.rows, "Error against " + question);
+  const TradeoffChart chart(result.rows, "Error against " + text(question));
   const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
     chart.paint(painter, size);
   };
@@ -38,10 +39,15 @@ int tradeoff(const Options& options) {
   writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));
   bar.done();
   if (options.quiet) return 0;
-  std::cout << "error against " << question << ", over " << views.size()
-            << " state(s)\ntime per picture, lens rays included: median of " << result.runs
-            << " interleaved runs on " << result.timedViews << " state(s)\nchart and table in "
-            << (folder / "tradeoff.png").string() << ", .svg and .csv\n";
+  std::cout << "error against " << text(question) << " (" << details(question) << "), over "
+            << views.size() << " state(s)\ntime per picture, lens rays included: median of "
+            << result.runs << " interleaved runs on " << result.timedViews << " state(s)\n";
+  const auto say = [&](const char* what, std::optional<std::size_t> row) {
+    if (row) std::cout << what << result.rows[*row].method << "\n";
+  };
+  say("for a moving view: ", forMovingView(result.rows));
+  say("for a paper: ", forPaper(result.rows));
+  std::cout << "chart and table in " << (folder / "tradeoff.png").string() << ", .svg and .csv\n";
   return 0;
 }
 

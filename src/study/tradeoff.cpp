@@ -20,9 +20,13 @@ Question questionOf(const SamplingParams& sampling) {
 }
 
 std::string text(Question question) {
+  return question == Question::displayAsBuilt ? "the display as built" : "the ideal picture";
+}
+
+std::string details(Question question) {
   return question == Question::displayAsBuilt
-             ? "the display as built (exact lens, full window, nearest, one ray a pixel)"
-             : "the ideal picture (exact lens, full window, quadrilinear, 8×8 rays a pixel)";
+             ? "exact lens, full window, nearest, one ray a pixel, double precision"
+             : "exact lens, full window, quadrilinear, 8×8 rays a pixel, double precision";
 }
 
 View with(const NamedMethod& method, const View& view) {

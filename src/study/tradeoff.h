@@ -31,7 +31,9 @@ enum class Question {
 
 /// Nearest with one ray asks for the display as built.
 Question questionOf(const SamplingParams& sampling);
+/// "the display as built" or "the ideal picture", and what that means.
 std::string text(Question question);
+std::string details(Question question);
 
 struct Tradeoff {
   std::vector<TradeoffRow> rows;
