@@ -93,8 +93,12 @@ void MainWindow::connectActions() {
   connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
-  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock})
+  for (QDockWidget* dock :
+       {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock, m_ui->tradeoffDock})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
+  m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
+  m_ui->tradeoffDock->hide();
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::connectModel() {
@@ -102,18 +106,39 @@ void MainWindow::connectModel() {
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
+  connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
+  connect(m_ui->tradeoffView, &TradeoffView::failed, this, &MainWindow::showError);
+  connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
+          [this](const std::optional<NamedMethod>& method) {
+            m_method = method;
+            m_worker->render(m_model->current(), m_method);
+          });
   connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
-  connect(m_worker, &ViewWorker::loaded, this, [this](const DisplayParams& display) {
-    m_display = display;
+  connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
+    m_loaded = scene;
+    m_display = scene.display;
+    offerViews();
     showCurrent();
     m_scene->fit();
   });
   connect(m_worker, &ViewWorker::rendered, this, [this](const QImage& image, double ms) {
     m_ui->imageView->setImage(image);
+    const QString method =
+        m_method ? tr(", method: %1").arg(QString::fromStdString(m_method->name)) : QString();
     statusBar()->showMessage(
-        tr("%1 × %2 px in %3 ms").arg(image.width()).arg(image.height()).arg(ms, 0, 'f', 1));
+        tr("%1 × %2 px in %3 ms").arg(image.width()).arg(image.height()).arg(ms, 0, 'f', 1) +
+        method);
   });
+}
+
+/// To the measurement: the states as they are in the session now.
+void MainWindow::offerViews() {
+  std::vector<View> views;
+  if (m_loaded)
+    for (const CameraState& state : m_model->session().cameras)
+      views.push_back(m_loaded->view(state));
+  m_ui->tradeoffView->setViews(views);
 }
 
 template <class Action>
@@ -179,6 +204,9 @@ void MainWindow::showSession() {
   for (const CameraState& state : m_model->session().cameras)
     m_stateBox->addItem(QString::fromStdString(state.camera.name));
   m_display = m_model->session().display;
+  m_loaded.reset();  // the old one's memory is free before the new one is read
+  m_method.reset();
+  offerViews();
   m_worker->load(m_model->session());
   statusBar()->showMessage(
       tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
@@ -193,7 +221,7 @@ void MainWindow::showCurrent() {
   m_stateBox->setCurrentIndex(index);
   for (ParameterForm* form : m_forms) form->refresh();
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
-  m_worker->render(m_model->current());
+  m_worker->render(m_model->current(), m_method);
   showTitle();
 }
 

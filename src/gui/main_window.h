@@ -7,6 +7,8 @@
 
 #include "core/lens_certificate.h"
 #include "core/session.h"
+#include "io/light_field_file.h"
+#include "study/tradeoff.h"
 
 class QComboBox;
 class QLabel;
@@ -49,6 +51,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showCertificate(const LensCertificate& certificate);
   void showError(const QString& line);
+  void offerViews();
   template <class Action>
   bool guarded(Action action);
 
@@ -59,7 +62,9 @@ class MainWindow : public QMainWindow {
   QLabel* m_certificateLabel;
   std::unique_ptr<DisplayScene> m_scene;
   std::vector<ParameterForm*> m_forms;
-  DisplayParams m_display;  ///< resolved
+  DisplayParams m_display;              ///< resolved
+  std::optional<Scene> m_loaded;        ///< none while a light field is read
+  std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
 };
 
 }  // namespace hogelscope

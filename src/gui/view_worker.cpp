@@ -24,7 +24,7 @@ QImage toQImage(const Image& image) {
 }  // namespace
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
-  qRegisterMetaType<DisplayParams>("hogelscope::DisplayParams");
+  qRegisterMetaType<Scene>("hogelscope::Scene");
   qRegisterMetaType<LensCertificate>("hogelscope::LensCertificate");
   m_thread = std::thread([this] { run(); });
 }
@@ -47,10 +47,10 @@ void ViewWorker::load(const Session& session) {
   m_wake.notify_one();
 }
 
-void ViewWorker::render(const CameraState& state) {
+void ViewWorker::render(const CameraState& state, const std::optional<NamedMethod>& method) {
   {
     const std::lock_guard lock(m_mutex);
-    m_toRender = state;
+    m_toRender = Request{state, method};
   }
   m_wake.notify_one();
 }
@@ -68,14 +68,15 @@ void ViewWorker::run() {
     m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
     if (m_ends) return;
     const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
-    const std::optional<CameraState> state =
+    const std::optional<Request> request =
         session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
     lock.unlock();
     try {
       if (session) loadNow(*session);
-      if (!state || !m_scene) continue;
-      renderNow(*state, *filter);
-      if (!hasNewer(false)) certifyNow(*state);
+      if (!request || !m_scene) continue;
+      const View view = m_scene->view(request->state);
+      renderNow(request->method ? with(*request->method, view) : view, *filter);
+      if (!hasNewer(false)) certifyNow(request->state);
     } catch (const Cancelled&) {
       // a newer request waits
     } catch (const std::exception& error) {
@@ -87,14 +88,15 @@ void ViewWorker::run() {
 void ViewWorker::loadNow(const Session& session) {
   m_scene.reset();  // frees the old one's memory before the new one is read
   m_scene = loadScene(session, [this](double) { return !hasNewer(true); });
-  Q_EMIT loaded(m_scene->display);
+  Q_EMIT loaded(*m_scene);
 }
 
-void ViewWorker::renderNow(const CameraState& state, vtkHogelViewFilter& filter) {
+void ViewWorker::renderNow(const View& view, vtkHogelViewFilter& filter) {
+  const CameraState& state = view.state;
   QElapsedTimer timer;
   timer.start();
   check(state, state.camera.name.empty() ? "state" : state.camera.name);
-  filter.SetView(m_scene->view(state));
+  filter.SetView(view);
   const Image image = filter.GetImage();
   Q_EMIT rendered(toQImage(image), double(timer.nsecsElapsed()) * 1e-6);
 }

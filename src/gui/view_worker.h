@@ -12,6 +12,7 @@
 #include "core/lens_certificate.h"
 #include "core/session.h"
 #include "io/light_field_file.h"
+#include "study/tradeoff.h"
 
 class vtkHogelViewFilter;
 
@@ -27,12 +28,12 @@ class ViewWorker : public QObject {
 
   /// Reads the session's light field; an older reading stops.
   void load(const Session& session);
-  /// Renders once the light field is there; an older rendering stops.
-  void render(const CameraState& state);
+  /// Renders once the light field is there, by the session's own method if none is given; an older
+  /// rendering stops.
+  void render(const CameraState& state, const std::optional<NamedMethod>& method);
 
  Q_SIGNALS:
-  /// `display` has its hogels and directions resolved.
-  void loaded(const hogelscope::DisplayParams& display);
+  void loaded(const hogelscope::Scene& scene);
   void rendered(const QImage& image, double milliseconds);
   /// After the picture, where its lens is another one than before.
   void certified(const hogelscope::LensCertificate& certificate);
@@ -41,14 +42,18 @@ class ViewWorker : public QObject {
  private:
   void run();
   void loadNow(const Session& session);
-  void renderNow(const CameraState& state, vtkHogelViewFilter& filter);
+  void renderNow(const View& view, vtkHogelViewFilter& filter);
   void certifyNow(const CameraState& state);
   [[nodiscard]] bool hasNewer(bool isLoading);
 
   std::mutex m_mutex;  ///< guards the next four
   std::condition_variable m_wake;
   std::optional<Session> m_toLoad;
-  std::optional<CameraState> m_toRender;
+  struct Request {
+    CameraState state;
+    std::optional<NamedMethod> method;
+  };
+  std::optional<Request> m_toRender;
   bool m_ends = false;
 
   std::optional<Scene> m_scene;   ///< the thread's own, as the next

@@ -38,26 +38,35 @@ View with(const NamedMethod& method, const View& view) {
 
 namespace {
 
-/// From nothing, lens rays too.
-Image render(const View& view, const ParallelRows& parallelRows) {
+/// From nothing, lens rays too. `pulse` is heard now and then and may throw.
+Image render(const View& view, const ParallelRows& parallelRows,
+             const std::function<void()>& pulse) {
   const View small = reduced(view);
   LensTables tables;
   const FastSimulation simulation(small, tables, parallelRows);
   const auto [width, height] = small.state.camera.res;
   Image image(width, height);
-  parallelRows(height, [&, columns = width](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const std::size_t at = std::size_t(y) * std::size_t(columns);
-      simulation.row(y, 0, columns, &image.rgb[3 * at], &image.seen[at]);
-    }
-  });
+  const int n = view.sampling.samplesPerPixel;
+  const int pieces = n * n;  // each about as much work as a picture with one ray a pixel
+  for (int piece = 0; piece < pieces; ++piece) {
+    pulse();
+    const int first = height * piece / pieces;
+    const int last = height * (piece + 1) / pieces;
+    parallelRows(last - first, [&, columns = width](int begin, int end) {
+      for (int y = first + begin; y < first + end; ++y) {
+        const std::size_t at = std::size_t(y) * std::size_t(columns);
+        simulation.row(y, 0, columns, &image.rgb[3 * at], &image.seen[at]);
+      }
+    });
+  }
   const int scale = view.method.scale;
   return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
 }
 
-Image reference(const View& view, Question question, const ParallelRows& parallelRows) {
+Image reference(const View& view, Question question, const ParallelRows& parallelRows,
+                const std::function<void()>& pulse) {
   if (question == Question::idealPicture)
-    return render(with({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows);
+    return render(with({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows, pulse);
   const Simulation simulation(with({"display"}, view));
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
@@ -124,9 +133,10 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
 }
 
 /// Wall time in milliseconds.
-double timed(const View& view, const ParallelRows& parallelRows) {
+double timed(const View& view, const ParallelRows& parallelRows,
+             const std::function<void()>& pulse) {
   const auto start = std::chrono::steady_clock::now();
-  (void)render(view, parallelRows);
+  (void)render(view, parallelRows, pulse);
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
 }
@@ -152,10 +162,12 @@ double measureErrors(const std::vector<View>& views, const ParallelRows& paralle
   const auto start = std::chrono::steady_clock::now();
   const Question question = questionOf(views.front().sampling);
   for (std::size_t k = 0; k < views.size(); ++k) {
-    const Image expected = reference(views[k], question, parallelRows);
+    double done = double(k) / double(views.size());
+    const auto pulse = [&progress, &done] { advance(progress, done); };
+    const Image expected = reference(views[k], question, parallelRows, pulse);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      advance(progress, (double(k) + double(m) / double(methods.size())) / double(views.size()));
-      add(expected, render(with(methods[m], views[k]), parallelRows), sums[m]);
+      done = (double(k) + double(m) / double(methods.size())) / double(views.size());
+      add(expected, render(with(methods[m], views[k]), parallelRows, pulse), sums[m]);
     }
   }
   for (std::size_t m = 0; m < methods.size(); ++m) rows.push_back(rowOf(methods[m], sums[m]));
@@ -195,9 +207,10 @@ Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& par
   std::vector<std::vector<double>> times(methods.size());
   for (int run = 0; run < result.runs; ++run)
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      advance(progress, 0.4 + 0.6 * (run + double(m) / double(methods.size())) / result.runs);
+      const double done = 0.4 + 0.6 * (run + double(m) / double(methods.size())) / result.runs;
+      const auto pulse = [&progress, done] { advance(progress, done); };
       double sum = 0;
-      for (const View& view : timedOnes) sum += timed(with(methods[m], view), parallelRows);
+      for (const View& view : timedOnes) sum += timed(with(methods[m], view), parallelRows, pulse);
       times[m].push_back(sum / double(timedOnes.size()));
     }
   for (std::size_t m = 0; m < methods.size(); ++m) {

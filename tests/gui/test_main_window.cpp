@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drives the real window: opens the sample session, moves sliders, looks at what it shows.
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "core/simulate.h"
+#include "core/fast_simulation.h"
+#include "core/scaled_view.h"
 #include "gui/image_view.h"
 #include "gui/main_window.h"
+#include "gui/tradeoff_view.h"
 #include "gui/vtk_widget.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
@@ -135,6 +139,52 @@ class TestMainWindow : public QObject {
     QVERIFY(!m_window->importCalibration(m_folder.filePath("missing.yml")));
     QVERIFY(message().contains("missing.yml: cannot be read"));
     QCOMPARE(view().size(), QSize(640, 480));
+  }
+
+  void measuresAndUsesAMethod() {
+    Session session = loadSession(sampleFile.toStdString(), {"camera.res=[80,60]"});
+    session.cameras.resize(1);
+    const QString file = m_folder.filePath("small.json");
+    saveSession(file.toStdString(), session);
+    QVERIFY(m_window->openSession(file));
+    QTRY_VERIFY_WITH_TIMEOUT(!view().isNull() && message().contains(" ms"), 60000);
+    auto* dock = m_window->findChild<QDockWidget*>("tradeoffDock");
+    dock->toggleViewAction()->trigger();
+    QTRY_VERIFY(dock->isVisible());
+    auto* measure = m_window->findChild<QPushButton*>("measureButton");
+    auto* chart = m_window->findChild<TradeoffChartWidget*>();
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!chart->chart().rows().empty(), 60000);
+    const auto& rows = chart->chart().rows();
+    const auto half = std::find_if(
+        rows.begin(), rows.end(), [](const TradeoffRow& row) { return row.method == "half size"; });
+    const auto names = chart->chart().nameBoxes(QSizeF(chart->size()), chart->font());
+    const QRectF name = names[std::size_t(half - rows.begin())];
+    QTest::mouseClick(chart, Qt::LeftButton, {}, name.center().toPoint());
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("method: half size"), 20000);
+
+    const Scene scene = loadScene(session, {});
+    View small = scene.view(session.cameras[0]);
+    const Image exact = simulate(small);
+    small.method.scale = 2;
+    const Image expected = enlarged(simulateFast(reduced(small)), 2, {80, 60});
+    QTRY_VERIFY(equals(view(), expected));
+    QTest::mouseClick(m_window->findChild<QPushButton*>("ownMethodButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!message().contains("method"), 20000);
+    QVERIFY(!equals(view(), expected));
+    QVERIFY(equals(view(), exact));
+  }
+
+  void stopsMeasuring() {
+    waitForSample();
+    m_window->findChild<QDockWidget*>("tradeoffDock")->show();
+    auto* measure = m_window->findChild<QPushButton*>("measureButton");
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QTest::qWait(300);
+    QVERIFY(measure->text().contains("Stop"));
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(measure->isEnabled() && measure->text().contains("Measure"), 10000);
+    QVERIFY(m_window->findChild<TradeoffChartWidget*>()->chart().rows().empty());
   }
 
   void theLastOfManyEditsWins() {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures speed against accuracy on a thread of its own.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <thread>
+
+#include "study/tradeoff.h"
+
+namespace hogelscope {
+
+class TradeoffWorker : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TradeoffWorker(QObject* parent = nullptr);
+  /// Stops what is under way.
+  ~TradeoffWorker() override;
+
+  /// One of the signals must have come since the last start.
+  void start(const std::vector<View>& views);
+  /// One of the signals comes soon.
+  void stop() { m_stops = true; }
+
+ Q_SIGNALS:
+  void advanced(double fraction);
+  void finished(const hogelscope::Tradeoff& tradeoff);
+  void stopped();
+  void failed(const QString& line);
+
+ private:
+  void run(const std::vector<View>& views);
+
+  std::atomic<bool> m_stops = false;
+  std::thread m_thread;
+};
+
+}  // namespace hogelscope
