@@ -13,7 +13,7 @@
 namespace hogelscope {
 
 TradeoffChartWidget::TradeoffChartWidget(QWidget* parent) : QWidget(parent), m_chart({}, "") {
-  setMinimumSize(500, 320);
+  setMinimumSize(500, 380);
   setObjectName("tradeoffChart");
 }
 

@@ -175,9 +175,12 @@ double measureErrors(const std::vector<View>& views, const ParallelRows& paralle
       .count();
 }
 
-/// Evenly spread, as many as a round of some seconds has time for.
+constexpr double longestRound = 6000;  // milliseconds
+constexpr int leastRuns = 5;
+constexpr int mostRuns = 25;
+
+/// Evenly spread, as many as a round has time for.
 std::vector<View> someOf(const std::vector<View>& views, double millisecondsForAll) {
-  constexpr double longestRound = 6000;
   const auto wanted = double(views.size()) * longestRound / millisecondsForAll;
   const std::size_t count = std::clamp<std::size_t>(std::size_t(wanted), 1, views.size());
   std::vector<View> some;
@@ -198,11 +201,12 @@ void markPareto(std::vector<TradeoffRow>& rows) {
 Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& parallelRows,
                          const Progress& progress) {
   Tradeoff result;
-  result.runs = 5;
   // The first round warms up: code, pages, the processor's clock.
   const double round = measureErrors(views, parallelRows, part(progress, 0, 0.4), result.rows);
   const std::vector<View> timedOnes = someOf(views, round);
   result.timedViews = timedOnes.size();
+  const double timedRound = round * double(timedOnes.size()) / double(views.size());
+  result.runs = std::clamp(int(2 * longestRound / timedRound), leastRuns, mostRuns);
   const std::vector<NamedMethod> methods = namedMethods();
   std::vector<std::vector<double>> times(methods.size());
   for (int run = 0; run < result.runs; ++run)
