@@ -12,6 +12,7 @@
 #include "cli/explain.h"
 #include "cli/info.h"
 #include "cli/progress_bar.h"
+#include "cli/stability_job.h"
 #include "core/error.h"
 #include "core/pattern.h"
 #include "core/plan.h"
@@ -254,6 +255,8 @@ int runJob(const Options& options) {
       return report(options);
     case Command::generate:
       return generate(options);
+    case Command::stability:
+      return stabilityJob(options);
     case Command::info:
       std::cout << infoText(options.infoFile);
       return 0;
