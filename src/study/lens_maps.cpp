@@ -60,7 +60,7 @@ class FoldFinder {
     double folds = m_plane.reach() / std::max(std::abs(x), std::abs(y));  // the map's border
     double holds = 0;
     if (isOneToOne(m_plane.lens(folds * x, folds * y), m_border)) return std::nullopt;
-    constexpr int halvings = 20;
+    constexpr int halvings = 12;  // far below a pixel of the map
     for (int k = 0; k < halvings; ++k) {
       const double middle = (holds + folds) / 2;
       (isOneToOne(m_plane.lens(middle * x, middle * y), m_border) ? holds : folds) = middle;
@@ -90,16 +90,20 @@ class FoldFinder {
   std::vector<Vec2> m_border;
 };
 
-std::vector<std::vector<Vec2>> foldLineOf(const LensPlane& plane,
-                                          const ParallelRows& parallelRows) {
-  constexpr int directions = 72;
+std::vector<std::vector<Vec2>> foldLineOf(const LensPlane& plane, const ParallelRows& parallelRows,
+                                          const Progress& progress) {
+  constexpr int directions = 96;
+  constexpr int together = 12;  // so that a stop is soon heard
+  const auto angle = [](int k) { return 2 * std::numbers::pi * k / directions; };
   const FoldFinder finder(plane);
   std::vector<FoldEnds> parts(directions);
-  parallelRows(directions, [&](int begin, int end) {
-    const auto angle = [](int k) { return 2 * std::numbers::pi * k / directions; };
-    for (int k = begin; k < end; ++k)
-      parts[std::size_t(k)] = finder.between(angle(k), angle(k + 1));
-  });
+  for (int first = 0; first < directions; first += together) {
+    advance(progress, double(first) / directions);
+    parallelRows(together, [&](int begin, int end) {
+      for (int k = first + begin; k < first + end; ++k)
+        parts[std::size_t(k)] = finder.between(angle(k), angle(k + 1));
+    });
+  }
   parts.push_back({parts[0][0]});  // closes the line
   std::vector<std::vector<Vec2>> pieces;
   bool continues = false;
@@ -141,11 +145,12 @@ LensMap measureMap(const LensPlane& plane, const ParallelRows& parallelRows,
                    const Progress& progress) {
   const int side = plane.side();
   const auto& methods = inverseMethods();
-  LensMap map{plane, {}, foldLineOf(plane, parallelRows)};
+  constexpr double foldShare = 0.3;  // of the time, about
+  LensMap map{plane, {}, foldLineOf(plane, parallelRows, part(progress, 0, foldShare))};
   map.outcomes.assign(methods.size(),
                       std::vector<LensOutcomes>(std::size_t(side) * std::size_t(side)));
   for (int row = 0; row < side; ++row) {
-    advance(progress, double(row) / side);
+    advance(progress, foldShare + (1 - foldShare) * row / side);
     parallelRows(side, [&](int begin, int end) {
       for (int column = begin; column < end; ++column) {
         const LensTrial trial(paperCamera(plane.lens(plane.at(column), plane.at(row))),

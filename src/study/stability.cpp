@@ -72,8 +72,8 @@ std::vector<NamedLens> hardLenses() {
 Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelRows& parallelRows,
                            const Progress& progress) {
   constexpr int gridSide = 41;
-  constexpr double lensShare = 0.1;  // of the time, about
-  constexpr double mapShare = 0.35;
+  constexpr double lensShare = 0.05;  // of the time, about
+  constexpr double mapShare = 0.4;
   Stability result{lenses, {}, {}, {}};
   for (const NamedLens& lens : lenses) {
     advance(progress, lensShare * double(result.outcomes.size()) / double(lenses.size()));
