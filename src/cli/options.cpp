@@ -160,10 +160,15 @@ void refuseMissing(const Options& options) {
     throw InputError("command line",
                      "has settings but no job; give one of --render, --report, "
                      "--generate, --stability, or only a session to open it");
-  if (!options.calibrations.empty() && options.command != Command::stability)
+  const bool isStability = options.command == Command::stability;
+  if (!options.calibrations.empty() && !isStability)
     throw InputError("--calibrations",
-                     "belongs to --stability; a job's cameras are changed by "
+                     "belongs to --stability; the cameras of other jobs change by "
                      "--calibration FILE");
+  if (!options.session.empty() && isStability)
+    throw InputError("--session",
+                     "is not for --stability, whose lenses are its own and those of "
+                     "--calibrations FILE");
   if (!isJob) return;
   if (hasSession) need(options.session, "--session", "name the session document");
   need(options.output, "--output", "name where the results go");

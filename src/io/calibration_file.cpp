@@ -126,7 +126,7 @@ std::optional<std::array<int, 2>> resolutionOf(const cv::FileStorage& storage) {
   return checked<CameraParams>({{"res", {int(width), int(height)}}}, "image size").res;
 }
 
-/// The `count` numbers of a list, or one fewer: k3 may be left out. `parts` says what they are.
+/// A list of `least` to `most` numbers; `parts` says what they are.
 std::vector<double> numbersAt(const Json& camera, const std::string& path, const char* key,
                               std::size_t least, std::size_t most, const char* parts) {
   const std::string what = path + "." + key;
@@ -141,7 +141,6 @@ std::vector<double> numbersAt(const Json& camera, const std::string& path, const
   return values;
 }
 
-/// As JsonReader says it, with the file's own names.
 NamedCalibration cameraOf(const Json& camera, const std::string& path) {
   if (!camera.is_object()) throw InputError(path, "is not an object with name, size, K and D");
   const auto name = camera.find("name");
@@ -198,12 +197,12 @@ std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file
   try {
     const std::string text = textOf(file);
     if (isCameraList(text)) return camerasOf(parseJson(text));
+    NamedCalibration one{file.stem().string(), loadCalibration(file)};
+    if (!one.calibration.res) one.calibration.res = centredOn(one.calibration.intrinsics);
+    return {one};
   } catch (const InputError& error) {
     throw error.in(file.string());
   }
-  NamedCalibration one{file.stem().string(), loadCalibration(file)};
-  if (!one.calibration.res) one.calibration.res = centredOn(one.calibration.intrinsics);
-  return {one};
 }
 
 Calibration loadCalibration(const std::filesystem::path& file) {
