@@ -4,7 +4,6 @@
 
 #include <QImage>
 #include <QPainterPath>
-#include <cmath>
 
 namespace hogelscope {
 
@@ -48,13 +47,13 @@ struct MapFrame {
   }
 };
 
-void paintCells(QPainter& painter, const MapFrame& frame, const std::vector<LensOutcomes>& lenses) {
-  const int side = static_cast<int>(std::lround(std::sqrt(double(lenses.size()))));
+void paintCells(QPainter& painter, const MapFrame& frame, int side,
+                const std::vector<LensOutcomes>& lenses) {
   QImage image(side, side, QImage::Format_RGB32);
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < side; ++column)
-      image.setPixel(column, side - 1 - row,
-                     colourOf(lenses[std::size_t(row * side + column)].worst()));
+  auto lens = lenses.begin();
+  for (int row = side - 1; row >= 0; --row)
+    for (int column = 0; column < side; ++column, ++lens)
+      image.setPixel(column, row, colourOf(lens->worst()));
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
   painter.drawImage(frame.area, image);
 }
@@ -134,7 +133,9 @@ void paintLegend(QPainter& painter, const QRectF& area) {
   constexpr double step = 21;
   const double width = area.width() / 2;
   const auto place = [&](int index) {
-    return QPointF(area.left() + index / rows * width, area.top() + index % rows * step);
+    const int column = index / rows;
+    const int row = index % rows;
+    return QPointF(area.left() + column * width, area.top() + row * step);
   };
   const auto label = [&](int index, const QString& text) {
     painter.setPen(Qt::black);
@@ -174,7 +175,7 @@ void paintStabilityMaps(QPainter& painter, const QSizeF& size, const std::vector
       const double top = topMargin + double(p) * (side + belowRow);
       const LensPlane& plane = maps[p].plane;
       const MapFrame frame{QRectF(left, top, side, side), plane.reach(), 1.0 / plane.stepsPerUnit};
-      paintCells(painter, frame, maps[p].outcomes[m]);
+      paintCells(painter, frame, plane.side(), maps[p].outcomes[m]);
       paintFoldLine(painter, frame, maps[p].foldLine);
       paintAxes(painter, frame, plane, m == 0);
     }
