@@ -86,7 +86,8 @@ void TestStabilityJob::mistakes_data() {
       << QByteArray(
              "s.json: stands alone on the command line; a session is given as --session FILE");
   QTest::newRow("no such file") << stability({"--calibrations", "none.json"})
-                                << QByteArray("none.json: cannot be read: No such file or directory");
+                                << QByteArray(
+                                       "none.json: cannot be read: No such file or directory");
   QTest::newRow("another job's") << QStringList{"--render", "--calibrations", "l.json"}
                                  << QByteArray(
                                         "--calibrations: belongs to --stability; the cameras of "
