@@ -2,7 +2,6 @@
 // Batch mode: the jobs of the command line.
 #include "cli/batch.h"
 
-#include <fnmatch.h>
 #include <vtkNew.h>
 
 #include <algorithm>
@@ -11,8 +10,10 @@
 
 #include "cli/explain.h"
 #include "cli/info.h"
+#include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "cli/stability_job.h"
+#include "cli/tradeoff_job.h"
 #include "core/error.h"
 #include "core/pattern.h"
 #include "core/plan.h"
@@ -30,32 +31,6 @@ namespace hogelscope {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<CameraState> selected(const Session& session, const std::string& glob,
-                                  const std::string& file) {
-  std::vector<CameraState> states;
-  std::string names;
-  for (const CameraState& state : session.cameras) {
-    if (::fnmatch(glob.c_str(), state.camera.name.c_str(), 0) == 0) states.push_back(state);
-    names += (names.empty() ? "" : ", ") + state.camera.name;
-  }
-  constexpr std::size_t longest = 200;
-  if (names.size() > longest) names = names.substr(0, longest) + "…";
-  if (states.empty())
-    throw InputError(file, "--states " + glob, "fits none of the states: " + names);
-  return states;
-}
-
-Session loadSelected(const Options& options) {
-  std::optional<Calibration> calibration;
-  if (!options.calibration.empty()) calibration = loadCalibration(options.calibration);
-  Session session = loadSession(options.session, options.overrides, calibration);
-  session.cameras = selected(session, options.states, options.session);
-  if (!options.quiet)
-    for (const std::string& line : warnings(session))
-      std::cerr << "hogelscope: " << options.session << ": warning: " << line << "\n";
-  return session;
-}
 
 void savePicture(const fs::path& folder, const std::string& name, const Image& image) {
   writeImage(folder / (name + ".png"), image.width, image.height, image.rgb);
@@ -255,6 +230,8 @@ int runJob(const Options& options) {
       return report(options);
     case Command::generate:
       return generate(options);
+    case Command::tradeoff:
+      return tradeoff(options);
     case Command::stability:
       return stabilityJob(options);
     case Command::info:

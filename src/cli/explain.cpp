@@ -7,6 +7,8 @@
 #include "core/fast_simulation.h"
 #include "core/lens_certificate.h"
 #include "core/report.h"
+#include "core/scaled_view.h"
+#include "core/tolerance.h"
 #include "vtk/parallel_rows.h"
 
 namespace hogelscope {
@@ -32,7 +34,7 @@ int texelsPerRay(const View& view, const Plan& plan) {
 
 std::string workText(const View& view, const Plan& plan) {
   LensTables tables;
-  const FastSimulation simulation(view, tables, parallelRows);
+  const FastSimulation simulation(reduced(view), tables, parallelRows);
   const auto rays = double(simulation.rays());
   const auto [width, height] = view.state.camera.res;
   const int texels = texelsPerRay(view, plan);
@@ -46,11 +48,20 @@ std::string workText(const View& view, const Plan& plan) {
 
 }  // namespace
 
-std::string explanation(const View& view) {
+std::string explanation(const View& asked) {
+  LensTables tables;
+  const Choice choice = choose(asked, tables, parallelRows);
+  const View& view = choice.view;
   const Plan made = plan(view);
   std::string text = view.state.camera.name + "\n";
-  for (const auto& [what, why, saves] : made.decisions)
-    text += "  " + what + ": " + why + (saves.empty() ? "" : "; saves " + saves) + "\n";
+  if (choice.pixels > 0)
+    text += "  for a tolerance of " + numberText(asked.sampling.tolerance) +
+            " code values: " + hogelscope::text(choice) + "\n";
+  for (const auto& [what, why, saves] : made.decisions) {
+    text.append("  ").append(what).append(": ").append(why);
+    if (!saves.empty()) text.append("; saves ").append(saves);
+    text.append("\n");
+  }
   text += "  what is read: " + workText(view, made) + "\n";
   if (made.hasLens)
     text += "  the lens: " +

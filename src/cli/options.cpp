@@ -28,7 +28,7 @@ void choose(Options& options, Command command) {
   if (options.command != Command::window && options.command != command)
     throw InputError("command line",
                      "asks for two jobs at once; give one of --render, --report, "
-                     "--generate, --stability, --info");
+                     "--generate, --tradeoff, --stability, --info");
   options.command = command;
 }
 
@@ -64,6 +64,12 @@ const std::vector<Flag>& jobs() {
          choose(o, Command::generate);
          o.pattern = oneOf(v, "--generate", patternNames());
        }},
+      {"tradeoff", "",
+       "Speed against accuracy of every method on the session's own states: DIR/tradeoff.csv, "
+       ".png, "
+       ".svg. Nearest with one ray a pixel asks for the display as built, any other sampling for "
+       "the ideal picture.",
+       [](Options& o, const std::string&) { choose(o, Command::tradeoff); }},
       {"stability", "",
        "Where methods fail: which ways to invert a lens find the right ray, which a wrong one or "
        "none, and the other unstable places: DIR/stability.csv, DIR/stability.png.",
@@ -144,9 +150,9 @@ void refuseMissing(const Options& options) {
   const auto need = [](const std::string& value, const char* flag, const char* what) {
     if (value.empty()) throw InputError(flag, std::string("is missing: ") + what);
   };
-  const bool hasSession = options.command == Command::render ||
-                          options.command == Command::report ||
-                          options.command == Command::generate;
+  const bool hasSession =
+      options.command == Command::render || options.command == Command::report ||
+      options.command == Command::generate || options.command == Command::tradeoff;
   const bool isJob = hasSession || options.command == Command::stability;
   if (isJob || options.command == Command::info) {
     if (!options.files.empty())
@@ -159,7 +165,7 @@ void refuseMissing(const Options& options) {
         options.calibrations.empty()))
     throw InputError("command line",
                      "has settings but no job; give one of --render, --report, "
-                     "--generate, --stability, or only a session to open it");
+                     "--generate, --tradeoff, --stability, or only a session to open it");
   const bool isStability = options.command == Command::stability;
   if (!options.calibrations.empty() && !isStability)
     throw InputError("--calibrations",

@@ -8,7 +8,7 @@
 
 namespace hogelscope {
 
-enum class Command { window, render, report, generate, stability, info, help, version };
+enum class Command { window, render, report, generate, tradeoff, stability, info, help, version };
 
 struct Options {
   Command command = Command::window;

@@ -57,15 +57,16 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
     : m_view(view) {
   const Simulation valid(view);  // throws what is wrong
   m_plan = hogelscope::plan(view);
-  m_lensKey = lensKeyOf(view.state, view.sampling);
+  m_lensKey = lensKeyOf(view.state, view.sampling, view.method);
   const Display display(view.display);
   m_map = hitMapOf(view.display, display, Camera(view.state.camera, view.state.intrinsics));
+  m_map.isSingle = view.method.isSingle;
   m_seesNothing = !(display.displayFromWorld().point(view.state.camera.eye).z > 0);
   m_unseen = view.lightField->layout().texels;
   for (int x = 0; x < view.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
   if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
-  if (!m_lens) m_inverse = QuickInverse(Distortion(view.state.distortion));
+  if (!m_lens) m_rays.emplace(m_lensKey);
   m_taps.emplace(view, m_plan);
 }
 
@@ -215,7 +216,7 @@ bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch&
     x = m_lens->x(y, sx, sy) + x0;
     py = m_lens->y(y, sx, sy) + x0;
   } else {
-    lensRow(m_lensKey, *m_inverse, y, sx, sy, x0, count, scratch.x.data(), scratch.y.data());
+    m_rays->row(y, sx, sy, x0, count, scratch.x.data(), scratch.y.data());
   }
   if (m_view.display.lens == HogelLens::equiangular)
     equiangularCells(m_map, {radians(m_view.display.fov[0]), radians(m_view.display.fov[1])}, x, py,

@@ -51,7 +51,7 @@ class FastSimulation {
   std::uint32_t m_unseen = 0;  ///< address of the black texel
   std::vector<double> m_x;     ///< of each pixel column, plain lens
   LensKey m_lensKey;
-  std::optional<QuickInverse> m_inverse;  ///< where rays are not kept in a table
+  std::optional<LensRays> m_rays;  ///< where rays are not kept in a table
   std::optional<TapSum> m_taps;
 };
 

@@ -68,7 +68,7 @@ double validRadius(const Distortion& distortion) {
 LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows) {
   LensKey key = lens;
   key.samplesPerPixel = 1;
-  const QuickInverse inverse{Distortion(key.distortion)};
+  const LensRays rays(key);
   std::mutex mutex;
   LensCertificate all;
   parallelRows(key.res[1], [&](int begin, int end) {
@@ -76,7 +76,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows) {
     std::vector<double> y(x.size());
     LensCertificate part;
     for (int row = begin; row < end; ++row) {
-      lensRow(key, inverse, row, 0, 0, 0, key.res[0], x.data(), y.data());
+      rays.row(row, 0, 0, 0, key.res[0], x.data(), y.data());
       add(key, row, x.data(), y.data(), part);
     }
     const std::lock_guard lock(mutex);

@@ -10,32 +10,6 @@ void serialRows(int count, const std::function<void(int begin, int end)>& rows) 
   rows(0, count);
 }
 
-namespace {
-
-Vec2 onSensor(const LensKey& key, int x, int y, int sx, int sy) {
-  const int n = key.samplesPerPixel;
-  return {(x + (sx + 0.5) / n - 0.5 - key.centre.x) / key.focalLength.x,
-          (y + (sy + 0.5) / n - 0.5 - key.centre.y) / key.focalLength.y};
-}
-
-}  // namespace
-
-void lensRow(const LensKey& key, const QuickInverse& inverse, int y, int sx, int sy, int x0,
-             int count, double* idealX, double* idealY) {
-  for (int k = 0; k < count; ++k) {
-    const Vec2 pixel = onSensor(key, x0 + k, y, sx, sy);
-    idealX[k] = pixel.x;
-    idealY[k] = pixel.y;
-  }
-  if (key.mapping == LensMapping::exact) return inverse.undistort(idealX, idealY, count);
-  const Distortion distortion(key.distortion);
-  for (int k = 0; k < count; ++k) {
-    const Vec2 ideal = distortion.distort({idealX[k], idealY[k]});
-    idealX[k] = ideal.x;
-    idealY[k] = ideal.y;
-  }
-}
-
 std::size_t LensTable::bytes(const LensKey& key) {
   const auto samples = std::size_t(key.samplesPerPixel) * std::size_t(key.samplesPerPixel);
   return samples * std::size_t(key.res[0]) * std::size_t(key.res[1]) * 2 * sizeof(double);
@@ -43,13 +17,12 @@ std::size_t LensTable::bytes(const LensKey& key) {
 
 LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows)
     : m_key(key), m_x(bytes(key) / (2 * sizeof(double))), m_y(m_x.size()) {
-  const QuickInverse inverse{Distortion(key.distortion)};
+  const LensRays rays(key);
   const int n = key.samplesPerPixel;
   parallelRows(key.res[1] * n * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
-      lensRow(key, inverse, row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first],
-              &m_y[first]);
+      rays.row(row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first], &m_y[first]);
     }
   });
 }

@@ -9,9 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/camera.h"
-#include "core/quick_inverse.h"
-#include "core/sampling.h"
+#include "core/lens_rays.h"
 
 namespace hogelscope {
 
@@ -20,22 +18,6 @@ using ParallelRows =
     std::function<void(int count, const std::function<void(int begin, int end)>& rows)>;
 /// On the calling thread.
 void serialRows(int count, const std::function<void(int begin, int end)>& rows);
-
-/// All that a lens table depends on.
-struct LensKey {
-  DistortionParams distortion;
-  LensMapping mapping = LensMapping::exact;
-  std::array<int, 2> res{};
-  Vec2 focalLength;  ///< pixels, across and down
-  Vec2 centre;       ///< pixels
-  int samplesPerPixel = 1;
-  bool operator==(const LensKey&) const = default;
-};
-
-/// Ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy); not numbers where there is
-/// no ray.
-void lensRow(const LensKey& key, const QuickInverse& inverse, int y, int sx, int sy, int x0,
-             int count, double* idealX, double* idealY);
 
 class LensTable {
  public:

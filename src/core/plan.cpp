@@ -11,10 +11,6 @@ namespace hogelscope {
 
 namespace {
 
-/// Taps are left out where a pixel's light changes by less than this (code values): so the two
-/// engines still agree to a thousandth.
-constexpr double droppedBound = 1e-3;
-
 /// The sum of the window's weights where the middle one is 1.
 double weightWithin(const PsfParams& psf, int reach) {
   double sum = 0;
@@ -25,16 +21,9 @@ double weightWithin(const PsfParams& psf, int reach) {
   return sum * sum;
 }
 
-/// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
-/// and leaving out taps of weight d changes their mean by at most 2·d of its range: 2·255·d code
-/// values, times 12.92 where linear light is summed, since encoding is that steep at black.
-int neededReach(const PsfParams& psf) {
-  const int windowReach = (psf.windowSize - 1) / 2;
-  const double steepest = psf.light == LightModel::linear ? 12.92 : 1;
-  const double whole = weightWithin(psf, windowReach);
-  int reach = windowReach;
-  while (reach > 0 && 2 * 255 * steepest * (whole - weightWithin(psf, reach - 1)) < droppedBound)
-    --reach;
+int neededReach(const PsfParams& psf, double dropped) {
+  int reach = (psf.windowSize - 1) / 2;
+  while (reach > 0 && leakageLoss(psf, reach - 1) < dropped) --reach;
   return reach;
 }
 
@@ -48,17 +37,32 @@ std::string raysOf(const View& view) {
   return std::to_string(std::int64_t(width) * height * n * n) + " rays";
 }
 
+std::string lensWords(const View& view) {
+  if (view.sampling.mapping == LensMapping::direct) return "applied directly";
+  const std::string steps = std::to_string(view.method.lensSteps);
+  switch (view.method.lens) {
+    case LensInverse::newton:
+      return "inverted by " + steps + " Newton steps";
+    case LensInverse::fixedPoint:
+      return "inverted by " + steps + " fixed-point iterations";
+    case LensInverse::table:
+      return "inverted exactly every " + steps + " pixels, bilinear between";
+    default:
+      return "inverted exactly";
+  }
+}
+
 void decideLens(const View& view, Plan& plan) {
-  const std::string table = megabytes(LensTable::bytes(lensKeyOf(view.state, view.sampling)));
+  const std::string table =
+      megabytes(LensTable::bytes(lensKeyOf(view.state, view.sampling, view.method)));
   plan.hasLens = !Distortion(view.state.distortion).isIdentity();
   if (!plan.hasLens) {
     plan.decisions.push_back({"no lens model", "all coefficients are 0", "a table of " + table});
     return;
   }
-  const bool isExact = view.sampling.mapping == LensMapping::exact;
-  const std::string what = isExact ? "the lens, inverted exactly" : "the lens, applied directly";
-  plan.isTableKept =
-      LensTable::bytes(lensKeyOf(view.state, view.sampling)) <= LensTables::largestBytes;
+  const std::string what = "the lens, " + lensWords(view);
+  plan.isTableKept = LensTable::bytes(lensKeyOf(view.state, view.sampling, view.method)) <=
+                     LensTables::largestBytes;
   if (plan.isTableKept)
     plan.decisions.push_back(
         {what, "one table of rays for all states with this lens and resolution, " + table,
@@ -74,15 +78,19 @@ void decideLens(const View& view, Plan& plan) {
 void decidePsf(const View& view, Plan& plan) {
   const PsfParams& psf = view.state.psf;
   const int windowReach = (psf.windowSize - 1) / 2;
-  plan.psfReach = windowReach > 0 ? neededReach(psf) : 0;
+  plan.psfReach = windowReach > 0 ? neededReach(psf, view.method.droppedTaps) : 0;
   const auto square = [](int reach) { return (2 * reach + 1) * (2 * reach + 1); };
   const auto taps = [square](int reach) { return std::to_string(square(reach)); };
   if (windowReach == 0)
     plan.decisions.push_back({"no light leakage", "windowSize is 1", ""});
+  else if (plan.psfReach == 0 && std::isinf(view.method.droppedTaps))
+    plan.decisions.push_back(
+        {"no light leakage", "the method leaves it out", taps(windowReach) + " taps for each ray"});
   else if (plan.psfReach < windowReach)
     plan.decisions.push_back(
         {"light leakage of " + taps(plan.psfReach) + " taps, not " + taps(windowReach),
-         "the others change no pixel's light by a thousandth of a code value",
+         "the others change no pixel's light by " + numberText(view.method.droppedTaps) +
+             " code values",
          std::to_string(square(windowReach) - square(plan.psfReach)) + " taps for each ray"});
   else
     plan.decisions.push_back(
@@ -119,14 +127,25 @@ void decideOutline(const View& view, Plan& plan) {
 
 }  // namespace
 
-LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling) {
+LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling, const Method& method) {
   const Camera camera(state.camera, state.intrinsics);
-  return {state.distortion,     sampling.mapping, state.camera.res,
-          camera.focalLength(), camera.centre(),  sampling.samplesPerPixel};
+  return {state.distortion, sampling.mapping,         state.camera.res, camera.focalLength(),
+          camera.centre(),  sampling.samplesPerPixel, method.lens,      method.lensSteps};
+}
+
+/// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
+/// and leaving out taps of weight d changes their mean by at most 2·d of its range: 2·255·d code
+/// values, times 12.92 where linear light is summed, since encoding is that steep at black.
+double leakageLoss(const PsfParams& psf, int reach) {
+  const double steepest = psf.light == LightModel::linear ? 12.92 : 1;
+  return 2 * 255 * steepest *
+         (weightWithin(psf, (psf.windowSize - 1) / 2) - weightWithin(psf, reach));
 }
 
 Plan plan(const View& view) {
   Plan result;
+  if (view.method.isSingle)
+    result.decisions.push_back({"rays in single precision", "the method says so", ""});
   decideLens(view, result);
   decideOutline(view, result);
   decidePsf(view, result);

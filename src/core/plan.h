@@ -31,6 +31,11 @@ struct Plan {
 /// `view.lightField` must be loaded.
 Plan plan(const View& view);
 
-LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling);
+/// What a pixel changes by at most, in code values, if leakage reaches only `reach` taps to each
+/// side.
+double leakageLoss(const PsfParams& psf, int reach);
+
+LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling,
+                  const Method& method = {});
 
 }  // namespace hogelscope

@@ -20,62 +20,92 @@ using Word = std::uint32_t __attribute__((may_alias));
 using Word = std::uint32_t;
 #endif
 
+/// A HitMap's numbers in the precision of the arithmetic.
+template <class Real>
+struct RealMap {
+  explicit RealMap(const HitMap& m) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      right[c] = static_cast<Real>(m.right[c]);
+      down[c] = static_cast<Real>(m.down[c]);
+      forward[c] = static_cast<Real>(m.forward[c]);
+    }
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      constant[axis] = static_cast<Real>(m.constant[axis]);
+      slope[axis] = static_cast<Real>(m.slope[axis]);
+      count[axis] = static_cast<Real>(m.count[axis]);
+    }
+  }
+
+  std::array<Real, 3> right, down, forward;
+  std::array<Real, 4> constant, slope, count;
+};
+
 /// Where the ray through (x, y, 1) meets the display, as real-valued indices.
+template <class Real>
 struct RealHit {
-  double i;
-  double j;
-  double u;
-  double v;
+  Real i;
+  Real j;
+  Real u;
+  Real v;
   bool isToward;
 };
 
-inline RealHit hitOf(const HitMap& m, double x, double y) {
-  const double dx = m.right[0] * x + m.down[0] * y + m.forward[0];
-  const double dy = m.right[1] * x + m.down[1] * y + m.forward[1];
-  const double dz = m.right[2] * x + m.down[2] * y + m.forward[2];
-  const double inverse = 1 / dz;
-  const double a = dx * inverse;
-  const double b = dy * inverse;
+template <class Real>
+inline RealHit<Real> hitOf(const RealMap<Real>& m, Real x, Real y) {
+  const Real dx = m.right[0] * x + m.down[0] * y + m.forward[0];
+  const Real dy = m.right[1] * x + m.down[1] * y + m.forward[1];
+  const Real dz = m.right[2] * x + m.down[2] * y + m.forward[2];
+  const Real inverse = 1 / dz;
+  const Real a = dx * inverse;
+  const Real b = dy * inverse;
   return {m.constant[0] + m.slope[0] * a, m.constant[1] + m.slope[1] * b,
           m.constant[2] + m.slope[2] * a, m.constant[3] + m.slope[3] * b, dz < 0};
 }
 
 /// Bitwise on purpose: no branches. False for what is not a number.
-inline bool isSeen(const HitMap& m, const RealHit& h) {
+template <class Real>
+inline bool isSeen(const RealMap<Real>& m, const RealHit<Real>& h) {
   return static_cast<bool>(h.isToward & (h.i >= 0) & (h.i < m.count[0]) & (h.j >= 0) &
                            (h.j < m.count[1]) & (h.u >= 0) & (h.u < m.count[2]) & (h.v >= 0) &
                            (h.v < m.count[3]));
 }
 
-inline std::uint32_t cellOf(double index) {
+template <class Real>
+inline std::uint32_t cellOf(Real index) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(index));
 }
 
-}  // namespace
+/// What rounding put beyond a border is taken back to the last cell.
+template <class Real>
+inline std::uint32_t cellWithin(Real index, Real count) {
+  const Real last = count - 1;
+  const Real positive = index > 0 ? index : 0;
+  return cellOf(positive < last ? positive : last);
+}
 
-FOR_EACH_MACHINE
-void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
-                     int count, std::uint32_t* address) {
-  const HitMap m = map;  // copies: the compiler knows that the stores leave them alone
+template <class Real>
+inline __attribute__((always_inline)) void addressesOfHitsIn(const HitMap& map,
+                                                             const BlockLayout& layout,
+                                                             const double* x, double y, int count,
+                                                             std::uint32_t* address) {
+  const RealMap<Real> m(map);  // copies: the compiler knows that the stores leave them alone
   const BlockLayout l = layout;
-  const std::uint32_t lastI = std::uint32_t(m.count[0]) - 1;
-  const std::uint32_t lastJ = std::uint32_t(m.count[1]) - 1;
-  const std::uint32_t lastU = std::uint32_t(m.count[2]) - 1;
-  const std::uint32_t lastV = std::uint32_t(m.count[3]) - 1;
   for (int k = 0; k < count; ++k) {
-    const RealHit h = hitOf(m, x[k], y);
-    address[k] = l.i(std::min(cellOf(h.i), lastI)) + l.j(std::min(cellOf(h.j), lastJ)) +
-                 l.u(std::min(cellOf(h.u), lastU)) + l.v(std::min(cellOf(h.v), lastV));
+    const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y));
+    address[k] = l.i(cellWithin(h.i, m.count[0])) + l.j(cellWithin(h.j, m.count[1])) +
+                 l.u(cellWithin(h.u, m.count[2])) + l.v(cellWithin(h.v, m.count[3]));
   }
 }
 
-FOR_EACH_MACHINE
-void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
-               int count, std::uint32_t unseen, std::uint32_t* address) {
-  const HitMap m = map;
+template <class Real>
+inline __attribute__((always_inline)) void addressesIn(const HitMap& map, const BlockLayout& layout,
+                                                       const double* x, const double* y, int count,
+                                                       std::uint32_t unseen,
+                                                       std::uint32_t* address) {
+  const RealMap<Real> m(map);
   const BlockLayout l = layout;
   for (int k = 0; k < count; ++k) {
-    const RealHit h = hitOf(m, x[k], y[k]);
+    const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
     const bool seen = isSeen(m, h);
     const std::uint32_t found = l.i(cellOf(seen ? h.i : 0)) + l.j(cellOf(seen ? h.j : 0)) +
                                 l.u(cellOf(seen ? h.u : 0)) + l.v(cellOf(seen ? h.v : 0));
@@ -83,26 +113,54 @@ void addresses(const HitMap& map, const BlockLayout& layout, const double* x, co
   }
 }
 
-namespace {
-
-inline void keep(const HitMap& m, RealHit h, int k, CellBatch& batch) {
+template <class Real>
+inline void keep(const RealMap<Real>& m, const RealHit<Real>& h, int k, CellBatch& batch) {
   const bool seen = isSeen(m, h);
-  const std::array<double, 4> index{seen ? h.i : 0, seen ? h.j : 0, seen ? h.u : 0, seen ? h.v : 0};
+  const std::array<Real, 4> index{seen ? h.i : 0, seen ? h.j : 0, seen ? h.u : 0, seen ? h.v : 0};
   const auto at = std::size_t(k);
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const std::uint32_t cell = cellOf(index[axis]);
     batch.cell[axis][at] = cell;
-    batch.place[axis][at] = static_cast<float>(index[axis] - double(cell));
+    batch.place[axis][at] =
+        static_cast<float>(index[axis] - static_cast<Real>(static_cast<std::int32_t>(cell)));
   }
   batch.seen[at] = seen ? 255 : 0;
+}
+
+template <class Real>
+inline __attribute__((always_inline)) void cellsIn(const HitMap& map, const double* x,
+                                                   const double* y, int count, CellBatch& batch) {
+  const RealMap<Real> m(map);
+  for (int k = 0; k < count; ++k)
+    keep(m, hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, batch);
 }
 
 }  // namespace
 
 FOR_EACH_MACHINE
+void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
+                     int count, std::uint32_t* address) {
+  if (map.isSingle)
+    addressesOfHitsIn<float>(map, layout, x, y, count, address);
+  else
+    addressesOfHitsIn<double>(map, layout, x, y, count, address);
+}
+
+FOR_EACH_MACHINE
+void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
+               int count, std::uint32_t unseen, std::uint32_t* address) {
+  if (map.isSingle)
+    addressesIn<float>(map, layout, x, y, count, unseen, address);
+  else
+    addressesIn<double>(map, layout, x, y, count, unseen, address);
+}
+
+FOR_EACH_MACHINE
 void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
-  const HitMap m = map;
-  for (int k = 0; k < count; ++k) keep(m, hitOf(m, x[k], y[k]), k, batch);
+  if (map.isSingle)
+    cellsIn<float>(map, x, y, count, batch);
+  else
+    cellsIn<double>(map, x, y, count, batch);
 }
 
 void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
@@ -110,11 +168,13 @@ void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfVie
   HitMap slopes = map;  // u and v become the slopes themselves
   slopes.constant[2] = slopes.constant[3] = 0;
   slopes.slope[2] = slopes.slope[3] = 1;
+  const RealMap<double> m(map);
+  const RealMap<double> toSlopes(slopes);
   for (int k = 0; k < count; ++k) {
-    RealHit h = hitOf(slopes, x[k], y[k]);
-    h.u = map.count[2] * (0.5 + std::atan(h.u) / fieldOfView[0]);
-    h.v = map.count[3] * (0.5 - std::atan(h.v) / fieldOfView[1]);
-    keep(map, h, k, batch);
+    RealHit<double> h = hitOf(toSlopes, x[k], y[k]);
+    h.u = m.count[2] * (0.5 + std::atan(h.u) / fieldOfView[0]);
+    h.v = m.count[3] * (0.5 - std::atan(h.v) / fieldOfView[1]);
+    keep(m, h, k, batch);
   }
 }
 

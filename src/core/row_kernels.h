@@ -25,6 +25,7 @@ struct HitMap {
   std::array<double, 4> constant{};  ///< of i, j, u, v at slope 0
   std::array<double, 4> slope{};     ///< i and u along a, j and v along b
   std::array<int, 4> count{};        ///< cells of each axis
+  bool isSingle = false;             ///< float arithmetic
 };
 
 /// Cells of a batch, and for interpolation the place in them: 0 at the cell's beginning, 1 at its

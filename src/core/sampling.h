@@ -13,6 +13,7 @@ struct SamplingParams {
   LensMapping mapping = LensMapping::exact;
   Reconstruction reconstruction = Reconstruction::nearest;
   int samplesPerPixel = 1;
+  double tolerance = 0;  ///< RMS error that a cheaper picture may have, code values
   bool operator==(const SamplingParams&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/image.h"
+#include "core/method.h"
 #include "core/session.h"
 
 namespace hogelscope {
@@ -17,6 +18,7 @@ struct View {
   DisplayParams display;
   SamplingParams sampling;
   CameraState state;
+  Method method{};  ///< the fast engine's; the reference approximates nothing
   bool operator==(const View&) const = default;
 };
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "core/scaled_view.h"
 #include "parallel_rows.h"
 
 vtkStandardNewMacro(vtkHogelViewFilter);
@@ -70,11 +71,24 @@ void vtkHogelViewFilter::SetThreads(int count)
 int vtkHogelViewFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  this->ErrorMessage.clear();
+  try
+  {
+    this->Choice = hogelscope::choose(this->View, this->Tables, hogelscope::parallelRows);
+    this->Rendered = hogelscope::reduced(this->Choice.view);
+  }
+  catch (const std::exception& error)
+  {
+    this->ErrorMessage = error.what();
+    vtkErrorMacro(<< this->ErrorMessage);
+    return 0;
+  }
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const auto [width, height] = this->View.state.camera.res;
+  const auto [width, height] = this->Rendered.state.camera.res;
+  const double scale = this->Choice.view.method.scale;
   const int extent[6] = { 0, width - 1, 0, height - 1, 0, 0 };
-  const double spacing[3] = { 1, 1, 1 };
-  const double origin[3] = { 0, 0, 0 };
+  const double spacing[3] = { scale, scale, 1 };
+  const double origin[3] = { (scale - 1) / 2, (scale - 1) / 2, 0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
@@ -102,7 +116,7 @@ int vtkHogelViewFilter::RequestData(
   try
   {
     this->Fill(
-      hogelscope::FastSimulation(this->View, this->Tables, hogelscope::parallelRows), output);
+      hogelscope::FastSimulation(this->Rendered, this->Tables, hogelscope::parallelRows), output);
   }
   catch (const std::exception& error)
   {
@@ -117,7 +131,7 @@ void vtkHogelViewFilter::Fill(const hogelscope::FastSimulation& simulation, vtkI
 {
   const int first = output->GetExtent()[2];
   const int rows = output->GetExtent()[3] - first + 1;
-  const int height = this->View.state.camera.res[1];
+  const int height = this->Rendered.state.camera.res[1];
   hogelscope::parallelRows(rows,
     [&](int begin, int end)
     {
@@ -168,11 +182,12 @@ hogelscope::Image vtkHogelViewFilter::GetImage()
   this->FloatOutputOff();
   this->UpdateOrThrow();
   vtkImageData* output = this->GetOutput();
-  const auto [width, height] = this->View.state.camera.res;
+  const auto [width, height] = this->Rendered.state.camera.res;
   hogelscope::Image image(width, height);
   copyFlipped(output->GetPointData()->GetScalars(), height, image.rgb);
   copyFlipped(output->GetPointData()->GetArray(seenName), height, image.seen);
-  return image;
+  const int scale = this->Choice.view.method.scale;
+  return scale == 1 ? image : hogelscope::enlarged(image, scale, this->View.state.camera.res);
 }
 
 std::vector<float> vtkHogelViewFilter::GetCodeValues()
@@ -181,8 +196,9 @@ std::vector<float> vtkHogelViewFilter::GetCodeValues()
   this->UpdateOrThrow();
   std::vector<float> values(std::size_t(this->GetOutput()->GetNumberOfPoints()) * 3);
   copyFlipped(
-    this->GetOutput()->GetPointData()->GetScalars(), this->View.state.camera.res[1], values);
-  return values;
+    this->GetOutput()->GetPointData()->GetScalars(), this->Rendered.state.camera.res[1], values);
+  const int scale = this->Choice.view.method.scale;
+  return scale == 1 ? values : hogelscope::enlarged(values, scale, this->View.state.camera.res);
 }
 
 void vtkHogelViewFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,6 +21,7 @@
 #include "core/fast_simulation.h"
 #include "core/image.h"
 #include "core/progress.h"
+#include "core/tolerance.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelViewFilter : public vtkImageAlgorithm
@@ -51,6 +52,12 @@ public:
    * Hears the done fraction from any of the threads, one at a time; may say stop. No new execution.
    */
   void SetProgress(hogelscope::Progress progress) { this->Progress = std::move(progress); }
+
+  /**
+   * What was chosen to be rendered in the place of the view; after an update. The pipeline's output
+   * has its pixels: fewer than the view where its method says so, at a larger spacing.
+   */
+  const hogelscope::Choice& GetChoice() const { return this->Choice; }
 
   /**
    * Why the last execution failed; empty if it did not, or was stopped.
@@ -89,6 +96,8 @@ private:
   void UpdateOrThrow();
 
   hogelscope::View View;
+  hogelscope::Choice Choice;
+  hogelscope::View Rendered; ///< Choice.view with the pixels of the output
   hogelscope::LensTables Tables;
   bool FloatOutput = false;
   hogelscope::Progress Progress;

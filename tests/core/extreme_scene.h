@@ -79,7 +79,7 @@ inline bool isInverted(const hogelscope::View& view) {
 
 /// The reference's work for one pixel: taps, and for a lens' inverse as much as 300 of them.
 inline int workOf(const hogelscope::View& view) {
-  const auto& [mapping, reconstruction, samples] = view.sampling;
+  const auto& [mapping, reconstruction, samples, tolerance] = view.sampling;
   const int corners = 1 << 2 * static_cast<int>(reconstruction);
   const int decoding = view.state.psf.light == hogelscope::LightModel::linear ? 4 : 1;
   const int window = view.state.psf.windowSize;
@@ -181,7 +181,7 @@ inline hogelscope::IntrinsicsParams intrinsics(Random& random,
 /// All but the light field.
 inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   RandomScene scene;
-  auto& [lightField, panel, sampled, state] = scene.view;
+  auto& [lightField, panel, sampled, state, method] = scene.view;
   panel = display(random);
   // An eye is exactly in the plane, or a ray exactly parallel to it, where nothing is turned.
   if (kind == Eye::inPlane || kind == Eye::parallel) panel.orientation = {};

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The chart of speed against accuracy: one point per method, for the window and for files.
+#pragma once
+
+#include <QFont>
+#include <QPainter>
+#include <QRectF>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chart/tradeoff_axes.h"
+#include "chart/tradeoff_labels.h"
+#include "study/tradeoff_row.h"
+
+namespace hogelscope {
+
+class TradeoffChart {
+ public:
+  /// `question` says what the error is measured against: "Error against the display as built".
+  /// Rows without a time (> 0) or an error (>= 0) are left out.
+  TradeoffChart(std::vector<TradeoffRow> rows, std::string question);
+
+  /// A Paint (chart/painting.h) for any size from about 500×400 points. Text is in the painter's
+  /// font, whose size follows the chart's.
+  void paint(QPainter& painter, const QSizeF& size) const;
+
+  /// The row whose point lies within a few points of `place` on a chart of `size`.
+  std::optional<std::size_t> rowAt(const QPointF& place, const QSizeF& size) const;
+  /// Where each row's name stands; empty where it doesn't.
+  std::vector<QRectF> nameBoxes(const QSizeF& size, const QFont& font) const;
+
+  /// Highlights a row.
+  void select(std::optional<std::size_t> row) { m_selected = row; }
+  const std::vector<TradeoffRow>& rows() const { return m_rows; }
+
+ private:
+  void paintLegend(QPainter& painter, const TradeoffAxes& axes) const;
+  void paintFront(QPainter& painter, const TradeoffAxes& axes) const;
+  void paintMarkers(QPainter& painter, const TradeoffAxes& axes) const;
+  void paintMarker(QPainter& painter, const QPointF& point, std::size_t row) const;
+  void paintNames(QPainter& painter, const TradeoffLabel& label) const;
+  void paintCallout(QPainter& painter, const TradeoffLabel& label) const;
+
+  std::vector<TradeoffRow> m_rows;
+  std::string m_question;
+  std::optional<std::size_t> m_selected;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --tradeoff: speed against accuracy of every method on the session's own states.
+#include "cli/tradeoff_job.h"
+
+#include <filesystem>
+#include <iostream>
+
+#include "chart/painting.h"
+#include "chart/recommendations.h"
+#include "chart/tradeoff_chart.h"
+#include "cli/inputs.h"
+#include "cli/progress_bar.h"
+#include "io/atomic_file.h"
+#include "io/light_field_file.h"
+#include "study/tradeoff.h"
+#include "vtk/parallel_rows.h"
+
+namespace hogelscope {
+
+int tradeoff(const Options& options) {
+  const Session session = loadSelected(options);
+  (void)openLightField(session.lightField, session.display);  // a bad one leaves no folder behind
+  const std::filesystem::path folder = options.output;
+  makeFolder(folder);
+  ProgressBar bar("measuring", options.quiet);
+  const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));
+  std::vector<View> views;
+  for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
+  const Tradeoff result = measureTradeoff(views, parallelRows, part(bar.progress(), 0.05, 1));
+  const Question question = questionOf(session.sampling);
+  const OffscreenPainting painting;
+  const TradeoffChart chart(result.rows, "Error against " + text(question));
+  const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
+    chart.paint(painter, size);
+  };
+  const QSize size(960, 680);
+  writeTextFile(folder / "tradeoff.csv", csv(result.rows));
+  writeTextFile(folder / "tradeoff.png", pngOf(paint, size));
+  writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));
+  bar.done();
+  if (options.quiet) return 0;
+  std::cout << "error against " << text(question) << " (" << details(question) << "), over "
+            << views.size() << " state(s)\ntime per picture, lens rays included: median of "
+            << result.runs << " interleaved runs on " << result.timedViews << " state(s)\n";
+  const auto say = [&](const char* what, std::optional<std::size_t> row) {
+    if (row) std::cout << what << result.rows[*row].method << "\n";
+  };
+  say("for a moving view: ", forMovingView(result.rows));
+  say("for a paper: ", forPaper(result.rows));
+  std::cout << "chart and table in " << (folder / "tradeoff.png").string() << ", .svg and .csv\n";
+  return 0;
+}
+
+}  // namespace hogelscope

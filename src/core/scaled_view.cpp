@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of fewer pixels, and their way back to full size.
+#include "core/scaled_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hogelscope {
+
+View reduced(const View& view) {
+  View small = view;
+  const int scale = std::exchange(small.method.scale, 1);
+  if (scale == 1) return small;
+  CameraState& state = small.state;
+  const Camera camera(state.camera, state.intrinsics);
+  for (int& pixels : state.camera.res) pixels = (pixels + scale - 1) / scale;
+  const double middle = (scale - 1) / 2.0;
+  state.intrinsics = {camera.focalLength().x / scale, camera.focalLength().y / scale,
+                      (camera.centre().x - middle) / scale, (camera.centre().y - middle) / scale};
+  return small;
+}
+
+namespace {
+
+/// The two small pixels around a pixel of an axis, and the second one's share in parts of
+/// 2·scale.
+struct Between {
+  int first;
+  int second;
+  int share;
+};
+
+Between between(int x, int smallPixels, int scale) {
+  const int twice = 2 * x - (scale - 1);  // its place among the small ones, times 2·scale
+  const int left = twice < 0 ? -1 : twice / (2 * scale);
+  return {std::max(left, 0), std::min(left + 1, smallPixels - 1), twice - 2 * scale * left};
+}
+
+std::vector<Between> betweenAll(int pixels, int smallPixels, int scale) {
+  std::vector<Between> all;
+  for (int x = 0; x < pixels; ++x) all.push_back(between(x, smallPixels, scale));
+  return all;
+}
+
+/// Rounds half up.
+std::uint8_t share(std::uint8_t, int sum, int scale) {
+  const int whole = 4 * scale * scale;
+  const int shift = scale == 1 ? 2 : scale == 2 ? 4 : 6;
+  return static_cast<std::uint8_t>((sum + whole / 2) >> shift);
+}
+float share(float, float sum, int scale) {
+  return sum / static_cast<float>(4 * scale * scale);
+}
+
+/// Bilinear among four values.
+template <class T>
+T mix(T upperLeft, T upperRight, T lowerLeft, T lowerRight, int across, int down, int scale) {
+  const int whole = 2 * scale;
+  const auto part = [](int times, T value) {
+    return static_cast<decltype(T{} * 1)>(times) * value;
+  };
+  const auto upper = part(whole - across, upperLeft) + part(across, upperRight);
+  const auto lower = part(whole - across, lowerLeft) + part(across, lowerRight);
+  return share(T{},
+               static_cast<decltype(upper)>(whole - down) * upper +
+                   static_cast<decltype(upper)>(down) * lower,
+               scale);
+}
+
+template <class T>
+std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
+                              const std::array<int, 2>& res) {
+  const int smallWidth = (res[0] + scale - 1) / scale;
+  const int smallHeight = int(values.size()) / 3 / smallWidth;
+  const std::vector<Between> columns = betweenAll(res[0], smallWidth, scale);
+  std::vector<T> full;
+  full.reserve(3 * std::size_t(res[0]) * std::size_t(res[1]));
+  for (const Between& y : betweenAll(res[1], smallHeight, scale)) {
+    const T* upper = &values[3 * std::size_t(y.first) * std::size_t(smallWidth)];
+    const T* lower = &values[3 * std::size_t(y.second) * std::size_t(smallWidth)];
+    for (const Between& x : columns)
+      for (int c = 0; c < 3; ++c)
+        full.push_back(mix(upper[3 * x.first + c], upper[3 * x.second + c], lower[3 * x.first + c],
+                           lower[3 * x.second + c], x.share, y.share, scale));
+  }
+  return full;
+}
+
+}  // namespace
+
+Image enlarged(const Image& image, int scale, const std::array<int, 2>& res) {
+  Image full(res[0], res[1]);
+  full.rgb = enlargedValues(image.rgb, scale, res);
+  std::size_t to = 0;
+  for (int y = 0; y < res[1]; ++y)
+    for (int x = 0; x < res[0]; ++x, ++to) {
+      const int nearest = y / scale * image.width + x / scale;
+      full.seen[to] = image.seen[std::size_t(nearest)];
+      if (full.seen[to] == 0) std::fill_n(&full.rgb[3 * to], 3, std::uint8_t{0});
+    }
+  return full;
+}
+
+std::vector<float> enlarged(const std::vector<float>& codeValues, int scale,
+                            const std::array<int, 2>& res) {
+  return enlargedValues(codeValues, scale, res);
+}
+
+std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, int y) {
+  std::array<std::uint8_t, 3> rgb{};
+  if (image.seen[std::size_t(y / scale * image.width + x / scale)] == 0) return rgb;
+  const Between column = between(x, image.width, scale);
+  const Between row = between(y, image.height, scale);
+  const auto value = [&](int smallX, int smallY, std::size_t c) {
+    return image.rgb[3 * std::size_t(smallY * image.width + smallX) + c];
+  };
+  for (std::size_t c = 0; c < 3; ++c)
+    rgb[c] = mix(value(column.first, row.first, c), value(column.second, row.first, c),
+                 value(column.first, row.second, c), value(column.second, row.second, c),
+                 column.share, row.share, scale);
+  return rgb;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Speed against accuracy, measured.
+#include "study/tradeoff.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/fast_simulation.h"
+#include "core/metrics.h"
+#include "core/report.h"
+#include "core/scaled_view.h"
+
+namespace hogelscope {
+
+Question questionOf(const SamplingParams& sampling) {
+  return sampling.reconstruction == Reconstruction::nearest && sampling.samplesPerPixel == 1
+             ? Question::displayAsBuilt
+             : Question::idealPicture;
+}
+
+std::string text(Question question) {
+  return question == Question::displayAsBuilt ? "the display as built" : "the ideal picture";
+}
+
+std::string details(Question question) {
+  return question == Question::displayAsBuilt
+             ? "exact lens, full window, nearest, one ray a pixel, double precision"
+             : "exact lens, full window, quadrilinear, 8×8 rays a pixel, double precision";
+}
+
+View with(const NamedMethod& method, const View& view) {
+  View result = view;
+  result.sampling = {method.mapping, method.reconstruction, method.samplesPerPixel};
+  result.method = method.method;
+  return result;
+}
+
+namespace {
+
+/// From nothing, lens rays too.
+Image render(const View& view, const ParallelRows& parallelRows) {
+  const View small = reduced(view);
+  LensTables tables;
+  const FastSimulation simulation(small, tables, parallelRows);
+  const auto [width, height] = small.state.camera.res;
+  Image image(width, height);
+  parallelRows(height, [&, columns = width](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const std::size_t at = std::size_t(y) * std::size_t(columns);
+      simulation.row(y, 0, columns, &image.rgb[3 * at], &image.seen[at]);
+    }
+  });
+  const int scale = view.method.scale;
+  return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
+}
+
+Image reference(const View& view, Question question, const ParallelRows& parallelRows) {
+  if (question == Question::idealPicture)
+    return render(with({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows);
+  const Simulation simulation(with({"display"}, view));
+  const auto [width, height] = view.state.camera.res;
+  Image image(width, height);
+  parallelRows(height, [&, columns = width](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < columns; ++x) simulation.render(x, y, image);
+  });
+  return image;
+}
+
+/// Sums over the views.
+struct ErrorSum {
+  double squares = 0;
+  double values = 0;
+  int largest = 0;
+  double mismatches = 0;
+  double pixels = 0;
+};
+
+void add(const Image& expected, const Image& image, ErrorSum& sum) {
+  for (std::size_t k = 0; k < expected.rgb.size(); ++k) {
+    const int d = std::abs(int(image.rgb[k]) - int(expected.rgb[k]));
+    sum.squares += double(d) * d;
+    sum.largest = std::max(sum.largest, d);
+  }
+  for (std::size_t k = 0; k < expected.seen.size(); ++k)
+    sum.mismatches += image.seen[k] != expected.seen[k] ? 1 : 0;
+  sum.values += double(expected.rgb.size());
+  sum.pixels += double(expected.pixelCount());
+}
+
+std::string lensName(const NamedMethod& method) {
+  if (method.mapping == LensMapping::direct) return "direct";
+  const std::string steps = std::to_string(method.method.lensSteps);
+  switch (method.method.lens) {
+    case LensInverse::newton:
+      return "Newton " + steps;
+    case LensInverse::fixedPoint:
+      return "fixed point " + steps;
+    case LensInverse::table:
+      return "table " + steps + " px";
+    default:
+      return "exact";
+  }
+}
+
+TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
+  constexpr std::array names{"nearest", "bilinear", "quadrilinear"};
+  const double dropped = method.method.droppedTaps;
+  TradeoffRow row;
+  row.method = method.name;
+  row.lens = lensName(method);
+  row.reconstruction = names[std::size_t(method.reconstruction)];
+  row.psf = std::isinf(dropped) ? "off" : dropped > Method{}.droppedTaps ? "truncated" : "full";
+  row.samples = method.samplesPerPixel;
+  row.scale = method.method.scale;
+  row.precision = method.method.isSingle ? "float" : "double";
+  row.rmse = std::sqrt(sum.squares / sum.values);
+  row.psnr = psnr(sum.squares / sum.values);
+  row.maxError = sum.largest;
+  row.seenMismatch = sum.mismatches / sum.pixels;
+  row.isDefault = method.name == namedMethods().front().name;
+  return row;
+}
+
+/// Wall time in milliseconds.
+double timed(const View& view, const ParallelRows& parallelRows) {
+  const auto start = std::chrono::steady_clock::now();
+  (void)render(view, parallelRows);
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+/// Rays of one picture, in millions.
+double megaRays(const View& view) {
+  const View small = reduced(view);
+  const double n = small.sampling.samplesPerPixel;
+  return n * n * small.state.camera.res[0] * small.state.camera.res[1] * 1e-6;
+}
+
+/// All methods' rows but for the times, with what one round of all views takes, in ms.
+double measureErrors(const std::vector<View>& views, const ParallelRows& parallelRows,
+                     const Progress& progress, std::vector<TradeoffRow>& rows) {
+  const std::vector<NamedMethod> methods = namedMethods();
+  std::vector<ErrorSum> sums(methods.size());
+  const auto start = std::chrono::steady_clock::now();
+  const Question question = questionOf(views.front().sampling);
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const Image expected = reference(views[k], question, parallelRows);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      advance(progress, (double(k) + double(m) / double(methods.size())) / double(views.size()));
+      add(expected, render(with(methods[m], views[k]), parallelRows), sums[m]);
+    }
+  }
+  for (std::size_t m = 0; m < methods.size(); ++m) rows.push_back(rowOf(methods[m], sums[m]));
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+/// Evenly spread, as many as a round of some seconds has time for.
+std::vector<View> someOf(const std::vector<View>& views, double millisecondsForAll) {
+  constexpr double longestRound = 6000;
+  const auto wanted = double(views.size()) * longestRound / millisecondsForAll;
+  const std::size_t count = std::clamp<std::size_t>(std::size_t(wanted), 1, views.size());
+  std::vector<View> some;
+  for (std::size_t k = 0; k < count; ++k) some.push_back(views[k * views.size() / count]);
+  return some;
+}
+
+}  // namespace
+
+void markPareto(std::vector<TradeoffRow>& rows) {
+  for (TradeoffRow& row : rows)
+    row.isPareto = std::none_of(rows.begin(), rows.end(), [&row](const TradeoffRow& other) {
+      return other.milliseconds <= row.milliseconds && other.rmse <= row.rmse &&
+             (other.milliseconds < row.milliseconds || other.rmse < row.rmse);
+    });
+}
+
+Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& parallelRows,
+                         const Progress& progress) {
+  Tradeoff result;
+  result.runs = 5;
+  // The first round warms up: code, pages, the processor's clock.
+  const double round = measureErrors(views, parallelRows, part(progress, 0, 0.4), result.rows);
+  const std::vector<View> timedOnes = someOf(views, round);
+  result.timedViews = timedOnes.size();
+  const std::vector<NamedMethod> methods = namedMethods();
+  std::vector<std::vector<double>> times(methods.size());
+  for (int run = 0; run < result.runs; ++run)
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      advance(progress, 0.4 + 0.6 * (run + double(m) / double(methods.size())) / result.runs);
+      double sum = 0;
+      for (const View& view : timedOnes) sum += timed(with(methods[m], view), parallelRows);
+      times[m].push_back(sum / double(timedOnes.size()));
+    }
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    TradeoffRow& row = result.rows[m];
+    row.milliseconds = median(times[m]);
+    double rays = 0;
+    for (const View& view : timedOnes) rays += megaRays(with(methods[m], view));
+    row.mraysPerSecond = rays / double(timedOnes.size()) / row.milliseconds * 1000;
+  }
+  markPareto(result.rows);
+  return result;
+}
+
+std::string csv(const std::vector<TradeoffRow>& rows) {
+  std::string text =
+      "method,lens,reconstruction,psf,samples,scale,precision,milliseconds,mrays_per_s,rmse,psnr,"
+      "max_error,seen_mismatch,pareto\n";
+  for (const TradeoffRow& row : rows) {
+    for (const std::string& word : {row.method, row.lens, row.reconstruction, row.psf})
+      text += "\"" + word + "\",";
+    text += std::to_string(row.samples) + "," + std::to_string(row.scale) + "," + row.precision;
+    for (const double value :
+         {row.milliseconds, row.mraysPerSecond, row.rmse, row.psnr, row.maxError, row.seenMismatch})
+      text += "," + numberText(value);
+    text += row.isPareto ? ",1\n" : ",0\n";
+  }
+  return text;
+}
+
+}  // namespace hogelscope

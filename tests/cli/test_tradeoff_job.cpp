@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests --tradeoff as a user runs it: files, columns, the Pareto column, the same errors again.
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/csv.h"
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+namespace {
+
+enum Column { name, milliseconds = 7, rmse = 9, psnr, maxError, seenMismatch, pareto, columns };
+
+float content(int x, int y, int channel) {
+  return float((x * 5 + y * 3 + channel * 40 + (x / 16) * (y / 8)) % 200 + 20) / 255;
+}
+
+QList<QStringList> tableOf(const QString& file) {
+  QList<QStringList> rows;
+  for (const QByteArray& line : contentOf(file).split('\n'))
+    if (!line.isEmpty()) rows << cellsOf(line);
+  return rows;
+}
+
+}  // namespace
+
+class TestTradeoffJob : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(QDir::setCurrent(m_folder->path()));
+    writePicture("a.png", 128, 128, content);
+    writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
+                              .lightField = R"({"file": "a.png"})",
+                              .cameras = R"([{"name": "a", "eye": [0.1, 0, 0.6], "res": [40, 30],
+                                "distortion": {"k1": 0.6}, "psf": {"windowSize": 5}}])"}));
+  }
+
+  void writesTableAndChart() {
+    const Outcome outcome = job({});
+    QCOMPARE(outcome.err, QByteArray());
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(namesIn("out"), (QStringList{"tradeoff.csv", "tradeoff.png", "tradeoff.svg"}));
+    QVERIFY(outcome.out.startsWith("error against the display as built"));
+    QVERIFY(outcome.out.contains("for a paper: exact\n"));
+    QImage picture("out/tradeoff.png");
+    QVERIFY(picture.width() > 1500);
+    QList<QStringList> rows = tableOf("out/tradeoff.csv");
+    QCOMPARE(rows.takeFirst().join(","),
+             QString("method,lens,reconstruction,psf,samples,scale,precision,milliseconds,"
+                     "mrays_per_s,rmse,psnr,max_error,seen_mismatch,pareto"));
+    QVERIFY(rows.size() >= 20);
+    const QByteArray svg = contentOf("out/tradeoff.svg");
+    for (const QStringList& row : rows) {
+      QCOMPARE(row.size(), int(columns));
+      QVERIFY2(svg.contains(row[name].toUtf8()), qPrintable(row[name]));
+    }
+  }
+
+  void theParetoColumnFollowsFromTheOthers() {
+    (void)job({});
+    QList<QStringList> rows = tableOf("out/tradeoff.csv");
+    rows.removeFirst();
+    int front = 0;
+    for (const QStringList& row : rows) {
+      bool isBeaten = false;
+      for (const QStringList& other : rows) {
+        const double faster = row[milliseconds].toDouble() - other[milliseconds].toDouble();
+        const double better = row[rmse].toDouble() - other[rmse].toDouble();
+        isBeaten = isBeaten || (faster >= 0 && better >= 0 && faster + better > 0);
+      }
+      QCOMPARE(row[pareto], QString(isBeaten ? "0" : "1"));
+      front += isBeaten ? 0 : 1;
+    }
+    QVERIFY(front >= 2 && front < rows.size() / 2);
+  }
+
+  void errorsAreTheSameToTheLastDigit() {
+    (void)job({});
+    const QList<QStringList> first = tableOf("out/tradeoff.csv");
+    (void)job({"--threads", "1"});
+    const QList<QStringList> second = tableOf("out/tradeoff.csv");
+    for (int k = 0; k < first.size(); ++k) QCOMPARE(second[k].mid(rmse, 4), first[k].mid(rmse, 4));
+  }
+
+  void theIdealPicture() {
+    const Outcome outcome = job({"--set", "sampling.reconstruction=quadrilinear", "--quiet"});
+    QCOMPARE(outcome.out + outcome.err, QByteArray());
+    for (const QStringList& row : tableOf("out/tradeoff.csv"))
+      if (row[name] == "quadrilinear 8×8") QCOMPARE(row[psnr], QString("inf"));
+  }
+
+  void badInput() {
+    const Outcome missing = run({"--tradeoff", "--output", "out"}, m_folder->path());
+    QCOMPARE(missing.err,
+             QByteArray("hogelscope: --session: is missing: name the session document\n"));
+    const Outcome noFile = job({"--set", "lightField.file=b.png"});
+    QCOMPARE(noFile.status, 2);
+    QVERIFY(noFile.err.contains("b.png: ") && noFile.err.count('\n') == 1);
+    QVERIFY(!QFile::exists("out"));
+  }
+
+ private:
+  Outcome job(const QStringList& more) {
+    return run(QStringList{"--tradeoff", "--session", "s.json", "--output", "out"} + more,
+               m_folder->path(), 120000);
+  }
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_APPLESS_MAIN(TestTradeoffJob)
+#include "test_tradeoff_job.moc"

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tolerance: the error that results stays within what the probe said, over many scenes.
+#include "core/tolerance.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/pattern.h"
+#include "core/scaled_view.h"
+#include "tests/core/random_scene.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// The content of the sample session, where errors gather at edges.
+std::shared_ptr<const LightField> sampleContent(const DisplayParams& display) {
+  const ScenePattern pattern(display);
+  const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
+                            display.directions[1]};
+  auto field = std::make_shared<LightField>(size, StoredType::uint8);
+  for (int i = 0; i < size.nx; ++i)
+    for (int j = 0; j < size.ny; ++j)
+      for (int u = 0; u < size.du; ++u)
+        for (int v = 0; v < size.dv; ++v) {
+          const Rgb c = pattern.texel({i, j, u, v});
+          const std::array rgb{quantised(c.r), quantised(c.g), quantised(c.b)};
+          field->set({i, j, u, v}, rgb.data());
+        }
+  return field;
+}
+
+View sampleView() {
+  View view;
+  view.display.hogels = {64, 64};
+  view.display.directions = {16, 16};
+  view.lightField = sampleContent(view.display);
+  return view;
+}
+
+void vary(Random& random, View& view) {
+  view.state.camera.eye = {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2),
+                           random.uniform(0.35, 0.9)};
+  view.state.camera.res = {random.integer(300, 420), random.integer(200, 300)};
+  view.state.psf = {random.uniform(0.4, 1.2), 2 * random.integer(0, 3) + 1};
+  view.state.distortion = {};
+  if (random.flip()) view.state.distortion = {random.uniform(-0.2, 0.6), 0.1, 0.01, -0.01};
+  view.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
+  view.sampling.samplesPerPixel = random.integer(1, 2);
+  view.sampling.tolerance = std::exp(random.uniform(std::log(0.3), std::log(25.0)));
+}
+
+Image rendered(const View& view) {
+  const int scale = view.method.scale;
+  const Image image = simulateFast(reduced(view));
+  return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
+}
+
+double rmse(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.rgb.size(); ++k) sum += std::pow(a.rgb[k] - b.rgb[k], 2);
+  return std::sqrt(sum / double(a.rgb.size()));
+}
+
+}  // namespace
+
+class TestTolerance : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void noToleranceChangesNothing() {
+    LensTables tables;
+    View view = sampleView();
+    view.state.psf.windowSize = 5;
+    Choice choice = choose(view, tables, serialRows);
+    QVERIFY(choice.view == view);
+    QCOMPARE(choice.pixels, 0);
+    view.sampling.tolerance = 5;
+    view.method.scale = 2;  // somebody chose already
+    choice = choose(view, tables, serialRows);
+    QVERIFY(choice.view == view);
+  }
+
+  void theErrorStaysWithinTheLimit() {
+    Random random(9);
+    View view = sampleView();
+    constexpr int scenes = 250;
+    int cheaper = 0;
+    int beyondLimit = 0;
+    for (int repeat = 0; repeat < scenes; ++repeat) {
+      vary(random, view);
+      LensTables tables;
+      const Choice choice = choose(view, tables, serialRows);
+      const double error = rmse(rendered(choice.view), simulateFast(view));
+      cheaper += choice.view.method != Method{} || choice.view.sampling != view.sampling ? 1 : 0;
+      beyondLimit += error > choice.limit + 0.02 ? 1 : 0;
+      QVERIFY(choice.limit <= view.sampling.tolerance);
+      const int pixels = view.state.camera.res[0] * view.state.camera.res[1];
+      QVERIFY(choice.pixels > pixels / 50 && choice.pixels < pixels / 8);
+    }
+    qInfo("%d of %d scenes beyond the limit, %d rendered cheaper", beyondLimit, scenes, cheaper);
+    QVERIFY(beyondLimit <= scenes / 50);  // 99 % confidence, and what chance allows
+    QVERIFY(cheaper > scenes / 3);
+  }
+
+  /// Against the reference engine itself.
+  void theReferenceAgrees() {
+    Random random(10);
+    View view = sampleView();
+    for (int repeat = 0; repeat < 6; ++repeat) {
+      vary(random, view);
+      view.state.camera.res = {150, 100};
+      LensTables tables;
+      const Choice choice = choose(view, tables, serialRows);
+      QVERIFY(rmse(rendered(choice.view), simulate(view)) <= choice.limit + 0.05);
+    }
+  }
+
+  void smallPicturesAreProbedWhole() {
+    Random random(11);
+    View view = sampleView();
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      vary(random, view);
+      view.state.camera.res = {40, 30};
+      LensTables tables;
+      const Choice choice = choose(view, tables, serialRows);
+      QCOMPARE(choice.pixels, 40 * 30);
+      QVERIFY(std::abs(rmse(rendered(choice.view), simulateFast(view)) - choice.rmse) < 0.02);
+      QCOMPARE(choice.limit, choice.rmse);
+    }
+  }
+
+  /// A larger tolerance is never dearer, and a huge one is the cheapest there is.
+  void moreToleranceCostsLess() {
+    View view = sampleView();
+    view.state.psf = {0.9, 5};
+    view.sampling.reconstruction = Reconstruction::quadrilinear;
+    view.sampling.samplesPerPixel = 2;
+    LensTables tables;
+    const auto texels = [&](double tolerance) {
+      view.sampling.tolerance = tolerance;
+      const View chosen = choose(view, tables, serialRows).view;
+      const int window = 2 * plan(chosen).psfReach + 1;
+      const int corners = 1 << 2 * int(chosen.sampling.reconstruction);
+      const int n = chosen.sampling.samplesPerPixel;
+      return double(corners) * window * window * n * n / std::pow(chosen.method.scale, 2);
+    };
+    double last = texels(0.01);
+    QCOMPARE(last, 16.0 * 25 * 4);
+    for (const double tolerance : {0.5, 2.0, 5.0, 10.0, 20.0, 100.0}) {
+      const double now = texels(tolerance);
+      QVERIFY(now <= last);
+      last = now;
+    }
+    QCOMPARE(last, 1.0 / 16);
+  }
+
+  void isTheSameEveryTime() {
+    View view = sampleView();
+    view.state.psf = {0.67, 5};
+    view.sampling.tolerance = 6;
+    LensTables tables;
+    const Choice first = choose(view, tables, serialRows);
+    const Choice second = choose(view, tables, serialRows);
+    QVERIFY(first.view == second.view);
+    QCOMPARE(first.rmse, second.rmse);
+    QVERIFY(text(first).find("with 99 % confidence") != std::string::npos);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestTolerance)
+#include "test_tolerance.moc"

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the comparison of methods: what is compared, its errors, its Pareto front.
+#include "study/tradeoff.h"
+
+#include <QTest>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+#include "core/fast_simulation.h"
+#include "core/scaled_view.h"
+#include "tests/core/random_scene.h"
+#include "vtk/parallel_rows.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Two small views of noise through a lens, with leakage.
+std::vector<View> someViews(const SamplingParams& sampling = {}) {
+  Random random(3);
+  RandomScene scene;
+  scene.content.size = {40, 40, 12, 12};
+  fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
+  View view;
+  view.lightField = scene.view.lightField;
+  view.display.hogels = {40, 40};
+  view.display.directions = {12, 12};
+  view.sampling = sampling;
+  view.state.camera.res = {64, 48};
+  view.state.psf = {0.67, 5};
+  view.state.distortion = {0.6, 0.4, 0, 0, 0.3};  // the paper's Fig. 1
+  std::vector<View> views{view, view};
+  views[1].state.camera.eye = {0.1, 0.05, 0.5};
+  return views;
+}
+
+const TradeoffRow& rowOf(const std::vector<TradeoffRow>& rows, const std::string& method) {
+  for (const TradeoffRow& row : rows)
+    if (row.method == method) return row;
+  throw std::out_of_range(method);
+}
+
+}  // namespace
+
+class TestTradeoff : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void methodsAreManyAndDiffer() {
+    const std::vector<NamedMethod> methods = namedMethods();
+    QVERIFY(methods.size() >= 20);
+    std::set<std::string> names;
+    const View view = someViews().front();
+    for (std::size_t a = 0; a < methods.size(); ++a) {
+      QVERIFY(names.insert(methods[a].name).second);
+      for (std::size_t b = 0; b < a; ++b) QVERIFY(with(methods[a], view) != with(methods[b], view));
+    }
+    QCOMPARE(methods.front().name, std::string("exact"));
+    const View byDefault = with(methods.front(), view);
+    QVERIFY(byDefault.method == Method{} && byDefault.sampling == SamplingParams{});
+  }
+
+  void theQuestionFollowsTheSampling() {
+    QVERIFY(questionOf({}) == Question::displayAsBuilt);
+    QVERIFY(questionOf({LensMapping::direct}) == Question::displayAsBuilt);
+    QVERIFY(questionOf({.reconstruction = Reconstruction::bilinear}) == Question::idealPicture);
+    QVERIFY(questionOf({.samplesPerPixel = 2}) == Question::idealPicture);
+  }
+
+  void errorsAgainstTheDisplayAsBuilt() {
+    const auto rows = measureTradeoff(someViews(), parallelRows, {}).rows;
+    const auto error = [&rows](const char* method) { return rowOf(rows, method).rmse; };
+    QVERIFY(error("exact") < 0.01 && rowOf(rows, "exact").isDefault);
+    QVERIFY(error("Newton 5") < 0.01);
+    QVERIFY(error("fixed point 1") > error("fixed point 5"));
+    QVERIFY(error("fixed point 5") > error("fixed point 20"));
+    QVERIFY(error("table 16 px") > error("table 4 px"));
+    QVERIFY(error("PSF off") > error("PSF truncated"));
+    QVERIFY(error("direct") > 30 && rowOf(rows, "direct").seenMismatch > 0.01);
+    QVERIFY(error("quarter size") > error("half size"));
+    for (const TradeoffRow& row : rows) {
+      QVERIFY(row.milliseconds > 0 && row.mraysPerSecond > 0);
+      QVERIFY(row.maxError >= row.rmse);
+      if (row.rmse > 0)
+        QVERIFY(std::abs(row.psnr - 20 * std::log10(255 / row.rmse)) < 1e-9);
+      else
+        QVERIFY(std::isinf(row.psnr));
+    }
+  }
+
+  /// The numbers themselves, of one method: from the reference engine, pixel by pixel.
+  void errorsAreThoseOfThePictures() {
+    const auto views = someViews();
+    const auto rows = measureTradeoff(views, parallelRows, {}).rows;
+    for (const NamedMethod& method : namedMethods()) {
+      if (method.name != "half size" && method.name != "bilinear") continue;
+      double squares = 0;
+      double values = 0;
+      for (const View& view : views) {
+        const Image expected = simulate(view);
+        const View used = with(method, view);
+        Image image = simulateFast(reduced(used));
+        if (used.method.scale > 1)
+          image = enlarged(image, used.method.scale, view.state.camera.res);
+        for (std::size_t k = 0; k < image.rgb.size(); ++k)
+          squares += std::pow(image.rgb[k] - expected.rgb[k], 2);
+        values += double(image.rgb.size());
+      }
+      QCOMPARE(rowOf(rows, method.name).rmse, std::sqrt(squares / values));
+    }
+  }
+
+  void errorsAgainstTheIdealPicture() {
+    const SamplingParams sampling{.reconstruction = Reconstruction::quadrilinear};
+    const auto rows = measureTradeoff(someViews(sampling), parallelRows, {}).rows;
+    const auto error = [&rows](const char* method) { return rowOf(rows, method).rmse; };
+    QCOMPARE(error("quadrilinear 8×8"), 0.0);
+    QVERIFY(error("quadrilinear 4×4") < error("quadrilinear 2×2"));
+    QVERIFY(error("quadrilinear 2×2") < error("quadrilinear"));
+    QVERIFY(error("quadrilinear") < error("exact"));
+  }
+
+  void errorsAreTheSameEveryTime() {
+    const auto first = measureTradeoff(someViews(), parallelRows, {}).rows;
+    const auto second = measureTradeoff(someViews(), serialRows, {}).rows;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      QCOMPARE(second[k].rmse, first[k].rmse);
+      QCOMPARE(second[k].maxError, first[k].maxError);
+      QCOMPARE(second[k].seenMismatch, first[k].seenMismatch);
+    }
+  }
+
+  void theParetoFront() {
+    std::vector<TradeoffRow> rows(5);
+    const double times[]{1, 2, 2, 3, 1};
+    const double errors[]{5, 3, 4, 3, 5};
+    for (std::size_t k = 0; k < 5; ++k) {
+      rows[k].milliseconds = times[k];
+      rows[k].rmse = errors[k];
+    }
+    markPareto(rows);
+    const bool expected[]{true, true, false, false, true};  // equal rows are both on it
+    for (std::size_t k = 0; k < 5; ++k) QCOMPARE(rows[k].isPareto, expected[k]);
+  }
+
+  void stopsWhenToldTo() {
+    int calls = 0;
+    const Progress stop = [&calls](double) { return ++calls < 5; };
+    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)measureTradeoff(someViews(), parallelRows, stop));
+    QCOMPARE(calls, 5);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestTradeoff)
+#include "test_tradeoff.moc"
