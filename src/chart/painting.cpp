@@ -5,6 +5,7 @@
 #include <QBuffer>
 #include <QImage>
 #include <QSvgGenerator>
+#include <cstdio>
 
 namespace hogelscope {
 
@@ -15,6 +16,10 @@ QFont chartFont() {
   font.setFamilies({"DejaVu Sans", "Liberation Sans", "sans-serif"});
   font.setPixelSize(12);
   return font;
+}
+
+void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtFatalMsg) std::fprintf(stderr, "hogelscope: %s\n", qPrintable(message));
 }
 
 void paintOn(QPaintDevice& device, const Paint& paint, const QSize& size) {
@@ -30,9 +35,8 @@ void paintOn(QPaintDevice& device, const Paint& paint, const QSize& size) {
 OffscreenPainting::OffscreenPainting() {
   if (QCoreApplication::instance() != nullptr) return;
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  // Qt warns on stderr where a batch machine has no folder for a session.
-  const QtMessageHandler before =
-      qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
+  // It would warn of a missing XDG_RUNTIME_DIR, which batch machines do not have and paint without.
+  const QtMessageHandler before = qInstallMessageHandler(onlyFatal);
   m_application.emplace(m_argc, m_argv);
   qInstallMessageHandler(before);
 }

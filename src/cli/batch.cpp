@@ -12,6 +12,7 @@
 #include "cli/info.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
+#include "cli/stability_job.h"
 #include "cli/tradeoff_job.h"
 #include "core/error.h"
 #include "core/pattern.h"
@@ -231,6 +232,8 @@ int runJob(const Options& options) {
       return generate(options);
     case Command::tradeoff:
       return tradeoff(options);
+    case Command::stability:
+      return stabilityJob(options);
     case Command::info:
       std::cout << infoText(options.infoFile);
       return 0;

@@ -28,7 +28,7 @@ void choose(Options& options, Command command) {
   if (options.command != Command::window && options.command != command)
     throw InputError("command line",
                      "asks for two jobs at once; give one of --render, --report, "
-                     "--generate, --tradeoff, --info");
+                     "--generate, --tradeoff, --stability, --info");
   options.command = command;
 }
 
@@ -70,6 +70,10 @@ const std::vector<Flag>& jobs() {
        ".svg. Nearest with one ray a pixel asks for the display as built, any other sampling for "
        "the ideal picture.",
        [](Options& o, const std::string&) { choose(o, Command::tradeoff); }},
+      {"stability", "",
+       "Where methods fail: which ways to invert a lens find the right ray, which a wrong one or "
+       "none, and the other unstable places: DIR/stability.csv, DIR/stability.png.",
+       [](Options& o, const std::string&) { choose(o, Command::stability); }},
       {"info", "FILE", "Says what a session, a light field's image or a folder of views is.",
        [](Options& o, const std::string& v) {
          choose(o, Command::info);
@@ -99,6 +103,9 @@ const std::vector<Flag>& settings() {
        "Takes lens, intrinsics and picture size of every state from an OpenCV calibration (.yml, "
        ".json).",
        [](Options& o, const std::string& v) { o.calibration = v; }},
+      {"calibrations", "FILE",
+       "--stability: also these lenses: a JSON list of cameras, or one OpenCV calibration.",
+       [](Options& o, const std::string& v) { o.calibrations = v; }},
       {"set", "S.F=VALUE",
        "Overrides a parameter, such as psf.sigma=0.9 or camera.res=[300,300]; "
        "camera, intrinsics, distortion and psf go to every state. Repeat it for more.",
@@ -143,8 +150,10 @@ void refuseMissing(const Options& options) {
   const auto need = [](const std::string& value, const char* flag, const char* what) {
     if (value.empty()) throw InputError(flag, std::string("is missing: ") + what);
   };
-  const bool isJob = options.command == Command::render || options.command == Command::report ||
-                     options.command == Command::generate || options.command == Command::tradeoff;
+  const bool hasSession =
+      options.command == Command::render || options.command == Command::report ||
+      options.command == Command::generate || options.command == Command::tradeoff;
+  const bool isJob = hasSession || options.command == Command::stability;
   if (isJob || options.command == Command::info) {
     if (!options.files.empty())
       throw InputError(options.files.front(),
@@ -152,12 +161,22 @@ void refuseMissing(const Options& options) {
                        "as --session FILE");
   }
   if (options.command == Command::window &&
-      !(options.session.empty() && options.output.empty() && options.calibration.empty()))
+      !(options.session.empty() && options.output.empty() && options.calibration.empty() &&
+        options.calibrations.empty()))
     throw InputError("command line",
                      "has settings but no job; give one of --render, --report, "
-                     "--generate, --tradeoff, or only a session to open it");
+                     "--generate, --tradeoff, --stability, or only a session to open it");
+  const bool isStability = options.command == Command::stability;
+  if (!options.calibrations.empty() && !isStability)
+    throw InputError("--calibrations",
+                     "belongs to --stability; the cameras of other jobs change by "
+                     "--calibration FILE");
+  if (!options.session.empty() && isStability)
+    throw InputError("--session",
+                     "is not for --stability, whose lenses are its own and those of "
+                     "--calibrations FILE");
   if (!isJob) return;
-  need(options.session, "--session", "name the session document");
+  if (hasSession) need(options.session, "--session", "name the session document");
   need(options.output, "--output", "name where the results go");
   if (options.command == Command::report && options.tests.empty())
     throw InputError("--test", "is missing: name a light field to compare with the session's");

@@ -8,13 +8,14 @@
 
 namespace hogelscope {
 
-enum class Command { window, render, report, generate, tradeoff, info, help, version };
+enum class Command { window, render, report, generate, tradeoff, stability, info, help, version };
 
 struct Options {
   Command command = Command::window;
   std::string session;
   std::string output;
   std::string calibration;
+  std::string calibrations;        ///< --stability
   std::string pattern;             ///< --generate
   std::string infoFile;            ///< --info
   std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help

@@ -7,16 +7,12 @@
 
 namespace hogelscope {
 
-namespace {
-
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
+std::string csvCell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
 }
-
-}  // namespace
 
 ReportSummary summarise(const std::vector<ReportRow>& rows) {
   ReportSummary summary;
@@ -50,7 +46,7 @@ std::string csv(const std::vector<ReportRow>& rows) {
   std::string text = "state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x,eye_y,eye_z\n";
   for (const ReportRow& row : rows) {
     const Metrics& m = row.metrics;
-    text += quoted(row.state) + "," + quoted(row.test);
+    text += csvCell(row.state) + "," + csvCell(row.test);
     for (const double value : {m.mse, psnr(m.mse), m.mseSeen, psnr(m.mseSeen), m.ssim, m.seen,
                                row.eye.x, row.eye.y, row.eye.z})
       text += "," + numberText(value);

@@ -31,6 +31,9 @@ ReportSummary summarise(const std::vector<ReportRow>& rows);
 /// The shortest text that reads back as the same number; "inf", "nan".
 std::string numberText(double value);
 
+/// A text as a cell of a CSV file (RFC 4180).
+std::string csvCell(const std::string& text);
+
 /// `report.csv` (DESIGN §5), RFC 4180, lines end in \n.
 std::string csv(const std::vector<ReportRow>& rows);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <set>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -86,7 +87,7 @@ std::vector<double> matrix(const cv::FileStorage& storage, Names names) {
 
 /// Ranges are those of the parameters' description.
 template <class Params>
-Params checked(const Json& object, const char* section) {
+Params checked(const Json& object, const std::string& section) {
   Params params;
   JsonReader reader(object, section);
   describe(reader, params);
@@ -125,7 +126,84 @@ std::optional<std::array<int, 2>> resolutionOf(const cv::FileStorage& storage) {
   return checked<CameraParams>({{"res", {int(width), int(height)}}}, "image size").res;
 }
 
+/// A list of `least` to `most` numbers; `parts` says what they are.
+std::vector<double> numbersAt(const Json& camera, const std::string& path, const char* key,
+                              std::size_t least, std::size_t most, const char* parts) {
+  const std::string what = path + "." + key;
+  const auto found = camera.find(key);
+  if (found == camera.end()) throw InputError(what, std::string("is missing: [") + parts + "]");
+  const bool isList = found->is_array() && found->size() >= least && found->size() <= most;
+  std::vector<double> values;
+  for (const Json& value : isList ? *found : Json::array())
+    if (value.is_number()) values.push_back(value.get<double>());
+  if (!isList || values.size() != found->size())
+    throw InputError(what, std::string("is not a list of numbers [") + parts + "]");
+  return values;
+}
+
+NamedCalibration cameraOf(const Json& camera, const std::string& path) {
+  if (!camera.is_object()) throw InputError(path, "is not an object with name, size, K and D");
+  const auto name = camera.find("name");
+  if (name == camera.end() || !name->is_string() || name->get<std::string>().empty())
+    throw InputError(path + ".name", "is missing, or not a text that names the camera");
+  const auto k = numbersAt(camera, path, "K", 4, 4, "fx, fy, cx, cy");
+  const auto d = numbersAt(camera, path, "D", 4, 5, "k1, k2, p1, p2, k3");
+  (void)numbersAt(camera, path, "size", 2, 2, "width, height");
+  return {name->get<std::string>(),
+          {checked<IntrinsicsParams>({{"fx", k[0]}, {"fy", k[1]}, {"cx", k[2]}, {"cy", k[3]}},
+                                     path + ".K"),
+           checked<DistortionParams>({{"k1", d[0]},
+                                      {"k2", d[1]},
+                                      {"p1", d[2]},
+                                      {"p2", d[3]},
+                                      {"k3", d.size() > 4 ? d[4] : 0.0}},
+                                     path + ".D"),
+           checked<CameraParams>({{"res", camera["size"]}}, path + ".size").res}};
+}
+
+std::vector<NamedCalibration> camerasOf(const Json& document) {
+  const Json& list = document["cameras"];
+  if (!list.is_array() || list.empty())
+    throw InputError("cameras", "is not a list of at least one camera");
+  std::vector<NamedCalibration> cameras;
+  std::set<std::string> names;
+  for (const Json& camera : list) {
+    const std::string path = "cameras[" + std::to_string(cameras.size()) + "]";
+    cameras.push_back(cameraOf(camera, path));
+    if (!names.insert(cameras.back().name).second)
+      throw InputError(path + ".name",
+                       "\"" + cameras.back().name + "\" is another camera's name too");
+  }
+  return cameras;
+}
+
+/// Of a file that says no size: as far to the right of the principal point as to its left.
+std::array<int, 2> centredOn(const IntrinsicsParams& k) {
+  const auto side = [](double centre) { return static_cast<int>(std::lround(2 * centre)) + 1; };
+  const bool isWithin = k.cx >= 0 && k.cy >= 0 && k.cx < 8192 && k.cy < 8192;
+  if (!isWithin)
+    throw InputError("image_width", "is missing, and the principal point is not in a picture");
+  return {side(k.cx), side(k.cy)};
+}
+
+bool isCameraList(const std::string& text) {
+  const Json document = Json::parse(text, nullptr, false);
+  return document.is_object() && document.contains("cameras");
+}
+
 }  // namespace
+
+std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file) {
+  try {
+    const std::string text = textOf(file);
+    if (isCameraList(text)) return camerasOf(parseJson(text));
+    NamedCalibration one{file.stem().string(), loadCalibration(file)};
+    if (!one.calibration.res) one.calibration.res = centredOn(one.calibration.intrinsics);
+    return {one};
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
 
 Calibration loadCalibration(const std::filesystem::path& file) {
   const QuietOpenCv quiet;

@@ -21,6 +21,18 @@ struct Calibration {
 /// InputError: no such file, not of that kind, skew, more coefficients, values out of our ranges.
 Calibration loadCalibration(const std::filesystem::path& file);
 
+struct NamedCalibration {
+  std::string name;
+  Calibration calibration;
+};
+
+/// Several cameras: a JSON list,
+/// {"cameras": [{"name": …, "size": [w, h], "K": [fx, fy, cx, cy], "D": [k1, k2, p1, p2, k3]}]},
+/// k3 may be left out, other keys are somebody's notes; or what loadCalibration reads, named after
+/// the file, whose picture is centred on the principal point where its size is not said. Throws
+/// InputError, as loadCalibration does; also for two cameras of one name.
+std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file);
+
 /// The state then takes the pictures of the calibrated camera: its lens, its intrinsics, and its
 /// resolution where that is known.
 void apply(const Calibration& calibration, CameraState& state);

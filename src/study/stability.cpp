@@ -1,3 +1,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where methods fail.
+// Where methods fail: the measurement as a whole, and its table.
 #include "study/stability.h"
+
+#include <cmath>
+
+#include "core/plan.h"
+#include "core/report.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// A camera whose principal point is the picture's middle and whose corner pixel lies at `corner`,
+/// a distance from the centre in the plane z = 1.
+LensKey cameraWithCorner(const DistortionParams& distortion, double corner) {
+  LensKey key{distortion, LensMapping::exact, {640, 480}, {}, {319.5, 239.5}, 1};
+  const double focal = std::hypot(key.centre.x, key.centre.y) / corner;
+  key.focalLength = {focal, focal};
+  return key;
+}
+
+std::string counts(const LensOutcomes& o) {
+  std::string text = std::to_string(o.points());
+  for (const Outcome each :
+       {Outcome::right, Outcome::wrongRoot, Outcome::inexact, Outcome::diverged, Outcome::noRay})
+    text += "," + std::to_string(o[each]);
+  return text + "," + numberText(o.worstResidual);
+}
+
+std::string mapRows(const LensMap& map) {
+  const int side = map.plane.side();
+  std::string text;
+  for (std::size_t m = 0; m < map.outcomes.size(); ++m) {
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        const LensOutcomes& o =
+            map.outcomes[m][std::size_t(row) * std::size_t(side) + std::size_t(column)];
+        text += map.plane.name + ",," + inverseMethods()[m].name + "," + counts(o) + "," +
+                outcomeNames()[std::size_t(o.worst())] + "," + numberText(map.plane.at(column)) +
+                "," + numberText(map.plane.at(row)) + ",\n";
+      }
+    }
+  }
+  return text;
+}
+
+std::string instabilityRow(const InstabilityRow& row) {
+  return row.kind + ",," + row.method + "," + (row.points ? std::to_string(*row.points) : "") +
+         ",,,,,,,," + numberText(row.x) + "," + (row.y ? numberText(*row.y) : "") + "," +
+         numberText(row.value) + "\n";
+}
+
+}  // namespace
+
+/// The paper's coefficients are those of data/table1.json.
+std::vector<NamedLens> hardLenses() {
+  const LensKey openCvs{{0.2958943955272433, -1.0354662043042675, 0, 0, 0},
+                        LensMapping::exact,
+                        {640, 480},
+                        {534.8032684505131, 534.8032684505131},
+                        {335.6864320439489, 240.66183054066337},
+                        1};
+  return {{"paper Fig 1", paperCamera({0.6, 0.4, 0, 0, 0.3})},
+          {"paper Fig 2", paperCamera({0, 0, 0.2, 0.1, 0})},
+          {"paper Fig 3", paperCamera({0.6, 0.3, 0.2, 0.01, 0.2})},
+          {"k1 -0.45 k2 0.25 to r_d 1.1336", cameraWithCorner({-0.45, 0.25, 0, 0, 0}, 1.1336)},
+          {"k1 0.5 to r_d 3", cameraWithCorner({0.5, 0, 0, 0, 0}, 3)},
+          {"OpenCV samples/data/intrinsics.yml", openCvs}};
+}
+
+Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelRows& parallelRows,
+                           const Progress& progress) {
+  constexpr int gridSide = 41;
+  constexpr double lensShare = 0.05;  // of the time, about
+  constexpr double mapShare = 0.4;
+  Stability result{lenses, {}, {}, {}};
+  for (const NamedLens& lens : lenses) {
+    advance(progress, lensShare * double(result.outcomes.size()) / double(lenses.size()));
+    const LensTrial trial(lens.key, gridSide, gridSide);
+    result.outcomes.emplace_back();
+    for (const InverseMethod& method : inverseMethods())
+      result.outcomes.back().push_back(trial.outcomes(method));
+  }
+  double from = lensShare;
+  for (const LensPlane& plane : lensPlanes()) {
+    result.maps.push_back(measureMap(plane, parallelRows, part(progress, from, from + mapShare)));
+    from += mapShare;
+  }
+  result.instabilities = measureInstabilities(parallelRows, part(progress, from, 1));
+  return result;
+}
+
+std::string csv(const Stability& stability) {
+  std::string text =
+      "kind,lens,method,points,right,wrong_root,inexact,diverged,no_ray,worst_residual_px,"
+      "outcome,x,y,value\n";
+  for (std::size_t k = 0; k < stability.lenses.size(); ++k) {
+    for (std::size_t m = 0; m < inverseMethods().size(); ++m) {
+      const LensOutcomes& o = stability.outcomes[k][m];
+      text += "lens," + csvCell(stability.lenses[k].name) + "," + inverseMethods()[m].name + "," +
+              counts(o) + "," + outcomeNames()[std::size_t(o.worst())] + ",,,\n";
+    }
+  }
+  for (const LensMap& map : stability.maps) text += mapRows(map);
+  for (const InstabilityRow& row : stability.instabilities) text += instabilityRow(row);
+  return text;
+}
+
+}  // namespace hogelscope

@@ -139,15 +139,15 @@ void TestCommandLine::mistakes_data() {
   row("a value too many, setting", {"--quiet=yes"}, "--quiet: takes no value");
   row("two jobs", {"--render", "--report"},
       "command line: asks for two jobs at once; give one of --render, --report, --generate, "
-      "--tradeoff, --info");
+      "--tradeoff, --stability, --info");
   row("two jobs, info", {"--info", "s.json", "--generate", "scene"},
       "command line: asks for two jobs at once; give one of --render, --report, --generate, "
-      "--tradeoff, --info");
+      "--tradeoff, --stability, --info");
   row("a file alone", render + QStringList{"more.json"},
       "more.json: stands alone on the command line; a session is given as --session FILE");
   row("settings without a job", {"--session", "s.json", "--output", "out"},
       "command line: has settings but no job; give one of --render, --report, --generate, "
-      "--tradeoff, or only a session to open it");
+      "--tradeoff, --stability, or only a session to open it");
   row("no threads", render + QStringList{"--threads", "0"},
       "--threads: \"0\" is not a number from 1 on");
   row("half a thread", {"--threads", "1.5"}, "--threads: \"1.5\" is not a number from 1 on");

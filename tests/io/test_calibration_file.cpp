@@ -48,6 +48,10 @@ class TestCalibrationFile : public QObject {
   void goesToEveryStateBeforeOverrides();
   void isRefused_data();
   void isRefused();
+  void listOfCameras();
+  void listOfOne();
+  void listIsRefused_data();
+  void listIsRefused();
 
  private:
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -162,6 +166,85 @@ void TestCalibrationFile::isRefused() {
   QFETCH(const QString, line);
   writeFile("k", content);
   QCOMPARE(errorOf([] { (void)loadCalibration("k"); }), line);
+}
+
+void TestCalibrationFile::listOfCameras() {
+  writeFile("k.json", R"({"note": 1, "cameras": [
+    {"name": "a", "source": "somewhere", "size": [640, 480], "K": [500, 510, 320, 240],
+     "D": [0.1, -0.2, 0.3, 0.4, 0.5]},
+    {"name": "b", "size": [1, 2], "K": [5, 6, -7, 8], "D": [0, 0, 0, 0.25]}]})");
+  const std::vector<NamedCalibration> read = loadCalibrations("k.json");
+  QCOMPARE(read.size(), std::size_t(2));
+  QCOMPARE(read[0].name, std::string("a"));
+  QVERIFY((read[0].calibration.intrinsics == IntrinsicsParams{500, 510, 320, 240}));
+  QVERIFY((read[0].calibration.distortion == DistortionParams{0.1, -0.2, 0.3, 0.4, 0.5}));
+  QVERIFY((read[0].calibration.res == std::array{640, 480}));
+  QCOMPARE(read[1].name, std::string("b"));
+  QVERIFY((read[1].calibration.distortion == DistortionParams{0, 0, 0, 0.25, 0}));
+}
+
+void TestCalibrationFile::listOfOne() {
+  writeByOpenCv("left lens.yml");
+  const std::vector<NamedCalibration> read = loadCalibrations("left lens.yml");
+  QCOMPARE(read.size(), std::size_t(1));
+  QCOMPARE(read[0].name, std::string("left lens"));
+  QVERIFY(read[0].calibration.distortion == lens);
+  QVERIFY((read[0].calibration.res == std::array{640, 480}));
+  writeFile("no size.json", json(plainMatrix, "[0.1, -0.2, 0, 0]"));
+  QVERIFY((loadCalibrations("no size.json")[0].calibration.res == std::array{641, 481}));
+}
+
+void TestCalibrationFile::listIsRefused_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<QString>("line");
+  const auto add = [](const char* name, const QByteArray& content, const char* line) {
+    QTest::newRow(name) << content << QString("k: ") + line;
+  };
+  const auto one = [&add](const char* name, const QByteArray& camera, const char* line) {
+    add(name, "{\"cameras\": [" + camera + "]}", line);
+  };
+  add("empty", "",
+      "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {");
+  add("no list", R"({"cameras": 3})", "cameras: is not a list of at least one camera");
+  add("an empty list", R"({"cameras": []})", "cameras: is not a list of at least one camera");
+  add("a list alone", "[1, 2]",
+      "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {");
+  add("a key twice", R"({"cameras": [], "cameras": []})", "cameras: stands twice in one object");
+  add("deep", "{\"cameras\": " + QByteArray(100000, '['), "is nested deeper than any calibration");
+  add("large", "{\"cameras\": [" + QByteArray(2 << 20, ' ') + "]}",
+      "is larger than 1 MiB: not a camera's calibration");
+  one("a number", "3", "cameras[0]: is not an object with name, size, K and D");
+  one("no name", "{}", "cameras[0].name: is missing, or not a text that names the camera");
+  one("no matrix", R"({"name": "a"})", "cameras[0].K: is missing: [fx, fy, cx, cy]");
+  one("nine numbers", R"({"name": "a", "K": [1, 0, 0, 0, 1, 0, 0, 0, 1]})",
+      "cameras[0].K: is not a list of numbers [fx, fy, cx, cy]");
+  one("texts", R"({"name": "a", "K": ["1", 2, 3, 4]})",
+      "cameras[0].K: is not a list of numbers [fx, fy, cx, cy]");
+  const QByteArray begin = R"({"name": "a", "K": [500, 500, 320, 240], )";
+  one("three coefficients", begin + R"("D": [0, 0, 0]})",
+      "cameras[0].D: is not a list of numbers [k1, k2, p1, p2, k3]");
+  one("null", begin + R"("D": [0, 0, null, 0]})",
+      "cameras[0].D: is not a list of numbers [k1, k2, p1, p2, k3]");
+  one("no size", begin + R"("D": [0, 0, 0, 0]})", "cameras[0].size: is missing: [width, height]");
+  one("out of range", begin + R"("size": [640, 480], "D": [0, 35, 0, 0]})",
+      "cameras[0].D.k2: 35.0 is out of range: -10 to 10");
+  one("no length", R"({"name": "a", "size": [640, 480], "K": [0, 1, 0, 0], "D": [0, 0, 0, 0]})",
+      "cameras[0].K.fx: 0.0 is out of range: 0.001 to 1e+08 px");
+  one("half a pixel", begin + R"("size": [640, 0.5], "D": [0, 0, 0, 0]})",
+      "cameras[0].size.res[1]: 0.5 is out of range: 1 to 16384 px");
+  one("huge", begin + R"("size": [640, 70000], "D": [0, 0, 0, 0]})",
+      "cameras[0].size.res[1]: 70000 is out of range: 1 to 16384 px");
+  const QByteArray whole = begin + R"("size": [640, 480], "D": [0, 0, 0, 0]})";
+  one("one name twice", whole + "," + whole, "cameras[1].name: \"a\" is another camera's name too");
+  add("no size, no centre", json("[500, 0, -320, 0, 510, 240, 0, 0, 1]", "[0, 0, 0, 0]"),
+      "image_width: is missing, and the principal point is not in a picture");
+}
+
+void TestCalibrationFile::listIsRefused() {
+  QFETCH(const QByteArray, content);
+  QFETCH(const QString, line);
+  writeFile("k", content);
+  QCOMPARE(errorOf([] { (void)loadCalibrations("k"); }), line);
 }
 
 QTEST_APPLESS_MAIN(TestCalibrationFile)

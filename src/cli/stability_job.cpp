@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --stability: where methods fail, as a table and as maps.
+#include "cli/stability_job.h"
+
+#include <filesystem>
+#include <iostream>
+
+#include "chart/stability_map.h"
+#include "cli/progress_bar.h"
+#include "core/plan.h"
+#include "io/atomic_file.h"
+#include "io/calibration_file.h"
+#include "study/stability.h"
+#include "vtk/parallel_rows.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::vector<NamedLens> lensesFor(const Options& options) {
+  std::vector<NamedLens> lenses = hardLenses();
+  if (options.calibrations.empty()) return lenses;
+  for (const NamedCalibration& camera : loadCalibrations(options.calibrations)) {
+    CameraState state;
+    apply(camera.calibration, state);
+    lenses.push_back({camera.name, lensKeyOf(state, {})});
+  }
+  return lenses;
+}
+
+}  // namespace
+
+int stabilityJob(const Options& options) {
+  const std::vector<NamedLens> lenses = lensesFor(options);
+  makeFolder(options.output);
+  ProgressBar bar("measuring", options.quiet);
+  const Stability stability = measureStability(lenses, parallelRows, bar.progress());
+  const OffscreenPainting painting;
+  const std::string picture =
+      pngOf([&stability](QPainter& painter,
+                         const QSizeF& size) { paintStabilityMaps(painter, size, stability.maps); },
+            stabilityMapsSize());
+  const std::filesystem::path folder = options.output;
+  writeTextFile(folder / "stability.csv", csv(stability));
+  writeTextFile(folder / "stability.png", picture);
+  bar.done();
+  if (!options.quiet)
+    std::cout << lenses.size() << " lens(es) and two maps in "
+              << (folder / "stability.csv").string() << " and "
+              << (folder / "stability.png").string() << "\n";
+  return 0;
+}
+
+}  // namespace hogelscope

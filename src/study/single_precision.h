@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The reference engine's geometry in a precision of choice: what floats cost.
+#pragma once
+
+#include "core/simulate.h"
+
+namespace hogelscope {
+
+/// A picture with all of DESIGN §2's geometry in `Real`, float or double, from the world's numbers
+/// on: nearest, one ray a pixel, no leakage, no lens distortion, an unturned panel.
+template <class Real>
+Image pictureIn(const View& view);
+
+extern template Image pictureIn<float>(const View& view);
+extern template Image pictureIn<double>(const View& view);
+
+}  // namespace hogelscope

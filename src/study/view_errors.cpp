@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which directional pixels the rays of a view meet: an eye near the panel, grazing rays, large
+// numbers.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/fast_simulation.h"
+#include "study/instabilities.h"
+#include "study/single_precision.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double paperDistance = 0.559;
+
+/// The paper's panel with fewer hogels, whose lenses reach nearly to the panel's plane.
+DisplayParams panel() {
+  DisplayParams display;
+  display.size = {0.5, 0.5};
+  display.hogels = {64, 64};
+  display.directions = {64, 64};
+  display.fov = {179.5, 179.5};
+  display.lens = HogelLens::equiangular;
+  return display;
+}
+
+/// Each directional pixel's colour is its number: pictures then say which one a ray has met. There
+/// are 2^24 of them, as many as colours.
+std::shared_ptr<const LightField> numbered(const DisplayParams& display,
+                                           const ParallelRows& parallelRows) {
+  const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
+                            display.directions[1]};
+  const auto field = std::make_shared<LightField>(size, StoredType::uint8);
+  const auto columns = unsigned(size.width());
+  parallelRows(int(size.height()), [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      for (unsigned x = 0; x < columns; ++x) {
+        const unsigned number = unsigned(y) * columns + x;
+        const std::array rgb{std::uint8_t(number >> 16), std::uint8_t(number >> 8),
+                             std::uint8_t(number)};
+        field->set({int(x) / size.du, y / size.dv, int(x) % size.du, y % size.dv}, rgb.data());
+      }
+    }
+  });
+  return field;
+}
+
+View viewFrom(const std::shared_ptr<const LightField>& field, const Vec3& eye) {
+  View view;
+  view.lightField = field;
+  view.display = panel();
+  view.state.camera.fov = 60;
+  view.state.camera.eye = eye;
+  view.state.camera.res = {600, 600};
+  return view;
+}
+
+View moved(View view, const Vec3& by) {
+  CameraParams& camera = view.state.camera;
+  for (Vec3* point : {&view.display.position, &camera.eye, &camera.lookat}) *point = *point + by;
+  return view;
+}
+
+View scaled(View view, double factor) {
+  CameraParams& camera = view.state.camera;
+  for (Vec3* point : {&view.display.position, &camera.eye, &camera.lookat})
+    *point = factor * *point;
+  for (double& side : view.display.size) side *= factor;
+  return view;
+}
+
+View eyeAside(View view) {
+  view.state.camera.eye.x += 1e-5;
+  return view;
+}
+
+/// The share of the pixels, among those that either picture sees, that show another directional
+/// pixel than in the reference, or only in one of them any.
+InstabilityRow row(const char* kind, const std::string& method, double x, const Image& reference,
+                   const Image& image) {
+  std::size_t points = 0;
+  std::size_t others = 0;
+  for (std::size_t p = 0; p < reference.pixelCount(); ++p) {
+    if (reference.seen[p] == 0 && image.seen[p] == 0) continue;
+    ++points;
+    const auto* a = &reference.rgb[3 * p];
+    const auto* b = &image.rgb[3 * p];
+    if (reference.seen[p] != image.seen[p] || !std::equal(a, a + 3, b)) ++others;
+  }
+  return {kind, method, x, {}, points, points == 0 ? 0 : double(others) / double(points)};
+}
+
+void addEye(const char* kind, double x, const View& view, std::vector<InstabilityRow>& rows) {
+  const Image reference = simulate(view);
+  rows.push_back(row(kind, "fast engine", x, reference, simulateFast(view)));
+  rows.push_back(row(kind, "float", x, reference, pictureIn<float>(view)));
+  rows.push_back(row(kind, "eye 10 um aside", x, reference, simulate(eyeAside(view))));
+}
+
+}  // namespace
+
+std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const Progress& progress) {
+  const auto field = numbered(panel(), parallelRows);
+  const View paper = viewFrom(field, {0, 0, paperDistance});
+  const Image unmoved = simulate(paper);
+  std::vector<InstabilityRow> rows;
+  for (const double distance : {1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    advance(progress, 0.4);
+    addEye("near_panel", distance, viewFrom(field, {0, 0, distance}), rows);
+  }
+  for (const double angle : {0.0, 30.0, 60.0, 75.0, 80.0, 85.0, 87.0, 88.0, 89.0, 89.5}) {
+    advance(progress, 0.6);
+    const Vec3 eye{paperDistance * std::sin(radians(angle)), 0,
+                   paperDistance * std::cos(radians(angle))};
+    addEye("grazing", angle, viewFrom(field, eye), rows);
+  }
+  for (int power = -3; power <= 6; ++power) {
+    advance(progress, 0.8);
+    const double metres = std::stod("1e" + std::to_string(power));  // as a reader writes it
+    for (const auto& [kind, view] : {std::pair{"scale", scaled(paper, metres)},
+                                     std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
+      rows.push_back(row(kind, "fast engine", metres, unmoved, simulateFast(view)));
+      rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(view)));
+    }
+  }
+  return rows;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests --stability as a user runs it: its files, its flags, what it refuses.
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "tests/cli/csv.h"
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+namespace {
+
+constexpr int longest = 280000;  ///< milliseconds, with sanitizers on a busy machine
+
+/// A list of two cameras, one with a comma in its name, k3 left out.
+const QByteArray list = R"({"note": "ours", "cameras": [
+  {"name": "a, b", "source": "x", "size": [640, 480], "K": [500, 510, 320, 240],
+   "D": [-0.3, 0.1, 0, 0]},
+  {"name": "c", "size": [64, 48], "K": [50, 50, 32, 24], "D": [0, 0, 0, 0, 0]}]})";
+
+QStringList stability(const QStringList& more) {
+  return QStringList{"--stability", "--output", "out"} + more;
+}
+
+}  // namespace
+
+class TestStabilityJob : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void writesItsFilesWhateverTheThreads();
+  void mistakes_data();
+  void mistakes();
+  void stops();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestStabilityJob::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestStabilityJob::writesItsFilesWhateverTheThreads() {
+  writeFile("list.json", list);
+  const QStringList cameras{"--calibrations", "list.json"};
+  const Outcome one = run(stability(cameras + QStringList{"--threads", "1"}), ".", longest);
+  QCOMPARE(one.err, QByteArray());
+  QCOMPARE(one.out, QByteArray("8 lens(es) and two maps in out/stability.csv and "
+                               "out/stability.png\n"));
+  QCOMPARE(one.status, 0);
+  QCOMPARE(namesIn("out"), QStringList({"stability.csv", "stability.png"}));
+  const QByteArray table = contentOf("out/stability.csv");
+  QVERIFY(table.startsWith("kind,lens,method,points,right,"));
+  QCOMPARE(table.count("\nlens,\"a, b\","), 5);
+  QCOMPARE(table.count("\nlens,c,"), 5);
+  QCOMPARE(table.count("\nlens,c,OpenCV 5,1681,1681,0,0,0,0,0,right,,,\n"), 1);
+  const auto spec = specOf("out/stability.png");
+  QCOMPARE(spec.width, 2000);
+  QVERIFY(spec.height > 1000);
+  const QByteArray picture = contentOf("out/stability.png");
+
+  const Outcome two =
+      run(stability(cameras + QStringList{"--threads", "2", "--quiet"}), ".", longest);
+  QCOMPARE(two.err + two.out, QByteArray());
+  QCOMPARE(two.status, 0);
+  QVERIFY(contentOf("out/stability.csv") == table);
+  QVERIFY(contentOf("out/stability.png") == picture);
+}
+
+void TestStabilityJob::mistakes_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("no output") << QStringList{"--stability"}
+                             << QByteArray("--output: is missing: name where the results go");
+  QTest::newRow("two jobs") << stability({"--render"})
+                            << QByteArray(
+                                   "command line: asks for two jobs at once; give one of --render, "
+                                   "--report, --generate, --tradeoff, --stability, --info");
+  QTest::newRow("a file alone")
+      << stability({"s.json"})
+      << QByteArray(
+             "s.json: stands alone on the command line; a session is given as --session FILE");
+  QTest::newRow("no such file") << stability({"--calibrations", "none.json"})
+                                << QByteArray(
+                                       "none.json: cannot be read: No such file or directory");
+  QTest::newRow("another job's") << QStringList{"--render", "--calibrations", "l.json"}
+                                 << QByteArray(
+                                        "--calibrations: belongs to --stability; the cameras of "
+                                        "other jobs change by --calibration FILE");
+  QTest::newRow("no job")
+      << QStringList{"--calibrations", "l.json"}
+      << QByteArray(
+             "command line: has settings but no job; give one of --render, "
+             "--report, --generate, --tradeoff, --stability, or only a session to open it");
+  QTest::newRow("a session") << stability({"--session", "s.json"})
+                             << QByteArray(
+                                    "--session: is not for --stability, whose lenses are its own "
+                                    "and those of --calibrations FILE");
+}
+
+void TestStabilityJob::mistakes() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QByteArray, line);
+  const Outcome outcome = run(arguments, ".");
+  QCOMPARE(outcome.err, "hogelscope: " + line + "\n");
+  QCOMPARE(outcome.out, QByteArray());
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn("."), QStringList());
+}
+
+void TestStabilityJob::stops() {
+  QProcess process;
+  start(process, stability({"--threads", "1"}), ".");
+  QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists("out"), 10000);
+  QTest::qWait(500);
+  QCOMPARE(process.state(), QProcess::Running);
+  ::kill(pid_t(process.processId()), SIGINT);
+  QVERIFY(process.waitForFinished(20000));
+  QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+  QCOMPARE(process.exitCode(), SIGINT);
+  QCOMPARE(process.readAllStandardError(),
+           QByteArray("hogelscope: stopped; what is finished is kept\n"));
+  QCOMPARE(namesIn("out"), QStringList());
+}
+
+QTEST_GUILESS_MAIN(TestStabilityJob)
+#include "test_stability_job.moc"
