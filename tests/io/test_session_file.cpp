@@ -47,7 +47,8 @@ void TestSessionFile::roundTrip_data() {
                                                     "columns": 8, "rows": 4096})"});
   QTest::newRow("quilt, tiles from its name")
       << text({.display = "{}", .lightField = R"({"file": "q_qs8x6a1.png", "layout": "quilt"})"});
-  QTest::newRow("sampling") << text({.sampling = R"({"mapping": "direct", "samplesPerPixel": 64, "tolerance": 0.75,
+  QTest::newRow("sampling") << text(
+      {.sampling = R"({"mapping": "direct", "samplesPerPixel": 64, "tolerance": 0.75,
                                                      "reconstruction": "quadrilinear"})"});
   QTest::newRow("states") << text({.cameras = R"([
       {"name": "é \"quoted\" 日本 😀", "eye": [0.1, 0.2, 0.30000000000000004], "lookat": [1, 2, -3],
