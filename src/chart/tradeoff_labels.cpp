@@ -139,9 +139,11 @@ QRectF TradeoffLabel::line(std::size_t k) const {
 }
 
 QString figures(const TradeoffRow& row) {
-  return QStringLiteral("%1 ms, error %2")
-      .arg(row.milliseconds, 0, 'g', 2)
-      .arg(row.rmse, 0, 'g', 2);
+  // Two digits, but no powers of ten for what takes long.
+  const auto number = [](double value) {
+    return value < 99.5 ? QString::number(value, 'g', 2) : QString::number(value, 'f', 0);
+  };
+  return QStringLiteral("%1 ms, error %2").arg(number(row.milliseconds), number(row.rmse));
 }
 
 TradeoffLabels labelsOf(const std::vector<TradeoffRow>& rows, const TradeoffAxes& axes,

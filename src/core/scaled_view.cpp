@@ -3,6 +3,7 @@
 #include "core/scaled_view.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace hogelscope {
@@ -52,36 +53,33 @@ float share(float, float sum, int scale) {
   return sum / static_cast<float>(4 * scale * scale);
 }
 
-/// Bilinear among four values.
-template <class T>
-T mix(T upperLeft, T upperRight, T lowerLeft, T lowerRight, int across, int down, int scale) {
-  const int whole = 2 * scale;
-  const auto part = [](int times, T value) {
-    return static_cast<decltype(T{} * 1)>(times) * value;
-  };
-  const auto upper = part(whole - across, upperLeft) + part(across, upperRight);
-  const auto lower = part(whole - across, lowerLeft) + part(across, lowerRight);
-  return share(T{},
-               static_cast<decltype(upper)>(whole - down) * upper +
-                   static_cast<decltype(upper)>(down) * lower,
-               scale);
-}
-
+/// Rows first, then columns: whole sums, so that enlargedPixel() gives the same.
 template <class T>
 std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
                               const std::array<int, 2>& res) {
+  using Sum = std::conditional_t<std::is_integral_v<T>, int, T>;
   const int smallWidth = (res[0] + scale - 1) / scale;
-  const int smallHeight = int(values.size()) / 3 / smallWidth;
+  const auto smallRow = 3 * std::size_t(smallWidth);
+  const int smallHeight = int(values.size() / smallRow);
   const std::vector<Between> columns = betweenAll(res[0], smallWidth, scale);
-  std::vector<T> full;
-  full.reserve(3 * std::size_t(res[0]) * std::size_t(res[1]));
+  std::vector<T> full(3 * std::size_t(res[0]) * std::size_t(res[1]));
+  std::vector<Sum> sums(smallRow);
+  T* to = full.data();
   for (const Between& y : betweenAll(res[1], smallHeight, scale)) {
-    const T* upper = &values[3 * std::size_t(y.first) * std::size_t(smallWidth)];
-    const T* lower = &values[3 * std::size_t(y.second) * std::size_t(smallWidth)];
-    for (const Between& x : columns)
+    const T* upper = &values[smallRow * std::size_t(y.first)];
+    const T* lower = &values[smallRow * std::size_t(y.second)];
+    const auto lowerShare = static_cast<Sum>(y.share);
+    const auto upperShare = static_cast<Sum>(2 * scale - y.share);
+    for (std::size_t k = 0; k < smallRow; ++k)
+      sums[k] = upperShare * static_cast<Sum>(upper[k]) + lowerShare * static_cast<Sum>(lower[k]);
+    for (const Between& x : columns) {
+      const Sum* left = &sums[3 * std::size_t(x.first)];
+      const Sum* right = &sums[3 * std::size_t(x.second)];
+      const auto rightShare = static_cast<Sum>(x.share);
+      const auto leftShare = static_cast<Sum>(2 * scale - x.share);
       for (int c = 0; c < 3; ++c)
-        full.push_back(mix(upper[3 * x.first + c], upper[3 * x.second + c], lower[3 * x.first + c],
-                           lower[3 * x.second + c], x.share, y.share, scale));
+        *to++ = share(T{}, leftShare * left[c] + rightShare * right[c], scale);
+    }
   }
   return full;
 }
@@ -91,13 +89,15 @@ std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
 Image enlarged(const Image& image, int scale, const std::array<int, 2>& res) {
   Image full(res[0], res[1]);
   full.rgb = enlargedValues(image.rgb, scale, res);
+  const int shift = scale / 2;  // of 1, 2 and 4
   std::size_t to = 0;
-  for (int y = 0; y < res[1]; ++y)
+  for (int y = 0; y < res[1]; ++y) {
+    const std::uint8_t* nearest = &image.seen[std::size_t((y >> shift) * image.width)];
     for (int x = 0; x < res[0]; ++x, ++to) {
-      const int nearest = y / scale * image.width + x / scale;
-      full.seen[to] = image.seen[std::size_t(nearest)];
+      full.seen[to] = nearest[x >> shift];
       if (full.seen[to] == 0) std::fill_n(&full.rgb[3 * to], 3, std::uint8_t{0});
     }
+  }
   return full;
 }
 
@@ -114,10 +114,16 @@ std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, 
   const auto value = [&](int smallX, int smallY, std::size_t c) {
     return image.rgb[3 * std::size_t(smallY * image.width + smallX) + c];
   };
-  for (std::size_t c = 0; c < 3; ++c)
-    rgb[c] = mix(value(column.first, row.first, c), value(column.second, row.first, c),
-                 value(column.first, row.second, c), value(column.second, row.second, c),
-                 column.share, row.share, scale);
+  const int whole = 2 * scale;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto down = [&](int smallX) {
+      return (whole - row.share) * value(smallX, row.first, c) +
+             row.share * value(smallX, row.second, c);
+    };
+    const int sum =
+        (whole - column.share) * down(column.first) + column.share * down(column.second);
+    rgb[c] = share(rgb[c], sum, scale);
+  }
   return rgb;
 }
 

@@ -1,0 +1,18 @@
+#!/bin/sh
+# Makes the manual's measured pictures and tables again, on this machine: resources/manual.
+set -eu
+here=$(dirname "$0")
+"$here/build.sh" hogelscope
+cd "$here/.."
+
+program=build/release/bin/hogelscope
+output=build/manual
+mkdir -p "$output"
+"$program" --tradeoff --session data/table1.json --states 'Fig [136]' --output "$output/display"
+"$program" --tradeoff --session data/table1.json --states 'Fig [136]' --output "$output/ideal" \
+  --set sampling.reconstruction=quadrilinear
+"$program" --stability --output "$output/stability"
+cp "$output/display/tradeoff.png" resources/manual/tradeoff_display.png
+cp "$output/ideal/tradeoff.png" resources/manual/tradeoff_ideal.png
+cp "$output/stability/stability.png" resources/manual/stability.png
+"$program" --help parameters > resources/manual/parameters.md
