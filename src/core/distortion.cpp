@@ -77,14 +77,17 @@ Vec2 Distortion::polish(Vec2 ideal, const Vec2& distorted) const {
     const Vec2 d = distort(p);
     return Vec2{distorted.x - d.x, distorted.y - d.y};
   };
+  const double rounding = 2e-16 * norm(distorted);
   Vec2 residual = residualAt(ideal);
-  for (int step = 0; step < 20; ++step) {
+  double size = norm(residual);
+  for (int step = 0; step < 20 && size > rounding; ++step) {
     const Vec2 move = solve(jacobian(ideal), residual);
     const Vec2 next{ideal.x + move.x, ideal.y + move.y};
-    const Vec2 nextResidual = residualAt(next);
-    if (!(norm(nextResidual) < norm(residual))) break;
+    residual = residualAt(next);
+    const double nextSize = norm(residual);
+    if (!(nextSize < size)) break;
     ideal = next;
-    residual = nextResidual;
+    size = nextSize;
   }
   return ideal;
 }

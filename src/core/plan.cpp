@@ -77,24 +77,29 @@ void decideLens(const View& view, Plan& plan) {
 
 void decidePsf(const View& view, Plan& plan) {
   const PsfParams& psf = view.state.psf;
+  const double dropped = view.method.droppedTaps;
   const int windowReach = (psf.windowSize - 1) / 2;
-  plan.psfReach = windowReach > 0 ? neededReach(psf, view.method.droppedTaps) : 0;
+  plan.psfReach = windowReach > 0 ? neededReach(psf, dropped) : 0;
   const auto square = [](int reach) { return (2 * reach + 1) * (2 * reach + 1); };
   const auto taps = [square](int reach) { return std::to_string(square(reach)); };
-  if (windowReach == 0)
+  if (windowReach == 0) {
     plan.decisions.push_back({"no light leakage", "windowSize is 1", ""});
-  else if (plan.psfReach == 0 && std::isinf(view.method.droppedTaps))
-    plan.decisions.push_back(
-        {"no light leakage", "the method leaves it out", taps(windowReach) + " taps for each ray"});
-  else if (plan.psfReach < windowReach)
-    plan.decisions.push_back(
-        {"light leakage of " + taps(plan.psfReach) + " taps, not " + taps(windowReach),
-         "the others change no pixel's light by " + numberText(view.method.droppedTaps) +
-             " code values",
-         std::to_string(square(windowReach) - square(plan.psfReach)) + " taps for each ray"});
-  else
+    return;
+  }
+  if (plan.psfReach == windowReach) {
     plan.decisions.push_back(
         {"light leakage of " + taps(windowReach) + " taps", "each of them counts", ""});
+    return;
+  }
+  const std::string what = plan.psfReach == 0 ? "no light leakage"
+                                              : "light leakage of " + taps(plan.psfReach) +
+                                                    " taps, not " + taps(windowReach);
+  const std::string why = dropped > 0.5 ? "the method leaves the others out"
+                                        : "the others change no pixel's light by " +
+                                              numberText(dropped) + " code values";
+  plan.decisions.push_back(
+      {what, why,
+       std::to_string(square(windowReach) - square(plan.psfReach)) + " taps for each ray"});
 }
 
 void decideLight(const View& view, Plan& plan) {
