@@ -2,10 +2,13 @@
 // MSE, PSNR and SSIM of two pictures.
 #include "core/metrics.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+
+#include "core/for_each_machine.h"
 
 namespace hogelscope {
 
@@ -13,16 +16,10 @@ namespace {
 
 constexpr int windowSize = 11;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+using Window = std::array<double, windowSize>;
 
-/// A picture of real numbers, row by row.
-struct Plane {
-  std::size_t width;
-  std::size_t height;
-  std::vector<double> values;
-};
-
-std::array<double, windowSize> gaussian(double sigma) {
-  std::array<double, windowSize> w{};
+Window gaussian(double sigma) {
+  Window w{};
   double sum = 0;
   for (int k = 0; k < windowSize; ++k) {
     const int x = k - windowSize / 2;
@@ -33,32 +30,112 @@ std::array<double, windowSize> gaussian(double sigma) {
   return w;
 }
 
-/// Gaussian mean of f(pixel) round every place where the window lies inside.
-template <class F>
-Plane filtered(const Image& image, F f) {
-  static const auto w = gaussian(1.5);
-  const auto width = std::size_t(image.width);
-  const auto height = std::size_t(image.height);
-  Plane rows{width - windowSize + 1, height, {}};
-  rows.values.resize(rows.width * rows.height);
-  for (std::size_t y = 0; y < height; ++y)
-    for (std::size_t x = 0; x < rows.width; ++x)
-      for (std::size_t k = 0; k < windowSize; ++k)
-        rows.values[y * rows.width + x] += w[k] * f(y * width + x + k);
-  Plane out{rows.width, height - windowSize + 1, {}};
-  out.values.resize(out.width * out.height);
-  for (std::size_t y = 0; y < out.height; ++y)
-    for (std::size_t k = 0; k < windowSize; ++k)
-      for (std::size_t x = 0; x < out.width; ++x)
-        out.values[y * out.width + x] += w[k] * rows.values[(y + k) * rows.width + x];
-  return out;
+/// What SSIM needs of a place: sums of a, b, a² + b² and ab. The variances are only needed as their
+/// sum, which saves a fifth of the work.
+struct Moments {
+  std::vector<double> a, b, squares, products;
+  explicit Moments(std::size_t width) : a(width), b(width), squares(width), products(width) {}
+};
+
+/// Gaussian sums down the columns, of the rows from `a` and `b` on.
+FOR_EACH_MACHINE
+void alongColumns(const Window& w, const double* __restrict a, const double* __restrict b,
+                  std::size_t width, Moments& sums) {
+  double* __restrict outA = sums.a.data();
+  double* __restrict outB = sums.b.data();
+  double* __restrict squares = sums.squares.data();
+  double* __restrict products = sums.products.data();
+  for (std::size_t x = 0; x < width; ++x) {
+    double sumA = 0, sumB = 0, sumSquares = 0, sumProducts = 0;
+    for (std::size_t k = 0; k < windowSize; ++k) {
+      const double pa = a[k * width + x];
+      const double pb = b[k * width + x];
+      sumA += w[k] * pa;
+      sumB += w[k] * pb;
+      sumSquares += w[k] * (pa * pa + pb * pb);
+      sumProducts += w[k] * (pa * pb);
+    }
+    outA[x] = sumA;
+    outB[x] = sumB;
+    squares[x] = sumSquares;
+    products[x] = sumProducts;
+  }
 }
 
-std::vector<double> luma(const Image& image) {
-  std::vector<double> y(image.pixelCount());
-  for (std::size_t p = 0; p < y.size(); ++p)
-    y[p] = 0.299 * image.rgb[3 * p] + 0.587 * image.rgb[3 * p + 1] + 0.114 * image.rgb[3 * p + 2];
-  return y;
+/// Gaussian sums of those sums along the row, and SSIM of each place.
+FOR_EACH_MACHINE
+void alongRow(const Window& w, const Moments& sums, std::size_t count, double* __restrict out) {
+  constexpr double c1 = (0.01 * 255) * (0.01 * 255);
+  constexpr double c2 = (0.03 * 255) * (0.03 * 255);
+  const double* __restrict a = sums.a.data();
+  const double* __restrict b = sums.b.data();
+  const double* __restrict squares = sums.squares.data();
+  const double* __restrict products = sums.products.data();
+  for (std::size_t x = 0; x < count; ++x) {
+    double ma = 0, mb = 0, meanSquares = 0, meanProducts = 0;
+    for (std::size_t k = 0; k < windowSize; ++k) {
+      ma += w[k] * a[x + k];
+      mb += w[k] * b[x + k];
+      meanSquares += w[k] * squares[x + k];
+      meanProducts += w[k] * products[x + k];
+    }
+    const double meansSquared = ma * ma + mb * mb;
+    out[x] = (2 * (ma * mb) + c1) * (2 * (meanProducts - ma * mb) + c2) /
+             ((meansSquared + c1) * (meanSquares - meansSquared + c2));
+  }
+}
+
+void luma(const std::uint8_t* rgb, std::size_t count, double* __restrict y) {
+  for (std::size_t p = 0; p < count; ++p)
+    y[p] = 0.299 * rgb[3 * p] + 0.587 * rgb[3 * p + 1] + 0.114 * rgb[3 * p + 2];
+}
+
+/// Pixels whose sums of squares and products stay within 32 bits: 255² · 3 · 8192 < 2³¹.
+constexpr std::size_t pieceSize = 8192;
+
+/// Exact sums of squared differences of R, G and B, over all pixels and over those seen in both,
+/// and of Y, Cb and Cr in units that make BT.709's coefficients whole numbers.
+struct Squares {
+  std::int64_t all = 0;
+  std::int64_t inSeen = 0;
+  std::int64_t seenCount = 0;
+  std::array<double, 3> yuv{};  // whole numbers too, but they outgrow 64 bits
+};
+
+/// Σ (r·red + g·green + b·blue)² from the sums of r², g², b², rg, rb, gb.
+double quadratic(const std::array<std::int64_t, 3>& c, const std::array<std::int32_t, 6>& sums) {
+  const std::array<std::int64_t, 6> coefficients{c[0] * c[0],     c[1] * c[1],     c[2] * c[2],
+                                                 2 * c[0] * c[1], 2 * c[0] * c[2], 2 * c[1] * c[2]};
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < 6; ++k) sum += coefficients[k] * sums[k];
+  return double(sum);
+}
+
+/// Of at most `pieceSize` pixels.
+FOR_EACH_MACHINE
+void addSquares(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* seenA,
+                const std::uint8_t* seenB, std::size_t count, Squares& sums) {
+  std::int32_t rr = 0, gg = 0, bb = 0, rg = 0, rb = 0, gb = 0, inSeen = 0, seenCount = 0;
+  for (std::size_t p = 0; p < count; ++p) {
+    const std::int32_t red = a[3 * p] - b[3 * p];
+    const std::int32_t green = a[3 * p + 1] - b[3 * p + 1];
+    const std::int32_t blue = a[3 * p + 2] - b[3 * p + 2];
+    const std::int32_t isSeen = std::int32_t(seenA[p] != 0) & std::int32_t(seenB[p] != 0);
+    rr += red * red;
+    gg += green * green;
+    bb += blue * blue;
+    rg += red * green;
+    rb += red * blue;
+    gb += green * blue;
+    inSeen += isSeen * (red * red + green * green + blue * blue);
+    seenCount += isSeen;
+  }
+  sums.all += rr + gg + bb;
+  sums.inSeen += inSeen;
+  sums.seenCount += seenCount;
+  sums.yuv[0] += quadratic({2126, 7152, 722}, {rr, gg, bb, rg, rb, gb});
+  sums.yuv[1] += quadratic({-2126, -7152, 9278}, {rr, gg, bb, rg, rb, gb});  // B − Y
+  sums.yuv[2] += quadratic({7874, -7152, -722}, {rr, gg, bb, rg, rb, gb});   // R − Y
 }
 
 }  // namespace
@@ -67,50 +144,51 @@ double psnr(double mse) {
   return 10 * std::log10(255.0 * 255.0 / mse);
 }
 
-double ssim(const Image& reference, const Image& test) {
-  if (reference.width < windowSize || reference.height < windowSize) return nothing;
-  const std::vector<double> a = luma(reference);
-  const std::vector<double> b = luma(test);
-  const Plane meanA = filtered(reference, [&](std::size_t p) { return a[p]; });
-  const Plane meanB = filtered(test, [&](std::size_t p) { return b[p]; });
-  const Plane meanAA = filtered(reference, [&](std::size_t p) { return a[p] * a[p]; });
-  const Plane meanBB = filtered(test, [&](std::size_t p) { return b[p] * b[p]; });
-  const Plane meanAB = filtered(reference, [&](std::size_t p) { return a[p] * b[p]; });
-  constexpr double c1 = (0.01 * 255) * (0.01 * 255);
-  constexpr double c2 = (0.03 * 255) * (0.03 * 255);
-  double sum = 0;
-  for (std::size_t p = 0; p < meanA.values.size(); ++p) {
-    const double ma = meanA.values[p];
-    const double mb = meanB.values[p];
-    const double varianceA = meanAA.values[p] - ma * ma;
-    const double varianceB = meanBB.values[p] - mb * mb;
-    const double covariance = meanAB.values[p] - ma * mb;
-    sum += (2 * ma * mb + c1) * (2 * covariance + c2) /
-           ((ma * ma + mb * mb + c1) * (varianceA + varianceB + c2));
-  }
-  return sum / double(meanA.values.size());
+double psnrYuv(const std::array<double, 3>& mseYuv) {
+  return (6 * psnr(mseYuv[0]) + psnr(mseYuv[1]) + psnr(mseYuv[2])) / 8;
 }
 
-Metrics compare(const Image& reference, const Image& test) {
+double ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows) {
+  static const Window w = gaussian(1.5);
+  if (reference.width < windowSize || reference.height < windowSize) return nothing;
+  const auto width = std::size_t(reference.width);
+  const std::size_t places = width - windowSize + 1;
+  const int rowCount = reference.height - windowSize + 1;
+  std::vector<double> a(reference.pixelCount());
+  std::vector<double> b(a.size());
+  parallelRows(reference.height, [&](int begin, int end) {
+    const std::size_t from = std::size_t(begin) * width;
+    const std::size_t count = std::size_t(end - begin) * width;
+    luma(&reference.rgb[3 * from], count, &a[from]);
+    luma(&test.rgb[3 * from], count, &b[from]);
+  });
+  std::vector<double> rowSums(std::size_t(rowCount), 0);  // added up in one order for any threads
+  parallelRows(rowCount, [&](int begin, int end) {
+    Moments moments(width);
+    std::vector<double> row(places);
+    for (auto y = std::size_t(begin); y < std::size_t(end); ++y) {
+      alongColumns(w, &a[y * width], &b[y * width], width, moments);
+      alongRow(w, moments, places, row.data());
+      rowSums[y] = std::accumulate(row.begin(), row.end(), 0.0);
+    }
+  });
+  return std::accumulate(rowSums.begin(), rowSums.end(), 0.0) / (double(places) * double(rowCount));
+}
+
+Metrics compare(const Image& reference, const Image& test, const ParallelRows& parallelRows) {
   if (reference.width != test.width || reference.height != test.height)
     throw std::invalid_argument("compare: pictures of different sizes");
-  double all = 0;
-  double inSeen = 0;
-  std::size_t seenCount = 0;
-  for (std::size_t p = 0; p < reference.pixelCount(); ++p) {
-    double squares = 0;
-    for (std::size_t c = 3 * p; c < 3 * p + 3; ++c) {
-      const double difference = double(reference.rgb[c]) - double(test.rgb[c]);
-      squares += difference * difference;
-    }
-    all += squares;
-    if (reference.seen[p] == 0 || test.seen[p] == 0) continue;
-    inSeen += squares;
-    ++seenCount;
-  }
+  Squares sums;
+  for (std::size_t from = 0; from < reference.pixelCount(); from += pieceSize)
+    addSquares(&reference.rgb[3 * from], &test.rgb[3 * from], &reference.seen[from],
+               &test.seen[from], std::min(pieceSize, reference.pixelCount() - from), sums);
   const auto pixels = double(reference.pixelCount());
-  return {all / (3 * pixels), seenCount == 0 ? nothing : inSeen / (3 * double(seenCount)),
-          ssim(reference, test), double(seenCount) / pixels};
+  // Cb = (B − Y) / 1.8556, Cr = (R − Y) / 1.5748: both span 255 as R, G and B do.
+  constexpr std::array<double, 3> unit{1e4, 1.8556e4, 1.5748e4};
+  for (std::size_t c = 0; c < 3; ++c) sums.yuv[c] /= pixels * unit[c] * unit[c];
+  const auto inSeen = double(sums.inSeen) / (3 * double(sums.seenCount));
+  return {double(sums.all) / (3 * pixels), sums.seenCount == 0 ? nothing : inSeen,
+          ssim(reference, test, parallelRows), double(sums.seenCount) / pixels, sums.yuv};
 }
 
 }  // namespace hogelscope
