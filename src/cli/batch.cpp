@@ -4,7 +4,6 @@
 
 #include <vtkNew.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -12,18 +11,15 @@
 #include "cli/info.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
+#include "cli/report_job.h"
 #include "cli/stability_job.h"
 #include "cli/tradeoff_job.h"
 #include "core/error.h"
 #include "core/pattern.h"
-#include "core/plan.h"
-#include "core/report.h"
-#include "core/report_page.h"
 #include "io/atomic_file.h"
 #include "io/image_file.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
-#include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
@@ -32,22 +28,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void savePicture(const fs::path& folder, const std::string& name, const Image& image) {
-  writeImage(folder / (name + ".png"), image.width, image.height, image.rgb);
-}
-
-void explainAll(const Scene& scene, const Session& session, const Options& options) {
-  if (!options.explain) return;
-  for (const CameraState& state : session.cameras) std::cout << explanation(scene.view(state));
-}
-
 int render(const Options& options) {
   const Session session = loadSelected(options);
   (void)openLightField(session.lightField, session.display);  // a bad one leaves no folder behind
   makeFolder(options.output);
   ProgressBar bar("rendering", options.quiet);
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.5));
-  explainAll(scene, session, options);
+  if (options.explain) std::cout << explanations(scene, session);
   const vtkNew<vtkHogelViewFilter> filter;
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k) {
@@ -70,118 +57,6 @@ int render(const Options& options) {
   if (!options.quiet)
     std::cout << session.cameras.size() << " picture(s) in " << options.output << "\n";
   return 0;
-}
-
-/// A test light field, in the place of the session's own.
-Session testSession(const Session& session, const std::string& test) {
-  Session result = session;
-  if (isSessionFile(test)) {
-    const Session other = loadSession(test);
-    result.display = other.display;
-    result.lightField = other.lightField;
-  } else {
-    const bool isFolder = fs::is_directory(test);
-    if (isFolder != (session.lightField.layout == Layout::views)) {
-      result.lightField = {};  // the session's own layout says nothing about it
-      result.lightField.layout = isFolder ? Layout::views : Layout::hogels;
-    }
-    result.lightField.file = test;
-    check(result);
-  }
-  return result;
-}
-
-std::vector<Image> renderAll(const Session& session, const Options& options,
-                             const Progress& progress) {
-  const Scene scene = loadScene(session, part(progress, 0, 0.3));
-  explainAll(scene, session, options);
-  const vtkNew<vtkHogelViewFilter> filter;
-  std::vector<Image> images;
-  const auto count = double(session.cameras.size());
-  for (const CameraState& state : session.cameras) {
-    const auto k = double(images.size());
-    filter->SetProgress(part(progress, 0.3 + 0.7 * k / count, 0.3 + 0.7 * (k + 1) / count));
-    filter->SetView(scene.view(state));
-    images.push_back(filter->GetImage());
-  }
-  return images;
-}
-
-void saveAll(const fs::path& folder, const Session& session, const std::vector<Image>& images) {
-  makeFolder(folder);
-  for (std::size_t k = 0; k < images.size(); ++k)
-    savePicture(folder, session.cameras[k].camera.name, images[k]);
-}
-
-/// Rows in the order of the states, then of the tests.
-std::vector<ReportRow> compareAll(const Session& session, const Options& options,
-                                  const Progress& progress) {
-  const fs::path folder = options.output;
-  const double share = 1 / double(options.tests.size() + 1);
-  const std::vector<Image> references = renderAll(session, options, part(progress, 0, share));
-  if (options.images) saveAll(folder / "reference", session, references);
-  std::vector<ReportRow> rows(references.size() * options.tests.size());
-  for (std::size_t t = 0; t < options.tests.size(); ++t) {
-    const double from = share * double(t + 1);
-    const std::vector<Image> images = renderAll(testSession(session, options.tests[t]), options,
-                                                part(progress, from, from + share));
-    if (options.images) saveAll(folder / ("test" + std::to_string(t + 1)), session, images);
-    for (std::size_t k = 0; k < images.size(); ++k) {
-      advance(progress, from + share);
-      rows[k * options.tests.size() + t] = {session.cameras[k].camera.name, options.tests[t],
-                                            compare(references[k], images[k]),
-                                            session.cameras[k].camera.eye};
-    }
-  }
-  return rows;
-}
-
-/// A lens that several states have is certified once.
-std::vector<ReportLens> certifyAll(const Session& session) {
-  std::vector<LensKey> keys;
-  std::vector<ReportLens> lenses;
-  for (const CameraState& state : session.cameras) {
-    const LensKey key = lensKeyOf(state, session.sampling);
-    const auto same = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
-    lenses.push_back({state.camera.name,
-                      same < keys.size() ? lenses[same].certificate : certify(key, parallelRows)});
-    keys.push_back(key);
-  }
-  return lenses;
-}
-
-int gate(const std::vector<ReportRow>& rows, const Options& options) {
-  if (!options.failBelow) return 0;
-  int status = 0;
-  for (const ReportRow& row : rows) {
-    const double db = psnr(row.metrics.mse);
-    if (db >= *options.failBelow) continue;
-    std::cerr << "hogelscope: " << row.state << ": " << row.test << ": " << numberText(db)
-              << " dB is below " << numberText(*options.failBelow) << "\n";
-    status = 1;
-  }
-  return status;
-}
-
-int report(const Options& options) {
-  const Session session = loadSelected(options);
-  for (const std::string& test : options.tests) {
-    const Session other = testSession(session, test);
-    (void)openLightField(other.lightField, other.display);  // a bad one is told before the work
-  }
-  makeFolder(options.output);
-  ProgressBar bar("comparing", options.quiet);
-  const std::vector<ReportRow> rows = compareAll(session, options, bar.progress());
-  const fs::path folder = options.output;
-  writeTextFile(folder / "report.csv", csv(rows));
-  writeTextFile(folder / "report.html", reportPage(rows, certifyAll(session), options.session));
-  bar.done();
-  if (!options.quiet) {
-    std::cout << summaryText(summarise(rows), rows);
-    std::cout << "report in " << (folder / "report.csv").string() << " and "
-              << (folder / "report.html").string() << "\n";
-  }
-  return gate(rows, options);
 }
 
 int generate(const Options& options) {
@@ -227,7 +102,7 @@ int runJob(const Options& options) {
     case Command::render:
       return render(options);
     case Command::report:
-      return report(options);
+      return reportJob(options);
     case Command::generate:
       return generate(options);
     case Command::tradeoff:

@@ -69,4 +69,10 @@ std::string explanation(const View& asked) {
   return text;
 }
 
+std::string explanations(const Scene& scene, const Session& session) {
+  std::string text;
+  for (const CameraState& state : session.cameras) text += explanation(scene.view(state));
+  return text;
+}
+
 }  // namespace hogelscope

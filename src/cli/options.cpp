@@ -57,7 +57,7 @@ const std::vector<Flag>& jobs() {
        [](Options& o, const std::string&) { choose(o, Command::render); }},
       {"report", "",
        "Renders every state from the session's light field and from each test light "
-       "field, and compares them: DIR/report.csv, DIR/report.html.",
+       "field, and compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
        [](Options& o, const std::string&) { choose(o, Command::report); }},
       {"generate", "PATTERN", "Writes a test light field of the session's display: scene.",
        [](Options& o, const std::string& v) {
@@ -97,6 +97,13 @@ const std::vector<Flag>& settings() {
        "--report: a light field to compare: an image, a folder or a session (its "
        "display and light field). Repeat it for more.",
        [](Options& o, const std::string& v) { o.tests.push_back(v); }},
+      {"group", "NAME=LF,LF,…",
+       "--report: tests that make one rate-distortion curve, four or more. Each further group is "
+       "compared with the first: BD-rate and BD-PSNR in DIR/bd.csv.",
+       [](Options& o, const std::string& v) { o.groups.push_back(v); }},
+      {"rate", "LF=BITS",
+       "--group: a test's bits per directional pixel, if it is not its file's size.",
+       [](Options& o, const std::string& v) { o.rates.push_back(v); }},
       {"states", "GLOB", "Only the states whose name fits, such as 'Fig*'.",
        [](Options& o, const std::string& v) { o.states = v; }},
       {"calibration", "FILE",
@@ -166,6 +173,8 @@ void refuseMissing(const Options& options) {
     throw InputError("command line",
                      "has settings but no job; give one of --render, --report, "
                      "--generate, --tradeoff, --stability, or only a session to open it");
+  if (options.command != Command::report && !(options.groups.empty() && options.rates.empty()))
+    throw InputError(options.groups.empty() ? "--rate" : "--group", "belongs to --report");
   const bool isStability = options.command == Command::stability;
   if (!options.calibrations.empty() && !isStability)
     throw InputError("--calibrations",

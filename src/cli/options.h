@@ -21,6 +21,8 @@ struct Options {
   std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help
   std::vector<std::string> tests;
   std::vector<std::string> overrides;  ///< --set
+  std::vector<std::string> rates;      ///< FILE=bpp
+  std::vector<std::string> groups;     ///< NAME=FILE,FILE,…
   std::string states = "*";
   std::string format = "png";
   std::optional<double> failBelow;  ///< dB

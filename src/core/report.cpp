@@ -14,24 +14,43 @@ std::string csvCell(const std::string& text) {
   return cell + "\"";
 }
 
+MeanSums meanSums(const ReportRow& row, double weight) {
+  const Metrics& m = row.metrics;
+  MeanSums sums{};
+  std::size_t at = 0;
+  for (const double value : {psnr(m.mse), m.mse, m.ssim, psnr(m.mseYuv[0]), psnrYuv(m.mseYuv)}) {
+    if (std::isfinite(value)) {
+      sums[at] = weight * value;
+      sums[at + 1] = weight;
+    }
+    at += 2;
+  }
+  return sums;
+}
+
+ReportMeans meansOf(const double* sums) {
+  const auto mean = [sums](std::size_t figure) { return sums[2 * figure] / sums[2 * figure + 1]; };
+  return {mean(0), psnr(mean(1)), mean(2), mean(3), mean(4)};
+}
+
 ReportSummary summarise(const std::vector<ReportRow>& rows) {
   ReportSummary summary;
-  double psnrSum = 0;
-  double mseSum = 0;
-  std::size_t finite = 0;
+  MeanSums sums{};
+  MeanSums weighted{};
   for (std::size_t index = 0; index < rows.size(); ++index) {
-    const double mse = rows[index].metrics.mse;
-    mseSum += mse;
-    if (mse == 0) {
-      ++summary.identical;
-      continue;
+    const MeanSums one = meanSums(rows[index], 1);
+    const MeanSums weightedOne = meanSums(rows[index], rows[index].weight);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      sums[k] += one[k];
+      weighted[k] += weightedOne[k];
     }
-    psnrSum += psnr(mse);
-    ++finite;
-    if (!summary.worst || mse > rows[*summary.worst].metrics.mse) summary.worst = index;
+    const double mse = rows[index].metrics.mse;
+    if (mse == 0) ++summary.identical;
+    if (mse > 0 && (!summary.worst || mse > rows[*summary.worst].metrics.mse))
+      summary.worst = index;
   }
-  summary.meanFinitePsnr = psnrSum / double(finite);
-  summary.psnrOfMeanMse = psnr(mseSum / double(rows.size()));
+  static_cast<ReportMeans&>(summary) = meansOf(sums.data());
+  summary.weighted = meansOf(weighted.data());
   return summary;
 }
 
@@ -49,6 +68,19 @@ std::string csv(const std::vector<ReportRow>& rows) {
     text += csvCell(row.state) + "," + csvCell(row.test);
     for (const double value : {m.mse, psnr(m.mse), m.mseSeen, psnr(m.mseSeen), m.ssim, m.seen,
                                row.eye.x, row.eye.y, row.eye.z})
+      text += "," + numberText(value);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string metricsCsv(const std::vector<ReportRow>& rows) {
+  std::string text = "state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight\n";
+  for (const ReportRow& row : rows) {
+    const auto& [y, cb, cr] = row.metrics.mseYuv;
+    text += csvCell(row.state) + "," + csvCell(row.test);
+    for (const double value :
+         {y, cb, cr, psnr(y), psnr(cb), psnr(cr), psnrYuv({y, cb, cr}), row.weight})
       text += "," + numberText(value);
     text += "\n";
   }

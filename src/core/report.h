@@ -2,6 +2,7 @@
 // The report: one row for each state and test light field. Last on the line.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,16 +16,30 @@ struct ReportRow {
   std::string state;
   std::string test;
   Metrics metrics;
-  Vec3 eye;  ///< in the world, metres
+  Vec3 eye;           ///< in the world, metres
+  double weight = 1;  ///< in the weighted means, 0 or more
 };
 
-/// Averages are named, never mixed (DESIGN §2). Means of nothing are not numbers.
-struct ReportSummary {
+/// Averages are named, never mixed (DESIGN §2). Infinite PSNRs do not count in means of PSNRs, and
+/// what is not a number counts nowhere. Means of nothing are not numbers.
+struct ReportMeans {
   double meanFinitePsnr = 0;
   double psnrOfMeanMse = 0;
+  double meanSsim = 0;
+  double meanPsnrY = 0;
+  double meanPsnrYuv = 0;
+};
+
+struct ReportSummary : ReportMeans {
+  ReportMeans weighted;
   std::optional<std::size_t> worst;  ///< row of the lowest PSNR
   std::size_t identical = 0;
 };
+
+/// Sums from which the means follow: for each figure Σ weight · value, Σ weight.
+using MeanSums = std::array<double, 10>;
+MeanSums meanSums(const ReportRow& row, double weight);
+ReportMeans meansOf(const double* sums);  ///< of a MeanSums
 
 ReportSummary summarise(const std::vector<ReportRow>& rows);
 
@@ -36,5 +51,8 @@ std::string csvCell(const std::string& text);
 
 /// `report.csv` (DESIGN §5), RFC 4180, lines end in \n.
 std::string csv(const std::vector<ReportRow>& rows);
+
+/// `metrics.csv`: what report.csv, whose columns are fixed, does not hold.
+std::string metricsCsv(const std::vector<ReportRow>& rows);
 
 }  // namespace hogelscope

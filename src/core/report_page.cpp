@@ -8,8 +8,6 @@
 
 namespace hogelscope {
 
-namespace {
-
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -40,6 +38,8 @@ std::string rounded(double value, int digits) {
   std::snprintf(text.data(), text.size(), "%.*f", digits, value);
   return text.data();
 }
+
+namespace {
 
 std::string tableRow(const ReportRow& row) {
   const Metrics& m = row.metrics;
@@ -77,10 +77,10 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
 }
 
 std::string reportPage(const std::vector<ReportRow>& rows, const std::vector<ReportLens>& lenses,
-                       const std::string& session) {
+                       const std::string& session, const std::string& tables) {
   std::string text = pageHead;
   text += "<h1>Perceived views of " + escaped(session) + "</h1>\n<pre>" +
-          escaped(summaryText(summarise(rows), rows)) + "</pre>\n";
+          escaped(summaryText(summarise(rows), rows)) + "</pre>\n" + tables;
   text +=
       "<p>MSE and PSNR on 8-bit RGB, over the whole picture and over the pixels seen in both; "
       "SSIM on luma.</p>\n<table><tr><th>state</th><th>test</th><th>MSE</th><th>PSNR dB</th>"

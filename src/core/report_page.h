@@ -16,9 +16,15 @@ struct ReportLens {
   LensCertificate certificate;
 };
 
-/// `report.html`. `session` is the document's name.
+/// `report.html`. `session` is the document's name; `tables` is HTML that follows the summary.
 std::string reportPage(const std::vector<ReportRow>& rows, const std::vector<ReportLens>& lenses,
-                       const std::string& session);
+                       const std::string& session, const std::string& tables = {});
+
+/// A text in HTML.
+std::string escaped(const std::string& text);
+
+/// With so many digits after the point; "identical" if infinite, a dash if not a number.
+std::string rounded(double value, int digits);
 
 /// The summary, a line each.
 std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows);

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --rate and --group of a report.
+#include "cli/report_groups.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/parameters.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void refuseUnknown(const std::string& test, const std::string& flag,
+                   const std::vector<TestSize>& tests) {
+  std::vector<std::string_view> names;
+  for (const TestSize& one : tests) {
+    if (one.test == test) return;
+    names.push_back(one.test);
+  }
+  const std::string_view nearest = nearestName(test, names);
+  throw InputError(
+      flag, "\"" + test + "\" is not given as --test" +
+                (nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?"));
+}
+
+/// FILE=bpp; a FILE may hold "=" itself.
+std::vector<TestRate> givenRates(const Options& options, const std::vector<TestSize>& tests) {
+  std::vector<TestRate> rates;
+  for (const std::string& text : options.rates) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos)
+      throw InputError("--rate", "\"" + text + "\" is not FILE=BITS, such as test.jpg=0.5");
+    const TestRate rate{text.substr(0, equals), 0};
+    const std::string number = text.substr(equals + 1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (error != std::errc() || end != number.data() + number.size() || !(value > 0) ||
+        !std::isfinite(value))
+      throw InputError("--rate", "\"" + number + "\" is not a number of bits above 0");
+    refuseUnknown(rate.test, "--rate", tests);
+    for (const TestRate& other : rates)
+      if (other.test == rate.test) throw InputError("--rate", "gives " + rate.test + " two rates");
+    rates.push_back({rate.test, value});
+  }
+  return rates;
+}
+
+double bitsOf(const TestSize& test) {
+  std::error_code error;
+  if (!fs::is_directory(test.file, error)) {
+    const std::uintmax_t size = fs::file_size(test.file, error);
+    if (error)
+      throw InputError("--group",
+                       test.test + " has no size of its own; give --rate " + test.test + "=BITS");
+    return 8 * double(size);
+  }
+  double bytes = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(test.file))
+    if (entry.is_regular_file()) bytes += double(entry.file_size());
+  return 8 * bytes;
+}
+
+double rateOf(const std::string& test, const std::vector<TestRate>& rates,
+              const std::vector<TestSize>& tests) {
+  for (const TestRate& rate : rates)
+    if (rate.test == test) return rate.rate;
+  const auto size = std::find_if(tests.begin(), tests.end(),
+                                 [&](const TestSize& one) { return one.test == test; });
+  return bitsOf(*size) / size->directionalPixels;
+}
+
+/// NAME=FILE,FILE,…, the rates not yet known.
+RateGroup parsed(const std::string& text, const std::vector<TestSize>& tests) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InputError("--group", "\"" + text + "\" is not NAME=FILE,FILE,FILE,FILE");
+  RateGroup group{text.substr(0, equals), {}};
+  for (std::size_t from = equals + 1; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::string test = text.substr(from, to - from);
+    refuseUnknown(test, "--group " + group.name, tests);
+    for (const TestRate& other : group.tests)
+      if (other.test == test) throw InputError("--group " + group.name, "has " + test + " twice");
+    group.tests.push_back({test, 0});
+    from = to + 1;
+  }
+  if (group.tests.size() < 4)
+    throw InputError("--group " + group.name,
+                     "has " + std::to_string(group.tests.size()) +
+                         " light field(s), but a BD-rate needs four or more");
+  return group;
+}
+
+}  // namespace
+
+std::vector<RateGroup> rateGroups(const Options& options, const std::vector<TestSize>& tests) {
+  if (options.groups.empty() && !options.rates.empty())
+    throw InputError("--rate", "is for --group NAME=FILE,FILE,…, of which there is none");
+  if (options.groups.size() == 1)
+    throw InputError("--group", "is given once, but a BD-rate compares two groups or more");
+  const std::vector<TestRate> rates = givenRates(options, tests);
+  std::vector<RateGroup> groups;
+  for (const std::string& text : options.groups) {
+    groups.push_back(parsed(text, tests));
+    for (TestRate& test : groups.back().tests) test.rate = rateOf(test.test, rates, tests);
+    for (std::size_t k = 0; k + 1 < groups.size(); ++k)
+      if (groups[k].name == groups.back().name)
+        throw InputError("--group " + groups[k].name, "is given twice");
+  }
+  return groups;
+}
+
+}  // namespace hogelscope

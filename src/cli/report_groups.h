@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --rate and --group: which tests make a rate-distortion curve, and what they cost.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/options.h"
+#include "core/summary.h"
+
+namespace hogelscope {
+
+/// A test light field on disk.
+struct TestSize {
+  std::string test;            ///< as --test names it
+  std::filesystem::path file;  ///< a file or a folder
+  double directionalPixels = 0;
+};
+
+/// Each --group with its tests' rates: those of --rate, else the file's size (of a folder: its
+/// files' sizes). None without --group. Throws InputError: a test that was not given, fewer than
+/// two groups or four tests, a rate that is not a positive number.
+std::vector<RateGroup> rateGroups(const Options& options, const std::vector<TestSize>& tests);
+
+}  // namespace hogelscope

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The summary in words, for the terminal and the report's page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/summary.h"
+
+namespace hogelscope {
+
+/// BD-rates, a line each.
+std::string bdText(const std::vector<BdRow>& rows);
+
+/// The figures of every test, and the BD-rates if there are any, as HTML.
+std::string summaryTables(const std::vector<TestSummary>& summaries,
+                          const std::vector<BdRow>& comparisons);
+
+}  // namespace hogelscope
