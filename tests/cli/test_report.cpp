@@ -86,7 +86,8 @@ void TestReport::table() {
   const Outcome outcome = report({"--test", "b.png", "--test", "a.png"});
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
-  QCOMPARE(namesIn("out"), (QStringList{"report.csv", "report.html"}));
+  QCOMPARE(namesIn("out"),
+           (QStringList{"metrics.csv", "report.csv", "report.html", "summary.csv"}));
   const Session session = loadSession("s.json");
   const std::vector<Metrics> noise =
       metricsOf(session, loadSession("s.json", {"lightField.file=b.png"}));
@@ -171,8 +172,8 @@ void TestReport::testIsAnImageOfAnotherLayout() {
 void TestReport::pictures() {
   QCOMPARE(report({"--test", "b.png", "--test", "a.png", "--images", "--states", "[!a]*"}).status,
            0);
-  QCOMPARE(namesIn("out"),
-           (QStringList{"reference", "report.csv", "report.html", "test1", "test2"}));
+  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "reference", "report.csv", "report.html",
+                                        "summary.csv", "test1", "test2"}));
   Session session = loadSession("s.json");
   session.cameras.erase(session.cameras.begin());
   const std::vector<Image> references = simulated(session);

@@ -99,6 +99,13 @@ class TestMetrics : public QObject {
   void ssimOfNoiseIsNearZero();
   void ssimOfConstants();
   void ssimNeedsAWindow();
+  void yuvByHand();
+  void yuvOfGrey();
+  void yuvIsTheMatrix();
+  void psnrYuvWeighs();
+  void largeSumsAreExact();
+  void threadsChangeNothing();
+  void identicalIsExactlyOne();
 };
 
 void TestMetrics::mseByHand() {
@@ -193,6 +200,76 @@ void TestMetrics::ssimNeedsAWindow() {
   QVERIFY(std::isnan(ssim(Image(11, 3), Image(11, 3))));
   QVERIFY(std::isnan(ssim(Image(3, 11), Image(3, 11))));
   QCOMPARE(ssim(Image(11, 11), Image(11, 11)), 1.0);
+}
+
+/// BT.709: a difference of d in R alone is 0.2126 d in Y, −0.2126 d / 1.8556 in Cb, d / 2 in Cr.
+void TestMetrics::yuvByHand() {
+  const Image a = filled(2, 1, 0);
+  Image b = a;
+  b.rgb = {255, 0, 0, 0, 0, 0};
+  const auto [y, cb, cr] = compare(a, b).mseYuv;
+  QVERIFY(std::abs(y - std::pow(0.2126 * 255, 2) / 2) < 1e-10);
+  QVERIFY(std::abs(cb - std::pow(0.2126 * 255 / 1.8556, 2) / 2) < 1e-10);
+  QVERIFY(std::abs(cr - std::pow(127.5, 2) / 2) < 1e-10);
+}
+
+/// Colour that does not differ is infinitely good, to the last bit.
+void TestMetrics::yuvOfGrey() {
+  const auto [y, cb, cr] = compare(filled(30, 20, 100), filled(30, 20, 103)).mseYuv;
+  QCOMPARE(y, 9.0);
+  QCOMPARE(cb, 0.0);
+  QCOMPARE(cr, 0.0);
+  QVERIFY(psnrYuv({y, cb, cr}) == std::numeric_limits<double>::infinity());
+}
+
+void TestMetrics::yuvIsTheMatrix() {
+  const Image a = noise(40, 30, 3);
+  const Image b = similar(a);
+  std::array<double, 3> sums{};
+  for (std::size_t p = 0; p < a.pixelCount(); ++p) {
+    const auto yuv = [p](const Image& image) {
+      const double red = image.rgb[3 * p], blue = image.rgb[3 * p + 2];
+      const double y = 0.2126 * red + 0.7152 * image.rgb[3 * p + 1] + 0.0722 * blue;
+      return std::array<double, 3>{y, (blue - y) / 1.8556 + 128, (red - y) / 1.5748 + 128};
+    };
+    for (std::size_t c = 0; c < 3; ++c) sums[c] += std::pow(yuv(a)[c] - yuv(b)[c], 2);
+  }
+  const Metrics m = compare(a, b);
+  for (std::size_t c = 0; c < 3; ++c) QVERIFY(std::abs(m.mseYuv[c] - sums[c] / 1200) < 1e-10);
+}
+
+void TestMetrics::psnrYuvWeighs() {
+  QVERIFY(std::abs(psnrYuv({6.5025, 65.025, 650.25}) - (6 * 40 + 30 + 20) / 8.0) < 1e-12);
+}
+
+/// Black against white, over more pixels than 32 bits hold the squares of.
+void TestMetrics::largeSumsAreExact() {
+  const Metrics m = compare(filled(700, 300, 0), filled(700, 300, 255));
+  QCOMPARE(m.mse, 65025.0);
+  QCOMPARE(m.mseSeen, 65025.0);
+  QCOMPARE(m.mseYuv[0], 65025.0);
+  Image blue = filled(700, 300, 0);
+  for (std::size_t k = 2; k < blue.rgb.size(); k += 3) blue.rgb[k] = 255;
+  QVERIFY(std::abs(compare(filled(700, 300, 0), blue).mseYuv[1] - 127.5 * 127.5) < 1e-9);
+}
+
+void TestMetrics::threadsChangeNothing() {
+  const Image a = noise(70, 45, 2);
+  const Image b = similar(a);
+  const ParallelRows inPieces = [](int count, const std::function<void(int, int)>& rows) {
+    for (int from = (count - 1) / 4 * 4; from >= 0; from -= 4)
+      rows(from, std::min(from + 4, count));
+  };
+  QVERIFY(compare(a, b).ssim == compare(a, b, inPieces).ssim);
+  QVERIFY(compare(a, b).mse == compare(a, b, inPieces).mse);
+}
+
+/// 1 in report.csv, not 0.9999999999999998.
+void TestMetrics::identicalIsExactlyOne() {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Image a = noise(61, 40, seed);
+    QVERIFY(ssim(a, a) == 1);
+  }
 }
 
 QTEST_APPLESS_MAIN(TestMetrics)

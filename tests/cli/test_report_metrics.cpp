@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests a report's numbers against scikit-image on the written pictures, its summary, and BD-rates.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "tests/cli/csv.h"
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// The sample light field as a JPEG.
+void writeJpeg(const QString& file, int quality) {
+  const QString source = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
+  const OIIO::ImageSpec from = specOf(source);
+  const std::vector<std::uint8_t> values = valuesOf<std::uint8_t>(source);
+  OIIO::ImageSpec spec(from.width, from.height, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("Compression", "jpeg:" + std::to_string(quality));
+  const auto out = OIIO::ImageOutput::create(file.toStdString());
+  if (!out || !out->open(file.toStdString(), spec) ||
+      !out->write_image(OIIO::TypeDesc::UINT8, values.data()) || !out->close())
+    qFatal("cannot write %s", qPrintable(file));
+}
+
+QList<QStringList> tableOf(const QString& file) {
+  QList<QStringList> table;
+  for (const QByteArray& line : contentOf(file).split('\n'))
+    if (!line.isEmpty()) table << cellsOf(line);
+  return table;
+}
+
+/// Debian's python3 where it has scikit-image; "" elsewhere.
+QString pythonWithSkimage() {
+  for (const char* python : {"python3", "/usr/bin/python3"})
+    if (QProcess::execute("sh", {"-c", QString(python) + " -c 'import skimage' 2>/dev/null"}) == 0)
+      return python;
+  return {};
+}
+
+const QStringList states{"Fig 1", "Fig 2", "Fig 3", "Fig 4", "Fig 5", "Fig 6"};
+
+}  // namespace
+
+class TestReportMetrics : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void csvIsAsBefore();
+  void asScikitImage();
+  void asScikitImageWas();
+  void againstItself();
+  void jpegLadder();
+  void summaryIsOfTheRows();
+  void bdRates();
+  void ratesFromFileSizes();
+  void badGroups_data();
+  void badGroups();
+
+ private:
+  Outcome report(const QStringList& more, const QString& output = "out") {
+    return run(QStringList{"--report", "--session", sampleSession, "--set", "camera.res=[80,60]",
+                           "--output", output} +
+                   more,
+               m_folder.path(), 120000);
+  }
+
+  QTemporaryDir m_folder;
+  QStringList m_tests;
+};
+
+/// Four qualities twice: the same pictures under two names, so that only rates differ.
+void TestReportMetrics::initTestCase() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  for (const int quality : {15, 30, 60, 90}) {
+    const QString name = QString("q%1.jpg").arg(quality);
+    writeJpeg(name, quality);
+    QVERIFY(QFile::copy(name, "copy_" + name));
+    m_tests << "--test" << name;
+  }
+  const Outcome outcome = report(m_tests + QStringList{"--images"});
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.status, 0);
+}
+
+void TestReportMetrics::csvIsAsBefore() {
+  QVERIFY(contentOf("out/report.csv")
+              .startsWith("state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x,eye_y,eye_z\n"));
+  QVERIFY(contentOf("out/metrics.csv")
+              .startsWith("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight"));
+  QVERIFY(!QFileInfo::exists("out/bd.csv"));
+}
+
+void TestReportMetrics::asScikitImage() {
+  const QString python = pythonWithSkimage();
+  if (python.isEmpty()) QSKIP("python3-skimage is not installed");
+  const auto rows = tableOf("out/report.csv").mid(1);
+  const auto more = tableOf("out/metrics.csv").mid(1);
+  QStringList arguments{HOGELSCOPE_SOURCE_DIR "/tests/cli/metrics.py"};
+  for (int k = 0; k < rows.size(); ++k)
+    arguments << "out/reference/" + rows[k][0] + ".png"
+              << QString("out/test%1/%2.png").arg(k % 4 + 1).arg(rows[k][0]);
+  QProcess process;
+  process.start(python, arguments);
+  QVERIFY(process.waitForFinished(120000));
+  const QList<QByteArray> lines = process.readAllStandardOutput().trimmed().split('\n');
+  QVERIFY2(lines.size() == rows.size(), process.readAllStandardError());
+  QCOMPARE(rows.size(), 24);
+  const auto isNear = [](const QString& cell, const QByteArray& expected, double tolerance) {
+    return cell == "inf" ? expected == "inf"
+                         : std::abs(cell.toDouble() - expected.toDouble()) < tolerance;
+  };
+  for (int k = 0; k < rows.size(); ++k) {
+    const QList<QByteArray> expected = lines[k].split(' ');
+    QCOMPARE(expected.size(), 8);
+    QVERIFY2(isNear(rows[k][2], expected[0], 1e-9), lines[k]);
+    QVERIFY2(isNear(rows[k][3], expected[1], 1e-9), lines[k]);
+    QVERIFY2(isNear(rows[k][6], expected[2], 1e-6), lines[k]);
+    for (int c = 0; c < 4; ++c) QVERIFY2(isNear(more[k][2 + c], expected[3 + c], 1e-9), lines[k]);
+    QVERIFY2(isNear(more[k][8], expected[7], 1e-9), lines[k]);
+  }
+}
+
+void TestReportMetrics::asScikitImageWas() {}
+
+void TestReportMetrics::againstItself() {
+  QCOMPARE(report({"--test", HOGELSCOPE_SOURCE_DIR "/data/scene.png"}, "self").status, 0);
+  for (const QStringList& row : tableOf("self/report.csv").mid(1)) {
+    QCOMPARE(row.mid(2, 2), (QStringList{"0", "inf"}));
+    QCOMPARE(row[6], QString("1"));
+  }
+  const auto summary = tableOf("self/summary.csv");
+  QCOMPARE(summary[1].mid(1, 2), (QStringList{"views", "6"}));
+  QCOMPARE(summary[2].mid(1, 2), (QStringList{"identical_views", "6"}));
+  for (const QStringList& row : tableOf("self/metrics.csv").mid(1))
+    QCOMPARE(row.mid(2, 7), (QStringList{"0", "0", "0", "inf", "inf", "inf", "inf"}));
+}
+
+/// PSNR rises with the quality in every state, and so do the other metrics.
+void TestReportMetrics::jpegLadder() {
+  const auto rows = tableOf("out/report.csv").mid(1);
+  const auto more = tableOf("out/metrics.csv").mid(1);
+  for (int state = 0; state < states.size(); ++state) {
+    for (int k = 4 * state + 1; k < 4 * state + 4; ++k) {
+      QCOMPARE(rows[k][0], states[state]);
+      QVERIFY(rows[k][3].toDouble() > rows[k - 1][3].toDouble());
+      QVERIFY(rows[k][6].toDouble() > rows[k - 1][6].toDouble());
+      QVERIFY(more[k][5].toDouble() > more[k - 1][5].toDouble());
+      QVERIFY(more[k][8].toDouble() > more[k - 1][8].toDouble());
+    }
+  }
+}
+
+void TestReportMetrics::summaryIsOfTheRows() {
+  double sum = 0;
+  for (int k = 1; k < 24; k += 4) sum += tableOf("out/report.csv").mid(1)[k][3].toDouble() / 6;
+  bool isFound = false;
+  for (const QStringList& row : tableOf("out/summary.csv")) {
+    if (row.mid(0, 2) != QStringList{"q30.jpg", "mean_psnr"}) continue;
+    isFound = true;
+    QVERIFY(std::abs(row[2].toDouble() - sum) < 1e-12);
+    QVERIFY(row[3].toDouble() < sum && row[4].toDouble() > sum);
+    QCOMPARE(row.mid(5, 3), row.mid(2, 3));
+    QVERIFY(contentOf("out/report.html")
+                .contains("<td>q30.jpg</td><td class=\"n\">" + QByteArray::number(sum, 'f', 2) +
+                          " <small>("));
+  }
+  QVERIFY(isFound);
+}
+
+/// Pictures of equal quality at half the rate.
+void TestReportMetrics::bdRates() {
+  QStringList arguments = m_tests;
+  QStringList names;
+  int k = 0;
+  for (const char* quality : {"q15.jpg", "q30.jpg", "q60.jpg", "q90.jpg"}) {
+    names << quality;
+    const double rate = 0.2 * ++k;
+    arguments << "--test" << QString("copy_") + quality;
+    arguments << "--rate" << QString("%1=%2").arg(quality).arg(rate);
+    arguments << "--rate" << QString("copy_%1=%2").arg(quality).arg(rate / 2);
+  }
+  arguments << "--group"
+            << "JPEG=" + names.join(',');
+  arguments << "--group"
+            << "Half, as much=copy_" + names.join(",copy_");
+  const Outcome outcome = report(arguments, "bd");
+  QCOMPARE(outcome.err, QByteArray());
+  const auto table = tableOf("bd/bd.csv");
+  QCOMPARE(table.size(), 4);
+  for (int row = 1; row < 4; ++row) {
+    QCOMPARE(table[row].mid(0, 2), (QStringList{"JPEG", "Half, as much"}));
+    QVERIFY(std::abs(table[row][3].toDouble() + 50) < 1e-9);
+    QVERIFY(table[row][4].toDouble() > 0);
+    QCOMPARE(table[row][7], QString());
+  }
+  QVERIFY2(outcome.out.contains("Half, as much against JPEG, mean_psnr: BD-rate -50.00 %"),
+           outcome.out);
+  QVERIFY(contentOf("bd/report.html").contains("mean_psnr_yuv: BD-rate -50.00 %"));
+}
+
+void TestReportMetrics::ratesFromFileSizes() {
+  QStringList arguments = m_tests;
+  const QString names = "q15.jpg,q30.jpg,q60.jpg,q90.jpg";
+  const Outcome outcome =
+      report(arguments + QStringList{"--group", "a=" + names, "--group", "b=" + names}, "sizes");
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(tableOf("sizes/bd.csv")[1][3].toDouble(), 0.0);
+  for (const QStringList& row : tableOf("sizes/summary.csv"))
+    if (row[1] == "rate_bpp")
+      QCOMPARE(row[2].toDouble(), 8.0 * double(QFileInfo(row[0]).size()) / (2560 * 2560));
+}
+
+void TestReportMetrics::badGroups_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QByteArray>("line");
+  const QString all = "=q15.jpg,q30.jpg,q60.jpg,q90.jpg";
+  const auto row = [](const char* name, const QStringList& arguments, const QByteArray& line) {
+    QTest::newRow(name) << arguments << line;
+  };
+  row("one group", {"--group", "a" + all},
+      "--group: is given once, but a BD-rate compares two groups or more");
+  row("unknown test", {"--group", "a=q15.jpg,q31.jpg", "--group", "b" + all},
+      "--group a: \"q31.jpg\" is not given as --test; did you mean q30.jpg?");
+  row("three tests", {"--group", "a" + all, "--group", "b=q15.jpg,q30.jpg,q60.jpg"},
+      "--group b: has 3 light field(s), but a BD-rate needs four or more");
+  row("twice the same test", {"--group", "a=q15.jpg,q15.jpg", "--group", "b" + all},
+      "--group a: has q15.jpg twice");
+  row("twice the same name", {"--group", "a" + all, "--group", "a" + all},
+      "--group a: is given twice");
+  row("no name", {"--group", all, "--group", "b" + all},
+      "--group: \"" + all.toUtf8() + "\" is not NAME=FILE,FILE,FILE,FILE");
+  row("no tests", {"--group", "a", "--group", "b" + all},
+      "--group: \"a\" is not NAME=FILE,FILE,FILE,FILE");
+  row("rate without group", {"--rate", "q15.jpg=1"},
+      "--rate: is for --group NAME=FILE,FILE,…, of which there is none");
+  const QStringList groups{"--group", "a" + all, "--group", "b" + all};
+  row("rate of nothing", groups + QStringList{"--rate", "0.5"},
+      "--rate: \"0.5\" is not FILE=BITS, such as test.jpg=0.5");
+  row("rate of no test", groups + QStringList{"--rate", "else.jpg=0.5"},
+      "--rate: \"else.jpg\" is not given as --test");
+  for (const char* bad : {"0", "-1", "nan", "inf", "1x", ""})
+    row(bad, groups + QStringList{"--rate", QString("q15.jpg=") + bad},
+        "--rate: \"" + QByteArray(bad) + "\" is not a number of bits above 0");
+  row("two rates", groups + QStringList{"--rate", "q15.jpg=1", "--rate", "q15.jpg=2"},
+      "--rate: gives q15.jpg two rates");
+}
+
+void TestReportMetrics::badGroups() {
+  QFETCH(const QStringList, arguments);
+  QFETCH(const QByteArray, line);
+  const Outcome outcome = report(m_tests + arguments, "bad");
+  QVERIFY2(outcome.err.startsWith("hogelscope: ") && outcome.err.endsWith(line + "\n"),
+           outcome.err);
+  QCOMPARE(outcome.err.count('\n'), 1);
+  QCOMPARE(outcome.status, 2);
+  QVERIFY(!QFileInfo::exists("bad"));
+}
+
+QTEST_GUILESS_MAIN(TestReportMetrics)
+#include "test_report_metrics.moc"

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the bootstrap against normal theory, in corner cases and for its speed.
+#include <QElapsedTimer>
+#include <QTest>
+#include <cmath>
+
+#include "core/statistics.h"
+#include "tests/core/random.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Units of (value, 1).
+std::vector<std::vector<double>> unitsOf(const std::vector<double>& values) {
+  std::vector<std::vector<double>> units;
+  for (const double value : values) units.push_back({value, 1});
+  return units;
+}
+
+std::vector<double> mean(const std::vector<double>& sums) {
+  return {sums[0] / sums[1]};
+}
+
+std::vector<double> sample(int count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(random.uniform(20, 40));
+  return values;
+}
+
+}  // namespace
+
+class TestStatistics : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void ofConstants();
+  void ofOneUnit();
+  void ofNothing();
+  void isSeeded();
+  void isTheSameEverywhere();
+  void likeNormalTheory();
+  void holdsTheMean();
+  void rareFigures();
+  void twoValues();
+};
+
+void TestStatistics::ofConstants() {
+  const auto intervals = bootstrap(unitsOf({7, 7, 7, 7}), mean);
+  QCOMPARE(intervals.size(), std::size_t(1));
+  QCOMPARE(intervals[0].low, 7.0);
+  QCOMPARE(intervals[0].high, 7.0);
+}
+
+void TestStatistics::ofOneUnit() {
+  const auto intervals = bootstrap(unitsOf({3.5}), mean);
+  QCOMPARE(intervals[0].low, 3.5);
+  QCOMPARE(intervals[0].high, 3.5);
+}
+
+void TestStatistics::ofNothing() {
+  const auto nothing = [](const std::vector<double>&) { return std::vector<double>{std::nan("")}; };
+  const auto intervals = bootstrap({}, nothing);
+  QVERIFY(std::isnan(intervals[0].low) && std::isnan(intervals[0].high));
+}
+
+void TestStatistics::isSeeded() {
+  const auto units = unitsOf(sample(50, 1));
+  const Interval one = bootstrap(units, mean)[0];
+  const Interval again = bootstrap(units, mean)[0];
+  const Interval another = bootstrap(units, mean, {10000, 0.95, 2})[0];
+  QVERIFY(one.low == again.low && one.high == again.high);
+  QVERIFY(one.low != another.low);
+  QVERIFY(std::abs(one.low - another.low) < 0.2);
+}
+
+/// Figures of the first machine: draws must not depend on the standard library.
+void TestStatistics::isTheSameEverywhere() {
+  const Interval interval = bootstrap(unitsOf({1, 2, 4, 8, 16, 32, 64}), mean, {1000, 0.9, 42})[0];
+  QCOMPARE(interval.low * 7, -1.0);
+  QCOMPARE(interval.high * 7, -1.0);
+}
+
+/// The mean's standard error times 1.96 to both sides, for many units.
+void TestStatistics::likeNormalTheory() {
+  const std::vector<double> values = sample(1000, 5);
+  double sum = 0, squares = 0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  const double average = sum / 1000;
+  const double error = std::sqrt((squares / 1000 - average * average) / 1000);
+  QElapsedTimer timer;
+  timer.start();
+  const Interval interval = bootstrap(unitsOf(values), mean)[0];
+  qInfo("10000 resamples of 1000 units: %lld ms", timer.elapsed());
+  QVERIFY(timer.elapsed() < 5000);
+  QVERIFY(std::abs(interval.low - (average - 1.959964 * error)) < 0.05 * error);
+  QVERIFY(std::abs(interval.high - (average + 1.959964 * error)) < 0.05 * error);
+}
+
+/// 95 % intervals of 40 units miss the true mean, 30, in about 5 % of samples.
+void TestStatistics::holdsTheMean() {
+  int missed = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Interval interval = bootstrap(unitsOf(sample(40, seed)), mean, {400, 0.95, seed})[0];
+    missed += interval.low > 30 || interval.high < 30 ? 1 : 0;
+  }
+  QVERIFY2(missed > 30 && missed < 90, qPrintable(QString::number(missed)));
+}
+
+/// Draws that give no number leave the others alone.
+void TestStatistics::rareFigures() {
+  const std::vector<std::vector<double>> units{{5, 1}, {0, 0}};
+  const Interval interval = bootstrap(units, mean)[0];  // a quarter of the draws is 0/0
+  QCOMPARE(interval.low, 5.0);
+  QCOMPARE(interval.high, 5.0);
+}
+
+/// The mean of two draws of 0 and 1 is 0 or 1 in a quarter of the resamples each.
+void TestStatistics::twoValues() {
+  const auto units = unitsOf({0, 1});
+  QCOMPARE(bootstrap(units, mean)[0].low, 0.0);
+  QCOMPARE(bootstrap(units, mean)[0].high, 1.0);
+  QCOMPARE(bootstrap(units, mean, {10000, 0.4, 1})[0].low, 0.5);
+  QCOMPARE(bootstrap(units, mean, {10000, 0.4, 1})[0].high, 0.5);
+}
+
+QTEST_APPLESS_MAIN(TestStatistics)
+#include "test_statistics.moc"
