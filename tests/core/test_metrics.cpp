@@ -99,6 +99,7 @@ class TestMetrics : public QObject {
   void ssimOfNoiseIsNearZero();
   void ssimOfConstants();
   void ssimNeedsAWindow();
+  void asScikitImage();
   void yuvByHand();
   void yuvOfGrey();
   void yuvIsTheMatrix();
@@ -200,6 +201,30 @@ void TestMetrics::ssimNeedsAWindow() {
   QVERIFY(std::isnan(ssim(Image(11, 3), Image(11, 3))));
   QVERIFY(std::isnan(ssim(Image(3, 11), Image(3, 11))));
   QCOMPARE(ssim(Image(11, 11), Image(11, 11)), 1.0);
+}
+
+/// What tests/cli/metrics.py gives for these pictures with scikit-image 0.19.3.
+void TestMetrics::asScikitImage() {
+  Image a = filled(48, 32, 0);
+  Image b = a;
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const auto at = std::size_t(3 * (48 * y + x) + c);
+        const int value = (x * 5 + y * 3 + c * 40 + x * y / 7) % 256;
+        a.rgb[at] = static_cast<std::uint8_t>(value);
+        b.rgb[at] = quantised(value + (x * 7 + y * 13 + c * 29) % 23 - 8);
+      }
+    }
+  }
+  const Metrics m = compare(a, b);
+  QVERIFY(std::abs(m.mse - 51.752170138888886) < 1e-9);
+  QVERIFY(std::abs(psnr(m.mse) - 30.991517949595636) < 1e-9);
+  QVERIFY(std::abs(m.ssim - 0.9740821607718232) < 1e-12);
+  QVERIFY(std::abs(m.mseYuv[0] - 29.30305202145828) < 1e-9);
+  QVERIFY(std::abs(m.mseYuv[1] - 22.126993423605754) < 1e-9);
+  QVERIFY(std::abs(m.mseYuv[2] - 23.624828075680867) < 1e-9);
+  QVERIFY(std::abs(psnrYuv(m.mseYuv) - 33.73109335864488) < 1e-9);
 }
 
 /// BT.709: a difference of d in R alone is 0.2126 d in Y, −0.2126 d / 1.8556 in Cb, d / 2 in Cr.
