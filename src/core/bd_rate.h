@@ -23,10 +23,9 @@ struct BdDelta {
 };
 
 /// Bjøntegaard, VCEG-M33, between curves of log10(rate) and PSNR that go through their points as
-/// monotone piecewise cubics (Fritsch and Butland 1984; the PCHIP of MATLAB and SciPy, also in the
-/// spreadsheets of JPEG and JVET), rather than as one cubic, which may fall
-/// between points, and misses them if there are more than four. Each curve needs four points or
-/// more whose PSNR rises with the rate.
+/// monotone piecewise cubics (Fritsch and Butland 1984; the PCHIP of MATLAB, SciPy and JVET's
+/// spreadsheet), rather than as one cubic, which may fall between points, and misses them if there
+/// are more than four. Each curve needs four points or more whose PSNR rises with the rate.
 BdDelta bdDelta(std::vector<RatePoint> anchor, std::vector<RatePoint> test);
 
 /// Integral over [from, to] ⊆ [x.front(), x.back()] of the monotone piecewise cubic through the
