@@ -24,8 +24,9 @@ void refuseUnknown(const std::string& test, const std::string& flag,
   }
   const std::string_view nearest = nearestName(test, names);
   throw InputError(
-      flag, "\"" + test + "\" is not given as --test" +
-                (nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?"));
+      "command line", flag,
+      "\"" + test + "\" is not given as --test" +
+          (nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?"));
 }
 
 /// FILE=bpp; a FILE may hold "=" itself.
@@ -34,17 +35,20 @@ std::vector<TestRate> givenRates(const Options& options, const std::vector<TestS
   for (const std::string& text : options.rates) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos)
-      throw InputError("--rate", "\"" + text + "\" is not FILE=BITS, such as test.jpg=0.5");
+      throw InputError("command line", "--rate",
+                       "\"" + text + "\" is not FILE=BITS, such as test.jpg=0.5");
     const TestRate rate{text.substr(0, equals), 0};
     const std::string number = text.substr(equals + 1);
     double value = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (error != std::errc() || end != number.data() + number.size() || !(value > 0) ||
         !std::isfinite(value))
-      throw InputError("--rate", "\"" + number + "\" is not a number of bits above 0");
+      throw InputError("command line", "--rate",
+                       "\"" + number + "\" is not a number of bits above 0");
     refuseUnknown(rate.test, "--rate", tests);
     for (const TestRate& other : rates)
-      if (other.test == rate.test) throw InputError("--rate", "gives " + rate.test + " two rates");
+      if (other.test == rate.test)
+        throw InputError("command line", "--rate", "gives " + rate.test + " two rates");
     rates.push_back({rate.test, value});
   }
   return rates;
@@ -55,7 +59,7 @@ double bitsOf(const TestSize& test) {
   if (!fs::is_directory(test.file, error)) {
     const std::uintmax_t size = fs::file_size(test.file, error);
     if (error)
-      throw InputError("--group",
+      throw InputError("command line", "--group",
                        test.test + " has no size of its own; give --rate " + test.test + "=BITS");
     return 8 * double(size);
   }
@@ -78,19 +82,20 @@ double rateOf(const std::string& test, const std::vector<TestRate>& rates,
 RateGroup parsed(const std::string& text, const std::vector<TestSize>& tests) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError("--group", "\"" + text + "\" is not NAME=FILE,FILE,FILE,FILE");
+    throw InputError("command line", "--group", "\"" + text + "\" is not NAME=FILE,FILE,FILE,FILE");
   RateGroup group{text.substr(0, equals), {}};
   for (std::size_t from = equals + 1; from <= text.size();) {
     const std::size_t to = std::min(text.find(',', from), text.size());
     const std::string test = text.substr(from, to - from);
     refuseUnknown(test, "--group " + group.name, tests);
     for (const TestRate& other : group.tests)
-      if (other.test == test) throw InputError("--group " + group.name, "has " + test + " twice");
+      if (other.test == test)
+        throw InputError("command line", "--group " + group.name, "has " + test + " twice");
     group.tests.push_back({test, 0});
     from = to + 1;
   }
   if (group.tests.size() < 4)
-    throw InputError("--group " + group.name,
+    throw InputError("command line", "--group " + group.name,
                      "has " + std::to_string(group.tests.size()) +
                          " light field(s), but a BD-rate needs four or more");
   return group;
@@ -100,9 +105,11 @@ RateGroup parsed(const std::string& text, const std::vector<TestSize>& tests) {
 
 std::vector<RateGroup> rateGroups(const Options& options, const std::vector<TestSize>& tests) {
   if (options.groups.empty() && !options.rates.empty())
-    throw InputError("--rate", "is for --group NAME=FILE,FILE,…, of which there is none");
+    throw InputError("command line", "--rate",
+                     "is for --group NAME=FILE,FILE,…, of which there is none");
   if (options.groups.size() == 1)
-    throw InputError("--group", "is given once, but a BD-rate compares two groups or more");
+    throw InputError("command line", "--group",
+                     "is given once, but a BD-rate compares two groups or more");
   const std::vector<TestRate> rates = givenRates(options, tests);
   std::vector<RateGroup> groups;
   for (const std::string& text : options.groups) {
@@ -110,7 +117,7 @@ std::vector<RateGroup> rateGroups(const Options& options, const std::vector<Test
     for (TestRate& test : groups.back().tests) test.rate = rateOf(test.test, rates, tests);
     for (std::size_t k = 0; k + 1 < groups.size(); ++k)
       if (groups[k].name == groups.back().name)
-        throw InputError("--group " + groups[k].name, "is given twice");
+        throw InputError("command line", "--group " + groups[k].name, "is given twice");
   }
   return groups;
 }
