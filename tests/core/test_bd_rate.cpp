@@ -125,6 +125,7 @@ void TestBdRate::asSciPy() {
 }
 
 void TestBdRate::integralsAsSciPy() {
+  QVERIFY(std::abs(pchipIntegral({0, 1, 2}, {0, 1, 20}, 0, 2) - 8.666666666666668) < 1e-12);
   const std::vector<double> x{0, 1, 2.5, 3, 5, 5.5, 8};
   const std::vector<double> y{1, 3, 2, 2, 7, 7.5, 0};
   QVERIFY(std::abs(pchipIntegral(x, y, 0, 8) - 31.892982456140352) < 1e-12);
