@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/states.h"
 #include "io/atomic_file.h"
 #include "io/json_parameters.h"
 
@@ -47,6 +48,15 @@ void checkVersion(const Json* version) {
                      version->dump() + " is not a version that this program reads: " + wanted);
 }
 
+std::vector<CameraState> readStates(const Json& cameras) {
+  if (!cameras.is_array())
+    throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
+  std::vector<CameraState> states;
+  for (std::size_t k = 0; k < cameras.size(); ++k)
+    states.push_back(readState(cameras[k], "cameras[" + std::to_string(k) + "]"));
+  return states;
+}
+
 Session readSession(const Json& document) {
   Session session;
   JsonReader reader(document, "");
@@ -54,12 +64,8 @@ Session readSession(const Json& document) {
   readSection(reader, "display", session.display);
   readSection(reader, "lightField", session.lightField);
   readSection(reader, "sampling", session.sampling);
-  if (const Json* cameras = reader.section("cameras"); cameras != nullptr) {
-    if (!cameras->is_array())
-      throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
-    for (std::size_t k = 0; k < cameras->size(); ++k)
-      session.cameras.push_back(readState((*cameras)[k], "cameras[" + std::to_string(k) + "]"));
-  }
+  if (const Json* cameras = reader.section("cameras"); cameras != nullptr)
+    session.cameras = readStates(*cameras);
   reader.refuseUnknown();
   check(session);
   return session;
@@ -179,6 +185,40 @@ void saveSession(const fs::path& file, const Session& session) {
     writeTextFile(file, formatJson(document));
   } catch (const Json::exception&) {
     throw InputError(file.string(), "cannot be written", "a name in it is not UTF-8");
+  }
+}
+
+std::vector<CameraState> loadStates(const fs::path& file) {
+  try {
+    const Json document = parseJson(readTextFile(file));
+    JsonReader reader(document, "");
+    checkVersion(reader.section("hogelscope"));
+    for (const std::string_view section : sharedSections) (void)reader.section(section);
+    const Json* cameras = reader.section("cameras");
+    reader.refuseUnknown();
+    if (cameras == nullptr || cameras->empty())
+      throw InputError("cameras", "is missing or empty: there is no camera state to load");
+    std::vector<CameraState> states = readStates(*cameras);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      check(states[k], "cameras[" + std::to_string(k) + "]");
+    return states;
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+void appendStates(const fs::path& file, const std::vector<CameraState>& states) {
+  try {
+    Json document = parseJson(readTextFile(file));
+    Session session = readSession(document);
+    for (const CameraState& state : states) {
+      const std::size_t index = addState(session, state);
+      document["cameras"].push_back(writtenState(session.cameras[index]));
+    }
+    check(session);
+    writeTextFile(file, formatJson(document));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
   }
 }
 
