@@ -175,6 +175,12 @@ void refuseMissing(const Options& options) {
     throw InputError("--session",
                      "is not for --stability, whose lenses are its own and those of "
                      "--calibrations FILE");
+  const bool touchesStates =
+      !options.calibration.empty() || !options.overrides.empty() || options.states != "*";
+  if (isStability && touchesStates)
+    throw InputError("--stability",
+                     "has no states: --calibration, --set and --states are not for it; lenses come "
+                     "from --calibrations FILE");
   if (!isJob) return;
   if (hasSession) need(options.session, "--session", "name the session document");
   need(options.output, "--output", "name where the results go");

@@ -218,6 +218,7 @@ void MainWindow::showSession() {
   m_display = m_model->session().display;
   m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
+  m_ui->tradeoffView->forgetChoice();
   m_worker->load(m_model->session());
   statusBar()->showMessage(
       tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
