@@ -115,16 +115,16 @@ std::vector<CameraPose> Maker::operator()(const Trace& trace) {
     const Trace::Point& a = trace.points[to - 1];
     const Trace::Point& b = trace.points[to];
     const Vec3 eye = between(a.eye, b.eye, (time - a.time) / (b.time - a.time));
-    const double side = set.params.place;
+    const Vec3 cell = (1 / set.params.place) * eye;
     const auto [found, isNew] = known.try_emplace(
-        {std::floor(eye.x / side), std::floor(eye.y / side), std::floor(eye.z / side)},
-        places.size());
+        {std::round(cell.x), std::round(cell.y), std::round(cell.z)}, places.size());
     if (isNew) places.emplace_back();
     Place& place = places[found->second];
     place.sum = place.sum + eye;
     ++place.samples;
   }
   std::vector<CameraPose> poses;
+  poses.reserve(places.size());
   for (const Place& place : places)
     poses.push_back(pose((1.0 / place.samples) * place.sum, place.samples));
   return poses;

@@ -55,9 +55,9 @@ struct PosePath {
   std::vector<KeyPose> poses;
 };
 
-/// A viewer's positions, two at least. Samples in the middles of equal spans of time, positions straight from
-/// point to point; samples in the same cube of side `place` are one state at their mean, which
-/// weighs as many as they are.
+/// A viewer's positions, two at least. Samples in the middles of equal spans of time, positions
+/// straight from point to point; samples in the same cube of side `place` (cubes about its
+/// multiples) are one state at their mean, which weighs as many as they are.
 struct Trace {
   struct Point {
     double time = 0;  ///< seconds, rising

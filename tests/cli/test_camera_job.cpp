@@ -120,13 +120,12 @@ void TestCameraJob::userDefined() {
 }
 
 void TestCameraJob::viewersTrace() {
-  writeFile("t.csv",
-            "time,x,y\n0,0.105,0.005\n3,0.105,0.005\n3.001,-0.105,0.005\n4,-0.105,0.005\n");
+  writeFile("t.csv", "time,x,y\n0,0.1,0.01\n3,0.1,0.01\n3.001,-0.1,0.01\n4,-0.1,0.01\n");
   QCOMPARE(job({"t.csv", "--count", "4", "--output", "s2.json"}).err, QByteArray());
   const Session made = loadSession("s2.json");
   QCOMPARE(made.cameras.size(), std::size_t(4));
   QCOMPARE(made.cameras[2].camera.weight, 3.0);
-  QCOMPARE(made.cameras[2].camera.eye, (Vec3{0.105, 0.005, 0.6}));
+  QCOMPARE(made.cameras[2].camera.eye, (Vec3{0.1, 0.01, 0.6}));
   QCOMPARE(made.cameras[3].camera.weight, 1.0);
 }
 

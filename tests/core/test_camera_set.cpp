@@ -390,6 +390,7 @@ void TestCameraSet::pathStepsAreEqual() {
 void TestCameraSet::traceWeighsByTime() {
   CameraSet set;
   set.params.count = 400;
+  set.params.place = 0.008;  // the walk's samples are 0.01 m apart
   set.source = Trace{{{10, {0, 0, 1}}, {14, {0, 0, 1}}, {16, {1, 0, 1}}, {18, {1, 0, 1}}}};
   const std::vector<CameraPose> poses = posesOf(set, panel);
   double sum = 0;
@@ -400,9 +401,12 @@ void TestCameraSet::traceWeighsByTime() {
   }
   QCOMPARE(sum, 400.0);
   QVERIFY(std::abs(mean / 400 - (0.125 + 0.25)) < 1e-12);  // the trace's own mean over time
-  QVERIFY(poses.front().weight >= 200 && poses.front().weight <= 202);
-  QVERIFY(poses.back().weight >= 100 && poses.back().weight <= 102);
-  QVERIFY(poses.size() >= 99 && poses.size() <= 103);
+  QCOMPARE(poses.size(), std::size_t(102));
+  QCOMPARE(poses.front().weight, 200.0);
+  QCOMPARE(poses.back().weight, 100.0);
+  QVERIFY(near(poses.front().eye, {0, 0, 1}, 1e-14));
+  set.params.place = 4;
+  QCOMPARE(posesOf(set, panel).size(), std::size_t(1));
 }
 
 void TestCameraSet::statesAreTheTemplates() {
