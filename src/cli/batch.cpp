@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/camera_job.h"
 #include "cli/explain.h"
 #include "cli/info.h"
 #include "cli/inputs.h"
@@ -229,6 +230,8 @@ int runJob(const Options& options) {
       return render(options);
     case Command::report:
       return report(options);
+    case Command::makeCameras:
+      return makeCameras(options);
     case Command::generate:
       return generate(options);
     case Command::tradeoff:

@@ -20,15 +20,6 @@ constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField"
 constexpr std::array<std::string_view, 4> stateSections{"camera", "intrinsics", "distortion",
                                                         "psf"};
 
-template <class Params>
-void readSection(JsonReader& parent, const char* name, Params& params) {
-  const Json* object = parent.section(name);
-  if (object == nullptr) return;
-  JsonReader reader(*object, parent.pathOf(name));
-  describe(reader, params);
-  reader.refuseUnknown();
-}
-
 CameraState readState(const Json& object, const std::string& path) {
   CameraState state;
   JsonReader reader(object, path);
@@ -73,22 +64,14 @@ Session readSession(const Json& document) {
 
 /// --set section.field=value, done to the document so that one reader checks it all.
 void applyOverride(Json& document, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const std::size_t dot = text.find('.');
-  const InputError malformed("--set " + text, "is not of the form section.field=value");
-  if (equals == std::string::npos || dot == std::string::npos || dot > equals) throw malformed;
-  const std::string section = text.substr(0, dot);
-  const std::string field = text.substr(dot + 1, equals - dot - 1);
-  const std::string written = text.substr(equals + 1);
-  Json value = Json::parse(written, nullptr, false);
-  if (value.is_discarded()) value = written;
-
+  const Override change = parseOverride(text);
+  const std::string& section = change.section;
   const auto isOneOf = [&section](const auto& names) {
     return std::find(names.begin(), names.end(), section) != names.end();
   };
   if (isOneOf(sharedSections)) {
     if (document.is_object() && (!document.contains(section) || document[section].is_object()))
-      document[section][field] = value;
+      document[section][change.field] = change.value;
     return;
   }
   if (!isOneOf(stateSections))
@@ -99,7 +82,7 @@ void applyOverride(Json& document, const std::string& text) {
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
     Json& target = section == "camera" ? state : state[section];
-    if (target.is_object() || target.is_null()) target[field] = value;
+    if (target.is_object() || target.is_null()) target[change.field] = change.value;
   }
 }
 
