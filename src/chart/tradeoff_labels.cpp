@@ -141,7 +141,8 @@ QRectF TradeoffLabel::line(std::size_t k) const {
 QString figures(const TradeoffRow& row) {
   // Two digits, but no powers of ten for what takes long.
   const auto number = [](double value) {
-    return value < 99.5 ? QString::number(value, 'g', 2) : QString::number(value, 'f', 0);
+    const bool isLong = value >= 99.5 && value < 1e6;
+    return isLong ? QString::number(value, 'f', 0) : QString::number(value, 'g', 2);
   };
   return QStringLiteral("%1 ms, error %2").arg(number(row.milliseconds), number(row.rmse));
 }

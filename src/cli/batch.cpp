@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/camera_job.h"
 #include "cli/explain.h"
 #include "cli/info.h"
 #include "cli/inputs.h"
@@ -103,6 +104,8 @@ int runJob(const Options& options) {
       return render(options);
     case Command::report:
       return reportJob(options);
+    case Command::makeCameras:
+      return makeCameras(options);
     case Command::generate:
       return generate(options);
     case Command::tradeoff:

@@ -52,7 +52,7 @@ std::string explanation(const View& asked) {
   LensTables tables;
   const Choice choice = choose(asked, tables, parallelRows);
   const View& view = choice.view;
-  const Plan made = plan(view);
+  const Plan made = plan(reduced(view));
   std::string text = view.state.camera.name + "\n";
   if (choice.pixels > 0)
     text += "  for a tolerance of " + numberText(asked.sampling.tolerance) +

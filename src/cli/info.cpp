@@ -70,11 +70,12 @@ void printSession(std::ostream& out, const std::string& file) {
       << "light field " << session.lightField.file << "\n";
   printSize(out, openLightField(session.lightField, session.display)->size());
   for (const CameraState& state : session.cameras) {
-    const auto& [name, eye, lookat, up, fov, res] = state.camera;
+    const auto& [name, eye, lookat, up, fov, res, weight] = state.camera;
     out << "state       " << name << ": eye (" << numberText(eye.x) << ", " << numberText(eye.y)
         << ", " << numberText(eye.z) << ") m, fov " << numberText(fov) << "°, " << res[0] << "×"
         << res[1] << " px, psf sigma " << numberText(state.psf.sigma) << " in "
-        << state.psf.windowSize << " px\n";
+        << state.psf.windowSize << " px" << (weight == 1 ? "" : ", weight " + numberText(weight))
+        << "\n";
   }
 }
 

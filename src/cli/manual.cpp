@@ -2,6 +2,7 @@
 // The manual's table of parameters, as a visitor of their descriptions.
 #include "cli/manual.h"
 
+#include "core/camera_set.h"
 #include "core/report.h"
 #include "core/session.h"
 
@@ -94,7 +95,10 @@ std::string parameterManual() {
          lightFieldTable(Layout::views, "lightField, layout views") +
          lightFieldTable(Layout::quilt, "lightField, layout quilt") + table<SamplingParams>() +
          table<CameraParams>() + table<IntrinsicsParams>() + table<DistortionParams>() +
-         table<PsfParams>();
+         table<PsfParams>() +
+         "# Parameters of a camera set\n\n"
+         "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
+         table<CameraSetParams>() + table<CameraRegionParams>();
 }
 
 }  // namespace hogelscope

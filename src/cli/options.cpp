@@ -28,7 +28,7 @@ void choose(Options& options, Command command) {
   if (options.command != Command::window && options.command != command)
     throw InputError("command line",
                      "asks for two jobs at once; give one of --render, --report, "
-                     "--generate, --tradeoff, --stability, --info");
+                     "--make-cameras, --generate, --tradeoff, --stability, --info");
   options.command = command;
 }
 
@@ -59,6 +59,13 @@ const std::vector<Flag>& jobs() {
        "Renders every state from the session's light field and from each test light "
        "field, and compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
        [](Options& o, const std::string&) { choose(o, Command::report); }},
+      {"make-cameras", "SET",
+       "Adds camera states to a copy of the session, --output FILE: uniform (a grid), random or "
+       "normal over a region, a user's distribution FILE.json, or a viewer's trace FILE.csv.",
+       [](Options& o, const std::string& v) {
+         choose(o, Command::makeCameras);
+         o.cameras = v;
+       }},
       {"generate", "PATTERN", "Writes a test light field of the session's display: scene.",
        [](Options& o, const std::string& v) {
          choose(o, Command::generate);
@@ -91,7 +98,8 @@ const std::vector<Flag>& settings() {
   static const std::vector<Flag> flags{
       {"session", "FILE", "The session document.",
        [](Options& o, const std::string& v) { o.session = v; }},
-      {"output", "PATH", "The folder (or for --generate the file) to write; it is made if missing.",
+      {"output", "PATH",
+       "The folder to write, for --generate and --make-cameras the file; it is made if missing.",
        [](Options& o, const std::string& v) { o.output = v; }},
       {"test", "LF",
        "--report: a light field to compare: an image, a folder or a session (its "
@@ -104,6 +112,13 @@ const std::vector<Flag>& settings() {
       {"rate", "LF=BITS",
        "--group: a test's bits per directional pixel, if it is not its file's size.",
        [](Options& o, const std::string& v) { o.rates.push_back(v); }},
+      {"count", "N", "--make-cameras: states to add; --set cameraSet.count=N.",
+       [](Options& o, const std::string& v) { o.overrides.push_back("cameraSet.count=" + v); }},
+      {"seed", "K", "--make-cameras: of the random numbers; --set cameraSet.seed=K.",
+       [](Options& o, const std::string& v) { o.overrides.push_back("cameraSet.seed=" + v); }},
+      {"region", "box|plane|arc",
+       "--make-cameras: where the cameras stand; --set cameraRegion.region=….",
+       [](Options& o, const std::string& v) { o.overrides.push_back("cameraRegion.region=" + v); }},
       {"states", "GLOB", "Only the states whose name fits, such as 'Fig*'.",
        [](Options& o, const std::string& v) { o.states = v; }},
       {"calibration", "FILE",
@@ -159,7 +174,8 @@ void refuseMissing(const Options& options) {
   };
   const bool hasSession =
       options.command == Command::render || options.command == Command::report ||
-      options.command == Command::generate || options.command == Command::tradeoff;
+      options.command == Command::makeCameras || options.command == Command::generate ||
+      options.command == Command::tradeoff;
   const bool isJob = hasSession || options.command == Command::stability;
   if (isJob || options.command == Command::info) {
     if (!options.files.empty())
@@ -170,9 +186,13 @@ void refuseMissing(const Options& options) {
   if (options.command == Command::window &&
       !(options.session.empty() && options.output.empty() && options.calibration.empty() &&
         options.calibrations.empty()))
-    throw InputError("command line",
-                     "has settings but no job; give one of --render, --report, "
-                     "--generate, --tradeoff, --stability, or only a session to open it");
+    throw InputError(
+        "command line",
+        "has settings but no job; give one of --render, --report, "
+        "--make-cameras, --generate, --tradeoff, --stability, or only a session to open it");
+  for (const std::string& text : options.overrides)
+    if (isOfCameraSet(text) && options.command != Command::makeCameras)
+      throw InputError("--set " + text, "belongs to --make-cameras SET");
   if (options.command != Command::report && !(options.groups.empty() && options.rates.empty()))
     throw InputError(options.groups.empty() ? "--rate" : "--group", "belongs to --report");
   const bool isStability = options.command == Command::stability;
@@ -184,6 +204,12 @@ void refuseMissing(const Options& options) {
     throw InputError("--session",
                      "is not for --stability, whose lenses are its own and those of "
                      "--calibrations FILE");
+  const bool touchesStates =
+      !options.calibration.empty() || !options.overrides.empty() || options.states != "*";
+  if (isStability && touchesStates)
+    throw InputError("--stability",
+                     "has no states: --calibration, --set and --states are not for it; lenses come "
+                     "from --calibrations FILE");
   if (!isJob) return;
   if (hasSession) need(options.session, "--session", "name the session document");
   need(options.output, "--output", "name where the results go");
@@ -253,6 +279,10 @@ Options parseOptions(const std::vector<std::string>& arguments) {
   }
   refuseMissing(options);
   return options;
+}
+
+bool isOfCameraSet(const std::string& override) {
+  return override.starts_with("cameraSet.") || override.starts_with("cameraRegion.");
 }
 
 std::string helpText(const std::string& topic) {

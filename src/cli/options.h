@@ -8,7 +8,18 @@
 
 namespace hogelscope {
 
-enum class Command { window, render, report, generate, tradeoff, stability, info, help, version };
+enum class Command {
+  window,
+  render,
+  report,
+  makeCameras,
+  generate,
+  tradeoff,
+  stability,
+  info,
+  help,
+  version
+};
 
 struct Options {
   Command command = Command::window;
@@ -16,6 +27,7 @@ struct Options {
   std::string output;
   std::string calibration;
   std::string calibrations;        ///< --stability
+  std::string cameras;             ///< --make-cameras: a distribution or a file
   std::string pattern;             ///< --generate
   std::string infoFile;            ///< --info
   std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help
@@ -35,6 +47,9 @@ struct Options {
 
 /// Throws InputError: an unknown flag (with the nearest one), a missing or a wrong value.
 Options parseOptions(const std::vector<std::string>& arguments);
+
+/// Is it a --set of a camera set (cameraSet or cameraRegion) and not of the session?
+bool isOfCameraSet(const std::string& override);
 
 /// What --help prints; `topic` is "" or "parameters".
 std::string helpText(const std::string& topic);

@@ -90,7 +90,8 @@ std::vector<ReportRow> compareAll(const Session& session, const Options& options
       advance(progress, from + share);
       rows[k * options.tests.size() + t] = {session.cameras[k].camera.name, options.tests[t],
                                             compare(references[k], images[k], parallelRows),
-                                            session.cameras[k].camera.eye};
+                                            session.cameras[k].camera.eye,
+                                            session.cameras[k].camera.weight};
     }
   }
   return rows;
@@ -146,7 +147,8 @@ void writeTables(const fs::path& folder, const std::vector<ReportRow>& rows,
 }  // namespace
 
 int reportJob(const Options& options) {
-  const Session session = loadSelected(options);
+  Session session = loadSelected(options);
+  session.sampling.tolerance = 0;  // differences are the light fields', not the methods'
   const std::vector<RateGroup> groups = rateGroups(options, checkTests(session, options));
   makeFolder(options.output);
   ProgressBar bar("comparing", options.quiet);

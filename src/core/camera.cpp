@@ -35,7 +35,7 @@ Vec2 focalLengthOf(const CameraParams& p, const IntrinsicsParams& intrinsics) {
 }  // namespace
 
 void describe(ParameterVisitor& v, CameraParams& p) {
-  auto& [name, eye, lookat, up, fov, res] = p;
+  auto& [name, eye, lookat, up, fov, res, weight] = p;
   v.group("camera", "A camera state: where it stands, where it looks, what it takes.");
   v.field("name", name, "Names the state and its picture's file.");
   v.field("eye", eye, {-1e6, 1e6, 0.01}, "m", "The pinhole, in the world.");
@@ -44,6 +44,7 @@ void describe(ParameterVisitor& v, CameraParams& p) {
   v.field("fov", fov, {0.01, 179.9, 0.1}, "°",
           "Vertical field of view; not used where intrinsics are given.");
   v.field("res", res, {1, 16384, 1}, "px", "Width and height of the picture.");
+  v.field("weight", weight, {0, 1e6, 0.1}, "", "How much the state counts in weighted means.");
 }
 
 void describe(ParameterVisitor& v, IntrinsicsParams& p) {

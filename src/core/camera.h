@@ -18,6 +18,7 @@ struct CameraParams {
   Vec3 up{0, 1, 0};
   double fov = 60;
   std::array<int, 2> res{600, 600};
+  double weight = 1;
   bool operator==(const CameraParams&) const = default;
 };
 

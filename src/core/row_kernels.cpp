@@ -163,19 +163,34 @@ void cells(const HitMap& map, const double* x, const double* y, int count, CellB
     cellsIn<double>(map, x, y, count, batch);
 }
 
-void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
-                      const double* y, int count, CellBatch& batch) {
+namespace {
+
+template <class Real>
+void equiangularCellsIn(const HitMap& map, const std::array<double, 2>& fieldOfView,
+                        const double* x, const double* y, int count, CellBatch& batch) {
   HitMap slopes = map;  // u and v become the slopes themselves
   slopes.constant[2] = slopes.constant[3] = 0;
   slopes.slope[2] = slopes.slope[3] = 1;
-  const RealMap<double> m(map);
-  const RealMap<double> toSlopes(slopes);
+  const RealMap<Real> m(map);
+  const RealMap<Real> toSlopes(slopes);
+  const std::array field{static_cast<Real>(fieldOfView[0]), static_cast<Real>(fieldOfView[1])};
+  constexpr auto half = static_cast<Real>(0.5);
   for (int k = 0; k < count; ++k) {
-    RealHit<double> h = hitOf(toSlopes, x[k], y[k]);
-    h.u = m.count[2] * (0.5 + std::atan(h.u) / fieldOfView[0]);
-    h.v = m.count[3] * (0.5 - std::atan(h.v) / fieldOfView[1]);
+    RealHit<Real> h = hitOf(toSlopes, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
+    h.u = m.count[2] * (half + std::atan(h.u) / field[0]);
+    h.v = m.count[3] * (half - std::atan(h.v) / field[1]);
     keep(m, h, k, batch);
   }
+}
+
+}  // namespace
+
+void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
+                      const double* y, int count, CellBatch& batch) {
+  if (map.isSingle)
+    equiangularCellsIn<float>(map, fieldOfView, x, y, count, batch);
+  else
+    equiangularCellsIn<double>(map, fieldOfView, x, y, count, batch);
 }
 
 FOR_EACH_MACHINE

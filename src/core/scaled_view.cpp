@@ -86,24 +86,41 @@ std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
 
 }  // namespace
 
+namespace {
+
+/// Of the nearest small pixel; what is not seen becomes black.
+template <class T>
+std::vector<std::uint8_t> maskEnlarged(const std::vector<std::uint8_t>& small, int scale,
+                                       const std::array<int, 2>& res, std::vector<T>& values) {
+  const int shift = scale / 2;  // of 1, 2 and 4
+  const int smallWidth = (res[0] + scale - 1) / scale;
+  std::vector<std::uint8_t> seen(values.size() / 3);
+  std::size_t to = 0;
+  for (int y = 0; y < res[1]; ++y) {
+    const std::uint8_t* nearest = &small[std::size_t((y >> shift) * smallWidth)];
+    for (int x = 0; x < res[0]; ++x, ++to) {
+      seen[to] = nearest[x >> shift];
+      if (seen[to] == 0) std::fill_n(&values[3 * to], 3, T{});
+    }
+  }
+  return seen;
+}
+
+}  // namespace
+
 Image enlarged(const Image& image, int scale, const std::array<int, 2>& res) {
   Image full(res[0], res[1]);
   full.rgb = enlargedValues(image.rgb, scale, res);
-  const int shift = scale / 2;  // of 1, 2 and 4
-  std::size_t to = 0;
-  for (int y = 0; y < res[1]; ++y) {
-    const std::uint8_t* nearest = &image.seen[std::size_t((y >> shift) * image.width)];
-    for (int x = 0; x < res[0]; ++x, ++to) {
-      full.seen[to] = nearest[x >> shift];
-      if (full.seen[to] == 0) std::fill_n(&full.rgb[3 * to], 3, std::uint8_t{0});
-    }
-  }
+  full.seen = maskEnlarged(image.seen, scale, res, full.rgb);
   return full;
 }
 
-std::vector<float> enlarged(const std::vector<float>& codeValues, int scale,
+std::vector<float> enlarged(const std::vector<float>& codeValues,
+                            const std::vector<std::uint8_t>& seen, int scale,
                             const std::array<int, 2>& res) {
-  return enlargedValues(codeValues, scale, res);
+  std::vector<float> full = enlargedValues(codeValues, scale, res);
+  (void)maskEnlarged(seen, scale, res, full);
+  return full;
 }
 
 std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, int y) {

@@ -12,8 +12,9 @@ View reduced(const View& view);
 
 /// A reduced picture at full size: colours bilinear between its pixels, seen as the nearest one.
 Image enlarged(const Image& image, int scale, const std::array<int, 2>& res);
-/// The same for code values, three to a pixel.
-std::vector<float> enlarged(const std::vector<float>& codeValues, int scale,
+/// The same for code values, three to a pixel, with the small picture's mask.
+std::vector<float> enlarged(const std::vector<float>& codeValues,
+                            const std::vector<std::uint8_t>& seen, int scale,
                             const std::array<int, 2>& res);
 /// Red, green and blue of pixel (x, y) of the enlarged picture.
 std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, int y);

@@ -38,6 +38,9 @@ void check(const CameraState& state, const std::string& path) {
   } catch (const InputError& error) {
     throw InputError(path + "." + error.what(), "");
   }
+  const auto& [fx, fy, cx, cy] = state.intrinsics;
+  if ((fx != notGiven && !(fx > 0)) || (fy != notGiven && !(fy > 0)))
+    throw InputError(path + ".intrinsics.fx", "and fy are focal lengths, above 0 px");
   if (!state.intrinsics.isGiven() && state.intrinsics != IntrinsicsParams{})
     throw InputError(path + ".intrinsics.fx", "is missing: intrinsics need at least fx, in pixels");
   if (state.psf.windowSize > 1 && !(state.psf.sigma > 0))

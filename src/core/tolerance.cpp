@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <random>
 
 #include "core/scaled_view.h"
@@ -72,17 +73,23 @@ class Prober {
   Image m_image;  ///< black but for what was rendered
 };
 
-double squaredError(const Run& run, const Image& reference, const Image& image, int scale) {
-  double sum = 0;
+/// What one run has.
+struct RunError {
+  double squares = 0;  ///< over pixels and channels
+  int pixels = 0;
+};
+
+RunError errorOf(const Run& run, const Image& reference, const Image& image, int scale) {
+  RunError error{0, run.x1 - run.x0};
   for (int x = run.x0; x < run.x1; ++x) {
     const auto rgb = enlargedPixel(image, scale, x, run.y);
     const std::size_t at = 3 * (std::size_t(run.y) * std::size_t(reference.width) + std::size_t(x));
     for (std::size_t c = 0; c < 3; ++c) {
       const double d = double(rgb[c]) - double(reference.rgb[at + c]);
-      sum += d * d;
+      error.squares += d * d;
     }
   }
-  return sum / 3 / (run.x1 - run.x0);
+  return error;
 }
 
 /// Mean squared errors, of the probe and as a limit for the picture.
@@ -91,40 +98,49 @@ struct Estimate {
   double limit = 0;
 };
 
-/// Runs are the independent samples. Three standard errors, and twice as much again as the worst
-/// run gives to the mean: errors that are rare are met by few of the runs.
-Estimate estimate(const std::vector<double>& errors, bool isWhole) {
-  const auto n = double(errors.size());
-  double sum = 0;
+/// Runs are the independent samples of a ratio, squares over pixels. Three standard errors, and
+/// twice as much again as the worst run gives to the mean: errors that are rare are met by few of
+/// the runs.
+Estimate estimate(const std::vector<RunError>& errors, bool isWhole) {
   double squares = 0;
+  double values = 0;
   double worst = 0;
-  for (const double error : errors) {
-    sum += error;
-    squares += error * error;
-    worst = std::max(worst, error);
+  for (const RunError& error : errors) {
+    squares += error.squares;
+    values += 3.0 * error.pixels;
+    worst = std::max(worst, error.squares);
   }
-  const double mean = sum / n;
+  const double mean = squares / values;
   if (isWhole) return {mean, mean};
-  const double deviation = std::sqrt(std::max(0.0, squares / n - mean * mean));
-  return {mean, mean + 3 * deviation / std::sqrt(n) + 2 * worst / n};
+  double deviations = 0;
+  for (const RunError& error : errors) {
+    const double d = error.squares - mean * 3 * error.pixels;
+    deviations += d * d;
+  }
+  return {mean, mean + (3 * std::sqrt(deviations) + 2 * worst) / values};
 }
 
-/// Texels that are read, and for each ray the work of one more.
+/// About the time of a picture, in units of one summed texel: a copied texel takes less than one, a
+/// ray that sums some more than its texels, each pixel of a picture that is scaled up some again.
 double cost(const View& view) {
+  constexpr double copying = 1;
+  constexpr double summing = 4;
+  constexpr double enlarging = 3;
   const Plan made = plan(view);
   const int window = 2 * made.psfReach + 1;
   const int corners = 1 << 2 * static_cast<int>(view.sampling.reconstruction);
+  const double ray = made.copiesTexels ? copying : summing + double(corners) * window * window;
   const double samples = view.sampling.samplesPerPixel;
-  return (1 + double(corners) * window * window) * samples * samples / view.method.scale /
-         view.method.scale;
+  const double scale = view.method.scale;
+  return ray * samples * samples / scale / scale + (scale > 1 ? enlarging : 0);
 }
 
-/// All that is cheaper than the view in one thing or several, from the cheapest on.
+/// All that is cheaper than the view, in one thing or several, from the cheapest on.
 std::vector<View> cheaper(const View& view) {
   std::vector<double> dropped{Method{}.droppedTaps};
   for (int reach = (view.state.psf.windowSize - 1) / 2; reach-- > 0;)
     dropped.push_back(1.001 * leakageLoss(view.state.psf, reach) + Method{}.droppedTaps);
-  std::vector<View> views;
+  std::vector<std::pair<double, View>> views;
   for (const int scale : {1, 2, 4})
     for (int how = 0; how <= static_cast<int>(view.sampling.reconstruction); ++how)
       for (int n = view.sampling.samplesPerPixel; n >= 1; n /= 2)
@@ -134,64 +150,102 @@ std::vector<View> cheaper(const View& view) {
           candidate.sampling.samplesPerPixel = n;
           candidate.method.droppedTaps = taps;
           candidate.method.scale = scale;
-          views.push_back(candidate);
+          views.emplace_back(cost(candidate), candidate);
         }
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t k = 0; k < views.size(); ++k) order.emplace_back(cost(views[k]), k);
-  std::sort(order.begin(), order.end());
+  const double most = cost(view);
+  std::stable_sort(views.begin(), views.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<View> sorted;
-  for (std::size_t k = 0; k < order.size(); ++k)
-    if (k == 0 || order[k].first > order[k - 1].first) sorted.push_back(views[order[k].second]);
+  for (const auto& [costs, candidate] : views)
+    if (costs < most) sorted.push_back(candidate);
   return sorted;
 }
 
-}  // namespace
+/// Fewer seen pixels than this say too little about the picture, and it takes little time anyway.
+constexpr int leastSeen = 500;
 
-namespace {
-
-/// Mean squared errors of the runs; fewer as soon as their mean is certainly above `allowed`.
-std::vector<double> probe(const View& candidate, const std::vector<Run>& runs,
-                          const Image& reference, double allowed, LensTables& tables,
-                          const ParallelRows& parallelRows) {
-  Prober prober(candidate, tables, parallelRows);
-  std::vector<double> errors;
-  double sum = 0;
-  for (const Run& run : runs) {
-    prober.render(run);
-    errors.push_back(squaredError(run, reference, prober.image(), candidate.method.scale));
-    sum += errors.back();
-    if (sum > allowed * double(runs.size())) break;
+class Probe {
+ public:
+  Probe(const View& view, LensTables& tables, const ParallelRows& parallelRows)
+      : m_res(view.state.camera.res),
+        m_runs(probeRuns(m_res)),
+        m_tables(tables),
+        m_parallelRows(parallelRows) {
+    for (const Run& run : m_runs) m_pixels += run.x1 - run.x0;
+    Prober prober(view, m_tables, m_parallelRows);
+    m_parallelRows(int(m_runs.size()), [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) prober.render(m_runs[std::size_t(k)]);
+    });
+    m_reference = prober.image();
   }
-  return errors;
-}
+
+  [[nodiscard]] int pixels() const { return m_pixels; }
+  [[nodiscard]] bool saysEnough() const {
+    return isWhole() || std::count(m_reference.seen.begin(), m_reference.seen.end(),
+                                   std::uint8_t{255}) >= leastSeen;
+  }
+
+  /// None as soon as the error is certainly above `allowed`, a mean square.
+  [[nodiscard]] std::optional<Estimate> measure(const View& candidate, double allowed) const {
+    constexpr int parts = 4;
+    Prober prober(candidate, m_tables, m_parallelRows);
+    // What is scaled up shares pixels between runs, and has few of them.
+    const ParallelRows rows = candidate.method.scale == 1 ? m_parallelRows : serialRows;
+    std::vector<RunError> errors(m_runs.size());
+    const auto count = int(m_runs.size());
+    for (int part = 0; part < parts; ++part) {
+      const int first = count * part / parts;
+      rows(count * (part + 1) / parts - first, [&](int begin, int end) {
+        for (auto k = std::size_t(first + begin); k < std::size_t(first + end); ++k) {
+          prober.render(m_runs[k]);
+          errors[k] = errorOf(m_runs[k], m_reference, prober.image(), candidate.method.scale);
+        }
+      });
+      double squares = 0;
+      for (const RunError& error : errors) squares += error.squares;
+      if (squares > allowed * 3 * m_pixels) return std::nullopt;
+    }
+    const Estimate found = estimate(errors, isWhole());
+    return found.limit <= allowed ? std::optional(found) : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] bool isWhole() const { return m_pixels == m_res[0] * m_res[1]; }
+
+  std::array<int, 2> m_res;
+  std::vector<Run> m_runs;
+  LensTables& m_tables;
+  const ParallelRows& m_parallelRows;
+  Image m_reference;  ///< black but for the runs
+  int m_pixels = 0;
+};
 
 }  // namespace
 
-Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows) {
+Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+              const Progress& progress) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
-  const std::array<int, 2>& res = view.state.camera.res;
-  const std::vector<Run> runs = probeRuns(res);
-  for (const Run& run : runs) choice.pixels += run.x1 - run.x0;
-  const bool isWhole = choice.pixels == res[0] * res[1];
-  Prober reference(view, tables, parallelRows);
-  for (const Run& run : runs) reference.render(run);
+  const std::vector<View> candidates = cheaper(view);
+  if (candidates.empty()) return choice;
+  const Probe probe(view, tables, parallelRows);
+  choice.pixels = probe.pixels();
+  if (!probe.saysEnough()) return choice;
   const double allowed = view.sampling.tolerance * view.sampling.tolerance;
-  for (const View& candidate : cheaper(view)) {
-    const std::vector<double> errors =
-        probe(candidate, runs, reference.image(), allowed, tables, parallelRows);
-    if (errors.size() < runs.size()) continue;
-    const auto [mean, limit] = estimate(errors, isWhole);
-    if (limit > allowed) continue;
+  for (const View& candidate : candidates) {
+    hogelscope::advance(progress, 0);
+    const std::optional<Estimate> found = probe.measure(candidate, allowed);
+    if (!found) continue;
     choice.view = candidate;
-    choice.rmse = std::sqrt(mean);
-    choice.limit = std::sqrt(limit);
+    choice.rmse = std::sqrt(found->mean);
+    choice.limit = std::sqrt(found->limit);
     break;
   }
   return choice;
 }
 
 std::string text(const Choice& choice) {
+  if (choice.pixels == 0) return "nothing is cheaper";
   constexpr std::array names{"nearest", "bilinear", "quadrilinear"};
   const SamplingParams& sampling = choice.view.sampling;
   const Plan made = plan(choice.view);

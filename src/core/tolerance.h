@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/fast_simulation.h"
+#include "core/progress.h"
 
 namespace hogelscope {
 
@@ -13,12 +14,14 @@ struct Choice {
   View view;         ///< its method and sampling may take less than the one asked for
   double rmse = 0;   ///< over the probe
   double limit = 0;  ///< the error over the whole picture is not above, with 99 % confidence
-  int pixels = 0;    ///< of the probe; 0 if nothing was to be chosen
+  int pixels = 0;    ///< of the probe; 0 where there was none
 };
 
-/// The view itself where its tolerance is 0 or it has a method already. Deterministic: the probe's
-/// pixels depend on the picture's size alone.
-Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows);
+/// The view itself where its tolerance is 0, it has a method already, nothing is cheaper, or the
+/// probe sees too little of the panel. Deterministic: the probe's pixels depend on the picture's
+/// size alone. `progress` may say stop; then it throws Cancelled.
+Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+              const Progress& progress = {});
 
 /// One line for --explain and the window.
 std::string text(const Choice& choice);

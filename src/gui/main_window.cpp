@@ -18,6 +18,7 @@
 #include "gui/display_scene.h"
 #include "gui/parameter_form.h"
 #include "gui/session_model.h"
+#include "gui/state_commands.h"
 #include "gui/view_worker.h"
 #include "io/calibration_file.h"
 #include "ui_main_window.h"
@@ -106,6 +107,11 @@ void MainWindow::connectModel() {
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
+  auto* states = new StateCommands(m_ui->statesMenu, m_model, this);
+  connect(states, &StateCommands::failed, this, &MainWindow::showError);
+  connect(states, &StateCommands::done, statusBar(),
+          [this](const QString& line) { statusBar()->showMessage(line); });
+  connect(m_model, &SessionModel::statesChanged, this, &MainWindow::showStates);
   connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
   connect(m_ui->tradeoffView, &TradeoffView::failed, this, &MainWindow::showError);
   connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
@@ -198,19 +204,25 @@ void MainWindow::showAbout() {
                          .arg(QStringLiteral(HOGELSCOPE_VERSION)));
 }
 
-void MainWindow::showSession() {
+/// Fills the list of states again.
+void MainWindow::showStates() {
   const QSignalBlocker quiet(m_stateBox);
   m_stateBox->clear();
   for (const CameraState& state : m_model->session().cameras)
     m_stateBox->addItem(QString::fromStdString(state.camera.name));
+  offerViews();
+  showCurrent();
+}
+
+void MainWindow::showSession() {
   m_display = m_model->session().display;
   m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
-  offerViews();
+  m_ui->tradeoffView->forgetChoice();
   m_worker->load(m_model->session());
   statusBar()->showMessage(
       tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
-  showCurrent();
+  showStates();
   m_scene->fit();
 }
 
@@ -234,6 +246,7 @@ void MainWindow::showTitle() {
   m_ui->saveAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->saveAsAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->importAction->setEnabled(!m_model->session().cameras.empty());
+  m_ui->statesMenu->setEnabled(!m_model->session().cameras.empty());
 }
 
 void MainWindow::showCertificate(const LensCertificate& certificate) {

@@ -52,6 +52,7 @@ class MainWindow : public QMainWindow {
   void showCertificate(const LensCertificate& certificate);
   void showError(const QString& line);
   void offerViews();
+  void showStates();
   template <class Action>
   bool guarded(Action action);
 

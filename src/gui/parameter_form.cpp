@@ -55,7 +55,7 @@ QString boxName(const Field& field, std::size_t k, bool isList) {
 }
 
 double taken(const RealBox& box, const Range& range) {
-  return range.mayBeLeftOut && box.value() == box.minimum() ? notGiven : box.value();
+  return range.mayBeLeftOut && box.value() < range.min ? notGiven : box.value();
 }
 
 int taken(const QSpinBox& box, const Range& range) {

@@ -32,6 +32,14 @@ void SessionModel::setCurrentIndex(std::size_t index) {
   Q_EMIT currentChanged();
 }
 
+void SessionModel::changeStates(const std::function<std::size_t(Session&)>& action) {
+  Session changed = m_session;
+  const std::size_t current = action(changed);
+  m_session = std::move(changed);
+  m_current = current;
+  Q_EMIT statesChanged();
+}
+
 void SessionModel::setCurrent(const CameraState& state) {
   if (m_current >= m_session.cameras.size() || m_session.cameras[m_current] == state) return;
   m_session.cameras[m_current] = state;

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
 #include "core/session.h"
 
@@ -29,12 +30,16 @@ class SessionModel : public QObject {
   void setCurrentIndex(std::size_t index);
   /// An equal state changes nothing.
   void setCurrent(const CameraState& state);
+  /// Does something to the list of states (core/states.h); the one at the index that `action`
+  /// returns becomes current. What it throws leaves the session as it was.
+  void changeStates(const std::function<std::size_t(Session&)>& action);
 
  Q_SIGNALS:
   void opened();
   void saved();
   void currentChanged();  ///< another state is current
   void edited();          ///< the current state has other values
+  void statesChanged();   ///< there are other states, or their order is another
 
  private:
   Session m_session;

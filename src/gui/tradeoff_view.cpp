@@ -71,6 +71,7 @@ TradeoffView::TradeoffView(QWidget* parent)
   layout->addWidget(m_chart, 1);
   layout->addLayout(buttons);
   m_progress->setRange(0, 1000);
+  forgetChoice();
   showIdle();
   connect(m_measureButton, &QPushButton::clicked, this, &TradeoffView::measureOrStop);
   connect(m_defaultButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
@@ -87,10 +88,16 @@ TradeoffView::TradeoffView(QWidget* parent)
 
 void TradeoffView::setViews(const std::vector<View>& views) {
   m_views = views;
+  m_chart->setChart(TradeoffChart({}, ""));
   if (m_isMeasuring)
     stop();
   else
     showIdle();
+}
+
+void TradeoffView::forgetChoice() {
+  m_chart->select(std::nullopt);
+  m_defaultButton->setEnabled(false);
 }
 
 void TradeoffView::stop() {

@@ -45,8 +45,11 @@ class TradeoffView : public QWidget {
  public:
   explicit TradeoffView(QWidget* parent = nullptr);
 
-  /// What the next measurement is over. One that is under way stops, its results are not shown.
+  /// What the next measurement is over. Results of others are not shown any more, and one that is
+  /// under way stops.
   void setViews(const std::vector<View>& views);
+  /// No method is chosen any more; says nothing.
+  void forgetChoice();
 
  Q_SIGNALS:
   /// None: back to what the session says.

@@ -72,7 +72,7 @@ void ViewWorker::run() {
         session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
     lock.unlock();
     try {
-      if (session) loadNow(*session);
+      if (session) loadNow(*session, *filter);
       if (!request || !m_scene) continue;
       const View view = m_scene->view(request->state);
       renderNow(request->method ? with(*request->method, view) : view, *filter);
@@ -85,7 +85,8 @@ void ViewWorker::run() {
   }
 }
 
-void ViewWorker::loadNow(const Session& session) {
+void ViewWorker::loadNow(const Session& session, vtkHogelViewFilter& filter) {
+  filter.SetView({});
   m_scene.reset();  // frees the old one's memory before the new one is read
   m_scene = loadScene(session, [this](double) { return !hasNewer(true); });
   Q_EMIT loaded(*m_scene);

@@ -41,7 +41,7 @@ class ViewWorker : public QObject {
 
  private:
   void run();
-  void loadNow(const Session& session);
+  void loadNow(const Session& session, vtkHogelViewFilter& filter);
   void renderNow(const View& view, vtkHogelViewFilter& filter);
   void certifyNow(const CameraState& state);
   [[nodiscard]] bool hasNewer(bool isLoading);

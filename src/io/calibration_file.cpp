@@ -3,9 +3,11 @@
 #include "io/calibration_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <set>
+#include <sstream>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -32,19 +34,39 @@ class QuietOpenCv {
   cv::ErrorCallback m_before;
 };
 
-/// cv::FileStorage follows lists in lists, [[ or {{ or "- - ", until the stack overflows.
-bool isDeeplyNested(const std::string& text) {
+/// The part of a line of YAML that says its structure: no comment, nothing in quotes.
+std::string structureOf(const std::string& line) {
+  std::string structure;
+  char quote = 0;
+  for (const char c : line) {
+    if (quote == 0 && c == '#') break;
+    if (quote == 0 && (c == '"' || c == '\''))
+      quote = c;
+    else if (c == quote)
+      quote = 0;
+    else if (quote == 0)
+      structure += c;
+  }
+  return structure;
+}
+
+/// cv::FileStorage follows what is nested until the stack overflows: brackets, and on one line
+/// lists in lists ("- - ") and keys in keys ("a: a: ").
+bool isDeeplyNested(const std::string& yaml) {
   constexpr int deepest = 64;
   int open = 0;
-  int dashes = 0;
-  char before = 0;
-  for (const char c : text) {
-    if (c == '[' || c == '{') ++open;
-    if (c == ']' || c == '}') open = std::max(0, open - 1);
-    if (c == '-' && before == ' ') ++dashes;
-    if (c != '-' && c != ' ') dashes = 0;
-    if (open > deepest || dashes > deepest) return true;
-    before = c;
+  std::istringstream lines(yaml);
+  for (std::string line; std::getline(lines, line);) {
+    int onLine = 0;
+    char before = ' ';
+    for (const char c : structureOf(line)) {
+      if (c == '[' || c == '{') ++open;
+      if (c == ']' || c == '}') open = std::max(0, open - 1);
+      if (c == ':' || (c == '-' && before == ' ')) ++onLine;
+      if (std::isdigit(static_cast<unsigned char>(c)) != 0 && before == '-') --onLine;
+      if (open > deepest || onLine > deepest) return true;
+      before = c;
+    }
   }
   return false;
 }
@@ -52,11 +74,19 @@ bool isDeeplyNested(const std::string& text) {
 /// The text of a YAML or JSON file that the parser can be trusted with.
 std::string textOf(const std::filesystem::path& file) {
   constexpr std::size_t largest = std::size_t{1} << 20;
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   std::string text = readTextFile(file);
   if (text.size() > largest)
     throw InputError("is larger than 1 MiB: not a camera's calibration", "");
-  if (text.starts_with("<")) throw InputError("is XML", "give the calibration as YAML or JSON");
-  if (isDeeplyNested(text)) throw InputError("is nested deeper than any calibration", "");
+  if (text.starts_with(byteOrderMark)) text.erase(0, byteOrderMark.size());
+  const InputError other("is not an OpenCV calibration",
+                         "a YAML file begins with %YAML:1.0, a JSON file with {");
+  if (text.starts_with("{"))
+    (void)parseJson(text);  // our parser knows a deepest depth
+  else if (!text.starts_with("%YAML"))
+    throw other;
+  else if (isDeeplyNested(text))
+    throw InputError("is nested deeper than any calibration", "");
   return text;
 }
 

@@ -170,6 +170,17 @@ void JsonWriter::choice(const Field& field, int& index) {
   m_object[std::string(field.name)] = field.choices[std::size_t(index)];
 }
 
+Override parseOverride(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+    throw InputError("--set " + text, "is not of the form section.field=value");
+  const std::string written = text.substr(equals + 1);
+  Json value = Json::parse(written, nullptr, false);
+  if (value.is_discarded()) value = written;
+  return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), std::move(value)};
+}
+
 namespace {
 
 /// Hears a document's structure while it is parsed: refuses a key that stands twice in an object,

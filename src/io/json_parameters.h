@@ -60,6 +60,26 @@ class JsonWriter : public ParameterVisitor {
   Json& m_object;
 };
 
+/// Reads the fields of `parent`'s object `name`, where it has one.
+template <class Params>
+void readSection(JsonReader& parent, const char* name, Params& params) {
+  const Json* object = parent.section(name);
+  if (object == nullptr) return;
+  JsonReader reader(*object, parent.pathOf(name));
+  describe(reader, params);
+  reader.refuseUnknown();
+}
+
+/// --set section.field=value.
+struct Override {
+  std::string section;
+  std::string field;
+  Json value;  ///< what is not JSON is a text
+};
+
+/// Throws InputError for another form.
+Override parseOverride(const std::string& text);
+
 /// Parses a document; refuses a key that stands twice in an object. Throws InputError.
 Json parseJson(const std::string& text);
 

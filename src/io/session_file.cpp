@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/states.h"
 #include "io/atomic_file.h"
 #include "io/json_parameters.h"
 
@@ -18,15 +19,6 @@ constexpr int documentVersion = 1;
 constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField", "sampling"};
 constexpr std::array<std::string_view, 4> stateSections{"camera", "intrinsics", "distortion",
                                                         "psf"};
-
-template <class Params>
-void readSection(JsonReader& parent, const char* name, Params& params) {
-  const Json* object = parent.section(name);
-  if (object == nullptr) return;
-  JsonReader reader(*object, parent.pathOf(name));
-  describe(reader, params);
-  reader.refuseUnknown();
-}
 
 CameraState readState(const Json& object, const std::string& path) {
   CameraState state;
@@ -47,6 +39,15 @@ void checkVersion(const Json* version) {
                      version->dump() + " is not a version that this program reads: " + wanted);
 }
 
+std::vector<CameraState> readStates(const Json& cameras) {
+  if (!cameras.is_array())
+    throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
+  std::vector<CameraState> states;
+  for (std::size_t k = 0; k < cameras.size(); ++k)
+    states.push_back(readState(cameras[k], "cameras[" + std::to_string(k) + "]"));
+  return states;
+}
+
 Session readSession(const Json& document) {
   Session session;
   JsonReader reader(document, "");
@@ -54,12 +55,8 @@ Session readSession(const Json& document) {
   readSection(reader, "display", session.display);
   readSection(reader, "lightField", session.lightField);
   readSection(reader, "sampling", session.sampling);
-  if (const Json* cameras = reader.section("cameras"); cameras != nullptr) {
-    if (!cameras->is_array())
-      throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
-    for (std::size_t k = 0; k < cameras->size(); ++k)
-      session.cameras.push_back(readState((*cameras)[k], "cameras[" + std::to_string(k) + "]"));
-  }
+  if (const Json* cameras = reader.section("cameras"); cameras != nullptr)
+    session.cameras = readStates(*cameras);
   reader.refuseUnknown();
   check(session);
   return session;
@@ -67,22 +64,14 @@ Session readSession(const Json& document) {
 
 /// --set section.field=value, done to the document so that one reader checks it all.
 void applyOverride(Json& document, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const std::size_t dot = text.find('.');
-  const InputError malformed("--set " + text, "is not of the form section.field=value");
-  if (equals == std::string::npos || dot == std::string::npos || dot > equals) throw malformed;
-  const std::string section = text.substr(0, dot);
-  const std::string field = text.substr(dot + 1, equals - dot - 1);
-  const std::string written = text.substr(equals + 1);
-  Json value = Json::parse(written, nullptr, false);
-  if (value.is_discarded()) value = written;
-
+  const Override change = parseOverride(text);
+  const std::string& section = change.section;
   const auto isOneOf = [&section](const auto& names) {
     return std::find(names.begin(), names.end(), section) != names.end();
   };
   if (isOneOf(sharedSections)) {
     if (document.is_object() && (!document.contains(section) || document[section].is_object()))
-      document[section][field] = value;
+      document[section][change.field] = change.value;
     return;
   }
   if (!isOneOf(stateSections))
@@ -93,7 +82,7 @@ void applyOverride(Json& document, const std::string& text) {
   for (Json& state : document["cameras"]) {
     if (!state.is_object()) continue;
     Json& target = section == "camera" ? state : state[section];
-    if (target.is_object() || target.is_null()) target[field] = value;
+    if (target.is_object() || target.is_null()) target[change.field] = change.value;
   }
 }
 
@@ -179,6 +168,40 @@ void saveSession(const fs::path& file, const Session& session) {
     writeTextFile(file, formatJson(document));
   } catch (const Json::exception&) {
     throw InputError(file.string(), "cannot be written", "a name in it is not UTF-8");
+  }
+}
+
+std::vector<CameraState> loadStates(const fs::path& file) {
+  try {
+    const Json document = parseJson(readTextFile(file));
+    JsonReader reader(document, "");
+    checkVersion(reader.section("hogelscope"));
+    for (const std::string_view section : sharedSections) (void)reader.section(section);
+    const Json* cameras = reader.section("cameras");
+    reader.refuseUnknown();
+    if (cameras == nullptr || cameras->empty())
+      throw InputError("cameras", "is missing or empty: there is no camera state to load");
+    std::vector<CameraState> states = readStates(*cameras);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      check(states[k], "cameras[" + std::to_string(k) + "]");
+    return states;
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+void appendStates(const fs::path& file, const std::vector<CameraState>& states) {
+  try {
+    Json document = parseJson(readTextFile(file));
+    Session session = readSession(document);
+    for (const CameraState& state : states) {
+      const std::size_t index = addState(session, state);
+      document["cameras"].push_back(writtenState(session.cameras[index]));
+    }
+    check(session);
+    writeTextFile(file, formatJson(document));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
   }
 }
 

@@ -22,6 +22,14 @@ Session loadSession(const std::filesystem::path& file,
 /// The light field's file is written relative to the document. Throws InputError.
 void saveSession(const std::filesystem::path& file, const Session& session);
 
+/// The camera states of a session document, which needs nothing else but its version. Throws
+/// InputError that names the document.
+std::vector<CameraState> loadStates(const std::filesystem::path& file);
+
+/// Adds states, with free names, to a session document, and keeps everything else in it; the whole
+/// file is replaced at once. Throws InputError.
+void appendStates(const std::filesystem::path& file, const std::vector<CameraState>& states);
+
 /// Is it a session document, by its name?
 bool isSessionFile(const std::filesystem::path& file);
 

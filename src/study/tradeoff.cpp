@@ -47,7 +47,7 @@ Image render(const View& view, const ParallelRows& parallelRows,
   const auto [width, height] = small.state.camera.res;
   Image image(width, height);
   const int n = view.sampling.samplesPerPixel;
-  const int pieces = n * n;  // each about as much work as a picture with one ray a pixel
+  const int pieces = std::min(height, 8 * n * n);  // stop is heard between them
   for (int piece = 0; piece < pieces; ++piece) {
     pulse();
     const int first = height * piece / pieces;
@@ -70,10 +70,14 @@ Image reference(const View& view, Question question, const ParallelRows& paralle
   const Simulation simulation(with({"display"}, view));
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
-  parallelRows(height, [&, columns = width](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < columns; ++x) simulation.render(x, y, image);
-  });
+  constexpr int rows = 16;  // stop is heard between them
+  for (int first = 0; first < height; first += rows) {
+    pulse();
+    parallelRows(std::min(rows, height - first), [&, columns = width](int begin, int end) {
+      for (int y = first + begin; y < first + end; ++y)
+        for (int x = 0; x < columns; ++x) simulation.render(x, y, image);
+    });
+  }
   return image;
 }
 

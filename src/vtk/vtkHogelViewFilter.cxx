@@ -60,6 +60,9 @@ void vtkHogelViewFilter::SetView(const hogelscope::View& view)
     return;
   }
   this->View = view;
+  this->IsChosen = false;
+  this->Choice = {}; // they may hold the last reference to another light field
+  this->Rendered = {};
   this->Modified();
 }
 
@@ -68,19 +71,35 @@ void vtkHogelViewFilter::SetThreads(int count)
   hogelscope::setThreads(count);
 }
 
-int vtkHogelViewFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+/// What to render in the place of the view. False where that fails or is stopped.
+bool vtkHogelViewFilter::Choose()
 {
-  this->ErrorMessage.clear();
   try
   {
-    this->Choice = hogelscope::choose(this->View, this->Tables, hogelscope::parallelRows);
+    this->Choice =
+      hogelscope::choose(this->View, this->Tables, hogelscope::parallelRows, this->Progress);
     this->Rendered = hogelscope::reduced(this->Choice.view);
+    this->IsChosen = true;
+  }
+  catch (const hogelscope::Cancelled&)
+  {
+    this->Stopped = true;
   }
   catch (const std::exception& error)
   {
     this->ErrorMessage = error.what();
     vtkErrorMacro(<< this->ErrorMessage);
+  }
+  return this->IsChosen;
+}
+
+int vtkHogelViewFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->ErrorMessage.clear();
+  this->Stopped = false;
+  if (!this->IsChosen && !this->Choose())
+  {
     return 0;
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
@@ -194,11 +213,18 @@ std::vector<float> vtkHogelViewFilter::GetCodeValues()
 {
   this->FloatOutputOn();
   this->UpdateOrThrow();
+  vtkPointData* output = this->GetOutput()->GetPointData();
+  const int height = this->Rendered.state.camera.res[1];
   std::vector<float> values(std::size_t(this->GetOutput()->GetNumberOfPoints()) * 3);
-  copyFlipped(
-    this->GetOutput()->GetPointData()->GetScalars(), this->Rendered.state.camera.res[1], values);
+  copyFlipped(output->GetScalars(), height, values);
   const int scale = this->Choice.view.method.scale;
-  return scale == 1 ? values : hogelscope::enlarged(values, scale, this->View.state.camera.res);
+  if (scale == 1)
+  {
+    return values;
+  }
+  std::vector<unsigned char> seen(values.size() / 3);
+  copyFlipped(output->GetArray(seenName), height, seen);
+  return hogelscope::enlarged(values, seen, scale, this->View.state.camera.res);
 }
 
 void vtkHogelViewFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -91,12 +91,14 @@ private:
   vtkHogelViewFilter(const vtkHogelViewFilter&) = delete;
   void operator=(const vtkHogelViewFilter&) = delete;
 
+  bool Choose();
   void Fill(const hogelscope::FastSimulation& simulation, vtkImageData* output);
   void Advance(int rows, int allRows);
   void UpdateOrThrow();
 
   hogelscope::View View;
   hogelscope::Choice Choice;
+  bool IsChosen = false;     ///< Choice and Rendered are View's
   hogelscope::View Rendered; ///< Choice.view with the pixels of the output
   hogelscope::LensTables Tables;
   bool FloatOutput = false;

@@ -138,16 +138,16 @@ void TestCommandLine::mistakes_data() {
   row("a value too many", {"--render=1"}, "--render: takes no value");
   row("a value too many, setting", {"--quiet=yes"}, "--quiet: takes no value");
   row("two jobs", {"--render", "--report"},
-      "command line: asks for two jobs at once; give one of --render, --report, --generate, "
-      "--tradeoff, --stability, --info");
+      "command line: asks for two jobs at once; give one of --render, --report, "
+      "--make-cameras, --generate, --tradeoff, --stability, --info");
   row("two jobs, info", {"--info", "s.json", "--generate", "scene"},
-      "command line: asks for two jobs at once; give one of --render, --report, --generate, "
-      "--tradeoff, --stability, --info");
+      "command line: asks for two jobs at once; give one of --render, --report, "
+      "--make-cameras, --generate, --tradeoff, --stability, --info");
   row("a file alone", render + QStringList{"more.json"},
       "more.json: stands alone on the command line; a session is given as --session FILE");
   row("settings without a job", {"--session", "s.json", "--output", "out"},
-      "command line: has settings but no job; give one of --render, --report, --generate, "
-      "--tradeoff, --stability, or only a session to open it");
+      "command line: has settings but no job; give one of --render, --report, "
+      "--make-cameras, --generate, --tradeoff, --stability, or only a session to open it");
   row("no threads", render + QStringList{"--threads", "0"},
       "--threads: \"0\" is not a number from 1 on");
   row("half a thread", {"--threads", "1.5"}, "--threads: \"1.5\" is not a number from 1 on");
@@ -157,6 +157,8 @@ void TestCommandLine::mistakes_data() {
       "--fail-below: \"40dB\" is not a number from 0 on");
   row("fail-below nan", {"--fail-below", "nan"}, "--fail-below: \"nan\" is not a number from 0 on");
   row("format", {"--format", "jpg"}, "--format: \"jpg\" is not one of png, exr, tif");
+  row("a camera set's", render + QStringList{"--count", "3"},
+      "--set cameraSet.count=3: belongs to --make-cameras SET");
   row("pattern", {"--generate", "lena"}, "--generate: \"lena\" is not one of scene");
 }
 

@@ -4,7 +4,9 @@
 
 #include <QTest>
 #include <cmath>
+#include <thread>
 
+#include "core/error.h"
 #include "core/pattern.h"
 #include "core/scaled_view.h"
 #include "tests/core/random_scene.h"
@@ -39,8 +41,10 @@ View sampleView() {
 }
 
 void vary(Random& random, View& view) {
-  view.state.camera.eye = {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2),
-                           random.uniform(0.35, 0.9)};
+  // Some so far away that the panel is a small part of the picture.
+  const double far = random.integer(0, 3) == 0 ? std::exp(random.uniform(0, 4)) : 1;
+  view.state.camera.eye = {far * random.uniform(-0.2, 0.2), far * random.uniform(-0.2, 0.2),
+                           far * random.uniform(0.35, 0.9)};
   view.state.camera.res = {random.integer(300, 420), random.integer(200, 300)};
   view.state.psf = {random.uniform(0.4, 1.2), 2 * random.integer(0, 3) + 1};
   view.state.distortion = {};
@@ -84,7 +88,7 @@ class TestTolerance : public QObject {
   void theErrorStaysWithinTheLimit() {
     Random random(9);
     View view = sampleView();
-    constexpr int scenes = 250;
+    constexpr int scenes = 240;
     int cheaper = 0;
     int beyondLimit = 0;
     for (int repeat = 0; repeat < scenes; ++repeat) {
@@ -96,11 +100,11 @@ class TestTolerance : public QObject {
       beyondLimit += error > choice.limit + 0.02 ? 1 : 0;
       QVERIFY(choice.limit <= view.sampling.tolerance);
       const int pixels = view.state.camera.res[0] * view.state.camera.res[1];
-      QVERIFY(choice.pixels > pixels / 50 && choice.pixels < pixels / 8);
+      QVERIFY(choice.pixels == 0 || (choice.pixels > pixels / 50 && choice.pixels < pixels / 8));
     }
     qInfo("%d of %d scenes beyond the limit, %d rendered cheaper", beyondLimit, scenes, cheaper);
     QVERIFY(beyondLimit <= scenes / 50);  // 99 % confidence, and what chance allows
-    QVERIFY(cheaper > scenes / 3);
+    QVERIFY(cheaper > scenes / 4);
   }
 
   /// Against the reference engine itself.
@@ -121,16 +125,17 @@ class TestTolerance : public QObject {
     View view = sampleView();
     for (int repeat = 0; repeat < 20; ++repeat) {
       vary(random, view);
-      view.state.camera.res = {40, 30};
+      view.state.camera.res = {random.integer(20, 45), random.integer(15, 30)};
       LensTables tables;
       const Choice choice = choose(view, tables, serialRows);
-      QCOMPARE(choice.pixels, 40 * 30);
+      if (choice.pixels == 0) continue;  // nothing was cheaper
+      QCOMPARE(choice.pixels, view.state.camera.res[0] * view.state.camera.res[1]);
       QVERIFY(std::abs(rmse(rendered(choice.view), simulateFast(view)) - choice.rmse) < 0.02);
       QCOMPARE(choice.limit, choice.rmse);
     }
   }
 
-  /// A larger tolerance is never dearer, and a huge one is the cheapest there is.
+  /// A larger tolerance is never dearer, and a huge one takes the cheapest there is: texels copied.
   void moreToleranceCostsLess() {
     View view = sampleView();
     view.state.psf = {0.9, 5};
@@ -145,14 +150,32 @@ class TestTolerance : public QObject {
       const int n = chosen.sampling.samplesPerPixel;
       return double(corners) * window * window * n * n / std::pow(chosen.method.scale, 2);
     };
-    double last = texels(0.01);
-    QCOMPARE(last, 16.0 * 25 * 4);
-    for (const double tolerance : {0.5, 2.0, 5.0, 10.0, 20.0, 100.0}) {
-      const double now = texels(tolerance);
-      QVERIFY(now <= last);
-      last = now;
-    }
-    QCOMPARE(last, 1.0 / 16);
+    QCOMPARE(texels(0.01), 16.0 * 25 * 4);
+    QVERIFY(texels(5) < 16.0 * 25 * 4);
+    QCOMPARE(texels(100), 1.0);
+    view.state.psf.windowSize = 1;
+    view.sampling = {};
+    view.sampling.tolerance = 100;  // texels are copied already
+    QCOMPARE(choose(view, tables, serialRows).pixels, 0);
+  }
+
+  void threadsDoNotMatterAndStopIsHeard() {
+    View view = sampleView();
+    view.state.psf = {0.8, 7};
+    view.sampling.tolerance = 5;
+    LensTables tables;
+    const ParallelRows threads = [](int count, const std::function<void(int, int)>& rows) {
+      std::thread other([&] { rows(count / 2, count); });
+      rows(0, count / 2);
+      other.join();
+    };
+    const Choice one = choose(view, tables, serialRows);
+    const Choice two = choose(view, tables, threads);
+    QVERIFY(one.view == two.view && one.view.method != Method{});
+    QCOMPARE(two.rmse, one.rmse);
+    QCOMPARE(two.limit, one.limit);
+    QVERIFY_THROWS_EXCEPTION(Cancelled,
+                             (void)choose(view, tables, serialRows, [](double) { return false; }));
   }
 
   void isTheSameEveryTime() {

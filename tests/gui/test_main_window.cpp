@@ -16,6 +16,7 @@
 #include "core/scaled_view.h"
 #include "gui/image_view.h"
 #include "gui/main_window.h"
+#include "gui/state_commands.h"
 #include "gui/tradeoff_view.h"
 #include "gui/vtk_widget.h"
 #include "io/light_field_file.h"
@@ -173,6 +174,42 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!message().contains("method"), 20000);
     QVERIFY(!equals(view(), expected));
     QVERIFY(equals(view(), exact));
+  }
+
+  void theStatesMenuDoesWhatItSays() {
+    waitForSample();
+    auto* box = m_window->findChild<QComboBox*>("stateBox");
+    const auto trigger = [this](const char* name) {
+      m_window->findChild<QAction*>(name)->trigger();
+    };
+    trigger("duplicateAction");
+    QCOMPARE(box->count(), 7);
+    QCOMPARE(box->currentText(), QString("Fig 1 2"));
+    QVERIFY(m_window->isWindowModified());
+    trigger("moveUpAction");
+    QCOMPARE(box->currentIndex(), 0);
+    QCOMPARE(box->itemText(1), QString("Fig 1"));
+    trigger("moveUpAction");
+    QCOMPARE(box->currentIndex(), 0);
+    trigger("moveDownAction");
+    QCOMPARE(box->currentIndex(), 1);
+    auto* commands = m_window->findChild<StateCommands*>();
+    const QString other = m_folder.filePath("other.json");
+    QVERIFY(m_window->saveSession(other));
+    QVERIFY(commands->appendStateTo(other));
+    QCOMPARE(loadSession(other.toStdString()).cameras.back().camera.name, std::string("Fig 1 2 2"));
+    QVERIFY(commands->mergeStatesOf(sampleFile));
+    QCOMPARE(box->count(), 13);
+    QCOMPARE(box->currentIndex(), 7);
+    for (int left = 12; left >= 1; --left) {
+      trigger("removeAction");
+      QCOMPARE(box->count(), left);
+    }
+    trigger("removeAction");
+    QCOMPARE(box->count(), 1);
+    QVERIFY(message().contains("a session needs one"));
+    QVERIFY(!commands->mergeStatesOf(m_folder.filePath("none.json")));
+    QVERIFY(message().contains("none.json: cannot be read"));
   }
 
   void stopsMeasuring() {

@@ -83,6 +83,10 @@ class TestParameterForm : public QObject {
       QTest::keyClick(box, Qt::Key_Return);
     }
     QVERIFY((intrinsics == IntrinsicsParams{320.5, notGiven, 320.5, notGiven}));
+    auto* fy = form.findChild<QDoubleSpinBox*>("fy");
+    fy->setValue(0);  // below its range, which begins above 0
+    QVERIFY(intrinsics.fy == notGiven);
+    QCOMPARE(fy->text(), QString("not given"));
     auto* box = form.findChild<QDoubleSpinBox*>("cx");
     box->selectAll();
     QTest::keyClick(box, Qt::Key_Delete);

@@ -127,8 +127,8 @@ void TestCalibrationFile::isRefused_data() {
       "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {";
   add("empty", "", other);
   add("a text", "something", other);
-  add("cut", R"({"K": [1, 2)", other);
-  add("XML", "<?xml version=\"1.0\"?>", "is XML: give the calibration as YAML or JSON");
+  add("XML", "<?xml version=\"1.0\"?>", other);
+  add("XML behind a byte order mark", "\xEF\xBB\xBF<?xml version=\"1.0\"?><a><a>", other);
   add("no matrix", R"({"D": [1, 2, 3, 4]})",
       "camera_matrix: is missing; it may also be called: cameraMatrix K M1");
   add("no lens", R"({"K": [500, 0, 1, 0, 500, 1, 0, 0, 1]})",
@@ -154,7 +154,15 @@ void TestCalibrationFile::isRefused_data() {
   add("huge size",
       json(plainMatrix, "[0, 0, 0, 0]", ", \"image_width\": 640, \"image_height\": 70000"),
       "image size.res[1]: 70000 is out of range: 1 to 16384 px");
-  add("deep", "{\"K\": " + QByteArray(100000, '['), "is nested deeper than any calibration");
+  add("deep", "{\"K\": " + QByteArray(100000, '['), "is nested deeper than any session");
+  add("deep with comments", "%YAML:1.0\nK: " + QByteArray("[ #]\n").repeated(100000),
+      "is nested deeper than any calibration");
+  add("deep with texts", "%YAML:1.0\nK: " + QByteArray("[ \"]\", ").repeated(100000),
+      "is nested deeper than any calibration");
+  add("deep with tags", "%YAML:1.0\nK:\n   " + QByteArray("- !!seq ").repeated(100000),
+      "is nested deeper than any calibration");
+  add("deep in keys", "%YAML:1.0\n---\n" + QByteArray("a: ").repeated(200000),
+      "is nested deeper than any calibration");
   add("deep in dashes", "%YAML:1.0\nK:\n   " + QByteArray("- ").repeated(100000),
       "is nested deeper than any calibration");
   add("large", "%YAML:1.0\n" + QByteArray(2 << 20, ' '),
@@ -210,7 +218,7 @@ void TestCalibrationFile::listIsRefused_data() {
   add("a list alone", "[1, 2]",
       "is not an OpenCV calibration: a YAML file begins with %YAML:1.0, a JSON file with {");
   add("a key twice", R"({"cameras": [], "cameras": []})", "cameras: stands twice in one object");
-  add("deep", "{\"cameras\": " + QByteArray(100000, '['), "is nested deeper than any calibration");
+  add("deep", "{\"cameras\": " + QByteArray(100000, '['), "is nested deeper than any session");
   add("large", "{\"cameras\": [" + QByteArray(2 << 20, ' ') + "]}",
       "is larger than 1 MiB: not a camera's calibration");
   one("a number", "3", "cameras[0]: is not an object with name, size, K and D");

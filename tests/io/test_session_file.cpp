@@ -52,7 +52,7 @@ void TestSessionFile::roundTrip_data() {
                                                      "reconstruction": "quadrilinear"})"});
   QTest::newRow("states") << text({.cameras = R"([
       {"name": "é \"quoted\" 日本 😀", "eye": [0.1, 0.2, 0.30000000000000004], "lookat": [1, 2, -3],
-       "up": [0, 0, 1e-6], "fov": 179.9, "res": [1, 16384],
+       "up": [0, 0, 1e-6], "fov": 179.9, "res": [1, 16384], "weight": 0.25,
        "distortion": {"k1": -0.45, "k2": 0.25, "p1": 1e-17, "p2": -10, "k3": 3.3333333333333335},
        "psf": {"sigma": 20, "windowSize": 99, "border": "black", "light": "linear"}},
       {"name": "calibrated", "intrinsics": {"fx": 535.9, "fy": 534.25, "cx": -3.5, "cy": 1e6}},
@@ -111,6 +111,7 @@ void TestSessionFile::savedFileIsForReaders() {
       "up": [0.0,1.0,0.0],
       "fov": 60.0,
       "res": [60,40],
+      "weight": 1.0,
       "distortion": {
         "k1": 0.0,
         "k2": 0.0,

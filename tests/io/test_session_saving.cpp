@@ -3,6 +3,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <csignal>
@@ -75,6 +78,9 @@ class TestSessionSaving : public QObject {
   void fullDisk();
   void linksStay();
   void linksToNothing();
+  void addingAStateKeepsTheRest();
+  void addingToWhatIsNoSession();
+  void statesAlone();
   void noContentYet();
   void notText();
 
@@ -173,6 +179,56 @@ void TestSessionSaving::notText() {
   QVERIFY2(error.startsWith("s.json: "), qPrintable(error));
   QCOMPARE(contentOf("s.json"), "old");
   QCOMPARE(namesIn("."), QStringList{"s.json"});
+}
+
+/// Also what this program would write otherwise: keys left out, their order, numbers as integers.
+void TestSessionSaving::addingAStateKeepsTheRest() {
+  const QByteArray document = text({.display = R"({"directions": [5, 6], "hogels": [4, 3]})"});
+  writeFile("s.json", document);
+  CameraState state = someSession().cameras[0];
+  state.psf = {1.25, 7};
+  appendStates("s.json", {state, state});
+  const Session session = loadSession("s.json");
+  QCOMPARE(session.cameras.size(), std::size_t(4));
+  QCOMPARE(session.cameras[2].camera.name, std::string("a 2"));
+  QCOMPARE(session.cameras[3].camera.name, std::string("a 3"));
+  QVERIFY(session.cameras[3].psf == state.psf);
+  QJsonObject before = QJsonDocument::fromJson(document).object();
+  QJsonObject after = QJsonDocument::fromJson(contentOf("s.json")).object();
+  for (int k = 0; k < 2; ++k)
+    QCOMPARE(after["cameras"].toArray()[k], before["cameras"].toArray()[k]);
+  before.remove("cameras");
+  after.remove("cameras");
+  QCOMPARE(after, before);
+  QVERIFY(contentOf("s.json").indexOf("directions") < contentOf("s.json").indexOf("\"hogels\""));
+  QCOMPARE(namesIn("."), QStringList{"s.json"});
+}
+
+void TestSessionSaving::addingToWhatIsNoSession() {
+  const auto error = [] { return errorOf([] { appendStates("s.json", someSession().cameras); }); };
+  QVERIFY(error().startsWith("s.json: cannot be read"));
+  writeFile("s.json", "{");
+  QVERIFY(error().startsWith("s.json: is not JSON"));
+  QCOMPARE(contentOf("s.json"), QByteArray("{"));
+}
+
+void TestSessionSaving::statesAlone() {
+  writeFile("s.json", R"({"hogelscope": 1, "cameras": [{"name": "x", "fov": 30}]})");
+  const std::vector<CameraState> states = loadStates("s.json");
+  QCOMPARE(states.size(), std::size_t(1));
+  QCOMPARE(states[0].camera.fov, 30.0);
+  writeFile("s.json", text());
+  QCOMPARE(loadStates("s.json").size(), std::size_t(2));
+  const auto refused = [](const QByteArray& document) {
+    writeFile("s.json", document);
+    return errorOf([] { (void)loadStates("s.json"); });
+  };
+  QCOMPARE(refused(R"({"hogelscope": 1})"),
+           QString("s.json: cameras: is missing or empty: there is no camera state to load"));
+  QCOMPARE(refused(R"({"hogelscope": 1, "camera": []})"),
+           QString("s.json: camera: is not known here; did you mean \"cameras\"?"));
+  QVERIFY(refused(R"({"hogelscope": 1, "cameras": [{"name": "a/b"}]})")
+              .startsWith("s.json: cameras[0].name: "));
 }
 
 QTEST_APPLESS_MAIN(TestSessionSaving)

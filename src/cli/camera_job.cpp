@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --make-cameras: a set of camera states, added to a copy of a session.
+#include "cli/camera_job.h"
+
+#include <filesystem>
+#include <iostream>
+
+#include "cli/inputs.h"
+#include "io/atomic_file.h"
+#include "io/camera_set_file.h"
+#include "io/session_file.h"
+
+namespace hogelscope {
+
+int makeCameras(const Options& options) {
+  Options ofSession = options;
+  ofSession.overrides.clear();
+  std::vector<std::string> ofSet;
+  for (const std::string& text : options.overrides)
+    (isOfCameraSet(text) ? ofSet : ofSession.overrides).push_back(text);
+  const Session session = loadSelected(ofSession);
+  const Session result = withCameras(session, loadCameraSet(options.cameras, ofSet));
+  if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())
+    makeFolder(folder);
+  saveSession(options.output, result);
+  if (!options.quiet)
+    std::cout << result.cameras.size() - session.cameras.size()
+              << " camera state(s) added: " << result.cameras[session.cameras.size()].camera.name
+              << " … " << result.cameras.back().camera.name << "; " << result.cameras.size()
+              << " in " << options.output << "\n";
+  return 0;
+}
+
+}  // namespace hogelscope

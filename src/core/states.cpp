@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is done to the list of a session's camera states.
+#include "core/states.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace hogelscope {
+
+namespace {
+
+bool hasName(const Session& session, const std::string& name) {
+  return std::any_of(session.cameras.begin(), session.cameras.end(),
+                     [&name](const CameraState& state) { return state.camera.name == name; });
+}
+
+}  // namespace
+
+std::string freeName(const Session& session, const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; hasName(session, name); ++number)
+    name = wanted + " " + std::to_string(number);
+  return name;
+}
+
+std::size_t addState(Session& session, CameraState state) {
+  state.camera.name = freeName(session, state.camera.name);
+  session.cameras.push_back(std::move(state));
+  return session.cameras.size() - 1;
+}
+
+std::size_t duplicateState(Session& session, std::size_t index) {
+  const std::size_t last = addState(session, session.cameras.at(index));
+  moveState(session, last, index + 1);
+  return index + 1;
+}
+
+void removeState(Session& session, std::size_t index) {
+  if (session.cameras.size() < 2)
+    throw InputError("cameras", "has one state only, and a session needs one");
+  session.cameras.erase(session.cameras.begin() + std::ptrdiff_t(index));
+}
+
+void moveState(Session& session, std::size_t from, std::size_t to) {
+  const auto first = session.cameras.begin();
+  const auto at = first + std::ptrdiff_t(from);
+  const auto target = first + std::ptrdiff_t(to);
+  if (from < to)
+    std::rotate(at, at + 1, target + 1);
+  else
+    std::rotate(target, at, at + 1);
+}
+
+void renameState(Session& session, std::size_t index, const std::string& name) {
+  CameraState state = session.cameras.at(index);
+  if (state.camera.name == name) return;
+  state.camera.name = name;
+  check(state, "cameras[" + std::to_string(index) + "]");
+  if (hasName(session, name))
+    throw InputError("name", "\"" + name + "\" is another state's already");
+  session.cameras[index] = state;
+}
+
+void mergeStates(Session& session, const std::vector<CameraState>& states) {
+  for (const CameraState& state : states) addState(session, state);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is done to the list of a session's camera states. Names stay different from each other.
+#pragma once
+
+#include "core/session.h"
+
+namespace hogelscope {
+
+/// `wanted`, or with the first of " 2", " 3", … that no state has.
+std::string freeName(const Session& session, const std::string& wanted);
+
+/// After the others; its name becomes a free one. Returns its index.
+std::size_t addState(Session& session, CameraState state);
+/// Behind the original. Returns its index.
+std::size_t duplicateState(Session& session, std::size_t index);
+/// Throws InputError for the only one.
+void removeState(Session& session, std::size_t index);
+/// `to` is its index afterwards.
+void moveState(Session& session, std::size_t from, std::size_t to);
+/// Throws InputError: taken, or not a file's name.
+void renameState(Session& session, std::size_t index, const std::string& name);
+/// All of them, in their order, with free names.
+void mergeStates(Session& session, const std::vector<CameraState>& states);
+
+}  // namespace hogelscope

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests camera set documents and traces: what they say, and the line for each mistake.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/camera_set_file.h"
+#include "tests/io/documents.h"
+
+using namespace hogelscope;
+
+namespace {
+
+QByteArray document(const QByteArray& rest) {
+  return R"({"hogelscopeCameras": 1)" + rest + "}";
+}
+
+QByteArray twice(QByteArray element, int count) {
+  QByteArray list = element;
+  for (int k = 1; k < count; ++k) list += "," + element;
+  return list;
+}
+
+template <class Source>
+Source sourceIn(const CameraSet& set) {
+  const Source* source = std::get_if<Source>(&set.source);
+  return source != nullptr ? *source : Source{};
+}
+
+}  // namespace
+
+class TestCameraSetFile : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { QVERIFY(QDir::setCurrent(m_folder.path())); }
+  void distributionsByName();
+  void settingsOfADocument();
+  void overridesReachEveryPart();
+  void mixture();
+  void poses();
+  void path();
+  void traces_data();
+  void traces();
+  void badDocuments_data();
+  void badDocuments();
+  void badTraces_data();
+  void badTraces();
+  void badOverrides();
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+void TestCameraSetFile::distributionsByName() {
+  QCOMPARE(loadCameraSet("uniform").region.distribution, CameraSpread::uniform);
+  QCOMPARE(loadCameraSet("random").region.distribution, CameraSpread::random);
+  const CameraSet set = loadCameraSet(
+      "normal", {"cameraSet.count=7", "cameraSet.name=a b", "cameraRegion.angle=[1,2]"});
+  QCOMPARE(set.region.distribution, CameraSpread::normal);
+  QCOMPARE(set.params.count, 7);
+  QCOMPARE(set.params.name, std::string("a b"));
+  QCOMPARE(set.region.angle, (std::array<double, 2>{1, 2}));
+}
+
+void TestCameraSetFile::settingsOfADocument() {
+  writeFile("c.json", document(R"(,
+    "cameraSet": {"count": 12, "seed": 9, "template": "Fig 4", "name": "ring", "place": 0.5},
+    "cameraRegion": {"distribution": "random", "region": "arc", "centre": [1, 2, 3],
+      "extent": [4, 5, 5.5], "distance": [0.5, 1], "angle": [-10, 20], "elevation": [-1, 1],
+      "deviation": 0.5, "lookat": "jittered", "target": [0.1, 0.2, -0.3], "jitter": 0.25})"));
+  const CameraSet set = loadCameraSet("c.json");
+  QVERIFY((set.params == CameraSetParams{12, 9, "ring", "Fig 4", 0.5}));
+  QVERIFY((set.region == CameraRegionParams{CameraSpread::random,
+                                            RegionShape::arc,
+                                            {1, 2, 3},
+                                            {4, 5, 5.5},
+                                            {0.5, 1},
+                                            {-10, 20},
+                                            {-1, 1},
+                                            0.5,
+                                            LookAt::jittered,
+                                            {0.1, 0.2, -0.3},
+                                            0.25}));
+  QCOMPARE(set.source.index(), std::size_t(0));
+}
+
+void TestCameraSetFile::overridesReachEveryPart() {
+  writeFile("c.json", document(R"(, "mixture": [{"cameraRegion": {"jitter": 1}}, {}])"));
+  const CameraSet set = loadCameraSet("c.json", {"cameraRegion.jitter=2", "cameraSet.seed=3"});
+  const auto found = sourceIn<Mixture>(set);
+  QCOMPARE(found.parts.size(), std::size_t(2));
+  for (const Mixture::Part& part : found.parts) QCOMPARE(part.region.jitter, 2.0);
+  QCOMPARE(set.params.seed, 3);
+}
+
+void TestCameraSetFile::mixture() {
+  writeFile("c.json", document(R"(, "cameraRegion": {"region": "arc", "jitter": 0.5},
+    "mixture": [{"weight": 2.5, "cameraRegion": {"jitter": 1}}, {"weight": 0}, {}])"));
+  const auto found = sourceIn<Mixture>(loadCameraSet("c.json"));
+  QCOMPARE(found.parts.size(), std::size_t(3));
+  QCOMPARE(found.parts[0].weight, 2.5);
+  QCOMPARE(found.parts[1].weight, 0.0);
+  QCOMPARE(found.parts[2].weight, 1.0);
+  QCOMPARE(found.parts[0].region.jitter, 1.0);
+  QCOMPARE(found.parts[2].region.jitter, 0.5);
+  QVERIFY(found.parts[0].region.region == RegionShape::arc);
+}
+
+void TestCameraSetFile::poses() {
+  writeFile("c.json", document(R"(, "poses": [{"eye": [1, 2, 3]},
+    {"eye": [0, 0, 1], "lookat": [0.1, 0, -1], "weight": 4}])"));
+  const auto found = sourceIn<PoseList>(loadCameraSet("c.json"));
+  QCOMPARE(found.poses.size(), std::size_t(2));
+  QVERIFY((found.poses[0].eye == Vec3{1, 2, 3}) && !found.poses[0].hasLookat());
+  QVERIFY((found.poses[1].lookat == Vec3{0.1, 0, -1}));
+  QCOMPARE(found.poses[1].weight, 4.0);
+}
+
+void TestCameraSetFile::path() {
+  writeFile("c.json", document(R"(, "path": [{"eye": [1, 2, 3]}, {"eye": [0, 0, 1]}])"));
+  QCOMPARE(sourceIn<PosePath>(loadCameraSet("c.json")).poses.size(), std::size_t(2));
+}
+
+void TestCameraSetFile::traces_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<double>("z");
+  QTest::newRow("with names") << QByteArray("time,x,y,z\n0,1,2,3\n0.5,-1,-2,3\n") << 3.0;
+  QTest::newRow("without") << QByteArray("0,1,2,3\n0.5,-1,-2,3") << 3.0;
+  QTest::newRow("no distance") << QByteArray("time,x,y\n0,1,2\n0.5,-1,-2\n") << 0.75;
+  QTest::newRow("a spreadsheet's") << QByteArray(
+                                          "\xEF\xBB\xBFtime, x, y\r\n0, 1, 2\r\n\r\n"
+                                          "5e-1, -1, -2\r\n\r\n")
+                                   << 0.75;
+}
+
+void TestCameraSetFile::traces() {
+  QFETCH(const QByteArray, text);
+  QFETCH(const double, z);
+  writeFile("t.csv", text);
+  const auto found = sourceIn<Trace>(loadCameraSet("t.csv", {"cameraRegion.centre=[0,0,0.75]"}));
+  QCOMPARE(found.points.size(), std::size_t(2));
+  QCOMPARE(found.points[0].time, 0.0);
+  QVERIFY((found.points[0].eye == Vec3{1, 2, z}));
+  QCOMPARE(found.points[1].time, 0.5);
+  QVERIFY((found.points[1].eye == Vec3{-1, -2, z}));
+}
+
+void TestCameraSetFile::badDocuments_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<QString>("line");
+  const auto row = [](const char* name, const QByteArray& text, const char* line) {
+    QTest::newRow(name) << text << QString("c.json: ") + line;
+  };
+  const QByteArray pose = R"({"eye": [0, 0, 1]})";
+  row("empty", " \n", "is empty: not a camera set");
+  row("truncated", R"({"hogelscopeCameras": 1, "poses": [{"eye": [0, )",
+      "is not JSON: parse error at line 1, column 48: syntax error while parsing value - "
+      "unexpected end of input; expected '[', '{', or a literal");
+  row("a list", "[1]", "[1] is not an object: { \"name\": value, … }");
+  row("a session", text(),
+      "hogelscopeCameras: is missing: a camera set says \"hogelscopeCameras\": 1");
+  row("a later version", R"({"hogelscopeCameras": 2})",
+      "hogelscopeCameras: 2 is not a version that this program reads: 1");
+  row("unknown key", document(R"(, "pose": [])"),
+      "pose: is not known here; did you mean \"poses\"?");
+  row("unknown setting", document(R"(, "cameraSet": {"cuont": 3})"),
+      "cameraSet.cuont: is not known here; did you mean \"count\"?");
+  row("no states", document(R"(, "cameraSet": {"count": 0})"),
+      "cameraSet.count: 0 is out of range: 1 to 1e+05");
+  row("huge count", document(R"(, "cameraSet": {"count": 1e300})"),
+      "cameraSet.count: 1e+300 is out of range: 1 to 1e+05");
+  row("half a state", document(R"(, "cameraSet": {"count": 1.5})"),
+      "cameraSet.count: 1.5 is not a whole number");
+  row("not a number", document(R"(, "cameraRegion": {"jitter": "NaN"})"),
+      "cameraRegion.jitter: \"NaN\" is not a number");
+  row("distribution", document(R"(, "cameraRegion": {"distribution": "gauss"})"),
+      "cameraRegion.distribution: \"gauss\" is not one of uniform, random, normal");
+  row("behind the panel", document(R"(, "cameraRegion": {"centre": [0, 0, -1]})"),
+      "cameraRegion.centre: brings the region to the panel or behind it: its z must be above 0, "
+      "and above half the depth of a box");
+  row("reversed", document(R"(, "cameraRegion": {"distance": [2, 1]})"),
+      "cameraRegion.distance: ends before it begins: give [least, most]");
+  row("two sources", document(R"(, "poses": [)" + pose + R"(], "path": [)" + pose + "]"),
+      "path: is the second source of states: give one of mixture, poses, path");
+  row("no list", document(R"(, "poses": {})"), "poses: is not a list: [ { … }, … ]");
+  row("no poses", document(R"(, "poses": [])"), "poses: has 0 elements; allowed are 1 to 100000");
+  row("too many poses", document(R"(, "poses": [)" + twice("0", 100001) + "]"),
+      "poses: has 100001 elements; allowed are 1 to 100000");
+  row("one key pose", document(R"(, "path": [)" + pose + "]"),
+      "path: has 1 elements; allowed are 2 to 100000");
+  row("no eye", document(R"(, "poses": [{}])"), "poses[0].eye: is missing: [x, y, z] in metres");
+  row("eye in the panel", document(R"(, "poses": [{"eye": [0, 0, 0]}])"),
+      "poses[0].eye[2]: is not in front of the panel: z is above 0");
+  row("weight below 0", document(R"(, "poses": [{"eye": [0, 0, 1], "weight": -1}])"),
+      "poses[0].weight: -1 is out of range: 0 to 1e+06");
+  row("look-at sometimes",
+      document(R"(, "path": [)" + pose + R"(, {"eye": [1, 0, 1], "lookat": [0, 0, 0]}])"),
+      "path[1].lookat: is given, but path[0] has none; either all key poses have it or none");
+  row("look-at not always",
+      document(R"(, "path": [{"eye": [1, 0, 1], "lookat": [0, 0, 0]}, )" + pose + "]"),
+      "path[1].lookat: is missing: path[0] has one; either all key poses have it or none");
+  row("no weight at all", document(R"(, "mixture": [{"weight": 0}])"),
+      "mixture: has no part with a weight above 0");
+  row("part's weight", document(R"(, "mixture": [{}, {"weight": "a"}])"),
+      "mixture[1].weight: \"a\" is not a number");
+  row("part's region", document(R"(, "mixture": [{"cameraRegion": {"angle": [3, 2]}}])"),
+      "mixture[0].cameraRegion.angle: ends before it begins: give [least, most]");
+  row("part's count", document(R"(, "mixture": [{"count": 3}])"),
+      "mixture[0].count: is not known here; known are weight, cameraRegion");
+}
+
+void TestCameraSetFile::badDocuments() {
+  QFETCH(const QByteArray, text);
+  QFETCH(const QString, line);
+  writeFile("c.json", text);
+  QCOMPARE(errorOf([] { (void)loadCameraSet("c.json"); }), line);
+}
+
+void TestCameraSetFile::badTraces_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<QString>("line");
+  const auto row = [](const char* name, const QByteArray& text, const char* line) {
+    QTest::newRow(name) << text << QString("t.csv: ") + line;
+  };
+  const char* few = " point(s): a trace has two at least, lines of time, x, y[, z]";
+  row("empty", "", (QByteArray("has 0") + few).constData());
+  row("names only", "time,x,y\n", (QByteArray("has 0") + few).constData());
+  row("one point", "0,0,0\n", (QByteArray("has 1") + few).constData());
+  row("other names", "t,x,y\n", "line 1: \"t,x,y\" is not time, x, y or time, x, y, z");
+  row("two columns", "0,1\n", "line 1: \"0,1\" is not time, x, y or time, x, y, z");
+  row("semicolons", "0;1;2\n", "line 1: \"0;1;2\" is not time, x, y or time, x, y, z");
+  row("five columns", "time,x,y,z,w\n",
+      "line 1: \"time,x,y,z,w\" is not time, x, y or time, x, y, z");
+  row("truncated", "time,x,y,z\n0,0,0,1\n1,0,0", "line 3: has 3 cells, the first line has 4");
+  row("no number", "time,x,y\n0,0,a\n", "line 2: y \"a\" is not a number from -10000 to 10000 m");
+  row("NaN", "0,0,0\nnan,0,0\n", "line 2: time \"nan\" is not a number from -1e12 to 1e12 s");
+  row("infinite", "0,0,0\n1,-inf,0\n", "line 2: x \"-inf\" is not a number from -10000 to 10000 m");
+  row("empty cell", "0,0,0\n1,,0\n", "line 2: x \"\" is not a number from -10000 to 10000 m");
+  row("behind", "0,0,0,1\n1,0,0,-0.5\n",
+      "line 2: z \"-0.5\" is not above 0, in front of the panel");
+  row("back in time", "1,0,0\n\n0.5,0,0\n",
+      "line 3: time \"0.5\" is not after that of the line before");
+  row("the same time", "1,0,0\n1,0,0\n", "line 2: time \"1\" is not after that of the line before");
+  row("binary", QByteArray("\x89PNG\r\n\x1a\n\0\0", 10),
+      "line 1: \"?PNG\" is not time, x, y or time, x, y, z");
+}
+
+void TestCameraSetFile::badTraces() {
+  QFETCH(const QByteArray, text);
+  QFETCH(const QString, line);
+  writeFile("t.csv", text);
+  QCOMPARE(errorOf([] { (void)loadCameraSet("t.csv"); }), line);
+}
+
+void TestCameraSetFile::badOverrides() {
+  const auto refusal = [](const char* what, const char* override) {
+    return errorOf([&] { (void)loadCameraSet(what, {override}); });
+  };
+  QCOMPARE(refusal("uniform", "cameraSet.count=lots"),
+           QString("--make-cameras: cameraSet.count: \"lots\" is not a number"));
+  QCOMPARE(refusal("uniform", "psf.sigma=1"),
+           QString("--make-cameras: --set psf.sigma=1: there is no section \"psf\" in a camera "
+                   "set: cameraSet, cameraRegion"));
+  QCOMPARE(refusal("grid", "cameraSet.count=1"),
+           QString("--make-cameras: \"grid\" is not one of uniform, random, normal, nor a "
+                   "FILE.json or FILE.csv"));
+  QVERIFY(refusal("none.json", "cameraSet.count=1").startsWith("none.json: cannot be read: "));
+  QVERIFY(refusal("none.csv", "cameraSet.count=1").startsWith("none.csv: cannot be read: "));
+}
+
+QTEST_APPLESS_MAIN(TestCameraSetFile)
+#include "test_camera_set_file.moc"
