@@ -77,10 +77,11 @@ void TestStabilityJob::mistakes_data() {
   QTest::addColumn<QByteArray>("line");
   QTest::newRow("no output") << QStringList{"--stability"}
                              << QByteArray("--output: is missing: name where the results go");
-  QTest::newRow("two jobs") << stability({"--render"})
-                            << QByteArray(
-                                   "command line: asks for two jobs at once; give one of --render, "
-                                   "--report, --generate, --tradeoff, --stability, --info");
+  QTest::newRow("two jobs")
+      << stability({"--render"})
+      << QByteArray(
+             "command line: asks for two jobs at once; give one of --render, "
+             "--report, --make-cameras, --generate, --tradeoff, --stability, --info");
   QTest::newRow("a file alone")
       << stability({"s.json"})
       << QByteArray(
@@ -92,11 +93,11 @@ void TestStabilityJob::mistakes_data() {
                                  << QByteArray(
                                         "--calibrations: belongs to --stability; the cameras of "
                                         "other jobs change by --calibration FILE");
-  QTest::newRow("no job")
-      << QStringList{"--calibrations", "l.json"}
-      << QByteArray(
-             "command line: has settings but no job; give one of --render, "
-             "--report, --generate, --tradeoff, --stability, or only a session to open it");
+  QTest::newRow("no job") << QStringList{"--calibrations", "l.json"}
+                          << QByteArray(
+                                 "command line: has settings but no job; give one of --render, "
+                                 "--report, --make-cameras, --generate, --tradeoff, --stability, "
+                                 "or only a session to open it");
   QTest::newRow("a session") << stability({"--session", "s.json"})
                              << QByteArray(
                                     "--session: is not for --stability, whose lenses are its own "
