@@ -23,4 +23,8 @@ void describe(ParameterVisitor& v, SamplingParams& p) {
           "RMS error up to which a cheaper way to the picture is taken; 0: none.");
 }
 
+std::string_view nameOf(Reconstruction reconstruction) {
+  return reconstructionNames[static_cast<std::size_t>(reconstruction)];
+}
+
 }  // namespace hogelscope

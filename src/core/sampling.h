@@ -19,4 +19,7 @@ struct SamplingParams {
 
 void describe(ParameterVisitor& v, SamplingParams& p);
 
+/// As documents write it.
+std::string_view nameOf(Reconstruction reconstruction);
+
 }  // namespace hogelscope

@@ -246,7 +246,6 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
 
 std::string text(const Choice& choice) {
   if (choice.pixels == 0) return "nothing is cheaper";
-  constexpr std::array names{"nearest", "bilinear", "quadrilinear"};
   const SamplingParams& sampling = choice.view.sampling;
   const Plan made = plan(choice.view);
   std::array<char, 300> line{};
@@ -254,8 +253,8 @@ std::string text(const Choice& choice) {
       line.data(), line.size(),
       "%s, %d×%d rays a pixel, %d tap(s), %s; RMS error %.3g code values over a probe of %d "
       "pixels, at most %.3g with 99 %% confidence",
-      names[static_cast<std::size_t>(sampling.reconstruction)], sampling.samplesPerPixel,
-      sampling.samplesPerPixel, (2 * made.psfReach + 1) * (2 * made.psfReach + 1),
+      nameOf(sampling.reconstruction).data(), sampling.samplesPerPixel, sampling.samplesPerPixel,
+      (2 * made.psfReach + 1) * (2 * made.psfReach + 1),
       choice.view.method.scale == 1   ? "full size"
       : choice.view.method.scale == 2 ? "half size, scaled up"
                                       : "quarter size, scaled up",

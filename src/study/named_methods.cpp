@@ -20,9 +20,9 @@ NamedMethod lens(const std::string& name, LensInverse inverse, int steps) {
 }
 
 NamedMethod rays(Reconstruction how, int samples) {
-  const char* name = how == nearest ? "nearest" : how == bilinear ? "bilinear" : "quadrilinear";
+  const std::string name(nameOf(how));
   const std::string n = std::to_string(samples);
-  return {samples == 1 ? name : name + (" " + n + "×" + n), how, samples};
+  return {samples == 1 ? name : name + " " + n + "×" + n, how, samples};
 }
 
 }  // namespace

@@ -118,12 +118,11 @@ std::string lensName(const NamedMethod& method) {
 }
 
 TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
-  constexpr std::array names{"nearest", "bilinear", "quadrilinear"};
   const double dropped = method.method.droppedTaps;
   TradeoffRow row;
   row.method = method.name;
   row.lens = lensName(method);
-  row.reconstruction = names[std::size_t(method.reconstruction)];
+  row.reconstruction = nameOf(method.reconstruction);
   row.psf = std::isinf(dropped) ? "off" : dropped > Method{}.droppedTaps ? "truncated" : "full";
   row.samples = method.samplesPerPixel;
   row.scale = method.method.scale;

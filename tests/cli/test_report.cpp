@@ -61,6 +61,7 @@ class TestReport : public QObject {
   void pictures();
   void page();
   void summary();
+  void toleranceIsLeftAside();
   void gate_data();
   void gate();
   void badTestsAreToldFirst_data();
@@ -224,6 +225,14 @@ void TestReport::summary() {
   QVERIFY2(out.contains("identical views           1 of 3\n"), outcome.out);
   const Outcome quiet = report({"--test", "b.png", "--quiet"});
   QCOMPARE(quiet.out + quiet.err, QByteArray());
+}
+
+/// Differences must be the light fields', not those of two methods.
+void TestReport::toleranceIsLeftAside() {
+  QCOMPARE(report({"--test", "b.png"}).status, 0);
+  const QByteArray expected = contentOf("out/report.csv");
+  QCOMPARE(report({"--test", "b.png", "--set", "sampling.tolerance=60"}).status, 0);
+  QCOMPARE(contentOf("out/report.csv"), expected);
 }
 
 void TestReport::gate_data() {

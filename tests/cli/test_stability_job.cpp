@@ -98,6 +98,13 @@ void TestStabilityJob::mistakes_data() {
                                  "command line: has settings but no job; give one of --render, "
                                  "--report, --make-cameras, --generate, --tradeoff, --stability, "
                                  "or only a session to open it");
+  for (const QStringList& flag :
+       {QStringList{"--set", "psf.sigma=1"}, {"--states", "a"}, {"--calibration", "k.yml"}})
+    QTest::newRow(qPrintable("not for it: " + flag[0]))
+        << stability(flag)
+        << QByteArray(
+               "--stability: has no states: --calibration, --set and --states are not for it; "
+               "lenses come from --calibrations FILE");
   QTest::newRow("a session") << stability({"--session", "s.json"})
                              << QByteArray(
                                     "--session: is not for --stability, whose lenses are its own "

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/camera_set.h"
-#include "core/error.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 
@@ -121,15 +121,6 @@ Session sampleSession() {
   state.psf = {1.5, 5};
   session.cameras.push_back(state);
   return session;
-}
-
-QString errorOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 bool near(const Vec3& a, const Vec3& b, double tolerance) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the rules that join a session's fields, with their messages.
 #include <QTest>
+#include <cmath>
 #include <functional>
 
-#include "core/error.h"
 #include "core/session.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 
@@ -26,16 +27,6 @@ Session goodSession() {
   session.display.directions = {5, 6};
   session.cameras = {state("left"), state("right")};
   return session;
-}
-
-/// What `action` throws, as main() prints it; "" if nothing.
-QString errorOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 }  // namespace
@@ -75,6 +66,15 @@ void TestSession::badSession_data() {
   const auto row = [](const char* name, const Change& change, const char* message) {
     QTest::newRow(name) << change << QString(message);
   };
+  row(
+      "a focal length of 0", [](Session& s) { s.cameras[0].intrinsics.fx = 0; },
+      "cameras[0].intrinsics.fx: and fy are focal lengths, above 0 px");
+  row(
+      "a focal length that is no number",
+      [](Session& s) {
+        s.cameras[0].intrinsics = {5, NAN};
+      },
+      "cameras[0].intrinsics.fx: and fy are focal lengths, above 0 px");
   row(
       "no file", [](Session& s) { s.lightField.file = ""; },
       "lightField.file: is missing: name the image or folder to show");

@@ -174,6 +174,14 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!message().contains("method"), 20000);
     QVERIFY(!equals(view(), expected));
     QVERIFY(equals(view(), exact));
+
+    // Another session: neither the chart nor the method is its own.
+    QTest::mouseClick(chart, Qt::LeftButton, {}, name.center().toPoint());
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("method: half size"), 20000);
+    waitForSample();
+    QVERIFY(chart->chart().rows().empty());
+    QVERIFY(!m_window->findChild<QPushButton*>("ownMethodButton")->isEnabled());
+    QVERIFY(!message().contains("method"));
   }
 
   void theStatesMenuDoesWhatItSays() {
