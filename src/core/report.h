@@ -16,8 +16,9 @@ struct ReportRow {
   std::string state;
   std::string test;
   Metrics metrics;
-  Vec3 eye;           ///< in the world, metres
-  double weight = 1;  ///< in the weighted means, 0 or more
+  Vec3 eye;               ///< in the world, metres
+  double weight = 1;      ///< in the weighted means, 0 or more
+  std::string problem{};  ///< why there is nothing to compare; "" if there is
 };
 
 /// Averages are named, never mixed (DESIGN §2). Infinite PSNRs do not count in means of PSNRs, and
