@@ -32,25 +32,6 @@ void savePicture(const fs::path& folder, const std::string& name, const Image& i
   writeImage(folder / (name + ".png"), image.width, image.height, image.rgb);
 }
 
-/// A test light field, in the place of the session's own.
-Session testSession(const Session& session, const std::string& test) {
-  Session result = session;
-  if (isSessionFile(test)) {
-    const Session other = loadSession(test);
-    result.display = other.display;
-    result.lightField = other.lightField;
-  } else {
-    const bool isFolder = fs::is_directory(test);
-    if (isFolder != (session.lightField.layout == Layout::views)) {
-      result.lightField = {};  // the session's own layout says nothing about it
-      result.lightField.layout = isFolder ? Layout::views : Layout::hogels;
-    }
-    result.lightField.file = test;
-    check(result);
-  }
-  return result;
-}
-
 std::vector<Image> renderAll(const Session& session, const Options& options,
                              const Progress& progress) {
   const Scene scene = loadScene(session, part(progress, 0, 0.3));
@@ -83,7 +64,7 @@ std::vector<ReportRow> compareAll(const Session& session, const Options& options
   std::vector<ReportRow> rows(references.size() * options.tests.size());
   for (std::size_t t = 0; t < options.tests.size(); ++t) {
     const double from = share * double(t + 1);
-    const std::vector<Image> images = renderAll(testSession(session, options.tests[t]), options,
+    const std::vector<Image> images = renderAll(withLightField(session, options.tests[t]), options,
                                                 part(progress, from, from + share));
     if (options.images) saveAll(folder / ("test" + std::to_string(t + 1)), session, images);
     for (std::size_t k = 0; k < images.size(); ++k) {
@@ -128,7 +109,7 @@ int gate(const std::vector<ReportRow>& rows, const Options& options) {
 std::vector<TestSize> checkTests(const Session& session, const Options& options) {
   std::vector<TestSize> sizes;
   for (const std::string& test : options.tests) {
-    const Session other = testSession(session, test);
+    const Session other = withLightField(session, test);
     const LightFieldSize size = openLightField(other.lightField, other.display)->size();
     sizes.push_back(
         {test, other.lightField.file, double(size.nx) * size.ny * double(size.du) * size.dv});

@@ -212,4 +212,22 @@ bool isSessionFile(const fs::path& file) {
   return extension == ".json";
 }
 
+Session withLightField(const Session& session, const std::string& file) {
+  Session result = session;
+  if (isSessionFile(file)) {
+    const Session other = loadSession(file);
+    result.display = other.display;
+    result.lightField = other.lightField;
+  } else {
+    const bool isFolder = fs::is_directory(file);
+    if (isFolder != (session.lightField.layout == Layout::views)) {
+      result.lightField = {};  // the session's own layout says nothing about it
+      result.lightField.layout = isFolder ? Layout::views : Layout::hogels;
+    }
+    result.lightField.file = file;
+    check(result);
+  }
+  return result;
+}
+
 }  // namespace hogelscope

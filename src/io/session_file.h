@@ -33,4 +33,8 @@ void appendStates(const std::filesystem::path& file, const std::vector<CameraSta
 /// Is it a session document, by its name?
 bool isSessionFile(const std::filesystem::path& file);
 
+/// Another light field in the place of the session's own, for comparing: an image, a folder of
+/// views, or a session, whose display comes with it. Throws InputError.
+Session withLightField(const Session& session, const std::string& file);
+
 }  // namespace hogelscope
