@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Reads every #include under src and checks the layers of DESIGN §4: core knows nobody; io and vtk
-# know core, not each other; study knows core and vtk, chart core and study; cli and gui know all of
-# them, not each other; only gui knows widgets.
+# know core, not each other; study knows core and vtk, chart core and study, report core, io and vtk;
+# cli and gui know all of them, not each other; only gui knows widgets.
 # Run as: cmake -D SOURCE=<repository> -P check_layers.cmake
 
 set(core_allowed "^core/")
@@ -9,19 +9,21 @@ set(io_allowed "^(core|io)/")
 set(vtk_allowed "^core/")
 set(study_allowed "^(core|vtk|study)/")
 set(chart_allowed "^(core|study|chart)/")
-set(cli_allowed "^(core|io|vtk|study|chart|cli)/")
-set(gui_allowed "^(core|io|vtk|study|chart|gui)/")
+set(report_allowed "^(core|io|vtk|report)/")
+set(cli_allowed "^(core|io|vtk|study|chart|report|cli)/")
+set(gui_allowed "^(core|io|vtk|study|chart|report|gui)/")
 set(foreign_core "^(Q[A-Z]|vtk|opencv|OpenImageIO|nlohmann)")
 set(foreign_io "^(Q[A-Z]|vtk)")
 set(foreign_vtk "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)")
 set(foreign_study "^(Q[A-Z]|OpenImageIO|nlohmann)")
 set(foreign_chart "^(vtk|opencv|OpenImageIO|nlohmann)")
+set(foreign_report "^(opencv|OpenImageIO|nlohmann)")
 set(foreign_cli "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)")
 set(foreign_gui "^(opencv|OpenImageIO|nlohmann)")
 
 set(bad "")
 set(checked 0)
-foreach(layer core io vtk study chart cli gui)
+foreach(layer core io vtk study chart report cli gui)
   file(GLOB_RECURSE files ${SOURCE}/src/${layer}/*)
   foreach(file ${files})
     if(NOT file MATCHES "\\.(h|cpp|cxx)$")
@@ -31,7 +33,7 @@ foreach(layer core io vtk study chart cli gui)
     foreach(line ${includes})
       string(REGEX REPLACE ".*[<\"](.*)[>\"].*" "\\1" header "${line}")
       math(EXPR checked "${checked} + 1")
-      if(header MATCHES "^(core|io|vtk|study|chart|cli|gui)/" AND NOT header MATCHES "${${layer}_allowed}")
+      if(header MATCHES "^(core|io|vtk|study|chart|report|cli|gui)/" AND NOT header MATCHES "${${layer}_allowed}")
         list(APPEND bad "${file}: ${header}")
       endif()
       if(header MATCHES "${foreign_${layer}}")

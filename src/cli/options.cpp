@@ -249,10 +249,22 @@ std::string flagTable(const std::vector<Flag>& flags) {
   return text;
 }
 
+/// As one word of a shell's command line.
+std::string quoted(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
 
 Options parseOptions(const std::vector<std::string>& arguments) {
   Options options;
+  options.commandLine = "hogelscope";
+  for (const std::string& word : arguments) options.commandLine += " " + quoted(word);
   for (auto at = arguments.begin(); at != arguments.end(); ++at) {
     if (!at->starts_with("-") || *at == "-") {
       options.files.push_back(*at);

@@ -23,6 +23,7 @@ enum class Command {
 
 struct Options {
   Command command = Command::window;
+  std::string commandLine;  ///< as a shell would take it
   std::string session;
   std::string output;
   std::string calibration;

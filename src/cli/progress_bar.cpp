@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar on a terminal, and Ctrl-C as a clean stop.
+// A progress bar with the time left on a terminal, and Ctrl-C as a clean stop.
 #include "cli/progress_bar.h"
 
 #include <unistd.h>
 
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
@@ -39,19 +41,37 @@ Progress ProgressBar::progress() {
   };
 }
 
+std::string timeLeft(double secondsSoFar, double done) {
+  constexpr double least = 2;  // seconds before a guess is worth showing
+  if (secondsSoFar < least || done <= 0.01 || done >= 1) return {};
+  const auto seconds = std::llround(secondsSoFar * (1 - done) / done);
+  std::array<char, 40> text{};
+  if (seconds >= 3600)
+    std::snprintf(text.data(), text.size(), "%lld:%02lld:%02lld left", seconds / 3600,
+                  seconds / 60 % 60, seconds % 60);
+  else
+    std::snprintf(text.data(), text.size(), "%lld:%02lld left", seconds / 60, seconds % 60);
+  return text.data();
+}
+
 void ProgressBar::draw(double fraction) {
+  if (!m_isShown) return;
+  const auto elapsed = std::chrono::steady_clock::now() - m_start;
   const int percent = static_cast<int>(100 * fraction);
-  if (!m_isShown || percent == m_percent) return;
-  m_percent = percent;
   constexpr int width = 40;
-  const int filled = width * percent / 100;
-  std::fprintf(stderr, "\r%s [%.*s%*s] %d %%", m_what.c_str(), filled,
-               "########################################", width - filled, "", percent);
+  const auto filled = static_cast<std::size_t>(width * percent / 100);
+  const std::string line = m_what + " [" + std::string(filled, '#') +
+                           std::string(width - filled, ' ') + "] " + std::to_string(percent) +
+                           " % " +
+                           timeLeft(std::chrono::duration<double>(elapsed).count(), fraction);
+  if (line == m_line) return;
+  m_line = line;
+  std::fprintf(stderr, "\r%s\033[K", line.c_str());
   std::fflush(stderr);
 }
 
 void ProgressBar::done() {
-  if (m_isShown && m_percent >= 0) std::fputs("\r\033[K", stderr);
+  if (!m_line.empty()) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace hogelscope

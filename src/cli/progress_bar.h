@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar on a terminal, and Ctrl-C as a clean stop.
+// A progress bar with the time left on a terminal, and Ctrl-C as a clean stop.
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "core/progress.h"
@@ -23,8 +24,12 @@ class ProgressBar {
 
   std::string m_what;
   bool m_isShown;
-  int m_percent = -1;
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+  std::string m_line;
 };
+
+/// "2:05 left"; "" where too little is done to say.
+std::string timeLeft(double secondsSoFar, double done);
 
 /// From now on SIGINT and SIGTERM make every Progress say stop; a second one ends at once.
 void catchSignals();

@@ -3,6 +3,7 @@
 #include "core/fast_simulation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -252,16 +253,27 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
     rgb[k] = static_cast<float>(encodedFromLinear(double(rgb[k])));
 }
 
-Image simulateFast(const View& view) {
-  LensTables tables;
-  const FastSimulation simulation(view, tables, serialRows);
+Image simulateFast(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                   const Progress& progress) {
+  const FastSimulation simulation(view, tables, parallelRows);
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    const std::size_t first = std::size_t(y) * std::size_t(width);
-    simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
-  }
+  std::atomic<bool> stops = false;  // what runs in parallel must not throw
+  std::atomic<int> done = 0;
+  parallelRows(height, [&, width = width, height = height](int begin, int end) {
+    for (int y = begin; y < end && !stops; ++y) {
+      const std::size_t first = std::size_t(y) * std::size_t(width);
+      simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
+      if (progress && !progress(double(++done) / height)) stops = true;
+    }
+  });
+  if (stops) throw Cancelled();
   return image;
+}
+
+Image simulateFast(const View& view) {
+  LensTables tables;
+  return simulateFast(view, tables);
 }
 
 }  // namespace hogelscope

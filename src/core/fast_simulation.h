@@ -11,6 +11,7 @@
 #include "core/display.h"
 #include "core/lens_table.h"
 #include "core/plan.h"
+#include "core/progress.h"
 #include "core/row_kernels.h"
 #include "core/simulate.h"
 #include "core/tap_sum.h"
@@ -55,7 +56,11 @@ class FastSimulation {
   std::optional<TapSum> m_taps;
 };
 
-/// The whole picture by the fast engine, on the calling thread.
+/// The whole picture by the fast engine. `progress` hears of rows, from all threads; it may say
+/// stop. Throws InputError, Cancelled.
+Image simulateFast(const View& view, LensTables& tables,
+                   const ParallelRows& parallelRows = serialRows, const Progress& progress = {});
+/// On the calling thread.
 Image simulateFast(const View& view);
 
 }  // namespace hogelscope

@@ -21,6 +21,9 @@ struct ReportRow {
   std::string problem{};  ///< why there is nothing to compare; "" if there is
 };
 
+/// A `problem`: neither picture sees the display.
+inline constexpr const char* seesNothing = "sees nothing of the display";
+
 /// Averages are named, never mixed (DESIGN §2). Infinite PSNRs do not count in means of PSNRs, and
 /// what is not a number counts nowhere. Means of nothing are not numbers.
 struct ReportMeans {

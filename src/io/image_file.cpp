@@ -318,6 +318,29 @@ void writeImage(const fs::path& file, int width, int height, std::span<const flo
   writeWhole(file, OIIO::ImageSpec(width, height, 3, type), std::span<const float>(unit));
 }
 
+std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto image = OIIO::ImageOutput::create("png");
+  if (!image || !image->set_ioproxy(&memory) ||
+      !image->open("memory.png", OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) ||
+      !image->write_image(OIIO::TypeDesc::UINT8, rgb.data()) || !image->close())
+    throw InputError("PNG", "cannot be made", image ? image->geterror() : "is not known here");
+  return {bytes.begin(), bytes.end()};
+}
+
+void writePlanes(const fs::path& file, int width, int height,
+                 const std::vector<std::pair<std::string, std::vector<float>>>& planes) {
+  OIIO::ImageSpec spec(width, height, int(planes.size()), OIIO::TypeDesc::FLOAT);
+  std::vector<float> values(planes.size() * std::size_t(width) * std::size_t(height));
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    spec.channelnames[k] = planes[k].first;
+    for (std::size_t at = 0; at < planes[k].second.size(); ++at)
+      values[at * planes.size() + k] = planes[k].second[at];
+  }
+  writeWhole(file, spec, std::span<const float>(values));
+}
+
 void writeMask(const fs::path& file, int width, int height, std::span<const std::uint8_t> grey) {
   writeWhole(file, OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::UINT8), grey);
 }

@@ -7,6 +7,8 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/image.h"
 #include "core/light_field.h"
@@ -50,6 +52,11 @@ void checkFits(std::size_t bytes, const std::filesystem::path& file);
 /// 8-bit RGB. Format by extension.
 void writeImage(const std::filesystem::path& file, int width, int height,
                 std::span<const std::uint8_t> rgb);
+/// The same as a PNG file's bytes.
+std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb);
+/// Named planes of width·height floats each; EXR.
+void writePlanes(const std::filesystem::path& file, int width, int height,
+                 const std::vector<std::pair<std::string, std::vector<float>>>& planes);
 /// Code values: EXR keeps them as floats /255, TIFF rounds them to 16 bits.
 void writeImage(const std::filesystem::path& file, int width, int height,
                 std::span<const float> rgb);

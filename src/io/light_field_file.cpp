@@ -72,6 +72,7 @@ class HogelImage : public LightFieldFile {
   }
 
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
+  [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
     LightField lightField = blank(m_size, m_image.type(), m_params.file);
@@ -98,6 +99,7 @@ class ViewsFolder : public LightFieldFile {
   }
 
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
+  [[nodiscard]] std::vector<fs::path> files() const override { return m_views.files; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
     LightField lightField = blank(m_size, m_type, m_params.file);
@@ -158,6 +160,7 @@ class QuiltImage : public LightFieldFile {
   }
 
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
+  [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
     LightField lightField = blank(m_size, m_image.type(), m_params.file);

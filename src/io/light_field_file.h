@@ -2,7 +2,9 @@
 // Light field files: any layout of DESIGN §3 becomes a LightField in memory.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "core/display.h"
 #include "core/light_field.h"
@@ -16,6 +18,7 @@ class LightFieldFile {
  public:
   virtual ~LightFieldFile() = default;
   [[nodiscard]] virtual LightFieldSize size() const = 0;
+  [[nodiscard]] virtual std::vector<std::filesystem::path> files() const = 0;
   /// Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 };

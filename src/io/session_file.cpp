@@ -153,21 +153,29 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
   }
 }
 
-void saveSession(const fs::path& file, const Session& session) {
+std::string textOf(const Session& session) {
   Json document = Json::object();
   document["hogelscope"] = documentVersion;
   document["display"] = written(session.display);
-  LightFieldParams lightField = session.lightField;
-  lightField.file = relativeTo(file, lightField.file);
-  document["lightField"] = written(lightField);
+  document["lightField"] = written(session.lightField);
   document["sampling"] = written(session.sampling);
   document["cameras"] = Json::array();
   for (const CameraState& state : session.cameras)
     document["cameras"].push_back(writtenState(state));
   try {
-    writeTextFile(file, formatJson(document));
+    return formatJson(document);
   } catch (const Json::exception&) {
-    throw InputError(file.string(), "cannot be written", "a name in it is not UTF-8");
+    throw InputError("document", "a name in it is not UTF-8");
+  }
+}
+
+void saveSession(const fs::path& file, const Session& session) {
+  Session moved = session;
+  moved.lightField.file = relativeTo(file, session.lightField.file);
+  try {
+    writeTextFile(file, textOf(moved));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
   }
 }
 

@@ -19,6 +19,9 @@ Session loadSession(const std::filesystem::path& file,
                     const std::vector<std::string>& overrides = {},
                     const std::optional<Calibration>& calibration = {});
 
+/// The document, with the light field's file as it is.
+std::string textOf(const Session& session);
+
 /// The light field's file is written relative to the document. Throws InputError.
 void saveSession(const std::filesystem::path& file, const Session& session);
 

@@ -18,6 +18,11 @@ void parallelRows(int count, const std::function<void(int, int)>& rows)
     { rows(static_cast<int>(begin), static_cast<int>(end)); });
 }
 
+int threadCount()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
 void setThreads(int count)
 {
   // More threads than cores gain nothing, and TBB complains or ends the process.

@@ -10,6 +10,9 @@ namespace hogelscope
 /// Calls `rows(begin, end)` over [0, count) from several threads. `rows` must not throw.
 void parallelRows(int count, const std::function<void(int, int)>& rows);
 
+/// How many threads work.
+int threadCount();
+
 /// How many threads work from now on, in the whole process; 0 = all.
 void setThreads(int count);
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A test's error projected onto the panel.
+#include "report/panel_projection.h"
+
+#include "io/panel_error_file.h"
+
+namespace hogelscope {
+
+PanelProjection::PanelProjection(std::filesystem::path file, std::string key,
+                                 const LightFieldSize& size)
+    : m_file(std::move(file)), m_key(std::move(key)), m_error(size) {
+  if (auto saved = loadPanelError(m_file, m_key, size)) {
+    m_states = std::move(saved->states);
+    m_error = std::move(saved->error);
+  }
+}
+
+void PanelProjection::add(std::size_t state, std::size_t worker, const ViewPair& pair,
+                          ViewPairs& pairs) {
+  constexpr std::chrono::seconds pause{5};  // what kill -9 may cost: the states since then, again
+  const std::lock_guard lock(m_mutex);
+  if (pair.problem.empty())
+    m_error.add(pairs.view(state), pairs.tables(worker), pairs.rowsWithin(), pair.reference,
+                pair.test);
+  m_states.insert(state);
+  if (std::chrono::steady_clock::now() - m_saved > pause) save();
+}
+
+void PanelProjection::save() {
+  savePanelError(m_file, m_key, {m_states, m_error});
+  m_saved = std::chrono::steady_clock::now();
+}
+
+void PanelProjection::remove() {
+  std::error_code ignored;
+  std::filesystem::remove(m_file, ignored);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A test's error projected onto the panel, over the states so far; kept on disk for going on later.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+#include "core/panel_error.h"
+#include "report/view_pairs.h"
+
+namespace hogelscope {
+
+class PanelProjection {
+ public:
+  /// Takes up what an earlier run with the same `key` left in `file`.
+  PanelProjection(std::filesystem::path file, std::string key, const LightFieldSize& size);
+
+  [[nodiscard]] bool has(std::size_t state) const { return m_states.contains(state); }
+  [[nodiscard]] const PanelError& error() const { return m_error; }
+  /// From several threads. Saves every few seconds. Throws InputError (full disk).
+  void add(std::size_t state, std::size_t worker, const ViewPair& pair, ViewPairs& pairs);
+  void save();
+  /// The report is written: the file is not needed any more.
+  void remove();
+
+ private:
+  std::filesystem::path m_file;
+  std::string m_key;
+  std::mutex m_mutex;
+  std::set<std::size_t> m_states;
+  PanelError m_error;
+  std::chrono::steady_clock::time_point m_saved = std::chrono::steady_clock::now();
+};
+
+}  // namespace hogelscope

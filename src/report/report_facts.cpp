@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What was tested.
+#include "report/report_facts.h"
+
+#include <QDateTime>
+
+#include "core/sampling.h"
+#include "io/session_file.h"
+#include "report/file_hash.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string pixels(int x, int y) {
+  return std::to_string(x) + "×" + std::to_string(y);
+}
+
+/// "scene.png, 64×64 hogels of 32×32 directions, SHA-256 …".
+std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
+                      const std::string& hash) {
+  return lightField.file + ", " + pixels(size.nx, size.ny) + " hogels of " +
+         pixels(size.du, size.dv) + " directions, SHA-256 " + hash;
+}
+
+std::string described(const SamplingParams& sampling) {
+  const int n = sampling.samplesPerPixel;
+  return std::string(nameOf(sampling.reconstruction)) + ", " + pixels(n, n) +
+         (n == 1 ? " ray" : " rays") + " a pixel, " +
+         (sampling.mapping == LensMapping::exact ? "exact" : "direct") + " lens mapping";
+}
+
+std::string versions() {
+  return "Hogelscope " HOGELSCOPE_VERSION ", Qt " + std::string(qVersion());
+}
+
+}  // namespace
+
+ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
+  const Session& session = request.session;
+  ReportFacts facts;
+  std::string all = versions() + textOf(session) + (request.images ? "images" : "");
+  const auto line = [&](const std::string& name, const std::string& value) {
+    facts.lines.push_back({name, value});
+  };
+  const auto lightField = [&](const std::string& name, const Session& of) {
+    const auto file = openLightField(of.lightField, of.display);
+    const std::string hash = sha256(file->files(), progress);
+    line(name, described(of.lightField, file->size(), hash));
+    all += hash;
+  };
+  if (!request.sessionFile.empty())
+    line("Session", request.sessionFile + ", SHA-256 " +
+                        sha256(std::vector<std::filesystem::path>{request.sessionFile}, progress));
+  lightField("Light field", session);
+  for (const ReportTest& test : request.tests) {
+    lightField(request.tests.size() == 1 ? "Test light field" : "Test " + test.name, test.session);
+    Session other = test.session;
+    other.cameras.clear();
+    all += textOf(other);
+  }
+  line("Camera states", std::to_string(session.cameras.size()));
+  line("Sampling", described(session.sampling));
+  line("Program", versions());
+  line("Command", request.command);
+  line("Made", QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd HH:mm 'UTC'").toStdString());
+  facts.key = sha256(all);
+  return facts;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What was tested, for the report's page; and the key by which a run knows its own unfinished work.
+#pragma once
+
+#include "core/report_page.h"
+#include "report/report_run.h"
+
+namespace hogelscope {
+
+struct ReportFacts {
+  std::vector<ReportFact> lines;
+  /// The same for the same program, states, settings and contents of the light fields.
+  std::string key;
+};
+
+/// Reads all light fields' files for their hashes. Throws InputError, Cancelled.
+ReportFacts factsOf(const ReportRequest& request, const Progress& progress);
+
+}  // namespace hogelscope

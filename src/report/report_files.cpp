@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a report.
+#include "report/report_files.h"
+
+#include "core/difference.h"
+#include "io/atomic_file.h"
+#include "io/image_file.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string pngOf(const Image& image) {
+  return encodedPng(image.width, image.height, image.rgb);
+}
+
+void writePng(const fs::path& file, const Image& image) {
+  writeImage(file, image.width, image.height, image.rgb);
+}
+
+void writeCells(const fs::path& file, int width, int height,
+                const std::vector<PanelError::Cell>& cells) {
+  writePlanes(file, width, height, {{"mse", meanSquares(cells)}, {"pixels", pixelCounts(cells)}});
+}
+
+}  // namespace
+
+void writeTables(const fs::path& folder, const Report& report) {
+  writeTextFile(folder / "report.csv", csv(report.rows));
+  writeTextFile(folder / "metrics.csv", metricsCsv(report.rows));
+  writeTextFile(folder / "summary.csv", summaryCsv(report.summaries));
+  if (!report.comparisons.empty()) writeTextFile(folder / "bd.csv", bdCsv(report.comparisons));
+}
+
+void writePictures(const fs::path& folder, std::size_t test, const std::string& state,
+                   const ViewPair& pair) {
+  const fs::path reference = folder / "reference" / (state + ".png");
+  const fs::path own = folder / ("test" + std::to_string(test + 1)) / (state + ".png");
+  makeFolder(reference.parent_path());
+  makeFolder(own.parent_path());
+  if (test == 0) writePng(reference, pair.reference);
+  writePng(own, pair.test);
+}
+
+ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std::string& name,
+                            const PanelError& error, const DisplayParams& display) {
+  const std::string prefix =
+      (folder / "panel_error" / ("test" + std::to_string(test + 1))).string();
+  makeFolder(folder / "panel_error");
+  const LightFieldSize& size = error.size();
+  const Image hogels = hogelPicture(error, display);
+  const Image directions = directionPicture(error, display);
+  writeCells(prefix + "_hogels.exr", size.nx, size.ny, error.hogels());
+  writeCells(prefix + "_directions.exr", size.du, size.dv, error.directions());
+  writePng(prefix + "_hogels.png", hogels);
+  writePng(prefix + "_directions.png", directions);
+  return {name, pngOf(hogels), pngOf(directions), figuresOf(error, display)};
+}
+
+ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair) {
+  const Difference difference = differencePicture(pair.reference, pair.test);
+  return {row, which, pngOf(pair.reference), pngOf(pair.test), pngOf(difference.image)};
+}
+
+}  // namespace hogelscope

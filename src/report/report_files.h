@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a report.
+#pragma once
+
+#include <filesystem>
+
+#include "core/panel_error.h"
+#include "report/report_run.h"
+#include "report/view_pairs.h"
+
+namespace hogelscope {
+
+/// report.csv, metrics.csv, summary.csv, and bd.csv where there are groups.
+void writeTables(const std::filesystem::path& folder, const Report& report);
+
+/// FOLDER/reference/NAME.png, FOLDER/testN/NAME.png.
+void writePictures(const std::filesystem::path& folder, std::size_t test, const std::string& state,
+                   const ViewPair& pair);
+
+/// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png; the pictures for
+/// the page.
+ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t test,
+                            const std::string& name, const PanelError& error,
+                            const DisplayParams& display);
+
+/// What the page shows of one pair.
+ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair);
+
+}  // namespace hogelscope

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The testing procedure: test after test, in each the states side by side.
+#include "report/report_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <mutex>
+#include <numeric>
+
+#include "io/atomic_file.h"
+#include "io/report_journal.h"
+#include "io/session_file.h"
+#include "report/panel_projection.h"
+#include "report/report_facts.h"
+#include "report/report_files.h"
+#include "report/side_by_side.h"
+#include "report/step_progress.h"
+#include "report/view_pairs.h"
+#include "vtk/parallel_rows.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Seconds of all threads.
+class TimeSum {
+ public:
+  template <class Work>
+  auto of(Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    m_nanoseconds += (std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+  [[nodiscard]] double seconds() const { return 1e-9 * double(m_nanoseconds); }
+
+ private:
+  std::atomic<std::int64_t> m_nanoseconds = 0;
+};
+
+bool seesAnything(const Image& image) {
+  return std::any_of(image.seen.begin(), image.seen.end(),
+                     [](std::uint8_t seen) { return seen != 0; });
+}
+
+Metrics nothingCompared() {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {none, none, none, 0, {none, none, none}};
+}
+
+class ReportRun {
+ public:
+  ReportRun(const ReportRequest& request, const ReportListener& listener);
+  Report run();
+
+ private:
+  void takeUp();
+  void readLightFields(std::size_t test);
+  [[nodiscard]] std::vector<std::size_t> openStates(std::size_t test) const;
+  void runTest(std::size_t test);
+  void runState(std::size_t test, std::size_t state, std::size_t worker);
+  void compareState(std::size_t test, std::size_t state, const ViewPair& pair);
+  void showViews(std::size_t test);
+  void writeAll();
+
+  [[nodiscard]] std::size_t states() const { return m_request.session.cameras.size(); }
+  /// What reading a light field counts as, in states: a guess for the progress bar.
+  [[nodiscard]] double readingSteps() const { return 1 + 0.1 * double(states()); }
+  [[nodiscard]] std::size_t rowOf(std::size_t test, std::size_t state) const {
+    return state * m_request.tests.size() + test;
+  }
+
+  const ReportRequest& m_request;
+  const ReportListener& m_listener;
+  fs::path m_folder;
+  StepProgress m_progress;
+  ReportFacts m_facts;
+  ReportJournal m_journal;
+  std::vector<std::unique_ptr<PanelProjection>> m_projections;  ///< of each test
+  std::size_t m_workers;
+  ViewPairs m_pairs;
+  std::vector<ReportView> m_views;
+  std::mutex m_mutex;  ///< guards the next two, and the journal
+  std::vector<std::uint8_t> m_hasRow;
+  Report m_report;
+  TimeSum m_rendering;
+  TimeSum m_metrics;
+  TimeSum m_pictures;
+};
+
+/// Many states side by side; a picture's rows share the cores where states are few.
+std::size_t workersFor(const ReportRequest& request) {
+  const auto threads = std::size_t(threadCount());
+  return request.session.cameras.size() < 2 * threads ? 1 : threads;
+}
+
+fs::path made(const fs::path& folder) {
+  makeFolder(folder);
+  return folder;
+}
+
+ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listener)
+    : m_request(request),
+      m_listener(listener),
+      m_folder(made(request.output)),
+      m_progress(listener.progress),
+      m_facts(factsOf(request, m_progress.within())),
+      m_journal(m_folder, m_facts.key),
+      m_workers(workersFor(request)),
+      m_pairs(request.session, m_workers, m_workers == 1 ? parallelRows : serialRows,
+              request.tests.size() > 1),
+      m_hasRow(states() * request.tests.size()) {
+  m_report.rows.resize(m_hasRow.size());
+  m_report.replacedAnother = m_journal.replacedAnother();
+  takeUp();
+}
+
+/// What an earlier run has done.
+void ReportRun::takeUp() {
+  const std::vector<ReportTest>& tests = m_request.tests;
+  for (std::size_t state = 0; state < states(); ++state) {
+    const CameraParams& camera = m_request.session.cameras[state].camera;
+    for (std::size_t test = 0; test < tests.size(); ++test)
+      m_report.rows[rowOf(test, state)] = {
+          camera.name, tests[test].name, {}, camera.eye, camera.weight};
+  }
+  for (const auto& [index, entry] : m_journal.entries()) {
+    if (index >= m_hasRow.size()) continue;
+    m_report.rows[index].metrics = entry.metrics;
+    m_report.rows[index].problem = entry.problem;
+    m_hasRow[index] = 1;
+    ++m_report.taken;
+    if (m_listener.finished) m_listener.finished(index, m_report.rows[index]);
+  }
+  const auto display = openLightField(m_request.session.lightField, m_request.session.display);
+  for (std::size_t test = 0; test < tests.size(); ++test)
+    m_projections.push_back(std::make_unique<PanelProjection>(
+        m_folder / ("report.panel" + std::to_string(test + 1)), m_facts.key, display->size()));
+}
+
+void ReportRun::compareState(std::size_t test, std::size_t state, const ViewPair& pair) {
+  ReportRow row = m_report.rows[rowOf(test, state)];
+  row.problem = pair.problem;
+  row.metrics = nothingCompared();
+  if (pair.problem.empty()) {
+    if (m_request.images)
+      m_pictures.of([&] {
+        writePictures(m_folder, test, row.state, pair);
+        return 0;
+      });
+    if (seesAnything(pair.reference) || seesAnything(pair.test))
+      row.metrics =
+          m_metrics.of([&] { return compare(pair.reference, pair.test, m_pairs.rowsWithin()); });
+    else
+      row.problem = seesNothing;
+  }
+  const std::lock_guard lock(m_mutex);
+  m_journal.add(rowOf(test, state), row.metrics, row.problem);
+  m_hasRow[rowOf(test, state)] = 1;
+  m_report.rows[rowOf(test, state)] = row;
+  if (m_listener.finished) m_listener.finished(rowOf(test, state), row);
+}
+
+void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker) {
+  const ViewPair pair =
+      m_rendering.of([&] { return m_pairs.render(state, worker, m_progress.within()); });
+  // Its row may be on disk while the projection was saved before it.
+  if (m_hasRow[rowOf(test, state)] == 0) compareState(test, state, pair);
+  m_projections[test]->add(state, worker, pair, m_pairs);
+  m_progress.finish();
+}
+
+/// The worst, the median and the best of a test's views.
+void ReportRun::showViews(std::size_t test) {
+  std::vector<std::size_t> order;
+  for (std::size_t state = 0; state < states(); ++state)
+    if (m_report.rows[rowOf(test, state)].problem.empty()) order.push_back(state);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return m_report.rows[rowOf(test, a)].metrics.mse > m_report.rows[rowOf(test, b)].metrics.mse;
+  });
+  const auto show = [&](const char* which, std::size_t state) {
+    const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
+    m_views.push_back(m_pictures.of([&] { return viewOf(rowOf(test, state), which, pair); }));
+  };
+  if (!order.empty()) show("worst", order.front());
+  if (order.size() > 2) show("median", order[order.size() / 2]);
+  if (order.size() > 1) show("best", order.back());
+}
+
+/// What is left to do of a test.
+std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
+  std::vector<std::size_t> open;
+  for (std::size_t state = 0; state < states(); ++state)
+    if (m_hasRow[rowOf(test, state)] == 0 || !m_projections[test]->has(state))
+      open.push_back(state);
+  return open;
+}
+
+void ReportRun::readLightFields(std::size_t test) {
+  const auto heard = [&](const Scene& scene) {
+    m_progress.finish(readingSteps());
+    if (m_listener.loaded) m_listener.loaded(scene);
+  };
+  if (test == 0) heard(m_pairs.readReference(m_progress.of(readingSteps())));
+  heard(m_pairs.readTest(m_request.tests[test].session, m_progress.of(readingSteps())));
+}
+
+void ReportRun::runTest(std::size_t test) {
+  readLightFields(test);
+  const std::vector<std::size_t> open = openStates(test);
+  try {
+    sideBySide(open.size(), m_workers,
+               [&](std::size_t k, std::size_t worker) { runState(test, open[k], worker); });
+  } catch (...) {
+    m_projections[test]->save();
+    throw;
+  }
+  m_projections[test]->save();
+  showViews(test);
+}
+
+/// A lens that several states have is certified once.
+std::vector<ReportLens> certifyAll(const Session& session) {
+  std::vector<LensKey> keys;
+  std::vector<ReportLens> lenses;
+  for (const CameraState& state : session.cameras) {
+    const LensKey key = lensKeyOf(state, session.sampling);
+    const auto same = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    lenses.push_back({state.camera.name,
+                      same < keys.size() ? lenses[same].certificate : certify(key, parallelRows)});
+    keys.push_back(key);
+  }
+  return lenses;
+}
+
+void ReportRun::writeAll() {
+  m_report.summaries = summariseTests(m_report.rows, m_request.groups);
+  m_report.comparisons = bdRows(m_report.summaries, m_request.groups);
+  writeTables(m_folder, m_report);
+  const DisplayParams& display = m_pairs.display();
+  ReportPage page{m_request.sessionFile,
+                  m_facts.lines,
+                  display,
+                  m_report.rows,
+                  m_report.summaries,
+                  m_report.comparisons,
+                  certifyAll(m_request.session),
+                  std::move(m_views),
+                  {}};
+  for (std::size_t test = 0; test < m_projections.size(); ++test)
+    page.panels.push_back(writePanelError(m_folder, test, m_request.tests[test].name,
+                                          m_projections[test]->error(), display));
+  writeTextFile(m_folder / "report.html", html(page));
+  m_journal.remove();
+  for (const auto& projection : m_projections) projection->remove();
+}
+
+Report ReportRun::run() {
+  const std::size_t tests = m_request.tests.size();
+  m_progress.expect(double(tests + 1) * readingSteps());
+  for (std::size_t test = 0; test < tests; ++test)
+    m_progress.expect(double(openStates(test).size()));
+  for (std::size_t test = 0; test < tests; ++test) runTest(test);
+  writeAll();
+  m_report.rendering = m_rendering.seconds();
+  m_report.metrics = m_metrics.seconds();
+  m_report.pictures = m_pictures.seconds();
+  return std::move(m_report);
+}
+
+}  // namespace
+
+std::vector<ReportTest> openTests(const Session& session, const std::vector<std::string>& files) {
+  std::vector<ReportTest> tests;
+  for (const std::string& file : files) {
+    const Session other = withLightField(session, file);
+    tests.push_back({file, other, openLightField(other.lightField, other.display)->size()});
+  }
+  return tests;
+}
+
+Report makeReport(const ReportRequest& request, const ReportListener& listener) {
+  return ReportRun(request, listener).run();
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests what a report keeps on disk while it runs: exact figures, cut-off files, other reports.
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "io/panel_error_file.h"
+#include "io/report_journal.h"
+#include "tests/io/documents.h"
+
+using namespace hogelscope;
+
+namespace {
+
+const Metrics figures{1.0 / 3, std::nan(""), 0.1 + 0.2, 1e-300, {5e300, std::nan(""), 0}};
+
+bool same(const Metrics& a, const Metrics& b) {
+  const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return equal(a.mse, b.mse) && equal(a.mseSeen, b.mseSeen) && equal(a.ssim, b.ssim) &&
+         equal(a.seen, b.seen) && equal(a.mseYuv[0], b.mseYuv[0]) &&
+         equal(a.mseYuv[1], b.mseYuv[1]) && equal(a.mseYuv[2], b.mseYuv[2]);
+}
+
+}  // namespace
+
+class TestReportJournal : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+  void goesOn();
+  void anotherReport();
+  void cutAnywhere();
+  void damaged_data();
+  void damaged();
+  void oneAtATime();
+  void panelErrors();
+
+ private:
+  [[nodiscard]] std::filesystem::path folder() const { return m_folder->path().toStdString(); }
+  [[nodiscard]] QString file() const { return m_folder->filePath("report.journal"); }
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestReportJournal::goesOn() {
+  {
+    ReportJournal journal(folder(), "k");
+    QVERIFY(journal.entries().empty() && !journal.replacedAnother());
+    journal.add(7, figures, "");
+    journal.add(2, {}, "a \"reason\"\nwith lines, \xff");
+  }
+  ReportJournal again(folder(), "k");
+  QCOMPARE(again.entries().size(), 2U);
+  QVERIFY(same(again.entries().at(7).metrics, figures));
+  QVERIFY(QString::fromStdString(again.entries().at(2).problem).startsWith("a \"reason\"\nwith"));
+  again.add(9, figures, "");
+  again.remove();
+  QVERIFY(!QFile::exists(file()));
+}
+
+void TestReportJournal::anotherReport() {
+  { ReportJournal(folder(), "k").add(7, figures, ""); }
+  ReportJournal other(folder(), "l");
+  QVERIFY(other.entries().empty());
+  QVERIFY(other.replacedAnother());
+}
+
+/// kill -9 and a full disk leave any beginning of the file.
+void TestReportJournal::cutAnywhere() {
+  {
+    ReportJournal journal(folder(), "k");
+    for (std::size_t row = 0; row < 3; ++row) journal.add(row, figures, "");
+  }
+  const QByteArray whole = contentOf(file());
+  const qsizetype headEnd = whole.indexOf('\n') + 1;
+  for (qsizetype size = 0; size <= whole.size(); ++size) {
+    writeFile(file(), whole.left(size));
+    const auto lines = std::size_t(whole.left(size).count('\n'));
+    {
+      ReportJournal journal(folder(), "k");
+      QCOMPARE(journal.entries().size(), size < headEnd ? 0 : lines - 1);
+      journal.add(5, figures, "");
+    }
+    QCOMPARE(ReportJournal(folder(), "k").entries().size(), size < headEnd ? 1 : lines);
+  }
+}
+
+void TestReportJournal::damaged_data() {
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("not JSON") << QByteArray("\0\xff{", 3);
+  QTest::newRow("another shape") << QByteArray(R"([1, 2])");
+  QTest::newRow("no row") << QByteArray(R"({"mse": 1})");
+  QTest::newRow("a negative row")
+      << QByteArray(R"({"row":-1,"mse":"x","mseSeen":1,"ssim":1,"seen":1,"mseYuv":[1,1,1]})");
+  QTest::newRow("a short list")
+      << QByteArray(R"({"row":1,"mse":1,"mseSeen":1,"ssim":1,"seen":1,"mseYuv":[1],"problem":""})");
+  QTest::newRow("deep") << QByteArray(200000, '[');
+}
+
+/// What stands before the damage is used.
+void TestReportJournal::damaged() {
+  QFETCH(QByteArray, line);
+  { ReportJournal(folder(), "k").add(0, figures, ""); }
+  const QByteArray good = contentOf(file());
+  writeFile(file(), good + line + "\n" + good.mid(good.indexOf('\n') + 1));
+  QCOMPARE(ReportJournal(folder(), "k").entries().size(), 1U);
+  QCOMPARE(contentOf(file()), good);
+}
+
+void TestReportJournal::oneAtATime() {
+  const ReportJournal first(folder(), "k");
+  QCOMPARE(errorOf([&] { ReportJournal second(folder(), "k"); }),
+           file() +
+               ": is in use: another hogelscope makes this report; wait, or give another --output");
+}
+
+void TestReportJournal::panelErrors() {
+  const LightFieldSize size{2, 1, 1, 3};
+  const SavedPanelError saved{
+      {4, 1}, PanelError(size, {{1, 2}, {std::uint64_t{1} << 60U, 4}}, {{5, 6}, {0, 0}, {9, 9}})};
+  const std::filesystem::path path = folder() / "p";
+  QVERIFY(!loadPanelError(path, "k", size));
+  savePanelError(path, "k", saved);
+  const auto loaded = loadPanelError(path, "k", size);
+  QVERIFY(loaded.has_value());
+  QCOMPARE(loaded->states, saved.states);
+  QVERIFY(loaded->error.hogels() == saved.error.hogels());
+  QVERIFY(loaded->error.directions() == saved.error.directions());
+  QVERIFY(!loadPanelError(path, "another", size));
+  QVERIFY(!loadPanelError(path, "k", {2, 1, 1, 2}));
+  QVERIFY(!loadPanelError(path, "k", {3, 1, 1, 3}));
+  const QByteArray whole = contentOf(m_folder->filePath("p"));
+  for (qsizetype bytes = 0; bytes < whole.size(); ++bytes) {
+    writeFile(m_folder->filePath("p"), whole.left(bytes));
+    QVERIFY(!loadPanelError(path, "k", size));
+  }
+}
+
+QTEST_GUILESS_MAIN(TestReportJournal)
+#include "test_report_journal.moc"

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests work on several threads: every piece once, errors, and that it is at the same time; and its
+// progress.
+#include <QTest>
+#include <atomic>
+#include <barrier>
+#include <mutex>
+#include <set>
+
+#include "report/side_by_side.h"
+#include "report/step_progress.h"
+
+using namespace hogelscope;
+
+class TestSideBySide : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everyPieceOnce();
+  void atTheSameTime();
+  void errors();
+  void progressOfSteps();
+  void progressStops();
+};
+
+void TestSideBySide::everyPieceOnce() {
+  for (const int workers : {1, 2, 7}) {
+    std::vector<std::atomic<int>> calls(500);
+    std::mutex mutex;
+    std::set<std::size_t> names;
+    sideBySide(calls.size(), workers, [&](std::size_t k, std::size_t worker) {
+      ++calls[k];
+      const std::lock_guard lock(mutex);
+      names.insert(worker);
+    });
+    for (const auto& count : calls) QCOMPARE(count.load(), 1);
+    QVERIFY(*names.rbegin() < std::size_t(workers));
+  }
+  sideBySide(0, 3, [](std::size_t, std::size_t) { QFAIL("there is nothing to do"); });
+}
+
+/// Each of three pieces waits for the others: one thread alone would wait for ever.
+void TestSideBySide::atTheSameTime() {
+  std::barrier all(3);
+  sideBySide(3, 3, [&](std::size_t, std::size_t) { all.arrive_and_wait(); });
+}
+
+void TestSideBySide::errors() {
+  for (const int workers : {1, 3}) {
+    std::atomic<int> begun = 0;
+    QVERIFY_THROWS_EXCEPTION(Cancelled, sideBySide(100000, workers, [&](std::size_t k, std::size_t) {
+                               ++begun;
+                               if (k == 10) throw Cancelled();
+                             }));
+    QVERIFY2(begun < 100000, "the others went on");
+  }
+}
+
+void TestSideBySide::progressOfSteps() {
+  std::vector<double> told;
+  StepProgress progress([&](double done) {
+    told.push_back(done);
+    return true;
+  });
+  progress.expect(6);
+  progress.expect(4);
+  progress.finish(5);
+  QTest::qSleep(30);
+  QVERIFY(progress.of(4)(0.25));
+  QTest::qSleep(30);
+  QVERIFY(progress.within()(0.9));
+  QVERIFY(progress.within()(0.9));  // at once again: not told
+  QCOMPARE(told, (std::vector{0.5, 0.6, 0.5}));
+}
+
+void TestSideBySide::progressStops() {
+  int calls = 0;
+  StepProgress progress([&](double) { return ++calls < 2; });
+  progress.expect(3);
+  progress.finish();
+  QTest::qSleep(30);
+  QVERIFY_THROWS_EXCEPTION(Cancelled, progress.finish());
+  QTest::qSleep(30);
+  QVERIFY(!progress.within()(0));
+  QCOMPARE(calls, 2);  // who said stop is not asked again
+}
+
+QTEST_GUILESS_MAIN(TestSideBySide)
+#include "test_side_by_side.moc"
