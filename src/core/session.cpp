@@ -71,15 +71,21 @@ void check(const Session& session) {
 }
 
 std::vector<std::string> warnings(const Session& session) {
-  std::vector<std::string> lines;
+  std::map<std::string, std::vector<std::string>> statesOf;
   for (const CameraState& state : session.cameras) {
     const double energy = energyInWindow(state.psf);
     if (energy >= 0.99) continue;
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(),
-                  ": psf: a window of %d keeps %.1f %% of the Gaussian of sigma %g; widen it",
+                  "psf: a window of %d keeps %.1f %% of the Gaussian of sigma %g; widen it",
                   state.psf.windowSize, 100 * energy, state.psf.sigma);
-    lines.push_back(state.camera.name + text.data());
+    statesOf[text.data()].push_back(state.camera.name);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [what, states] : statesOf) {
+    const std::size_t others = states.size() - 1;
+    lines.push_back(states.front() +
+                    (others == 0 ? "" : " and " + std::to_string(others) + " more") + ": " + what);
   }
   return lines;
 }

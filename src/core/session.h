@@ -37,7 +37,8 @@ void check(const Session& session);
 /// The rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);
 
-/// What is allowed but probably not meant: one line each, which begins with the state's name.
+/// What is allowed but probably not meant: a line for each kind, which begins with the state's
+/// name, or the first one's of several.
 std::vector<std::string> warnings(const Session& session);
 
 /// Takes what `fromFile` says where the display leaves hogels or directions out. Throws InputError

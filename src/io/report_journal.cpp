@@ -68,6 +68,7 @@ ReportJournal::ReportJournal(const fs::path& folder, const std::string& key)
     read(readTextFile(m_file), headOf(key));
   } catch (...) {
     ::close(m_descriptor);
+    if (m_entries.empty()) remove();
     throw;
   }
 }

@@ -18,7 +18,7 @@ std::string hashOf(const fs::path& path, const Progress& progress) {
   QCryptographicHash hash(QCryptographicHash::Sha256);
   constexpr qint64 block = qint64{1} << 20;
   while (true) {
-    advance(progress, 0);
+    advance(progress, 0.0);
     const QByteArray bytes = file.read(block);
     if (bytes.isEmpty()) break;
     hash.addData(bytes);

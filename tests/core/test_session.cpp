@@ -170,6 +170,10 @@ void TestSession::warnsOfCutWindows() {
   QVERIFY(QString::fromStdString(lines[0]).contains("right"));
   QVERIFY(QString::fromStdString(lines[0]).endsWith(
       "psf: a window of 7 keeps 84.6 % of the Gaussian of sigma 2; widen it"));
+  session.cameras[0].psf = {2, 7};
+  QCOMPARE(warnings(session),
+           std::vector<std::string>{session.cameras[0].camera.name +
+                                    " and 1 more: " + lines[0].substr(lines[0].find("psf"))});
 }
 
 void TestSession::resolvedTakesWhatIsLeftOut() {

@@ -91,10 +91,10 @@ void TestReportJournal::damaged_data() {
   QTest::newRow("not JSON") << QByteArray("\0\xff{", 3);
   QTest::newRow("another shape") << QByteArray(R"([1, 2])");
   QTest::newRow("no row") << QByteArray(R"({"mse": 1})");
-  QTest::newRow("a negative row")
-      << QByteArray(R"({"row":-1,"mse":"x","mseSeen":1,"ssim":1,"seen":1,"mseYuv":[1,1,1]})");
-  QTest::newRow("a short list")
-      << QByteArray(R"({"row":1,"mse":1,"mseSeen":1,"ssim":1,"seen":1,"mseYuv":[1],"problem":""})");
+  QTest::newRow("a negative row") << QByteArray(
+      R"({"row":-1,"mse":"x","mseSeen":1,"ssim":1,"seen":1,"mseYuv":[1,1,1]})");
+  QTest::newRow("a short list") << QByteArray(
+      R"({"row":1,"mse":1,"mseSeen":1,"ssim":1,"seen":1,"mseYuv":[1],"problem":""})");
   QTest::newRow("deep") << QByteArray(200000, '[');
 }
 
@@ -110,9 +110,9 @@ void TestReportJournal::damaged() {
 
 void TestReportJournal::oneAtATime() {
   const ReportJournal first(folder(), "k");
-  QCOMPARE(errorOf([&] { ReportJournal second(folder(), "k"); }),
-           file() +
-               ": is in use: another hogelscope makes this report; wait, or give another --output");
+  QCOMPARE(
+      errorOf([&] { ReportJournal second(folder(), "k"); }),
+      file() + ": is in use: another hogelscope makes this report; wait, or give another --output");
 }
 
 void TestReportJournal::panelErrors() {

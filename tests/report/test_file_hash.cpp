@@ -36,14 +36,15 @@ void TestFileHash::ofFiles() {
   sum.start("sha256sum", {"a", "b"});
   QVERIFY(sum.waitForFinished());
   const QByteArray lines = sum.readAllStandardOutput();
-  QCOMPARE(lines.left(64), QByteArray::fromStdString(sha256(std::vector<std::filesystem::path>{"a"})));
+  QCOMPARE(lines.left(64),
+           QByteArray::fromStdString(sha256(std::vector<std::filesystem::path>{"a"})));
   QCOMPARE(sha256(std::vector<std::filesystem::path>{"a", "b"}), sha256(lines.toStdString()));
 }
 
 void TestFileHash::stops() {
   writeFile("a", "x");
-  QVERIFY_THROWS_EXCEPTION(Cancelled, sha256(std::vector<std::filesystem::path>{"a"},
-                                             [](double) { return false; }));
+  QVERIFY_THROWS_EXCEPTION(
+      Cancelled, sha256(std::vector<std::filesystem::path>{"a"}, [](double) { return false; }));
 }
 
 void TestFileHash::missing() {

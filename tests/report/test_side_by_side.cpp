@@ -48,7 +48,8 @@ void TestSideBySide::atTheSameTime() {
 void TestSideBySide::errors() {
   for (const int workers : {1, 3}) {
     std::atomic<int> begun = 0;
-    QVERIFY_THROWS_EXCEPTION(Cancelled, sideBySide(100000, workers, [&](std::size_t k, std::size_t) {
+    QVERIFY_THROWS_EXCEPTION(Cancelled,
+                             sideBySide(100000, workers, [&](std::size_t k, std::size_t) {
                                ++begun;
                                if (k == 10) throw Cancelled();
                              }));

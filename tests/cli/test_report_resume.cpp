@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests unattended reports: killed, stopped, out of disk or memory, they lose nothing that is
+// finished, and the same command ends with the same files to the byte.
+#include <sys/resource.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+namespace {
+
+constexpr int stateCount = 40;
+
+float content(int x, int y, int channel) {
+  return float((x * 5 + y * 3 + channel * 40 + (x / 16) * (y / 8)) % 200 + 20) / 255;
+}
+
+float noisy(int x, int y, int channel) {
+  return content(x, y, channel) + float((x * 7919 + y * 104729 + channel) % 16) / 255;
+}
+
+/// Slow enough for being killed: 16 rays a pixel with 25 taps each.
+QByteArray session() {
+  QByteArray cameras;
+  for (int k = 0; k < stateCount; ++k)
+    cameras += (k == 0 ? "" : ", ") + QByteArray("{\"name\": \"s") + QByteArray::number(k + 10) +
+               "\", \"eye\": [" + QByteArray::number(0.01 * k - 0.2) +
+               ", 0, 0.7], \"fov\": 45, \"res\": [160, 120], \"psf\": {\"sigma\": 1, "
+               "\"windowSize\": 5}}";
+  return text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
+               .lightField = R"({"file": "a.png"})",
+               .sampling = R"({"samplesPerPixel": 4})",
+               .cameras = "[" + cameras + "]"});
+}
+
+QStringList report(const QString& output, const QStringList& more = {}) {
+  return QStringList{"--report", "--session", "s.json",   "--test", "b.png",
+                     "--test",   "c.png",     "--output", output,   "--images"} +
+         more;
+}
+
+/// How many rows the journal holds.
+int rowsIn(const QString& folder) {
+  QFile journal(folder + "/report.journal");
+  return journal.open(QIODevice::ReadOnly) ? int(journal.readAll().count('\n')) - 1 : 0;
+}
+
+/// Where something in a folder differs from another; report.html says when it was made.
+QString difference(const QString& a, const QString& b) {
+  if (namesIn(a) != namesIn(b)) return namesIn(a).join(' ') + " | " + namesIn(b).join(' ');
+  for (const QString& name : namesIn(a)) {
+    const QString one = a + "/" + name;
+    const QString other = b + "/" + name;
+    if (QFileInfo(one).isDir()) {
+      if (const QString within = difference(one, other); !within.isEmpty()) return within;
+    } else if (name != "report.html" && contentOf(one) != contentOf(other)) {
+      return one;
+    }
+  }
+  return {};
+}
+
+void limitTo(QProcess& process, int resource, rlim_t most) {
+  process.setChildProcessModifier([resource, most] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{most, most};
+    ::setrlimit(__rlimit_resource_t(resource), &limit);
+  });
+}
+
+}  // namespace
+
+class TestReportResume : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void stopped_data();
+  void stopped();
+  void fullDisk();
+  void anotherReport();
+  void twoAtOnce();
+  void noMemoryForOneState();
+
+ private:
+  Outcome runHere(const QStringList& arguments) { return run(arguments, m_folder.path()); }
+
+  QTemporaryDir m_folder;
+};
+
+void TestReportResume::initTestCase() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  writePicture("a.png", 128, 128, content);
+  writePicture("b.png", 128, 128, noisy);
+  writePicture("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
+  writeFile("s.json", session());
+  const Outcome whole = runHere(report("whole"));
+  QCOMPARE(whole.err, QByteArray());
+  QCOMPARE(whole.status, 0);
+}
+
+void TestReportResume::stopped_data() {
+  QTest::addColumn<int>("signal");
+  QTest::addColumn<int>("rows");  ///< on disk before the signal
+  QTest::newRow("kill -9 in the first test") << SIGKILL << 5;
+  QTest::newRow("kill -9 in the second test") << SIGKILL << stateCount + 5;
+  QTest::newRow("Ctrl-C") << SIGINT << 7;
+}
+
+void TestReportResume::stopped() {
+  QFETCH(int, signal);
+  QFETCH(int, rows);
+  const QString folder = QTest::currentDataTag();
+  int before = 0;
+  {
+    QProcess process;
+    start(process, report(folder), m_folder.path());
+    QTRY_VERIFY_WITH_TIMEOUT((before = rowsIn(folder)) >= rows, 20000);
+    QVERIFY(process.processId() > 0);
+    ::kill(pid_t(process.processId()), signal);
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+    const int after = rowsIn(folder);
+    QVERIFY(after >= before && after < 2 * stateCount);
+    const QByteArray told = process.readAllStandardError();
+    if (signal == SIGINT)
+      QCOMPARE(told, "hogelscope: " + QByteArray::number(after) +
+                         " of 80 views are done; the same command goes on from there\n"
+                         "hogelscope: stopped; what is finished is kept\n");
+    before = after;
+  }
+  const Outcome outcome = runHere(report(folder));
+  QCOMPARE(outcome.err, "hogelscope: went on after " + QByteArray::number(before) +
+                            " views of an earlier run\n");
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(difference(folder, "whole"), QString());
+}
+
+void TestReportResume::fullDisk() {
+  QProcess process;
+  limitTo(process, RLIMIT_FSIZE, 3000);
+  QStringList arguments = report("disk");
+  arguments.removeOne("--images");
+  start(process, arguments, m_folder.path());
+  QVERIFY(process.waitForFinished());
+  QCOMPARE(process.readAllStandardError(),
+           QByteArray("hogelscope: disk/report.journal: cannot be written: File too large\n"));
+  QCOMPARE(process.exitCode(), 2);
+  const int rows = rowsIn("disk");
+  QVERIFY(rows > 5);
+  const Outcome outcome = runHere(arguments);
+  QCOMPARE(outcome.err,
+           "hogelscope: went on after " + QByteArray::number(rows) + " views of an earlier run\n");
+  QCOMPARE(contentOf("disk/report.csv"), contentOf("whole/report.csv"));
+}
+
+void TestReportResume::anotherReport() {
+  QProcess process;
+  start(process, report("other"), m_folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(rowsIn("other") >= 3, 20000);
+  process.kill();
+  QVERIFY(process.waitForFinished());
+  const QStringList changed{"--set", "psf.sigma=0.5", "--set", "sampling.samplesPerPixel=1"};
+  const Outcome outcome = runHere(report("other", changed));
+  QCOMPARE(outcome.err,
+           QByteArray("hogelscope: other/report.journal: was of another report that did not "
+                      "finish; begun anew\n"));
+  QVERIFY(contentOf("other/report.csv") != contentOf("whole/report.csv"));
+}
+
+void TestReportResume::twoAtOnce() {
+  QProcess process;
+  start(process, report("shared"), m_folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(rowsIn("shared") >= 1, 20000);
+  const Outcome outcome = runHere(report("shared"));
+  QCOMPARE(outcome.err, QByteArray("hogelscope: shared/report.journal: is in use: another "
+                                   "hogelscope makes this report; wait, or give another "
+                                   "--output\n"));
+  QCOMPARE(outcome.status, 2);
+  QVERIFY(process.waitForFinished());
+  QCOMPARE(difference("shared", "whole"), QString());
+}
+
+/// The others go on, and the gate fails.
+void TestReportResume::noMemoryForOneState() {
+#ifdef __SANITIZE_ADDRESS__
+  QSKIP("the sanitizer's own memory is beyond any limit");
+#endif
+  QByteArray sessionWithLarge = session();
+  const qsizetype s12 = sessionWithLarge.indexOf("[160, 120]", sessionWithLarge.indexOf("\"s12\""));
+  writeFile("large.json", sessionWithLarge.replace(s12, 10, "[16384, 16384]"));
+  QProcess process;
+  limitTo(process, RLIMIT_AS, rlim_t{1} << 30U);
+  start(process,
+        {"--report", "--session", "large.json", "--states", "s1?", "--test", "b.png", "--output",
+         "memory", "--fail-below", "1", "--quiet"},
+        m_folder.path());
+  QVERIFY(process.waitForFinished());
+  QCOMPARE(process.readAllStandardError(),
+           QByteArray("hogelscope: s12: b.png: not enough memory for its picture\n"));
+  QCOMPARE(process.exitCode(), 1);
+  const QByteArray rows = contentOf("memory/report.csv");
+  QVERIFY(rows.contains("\ns12,b.png,nan,nan,nan,nan,nan,0,"));
+  QCOMPARE(rows.count("\ns1"), 10);
+  QCOMPARE(rows.count("nan"), 5);
+  QVERIFY(contentOf("memory/metrics.csv").contains(",not enough memory for its picture\n"));
+}
+
+QTEST_GUILESS_MAIN(TestReportResume)
+#include "test_report_resume.moc"
