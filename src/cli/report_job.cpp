@@ -138,8 +138,15 @@ int reportJob(const Options& options) {
   const std::vector<BdRow> comparisons = bdRows(summaries, groups);
   const fs::path folder = options.output;
   writeTables(folder, rows, summaries, comparisons);
-  writeTextFile(folder / "report.html", reportPage(rows, certifyAll(session), options.session,
-                                                   summaryTables(summaries, comparisons)));
+  ReportPage page;
+  page.session = options.session;
+  page.display =
+      resolved(session.display, openLightField(session.lightField, session.display)->size());
+  page.rows = rows;
+  page.summaries = summaries;
+  page.comparisons = comparisons;
+  page.lenses = certifyAll(session);
+  writeTextFile(folder / "report.html", html(page));
   bar.done();
   if (!options.quiet) {
     std::cout << summaryText(summarise(rows), rows) << bdText(comparisons);
