@@ -47,8 +47,6 @@ void clip(double constant, double slope, std::array<double, 2>& part) {
 
 struct FastSimulation::Scratch {
   CellBatch cells{};
-  std::array<double, batchSize> x{};
-  std::array<double, batchSize> y{};
   TapSum::Scratch taps;
   LightBatch sum{};
 };
@@ -209,21 +207,31 @@ bool fillUnseen(int count, CellBatch& batch) {
 
 }  // namespace
 
-/// Cells of the rays of `count` pixels from x0 on. False if none of them hits.
-bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const {
-  const double* x = scratch.x.data();
-  const double* py = scratch.y.data();
+void FastSimulation::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const {
+  if (m_seesNothing) {
+    std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
+    return;
+  }
+  std::array<double, batchSize> madeX;
+  std::array<double, batchSize> madeY;
+  const double* x = madeX.data();
+  const double* py = madeY.data();
   if (m_lens) {
     x = m_lens->x(y, sx, sy) + x0;
     py = m_lens->y(y, sx, sy) + x0;
   } else {
-    m_rays->row(y, sx, sy, x0, count, scratch.x.data(), scratch.y.data());
+    m_rays->row(y, sx, sy, x0, count, madeX.data(), madeY.data());
   }
   if (m_view.display.lens == HogelLens::equiangular)
     equiangularCells(m_map, {radians(m_view.display.fov[0]), radians(m_view.display.fov[1])}, x, py,
-                     count, scratch.cells);
+                     count, batch);
   else
-    cells(m_map, x, py, count, scratch.cells);
+    hogelscope::cells(m_map, x, py, count, batch);
+}
+
+/// Cells of the rays of `count` pixels from x0 on. False if none of them hits.
+bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const {
+  cells(y, x0, count, sx, sy, scratch.cells);
   return fillUnseen(count, scratch.cells);
 }
 

@@ -35,6 +35,9 @@ class FastSimulation {
   /// The same in code values, unrounded.
   void row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
 
+  /// What the rays of sub-pixel (sx, sy) of pixels [x0, x0 + count) of row y meet; at most a batch.
+  void cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const;
+
  private:
   struct Scratch;
 

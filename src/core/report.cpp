@@ -17,6 +17,7 @@ std::string csvCell(const std::string& text) {
 MeanSums meanSums(const ReportRow& row, double weight) {
   const Metrics& m = row.metrics;
   MeanSums sums{};
+  if (!row.problem.empty()) return sums;
   std::size_t at = 0;
   for (const double value : {psnr(m.mse), m.mse, m.ssim, psnr(m.mseYuv[0]), psnrYuv(m.mseYuv)}) {
     if (std::isfinite(value)) {
@@ -38,6 +39,10 @@ ReportSummary summarise(const std::vector<ReportRow>& rows) {
   MeanSums sums{};
   MeanSums weighted{};
   for (std::size_t index = 0; index < rows.size(); ++index) {
+    if (!rows[index].problem.empty()) {
+      ++summary.withoutView;
+      continue;
+    }
     const MeanSums one = meanSums(rows[index], 1);
     const MeanSums weightedOne = meanSums(rows[index], rows[index].weight);
     for (std::size_t k = 0; k < sums.size(); ++k) {
@@ -75,14 +80,15 @@ std::string csv(const std::vector<ReportRow>& rows) {
 }
 
 std::string metricsCsv(const std::vector<ReportRow>& rows) {
-  std::string text = "state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight\n";
+  std::string text =
+      "state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight,problem\n";
   for (const ReportRow& row : rows) {
     const auto& [y, cb, cr] = row.metrics.mseYuv;
     text += csvCell(row.state) + "," + csvCell(row.test);
     for (const double value :
          {y, cb, cr, psnr(y), psnr(cb), psnr(cr), psnrYuv({y, cb, cr}), row.weight})
       text += "," + numberText(value);
-    text += "\n";
+    text += "," + csvCell(row.problem) + "\n";
   }
   return text;
 }

@@ -25,7 +25,8 @@ struct ReportRow {
 inline constexpr const char* seesNothing = "sees nothing of the display";
 
 /// Averages are named, never mixed (DESIGN §2). Infinite PSNRs do not count in means of PSNRs, and
-/// what is not a number counts nowhere. Means of nothing are not numbers.
+/// neither what is not a number nor a row with a problem counts anywhere. Means of nothing are not
+/// numbers.
 struct ReportMeans {
   double meanFinitePsnr = 0;
   double psnrOfMeanMse = 0;
@@ -38,6 +39,7 @@ struct ReportSummary : ReportMeans {
   ReportMeans weighted;
   std::optional<std::size_t> worst;  ///< row of the lowest PSNR
   std::size_t identical = 0;
+  std::size_t withoutView = 0;  ///< rows with a problem; they count nowhere else
 };
 
 /// Sums from which the means follow: for each figure Σ weight · value, Σ weight.

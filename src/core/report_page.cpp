@@ -2,97 +2,88 @@
 // The report as one self-contained page.
 #include "core/report_page.h"
 
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include "core/html.h"
+#include "core/report_plots.h"
+#include "core/report_style.h"
+#include "core/summary_page.h"
 
 namespace hogelscope {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string rounded(double value, int digits) {
-  if (std::isnan(value)) return "–";
-  if (std::isinf(value)) return "identical";
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
-
 namespace {
 
-std::string tableRow(const ReportRow& row) {
-  const Metrics& m = row.metrics;
-  std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(row.test) + "</td>";
-  for (const std::string& cell :
-       {rounded(m.mse, 3), rounded(psnr(m.mse), 2), rounded(m.mseSeen, 3),
-        rounded(psnr(m.mseSeen), 2), rounded(m.ssim, 4), rounded(100 * m.seen, 1)})
-    text += "<td class=\"n\">" + cell + "</td>";
-  return text + "</tr>\n";
+std::string fact(const std::string& name, const std::string& value) {
+  return "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
 }
 
-constexpr const char* pageHead =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-    "<title>Hogelscope report</title>\n<style>\n"
-    "body{font:15px/1.5 system-ui,sans-serif;max-width:70em;margin:2em auto;padding:0 1em}\n"
-    "table{border-collapse:collapse}td,th{padding:.25em .8em;border-bottom:1px solid #ccc;"
-    "text-align:left}\n.n{text-align:right;font-variant-numeric:tabular-nums}\n"
-    "</style></head><body>\n";
+std::string displayWords(const DisplayParams& d) {
+  const auto pair = [](const auto& values) {
+    return numberText(values[0]) + " × " + numberText(values[1]);
+  };
+  return pair(d.size) + " m, " + pair(d.hogels) + " hogels of " + pair(d.directions) +
+         " directions, field of view " + pair(d.fov) + "°, " +
+         (d.lens == HogelLens::equiangular ? "equiangular" : "rectilinear") + " hogel lenses";
+}
+
+std::string whatWasTested(const ReportPage& page) {
+  std::string text = "<h2>What was tested</h2>\n<table class=\"facts\"><tbody>\n";
+  for (const ReportFact& one : page.facts) text += fact(one.name, one.value);
+  return text + fact("display", displayWords(page.display)) + "</tbody></table>\n";
+}
+
+std::string overPosition(const ReportPage& page) {
+  return "<h2>PSNR over camera position</h2>\n<p>In the display's frame, in metres: the panel's "
+         "middle is at 0. Filled: coloured by PSNR; hollow: identical; cross: nothing to compare. "
+         "The pointer over a point shows its name and figures.</p>\n" +
+         cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
+}
+
+std::string errorOnPanel(const ReportPage& page) {
+  return "<h2>Where the error comes from</h2>\n<p>Each pixel that both pictures see counts for the "
+         "hogel and for the direction that the ray through its centre meets. Colours show the mean "
+         "squared error (MSE) of all such pixels of all states, from 0 to the 99th percentile of "
+         "the cells; grey: no pixel met it. Costliest is what holds most of the squared error; "
+         "hogel (0, 0) is the top left one.</p>\n" +
+         panelFigures(page.panels, page.display);
+}
+
+constexpr const char* definitions =
+    R"html(<h2>How to read the figures</h2>
+<dl>
+<dt>MSE, PSNR</dt><dd>Mean of the squared differences of 8-bit RGB values over all pixels and
+channels of the picture; PSNR = 10 log10(255²/MSE) in dB. “Seen” are the same over the pixels alone
+that both pictures see; “seen %” is their share of the picture.</dd>
+<dt>Identical</dt><dd>MSE is 0, so that PSNR is infinite. Identical views are counted, and are in no mean
+of PSNRs.</dd>
+<dt>Mean PSNR, PSNR of mean MSE</dt><dd>The first is the mean of the finite PSNRs; the second is the PSNR
+of the mean MSE, identical views included. They differ, and bad views weigh more in the second.</dd>
+<dt>PSNR-Y, PSNR-YUV</dt><dd>PSNR of the luma of BT.709 in full range; and
+(6 PSNR-Y + PSNR-Cb + PSNR-Cr)/8.</dd>
+<dt>SSIM</dt><dd>Structural similarity as Wang et al. 2004 have it, on luma, with an 11×11 Gaussian window
+of σ 1.5; 1 is identical.</dd>
+<dt>Intervals</dt><dd>95 % percentile bootstrap over the states, 10 000 resamples: how a mean would vary with
+other camera positions of the same kind, not with other scenes.</dd>
+<dt>Weighted</dt><dd>The same mean with each view counted by its state's weight.</dd>
+</dl>
+)html";
 
 }  // namespace
 
-std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows) {
-  const auto decibels = [](double value) {
-    return rounded(value, 2) + (std::isfinite(value) ? " dB" : "");
-  };
-  std::string text = "mean of the finite PSNRs  " + decibels(summary.meanFinitePsnr) + "\n" +
-                     "PSNR of the mean MSE      " + decibels(summary.psnrOfMeanMse) + "\n";
-  if (summary.worst) {
-    const ReportRow& row = rows[*summary.worst];
-    text += "worst view                " + decibels(psnr(row.metrics.mse)) + ": " + row.state +
-            ", " + row.test + "\n";
-  }
-  return text + "identical views           " + std::to_string(summary.identical) + " of " +
-         std::to_string(rows.size()) + "\n";
-}
-
-std::string reportPage(const std::vector<ReportRow>& rows, const std::vector<ReportLens>& lenses,
-                       const std::string& session, const std::string& tables) {
-  std::string text = pageHead;
-  text += "<h1>Perceived views of " + escaped(session) + "</h1>\n<pre>" +
-          escaped(summaryText(summarise(rows), rows)) + "</pre>\n" + tables;
-  text +=
-      "<p>MSE and PSNR on 8-bit RGB, over the whole picture and over the pixels seen in both; "
-      "SSIM on luma.</p>\n<table><tr><th>state</th><th>test</th><th>MSE</th><th>PSNR dB</th>"
-      "<th>MSE seen</th><th>PSNR seen dB</th><th>SSIM</th><th>seen %</th></tr>\n";
-  for (const ReportRow& row : rows) text += tableRow(row);
-  text +=
-      "</table>\n<h2>How far the lenses can be trusted</h2>\n<table><tr><th>state</th>"
-      "<th>lens</th></tr>\n";
-  for (const ReportLens& lens : lenses)
-    text += "<tr><td>" + escaped(lens.state) + "</td><td>" +
-            escaped(hogelscope::text(lens.certificate)) + "</td></tr>\n";
-  return text + "</table>\n</body></html>\n";
+std::string html(const ReportPage& page) {
+  const std::string title = escaped(page.session);
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
+      title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
+      "<h1>Perceived views of " + title + "</h1>\n" + whatWasTested(page) +
+      summaryTables(page.summaries, page.comparisons);
+  if (!page.rows.empty()) text += overPosition(page);
+  if (!page.views.empty())
+    text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page.views, page.rows);
+  if (!page.panels.empty()) text += errorOnPanel(page);
+  if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows);
+  if (!page.lenses.empty())
+    text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
+  return text + definitions + "<script>" + reportScript + "</script>\n</body></html>\n";
 }
 
 }  // namespace hogelscope

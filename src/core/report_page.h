@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report as one self-contained page, and its summary in words.
+// The report as one self-contained page: last on the line, in the line's order.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "core/lens_certificate.h"
-#include "core/report.h"
+#include "core/report_pictures.h"
+#include "core/report_tables.h"
+#include "core/summary.h"
 
 namespace hogelscope {
 
-/// A state's lens.
-struct ReportLens {
-  std::string state;
-  LensCertificate certificate;
+/// A line of "what was tested".
+struct ReportFact {
+  std::string name;
+  std::string value;
 };
 
-/// `report.html`. `session` is the document's name; `tables` is HTML that follows the summary.
-std::string reportPage(const std::vector<ReportRow>& rows, const std::vector<ReportLens>& lenses,
-                       const std::string& session, const std::string& tables = {});
+/// Lists that are empty leave no heading.
+struct ReportPage {
+  std::string session;  ///< the document's name
+  std::vector<ReportFact> facts;
+  DisplayParams display;  ///< with its hogels and directions
+  std::vector<ReportRow> rows;
+  std::vector<TestSummary> summaries;
+  std::vector<BdRow> comparisons;
+  std::vector<ReportLens> lenses;
+  std::vector<ReportView> views;
+  std::vector<ReportPanel> panels;
+};
 
-/// A text in HTML.
-std::string escaped(const std::string& text);
-
-/// With so many digits after the point; "identical" if infinite, a dash if not a number.
-std::string rounded(double value, int digits);
-
-/// The summary, a line each.
-std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows);
+/// `report.html`: HTML that is well-formed XML, with its pictures, style and script inside. Throws
+/// std::out_of_range where a view names no row.
+std::string html(const ReportPage& page);
 
 }  // namespace hogelscope

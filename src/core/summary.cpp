@@ -68,8 +68,10 @@ std::string figureRow(const TestSummary& summary, const std::string& figure,
 std::string block(const TestSummary& summary) {
   const std::vector<double> plain = listed(summary.summary);
   const std::vector<double> weighted = listed(summary.summary.weighted);
-  std::string text = figureRow(summary, "views", {double(summary.rows.size())}) +
-                     figureRow(summary, "identical_views", {double(summary.summary.identical)});
+  std::string text =
+      figureRow(summary, "views", {double(summary.rows.size())}) +
+      figureRow(summary, "identical_views", {double(summary.summary.identical)}) +
+      figureRow(summary, "views_without_comparison", {double(summary.summary.withoutView)});
   for (std::size_t k = 0; k < figureCount; ++k) {
     const Interval& interval = summary.intervals[k];
     const Interval& other = summary.intervals[k + figureCount];
@@ -99,13 +101,17 @@ const std::array<const char*, 5>& figureNames() {
   return names;
 }
 
-std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
-                                        const std::vector<RateGroup>& groups) {
+std::vector<std::string> testsOf(const std::vector<ReportRow>& rows) {
   std::vector<std::string> tests;
   for (const ReportRow& row : rows)
     if (std::find(tests.begin(), tests.end(), row.test) == tests.end()) tests.push_back(row.test);
+  return tests;
+}
+
+std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
+                                        const std::vector<RateGroup>& groups) {
   std::vector<TestSummary> summaries;
-  for (const std::string& test : tests) {
+  for (const std::string& test : testsOf(rows)) {
     std::vector<ReportRow> own;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
                  [&](const ReportRow& row) { return row.test == test; });

@@ -45,6 +45,9 @@ struct BdRow {
   BdDelta delta;
 };
 
+/// The tests of a report's rows, in their order.
+std::vector<std::string> testsOf(const std::vector<ReportRow>& rows);
+
 /// A block for each test in the order of the rows, then one over all, whose intervals resample
 /// states: rows of one state stay together.
 std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/report_page.h"
+#include "core/html.h"
 
 namespace hogelscope {
 
@@ -20,20 +20,26 @@ std::string withInterval(double value, const Interval& interval, int digits) {
               rounded(interval.high, digits) + ")</small>");
 }
 
-std::string tableRow(const TestSummary& test, bool isWeighted) {
+/// What only the row of the plain means has.
+std::string counts(const TestSummary& test, bool hasBlind) {
+  const auto of = " of " + std::to_string(test.rows.size());
+  std::string text = cell(std::to_string(test.summary.identical) + of);
+  if (hasBlind) text += cell(std::to_string(test.summary.withoutView) + of);
+  if (!test.summary.worst) return text + "<td></td><td></td>";
+  const ReportRow& worst = test.rows[*test.summary.worst];
+  return text + cell(rounded(psnr(worst.metrics.mse), 2)) + "<td>" + escaped(worst.state) + "</td>";
+}
+
+std::string tableRow(const TestSummary& test, bool isWeighted, bool hasBlind) {
   const ReportMeans& m = isWeighted ? test.summary.weighted : test.summary;
   const Interval* interval = &test.intervals[isWeighted ? test.intervals.size() / 2 : 0];
-  std::string text =
+  const std::string text =
       "<tr><td>" + escaped(test.test) + (isWeighted ? ", weighted" : "") + "</td>" +
       withInterval(m.meanFinitePsnr, interval[0], 2) +
       withInterval(m.psnrOfMeanMse, interval[1], 2) + withInterval(m.meanSsim, interval[2], 4) +
       withInterval(m.meanPsnrY, interval[3], 2) + withInterval(m.meanPsnrYuv, interval[4], 2);
-  if (isWeighted) return text + "<td></td><td></td><td></td></tr>\n";
-  text += cell(std::to_string(test.summary.identical) + " of " + std::to_string(test.rows.size()));
-  if (!test.summary.worst) return text + "<td></td><td></td></tr>\n";
-  const ReportRow& worst = test.rows[*test.summary.worst];
-  return text + cell(rounded(psnr(worst.metrics.mse), 2)) + "<td>" + escaped(worst.state) +
-         "</td></tr>\n";
+  if (!isWeighted) return text + counts(test, hasBlind) + "</tr>\n";
+  return text + "<td colspan=\"" + (hasBlind ? "4" : "3") + "\"></td></tr>\n";
 }
 
 bool hasWeights(const TestSummary& test) {
@@ -57,16 +63,43 @@ std::string bdText(const std::vector<BdRow>& rows) {
   return text;
 }
 
+std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows) {
+  const auto decibels = [](double value) {
+    return rounded(value, 2) + (std::isfinite(value) ? " dB" : "");
+  };
+  const std::string of = " of " + std::to_string(rows.size()) + "\n";
+  std::string text = "mean of the finite PSNRs  " + decibels(summary.meanFinitePsnr) + "\n" +
+                     "PSNR of the mean MSE      " + decibels(summary.psnrOfMeanMse) + "\n";
+  if (summary.worst) {
+    const ReportRow& row = rows[*summary.worst];
+    text += "worst view                " + decibels(psnr(row.metrics.mse)) + ": " + row.state +
+            ", " + row.test + "\n";
+  }
+  text += "identical views           " + std::to_string(summary.identical) + of;
+  if (summary.withoutView == 0) return text;
+  return text + "nothing to compare        " + std::to_string(summary.withoutView) + of;
+}
+
 std::string summaryTables(const std::vector<TestSummary>& summaries,
                           const std::vector<BdRow>& comparisons) {
+  if (summaries.empty()) return {};
+  const bool hasBlind = summaries.back().summary.withoutView > 0;
   std::string text =
       "<h2>Means over the states</h2>\n<p>In brackets 95 % bootstrap intervals. PSNR in dB; means "
-      "are of the finite ones.</p>\n<table><tr><th>test</th><th>mean PSNR</th>"
-      "<th>PSNR of mean MSE</th><th>mean SSIM</th><th>mean PSNR-Y</th><th>mean PSNR-YUV</th>"
-      "<th>identical</th><th>worst PSNR</th><th>worst view</th></tr>\n";
-  for (const TestSummary& test : summaries)
-    text += tableRow(test, false) + (hasWeights(test) ? tableRow(test, true) : std::string());
-  text += "</table>\n";
+      "are of the finite ones.</p>\n<div class=\"scroll\"><table class=\"means\"><thead><tr>"
+      "<th>test</th>";
+  for (const char* head :
+       {"mean PSNR", "PSNR of mean MSE", "mean SSIM", "mean PSNR-Y", "mean PSNR-YUV", "identical"})
+    text += std::string("<th class=\"n\">") + head + "</th>";
+  if (hasBlind) text += "<th class=\"n\">nothing to compare</th>";
+  text += "<th class=\"n\">worst PSNR</th><th>worst view</th></tr></thead>\n<tbody>\n";
+  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();  // all of one test is it
+  for (std::size_t k = 0; k < shown; ++k) {
+    const TestSummary& test = summaries[k];
+    text += tableRow(test, false, hasBlind);
+    if (hasWeights(test)) text += tableRow(test, true, hasBlind);
+  }
+  text += "</tbody></table></div>\n";
   if (comparisons.empty()) return text;
   return text + "<h2>Bjøntegaard deltas</h2>\n<pre>" + escaped(bdText(comparisons)) + "</pre>\n";
 }

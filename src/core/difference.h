@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The difference of two pictures as a picture, for the report's page.
+#pragma once
+
+#include "core/image.h"
+
+namespace hogelscope {
+
+struct DifferencePicture {
+  Image image;   ///< gain · |reference − test|, each channel; seen where both are
+  int gain = 1;  ///< the largest power of two that nothing is cut off by; 1 for equal pictures
+};
+
+/// Throws std::invalid_argument where the sizes differ.
+DifferencePicture differencePicture(const Image& reference, const Image& test);
+
+}  // namespace hogelscope
