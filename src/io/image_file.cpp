@@ -254,8 +254,9 @@ struct ImageRowWriter::Output {
   std::unique_ptr<OIIO::ImageOutput> image;
   int row = 0;
 
-  Output(const fs::path& path, const OIIO::ImageSpec& spec)
+  Output(const fs::path& path, OIIO::ImageSpec spec)
       : atomic(path), file(path), bytes(atomic.temporary()) {
+    spec.attribute("DateTime", "");  // the same content is the same file: no clock in it
     image = OIIO::ImageOutput::create(path.string());
     if (!image)
       throw InputError(path.string(), "cannot be written",

@@ -191,6 +191,14 @@ void ReportRun::showViews(std::size_t test) {
   if (order.size() > 1) show("best", order.back());
 }
 
+/// What was thrown before is what a user should hear of.
+void saveQuietly(PanelProjection& projection) {
+  try {
+    projection.save();
+  } catch (const InputError&) {
+  }
+}
+
 /// What is left to do of a test.
 std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
   std::vector<std::size_t> open;
@@ -216,7 +224,7 @@ void ReportRun::runTest(std::size_t test) {
     sideBySide(open.size(), m_workers,
                [&](std::size_t k, std::size_t worker) { runState(test, open[k], worker); });
   } catch (...) {
-    m_projections[test]->save();
+    saveQuietly(*m_projections[test]);
     throw;
   }
   m_projections[test]->save();

@@ -29,7 +29,7 @@ QByteArray session() {
   for (int k = 0; k < stateCount; ++k)
     cameras += (k == 0 ? "" : ", ") + QByteArray("{\"name\": \"s") + QByteArray::number(k + 10) +
                "\", \"eye\": [" + QByteArray::number(0.01 * k - 0.2) +
-               ", 0, 0.7], \"fov\": 45, \"res\": [160, 120], \"psf\": {\"sigma\": 1, "
+               ", 0, 0.7], \"fov\": 45, \"res\": [120, 90], \"psf\": {\"sigma\": 0.8, "
                "\"windowSize\": 5}}";
   return text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
                .lightField = R"({"file": "a.png"})",
@@ -191,7 +191,7 @@ void TestReportResume::noMemoryForOneState() {
   QSKIP("the sanitizer's own memory is beyond any limit");
 #endif
   QByteArray sessionWithLarge = session();
-  const qsizetype s12 = sessionWithLarge.indexOf("[160, 120]", sessionWithLarge.indexOf("\"s12\""));
+  const qsizetype s12 = sessionWithLarge.indexOf("[120, 90]", sessionWithLarge.indexOf("\"s12\""));
   writeFile("large.json", sessionWithLarge.replace(s12, 10, "[16384, 16384]"));
   QProcess process;
   limitTo(process, RLIMIT_AS, rlim_t{1} << 30U);
