@@ -28,9 +28,6 @@ class ProgressBar {
   std::string m_line;
 };
 
-/// "2:05 left"; "" where too little is done to say.
-std::string timeLeft(double secondsSoFar, double done);
-
 /// From now on SIGINT and SIGTERM make every Progress say stop; a second one ends at once.
 void catchSignals();
 /// The signal that came, or 0.

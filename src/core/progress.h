@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "core/error.h"
 
@@ -22,5 +23,8 @@ inline Progress part(const Progress& whole, double from, double to) {
   if (!whole) return {};
   return [=](double done) { return whole(from + (to - from) * done); };
 }
+
+/// "2:05 left", if it goes on as it did so far; "" where too little is done to say.
+std::string timeLeft(double secondsSoFar, double done);
 
 }  // namespace hogelscope

@@ -213,7 +213,8 @@ void ReportRun::readLightFields(std::size_t test) {
     m_progress.finish(readingSteps());
     if (m_listener.loaded) m_listener.loaded(scene);
   };
-  if (test == 0) heard(m_pairs.readReference(m_progress.of(readingSteps())));
+  if (test == 0 && m_request.reference) m_pairs.takeReference(*m_request.reference);
+  else if (test == 0) heard(m_pairs.readReference(m_progress.of(readingSteps())));
   heard(m_pairs.readTest(m_request.tests[test].session, m_progress.of(readingSteps())));
 }
 

@@ -33,6 +33,7 @@ struct ReportRequest {
   std::string output;   ///< the folder, made if missing
   std::string command;  ///< how the report was asked for, for its page
   bool images = false;  ///< keep every picture, too
+  std::optional<Scene> reference{};  ///< the session's light field, if it is in memory already
 };
 
 /// Who follows the run. Each may be empty; all are called from several threads, one at a time.

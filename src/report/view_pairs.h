@@ -26,6 +26,7 @@ class ViewPairs {
   ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin, bool keepsReferences);
 
   const Scene& readReference(const Progress& progress);
+  void takeReference(const Scene& scene) { m_reference = scene; }
   /// The last test's memory is free before the next one is read.
   const Scene& readTest(const Session& test, const Progress& progress);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests what the progress bar says of the time left.
+// Tests what long work says of the time left.
 #include <QTest>
 
-#include "cli/progress_bar.h"
+#include "core/progress.h"
 
 using namespace hogelscope;
 
-class TestProgressBar : public QObject {
+class TestProgress : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -14,7 +14,7 @@ class TestProgressBar : public QObject {
   void timeLeft();
 };
 
-void TestProgressBar::timeLeft_data() {
+void TestProgress::timeLeft_data() {
   QTest::addColumn<double>("seconds");
   QTest::addColumn<double>("done");
   QTest::addColumn<QString>("text");
@@ -27,11 +27,11 @@ void TestProgressBar::timeLeft_data() {
   QTest::newRow("hours") << 370.0 << 0.05 << "1:57:10 left";
 }
 
-void TestProgressBar::timeLeft() {
+void TestProgress::timeLeft() {
   QFETCH(double, seconds);
   QFETCH(double, done);
   QTEST(QString::fromStdString(hogelscope::timeLeft(seconds, done)), "text");
 }
 
-QTEST_GUILESS_MAIN(TestProgressBar)
-#include "test_progress_bar.moc"
+QTEST_GUILESS_MAIN(TestProgress)
+#include "test_progress.moc"
