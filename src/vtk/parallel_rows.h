@@ -13,4 +13,7 @@ void parallelRows(int count, const std::function<void(int, int)>& rows);
 /// How many threads work from now on, in the whole process; 0 = all.
 void setThreads(int count);
 
+/// How many threads work.
+int threads();
+
 } // namespace hogelscope
