@@ -158,4 +158,17 @@ Plan plan(const View& view) {
   return result;
 }
 
+std::string oneLine(const View& view, const Plan& plan) {
+  const int n = view.sampling.samplesPerPixel;
+  const auto square = [](int width) { return std::to_string(width * width); };
+  std::string line(nameOf(view.sampling.reconstruction));
+  line += ", " + square(n) + (n == 1 ? " ray" : " rays") + " a pixel, ";
+  if (view.state.psf.windowSize == 1)
+    line += "no leakage, ";
+  else
+    line += square(2 * plan.psfReach + 1) + " of " + square(view.state.psf.windowSize) + " taps, ";
+  if (!plan.hasLens) return line + "no lens";
+  return line + (plan.isTableKept ? "lens table kept" : "lens row by row");
+}
+
 }  // namespace hogelscope

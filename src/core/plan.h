@@ -31,6 +31,9 @@ struct Plan {
 /// `view.lightField` must be loaded.
 Plan plan(const View& view);
 
+/// How the view renders, in one line: "nearest, 1 ray a pixel, 25 of 25 taps, lens table kept".
+std::string oneLine(const View& view, const Plan& plan);
+
 /// What a pixel changes by at most, in code values, if leakage reaches only `reach` taps to each
 /// side.
 double leakageLoss(const PsfParams& psf, int reach);

@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "gui/display_scene.h"
 #include "gui/parameter_form.h"
+#include "gui/picture_commands.h"
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
 #include "gui/view_worker.h"
@@ -117,7 +118,7 @@ void MainWindow::connectModel() {
   connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
           [this](const std::optional<NamedMethod>& method) {
             m_method = method;
-            m_worker->render(m_model->current(), m_method);
+            render();
           });
   connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
@@ -128,14 +129,30 @@ void MainWindow::connectModel() {
     showCurrent();
     m_scene->fit();
   });
-  connect(m_worker, &ViewWorker::rendered, this, [this](const QImage& image, double ms) {
-    m_ui->imageView->setImage(image);
-    const QString method =
-        m_method ? tr(", method: %1").arg(QString::fromStdString(m_method->name)) : QString();
-    statusBar()->showMessage(
-        tr("%1 × %2 px in %3 ms").arg(image.width()).arg(image.height()).arg(ms, 0, 'f', 1) +
-        method);
-  });
+  connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
+  m_pictures = new PictureCommands(*m_ui, m_model, this);
+  connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
+  connect(m_pictures, &PictureCommands::failed, this, &MainWindow::showError);
+  connect(m_pictures, &PictureCommands::done, statusBar(),
+          [this](const QString& line) { statusBar()->showMessage(line); });
+}
+
+void MainWindow::render() {
+  m_worker->render(m_model->current(), m_method, m_pictures->other());
+}
+
+void MainWindow::showView(const RenderedView& view) {
+  m_pictures->show(view);
+  const int views = view.otherImage.isNull() ? 1 : 2;
+  QString line = tr("%1 × %2 px in %3 ms, %4 views/s, %5")
+                     .arg(view.image.width())
+                     .arg(view.image.height())
+                     .arg(view.milliseconds, 0, 'f', 1)
+                     .arg(1000 * views / view.milliseconds, 0, 'f', 0)
+                     .arg(view.plan);
+  if (view.scale > 1) line += tr(", resolution 1/%1").arg(view.scale);
+  if (m_method) line += tr(", method: %1").arg(QString::fromStdString(m_method->name));
+  statusBar()->showMessage(line);
 }
 
 /// To the measurement: the states as they are in the session now.
@@ -233,7 +250,7 @@ void MainWindow::showCurrent() {
   m_stateBox->setCurrentIndex(index);
   for (ParameterForm* form : m_forms) form->refresh();
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
-  m_worker->render(m_model->current(), m_method);
+  render();
   showTitle();
 }
 

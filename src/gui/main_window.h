@@ -21,8 +21,10 @@ namespace hogelscope {
 
 class DisplayScene;
 class ParameterForm;
+class PictureCommands;
 class SessionModel;
 class ViewWorker;
+struct RenderedView;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -49,6 +51,8 @@ class MainWindow : public QMainWindow {
   void showSession();
   void showCurrent();
   void showTitle();
+  void render();
+  void showView(const RenderedView& view);
   void showCertificate(const LensCertificate& certificate);
   void showError(const QString& line);
   void offerViews();
@@ -62,6 +66,7 @@ class MainWindow : public QMainWindow {
   QComboBox* m_stateBox;
   QLabel* m_certificateLabel;
   std::unique_ptr<DisplayScene> m_scene;
+  PictureCommands* m_pictures = nullptr;
   std::vector<ParameterForm*> m_forms;
   DisplayParams m_display;              ///< resolved
   std::optional<Scene> m_loaded;        ///< none while a light field is read

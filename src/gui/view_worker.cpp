@@ -4,10 +4,12 @@
 
 #include <vtkNew.h>
 
-#include <QElapsedTimer>
+#include <chrono>
+#include <limits>
 
 #include "core/error.h"
 #include "core/plan.h"
+#include "core/scaled_view.h"
 #include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
@@ -21,11 +23,32 @@ QImage toQImage(const Image& image) {
   return view.copy();
 }
 
+QImage maskOf(const Image& image) {
+  const QImage view(image.seen.data(), image.width, image.height, qsizetype(image.width),
+                    QImage::Format_Grayscale8);
+  return view.copy();
+}
+
+View viewOf(const Scene& scene, const CameraState& state, const std::optional<NamedMethod>& method,
+            int scale) {
+  View view = method ? with(*method, scene.view(state)) : scene.view(state);
+  view.method.scale = std::max(view.method.scale, scale);
+  return view;
+}
+
+QString planOf(const View& view) {
+  const View made = reduced(view);
+  const QString how = QString::fromStdString(oneLine(made, plan(made)));
+  const int count = threads();
+  return how + (count == 1 ? QObject::tr(", 1 thread") : QObject::tr(", %1 threads").arg(count));
+}
+
 }  // namespace
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
   qRegisterMetaType<Scene>("hogelscope::Scene");
   qRegisterMetaType<LensCertificate>("hogelscope::LensCertificate");
+  qRegisterMetaType<RenderedView>("hogelscope::RenderedView");
   m_thread = std::thread([this] { run(); });
 }
 
@@ -47,10 +70,11 @@ void ViewWorker::load(const Session& session) {
   m_wake.notify_one();
 }
 
-void ViewWorker::render(const CameraState& state, const std::optional<NamedMethod>& method) {
+void ViewWorker::render(const CameraState& state, const std::optional<NamedMethod>& method,
+                        const std::optional<Scene>& other) {
   {
     const std::lock_guard lock(m_mutex);
-    m_toRender = Request{state, method};
+    m_toRender = Request{state, method, other};
   }
   m_wake.notify_one();
 }
@@ -60,10 +84,25 @@ bool ViewWorker::hasNewer(bool isLoading) {
   return m_ends || m_toLoad || (!isLoading && m_toRender);
 }
 
+/// Asked while a view is rendered.
+bool ViewWorker::mustStop() {
+  const std::lock_guard lock(m_mutex);
+  const bool isPatient = double(m_timer.nsecsElapsed()) * 1e-6 < m_patience;
+  return m_ends || m_toLoad || (!isPatient && m_toRender);
+}
+
+/// Waits a moment; false if something newer comes.
+bool ViewWorker::handRests() {
+  constexpr auto rest = std::chrono::milliseconds(60);
+  std::unique_lock lock(m_mutex);
+  return !m_wake.wait_for(lock, rest, [this] { return m_ends || m_toLoad || m_toRender; });
+}
+
 void ViewWorker::run() {
   const vtkNew<vtkHogelViewFilter> filter;
-  filter->SetProgress([this](double) { return !hasNewer(false); });
+  filter->SetProgress([this](double) { return !mustStop(); });
   for (;;) {
+    filter->SetView({});  // while it waits it holds no light field
     std::unique_lock lock(m_mutex);
     m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
     if (m_ends) return;
@@ -72,10 +111,9 @@ void ViewWorker::run() {
         session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
     lock.unlock();
     try {
-      if (session) loadNow(*session, *filter);
+      if (session) loadNow(*session);
       if (!request || !m_scene) continue;
-      const View view = m_scene->view(request->state);
-      renderNow(request->method ? with(*request->method, view) : view, *filter);
+      renderNow(*request, *filter);
       if (!hasNewer(false)) certifyNow(request->state);
     } catch (const Cancelled&) {
       // a newer request waits
@@ -85,21 +123,46 @@ void ViewWorker::run() {
   }
 }
 
-void ViewWorker::loadNow(const Session& session, vtkHogelViewFilter& filter) {
-  filter.SetView({});
+void ViewWorker::loadNow(const Session& session) {
   m_scene.reset();  // frees the old one's memory before the new one is read
   m_scene = loadScene(session, [this](double) { return !hasNewer(true); });
   Q_EMIT loaded(*m_scene);
 }
 
-void ViewWorker::renderNow(const View& view, vtkHogelViewFilter& filter) {
-  const CameraState& state = view.state;
-  QElapsedTimer timer;
-  timer.start();
+/// A smaller picture is finished even if newer requests come, so that something moves however fast
+/// they come; a full one that was thought to be quick gets the time it was thought to take.
+void ViewWorker::renderNow(const Request& request, vtkHogelViewFilter& filter) {
+  const CameraState& state = request.state;
   check(state, state.camera.name.empty() ? "state" : state.camera.name);
-  filter.SetView(view);
-  const Image image = filter.GetImage();
-  Q_EMIT rendered(toQImage(image), double(timer.nsecsElapsed()) * 1e-6);
+  const int scale = m_pace.firstScale();
+  if (scale == 1) return renderAt(1, ViewPace::quick, request, filter);
+  renderAt(scale, std::numeric_limits<double>::infinity(), request, filter);
+  if (handRests()) renderAt(1, 0, request, filter);
+}
+
+void ViewWorker::renderAt(int scale, double patience, const Request& request,
+                          vtkHogelViewFilter& filter) {
+  const auto elapsed = [this] { return double(m_timer.nsecsElapsed()) * 1e-6; };
+  m_patience = patience;
+  m_timer.start();
+  Image other;
+  Image image;
+  const View view = viewOf(*m_scene, request.state, request.method, scale);
+  try {
+    if (request.other) {
+      filter.SetView(viewOf(*request.other, request.state, request.method, scale));
+      other = filter.GetImage();
+    }
+    filter.SetView(view);
+    image = filter.GetImage();
+  } catch (const Cancelled&) {
+    m_pace.stopped(elapsed());
+    throw;
+  }
+  const double milliseconds = elapsed();
+  m_pace.rendered(scale, milliseconds);
+  Q_EMIT rendered({toQImage(image), maskOf(image), toQImage(other), maskOf(other), milliseconds,
+                   scale, planOf(filter.GetChoice().view)});
 }
 
 void ViewWorker::certifyNow(const CameraState& state) {

@@ -2,6 +2,7 @@
 // Reads light fields and renders views on a thread of its own; the newest request wins.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QObject>
 #include <condition_variable>
@@ -11,12 +12,24 @@
 
 #include "core/lens_certificate.h"
 #include "core/session.h"
+#include "gui/view_pace.h"
 #include "io/light_field_file.h"
 #include "study/tradeoff.h"
 
 class vtkHogelViewFilter;
 
 namespace hogelscope {
+
+/// What a state looks like, and on the second light field where there is one.
+struct RenderedView {
+  QImage image;
+  QImage seen;  ///< 0 where no ray meets the display
+  QImage otherImage;
+  QImage otherSeen;
+  double milliseconds = 0;  ///< of both
+  int scale = 1;            ///< one pixel in scale × scale was rendered, because the hand moves
+  QString plan;             ///< how, in one line
+};
 
 class ViewWorker : public QObject {
   Q_OBJECT
@@ -28,36 +41,46 @@ class ViewWorker : public QObject {
 
   /// Reads the session's light field; an older reading stops.
   void load(const Session& session);
-  /// Renders once the light field is there, by the session's own method if none is given; an older
-  /// rendering stops.
-  void render(const CameraState& state, const std::optional<NamedMethod>& method);
+  /// Renders once the light field is there, by the session's own method if none is given, and from
+  /// the other light field too; an older rendering stops. Where that takes long a smaller picture
+  /// comes first, and the full one when no newer request has come for a moment.
+  void render(const CameraState& state, const std::optional<NamedMethod>& method,
+              const std::optional<Scene>& other);
 
  Q_SIGNALS:
   void loaded(const hogelscope::Scene& scene);
-  void rendered(const QImage& image, double milliseconds);
+  void rendered(const hogelscope::RenderedView& view);
   /// After the picture, where its lens is another one than before.
   void certified(const hogelscope::LensCertificate& certificate);
   void failed(const QString& line);
 
  private:
+  struct Request {
+    CameraState state;
+    std::optional<NamedMethod> method;
+    std::optional<Scene> other;
+  };
+
   void run();
-  void loadNow(const Session& session, vtkHogelViewFilter& filter);
-  void renderNow(const View& view, vtkHogelViewFilter& filter);
+  void loadNow(const Session& session);
+  void renderNow(const Request& request, vtkHogelViewFilter& filter);
+  void renderAt(int scale, double patience, const Request& request, vtkHogelViewFilter& filter);
   void certifyNow(const CameraState& state);
   [[nodiscard]] bool hasNewer(bool isLoading);
+  [[nodiscard]] bool mustStop();
+  [[nodiscard]] bool handRests();
 
   std::mutex m_mutex;  ///< guards the next four
   std::condition_variable m_wake;
   std::optional<Session> m_toLoad;
-  struct Request {
-    CameraState state;
-    std::optional<NamedMethod> method;
-  };
   std::optional<Request> m_toRender;
   bool m_ends = false;
 
-  std::optional<Scene> m_scene;   ///< the thread's own, as the next
+  std::optional<Scene> m_scene;   ///< the thread's own, as all that follow
   std::optional<LensKey> m_lens;  ///< the one certified last
+  ViewPace m_pace;
+  QElapsedTimer m_timer;  ///< since the rendering began
+  double m_patience = 0;  ///< milliseconds after which a newer request stops the rendering
   std::thread m_thread;
 };
 

@@ -14,8 +14,8 @@
 
 #include "core/fast_simulation.h"
 #include "core/scaled_view.h"
-#include "gui/image_view.h"
 #include "gui/main_window.h"
+#include "gui/picture_view.h"
 #include "gui/state_commands.h"
 #include "gui/tradeoff_view.h"
 #include "gui/vtk_widget.h"
@@ -60,7 +60,7 @@ class TestMainWindow : public QObject {
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
-  const QImage& view() const { return m_window->findChild<ImageView*>()->image(); }
+  const QImage& view() const { return m_window->findChild<PictureView*>()->image(); }
   template <class T>
   T* editor(const char* dock, const char* name) const {
     return m_window->findChild<QScrollArea*>(dock)->widget()->findChild<T*>(name);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Picture menu.
+#include "gui/picture_commands.h"
+
+#include <QActionGroup>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "gui/session_model.h"
+#include "gui/view_worker.h"
+#include "io/image_file.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
+    : QObject(parent),
+      m_ui(ui),
+      m_model(model),
+      m_comparison(new Comparison(this)),
+      m_modes(new QActionGroup(this)) {
+  const auto connectAction = [this](QAction* action, void (PictureCommands::*does)()) {
+    connect(action, &QAction::triggered, this, does);
+  };
+  connectAction(m_ui.compareAction, &PictureCommands::askFile);
+  connectAction(m_ui.compareFolderAction, &PictureCommands::askFolder);
+  connectAction(m_ui.stopComparingAction, &PictureCommands::stopComparing);
+  connectAction(m_ui.savePictureAction, &PictureCommands::askPicture);
+  connectAction(m_ui.copyPictureAction, &PictureCommands::copy);
+  connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &PictureView::showMask);
+  connect(m_comparison, &Comparison::changed, this, &PictureCommands::otherChanged);
+  connect(m_comparison, &Comparison::changed, this, &PictureCommands::showComparison);
+  connect(m_comparison, &Comparison::failed, this, &PictureCommands::failed);
+  connect(m_comparison, &Comparison::failed, this, &PictureCommands::showComparison);
+  connect(m_model, &SessionModel::opened, m_comparison, &Comparison::stop);
+  m_ui.pictureView->setHint(tr("No view yet: open a session (Ctrl+O)"));
+  addModes();
+  showComparison();
+}
+
+void PictureCommands::addModes() {
+  using Mode = PictureView::Mode;
+  for (const auto& [action, mode] :
+       {std::pair(m_ui.singleAction, Mode::single),
+        std::pair(m_ui.sideBySideAction, Mode::sideBySide), std::pair(m_ui.wipeAction, Mode::wipe),
+        std::pair(m_ui.differenceAction, Mode::difference)}) {
+    m_modes->addAction(action);
+    connect(action, &QAction::triggered, this, [this, m = mode] { m_ui.pictureView->setMode(m); });
+  }
+  m_ui.sideBySideAction->setChecked(true);
+}
+
+void PictureCommands::show(const RenderedView& view) {
+  const bool hasOther = other().has_value();  // not a picture that was under way when it stopped
+  m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());
+  m_ui.pictureView->setMask(view.seen, hasOther ? view.otherSeen : QImage());
+  showComparison();
+}
+
+/// What can be done now.
+void PictureCommands::showComparison() {
+  const bool hasPicture = !m_ui.pictureView->image().isNull();
+  m_modes->setEnabled(other().has_value());
+  m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
+  m_ui.compareAction->setEnabled(hasPicture);
+  m_ui.compareFolderAction->setEnabled(hasPicture);
+  m_ui.savePictureAction->setEnabled(hasPicture);
+  m_ui.copyPictureAction->setEnabled(hasPicture);
+  const std::string& own = m_model->session().lightField.file;
+  m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
+                              m_comparison->name());
+}
+
+void PictureCommands::stopComparing() {
+  m_comparison->stop();
+  m_ui.pictureView->setImages(m_ui.pictureView->image());
+}
+
+bool PictureCommands::compareWith(const QString& file) {
+  try {
+    m_comparison->start(m_model->session(), file);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+  Q_EMIT done(tr("Reading %1 …").arg(file));
+  showComparison();
+  return true;
+}
+
+bool PictureCommands::savePicture(const QString& file) {
+  const QImage picture = m_ui.pictureView->shownPicture().convertToFormat(QImage::Format_RGB888);
+  const auto rowBytes = 3 * std::size_t(picture.width());
+  std::vector<std::uint8_t> rgb;
+  for (int y = 0; y < picture.height(); ++y)
+    rgb.insert(rgb.end(), picture.constScanLine(y), picture.constScanLine(y) + rowBytes);
+  try {
+    writeImage(file.toStdString(), picture.width(), picture.height(), rgb);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+  Q_EMIT done(tr("Saved %1").arg(file));
+  return true;
+}
+
+void PictureCommands::copy() {
+  QGuiApplication::clipboard()->setImage(m_ui.pictureView->shownPicture());
+  Q_EMIT done(tr("Copied"));
+}
+
+void PictureCommands::askFile() {
+  const QString file = QFileDialog::getOpenFileName(
+      m_ui.pictureView, tr("Compare with light field"), m_model->file(),
+      tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.json);;All files (*)"));
+  if (!file.isEmpty()) compareWith(file);
+}
+
+void PictureCommands::askFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(
+      m_ui.pictureView, tr("Compare with folder of views"), m_model->file());
+  if (!folder.isEmpty()) compareWith(folder);
+}
+
+void PictureCommands::askPicture() {
+  const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
+  const QString file = QFileDialog::getSaveFileName(m_ui.pictureView, tr("Save picture"),
+                                                    QFileInfo(m_model->file()).dir().filePath(name),
+                                                    tr("Pictures (*.png *.tif *.jpg)"));
+  if (!file.isEmpty()) savePicture(file);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Picture menu: how the simulated view is shown, what it is compared with, saving and copying.
+#pragma once
+
+#include <QObject>
+
+#include "gui/comparison.h"
+
+class QActionGroup;
+
+namespace Ui {
+class MainWindow;
+}
+
+namespace hogelscope {
+
+class SessionModel;
+struct RenderedView;
+
+class PictureCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  PictureCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
+
+  /// What is to be rendered beside the session's own light field.
+  [[nodiscard]] const std::optional<Scene>& other() const { return m_comparison->other(); }
+  void show(const RenderedView& view);
+  /// Begins to read; what goes wrong is told by failed(), now or later.
+  bool compareWith(const QString& file);
+  /// The picture as it is shown; format by extension.
+  bool savePicture(const QString& file);
+
+ Q_SIGNALS:
+  void otherChanged();  ///< what other() says
+  void done(const QString& line);
+  void failed(const QString& line);
+
+ private:
+  void addModes();
+  void stopComparing();
+  void showComparison();
+  void copy();
+  void askFile();
+  void askFolder();
+  void askPicture();
+
+  const Ui::MainWindow& m_ui;
+  SessionModel* m_model;
+  Comparison* m_comparison;
+  QActionGroup* m_modes;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shows a picture, or compares two of the same size: what it shows and how it is moved. How it is
+// painted is in picture_view_painting.cpp.
+#include "gui/picture_view.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gui/picture_difference.h"
+
+namespace hogelscope {
+
+PictureView::PictureView(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(160, 120);
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  setAccessibleName(tr("Picture"));
+  addActions();
+}
+
+/// Shortcuts of the widget that has the focus, and its context menu.
+void PictureView::addActions() {
+  using View = PictureView;
+  addAction("zoomInAction", tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
+  addAction("zoomOutAction", tr("Zoom &out"), {Qt::Key_Minus}, {}, &View::zoomOut);
+  addAction("fitPictureAction", tr("&Fit"), {Qt::Key_0}, {}, &View::fit);
+  addAction("oneToOneAction", tr("One &to one"), {Qt::Key_1}, {}, &View::oneToOne);
+  addAction("wipeLeftAction", tr("Line to the &left"), {Qt::SHIFT | Qt::Key_Left}, Mode::wipe,
+            &View::wipeLeft);
+  addAction("wipeRightAction", tr("Line to the &right"), {Qt::SHIFT | Qt::Key_Right}, Mode::wipe,
+            &View::wipeRight);
+  addAction("moreGainAction", tr("&Double the gain"), {Qt::SHIFT | Qt::Key_Up}, Mode::difference,
+            &View::moreGain);
+  addAction("lessGainAction", tr("&Halve the gain"), {Qt::SHIFT | Qt::Key_Down}, Mode::difference,
+            &View::lessGain);
+  showActions();
+}
+
+void PictureView::addAction(const char* name, const QString& text, const QList<QKeySequence>& keys,
+                            std::optional<Mode> mode, void (PictureView::*does)()) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcuts(keys);
+  action->setShortcutContext(Qt::WidgetShortcut);
+  if (mode) action->setData(int(*mode));
+  connect(action, &QAction::triggered, this, does);
+  QWidget::addAction(action);
+}
+
+/// Only those that do something.
+void PictureView::showActions() {
+  for (QAction* action : actions())
+    if (action->data().isValid()) action->setVisible(action->data().toInt() == int(shownMode()));
+}
+
+void PictureView::setImages(const QImage& image, const QImage& other) {
+  const bool hasOther = !other.isNull() && other.size() == image.size();
+  m_pictures[0].image = ZoomableImage(image);
+  m_pictures[1].image = ZoomableImage(hasOther ? other : QImage());
+  updateDifference();
+  setViewport(m_viewport);
+}
+
+void PictureView::setMask(const QImage& seen, const QImage& otherSeen) {
+  m_pictures[0].seen = seen;
+  m_pictures[1].seen = otherSeen;
+  updateHatch();
+}
+
+void PictureView::setTitles(const QString& title, const QString& otherTitle) {
+  m_pictures[0].title = title;
+  m_pictures[1].title = otherTitle;
+  update();
+}
+
+void PictureView::setHint(const QString& hint) {
+  m_hint = hint;
+  update();
+}
+
+void PictureView::setMode(Mode mode) {
+  m_mode = mode;
+  updateDifference();
+}
+
+void PictureView::showMask(bool isShown) {
+  m_showsMask = isShown;
+  updateHatch();
+}
+
+void PictureView::setGain(int gain) {
+  m_gain = std::clamp(gain, 1, 128);
+  updateDifference();
+}
+
+void PictureView::setWipe(double share) {
+  m_wipe = std::clamp(share, 0.0, 1.0);
+  update();
+}
+
+void PictureView::updateDifference() {
+  m_difference = shownMode() == Mode::difference
+                     ? ZoomableImage(pictureDifference(image(), otherImage(), m_gain))
+                     : ZoomableImage();
+  showActions();
+  update();
+}
+
+void PictureView::updateHatch() {
+  for (Shown& picture : m_pictures)
+    picture.hatch = m_showsMask ? ZoomableImage(hatched(picture.seen)) : ZoomableImage();
+  update();
+}
+
+void PictureView::setViewport(const Viewport& viewport) {
+  const Viewport next = limited(viewport, image().size());
+  update();
+  if (next == m_viewport) return;
+  m_viewport = next;
+  Q_EMIT viewportChanged(m_viewport);
+}
+
+void PictureView::linkTo(PictureView& other) {
+  setViewport(other.viewport());
+  connect(this, &PictureView::viewportChanged, &other, &PictureView::setViewport);
+  connect(&other, &PictureView::viewportChanged, this, &PictureView::setViewport);
+}
+
+PictureView::Mode PictureView::shownMode() const {
+  return otherImage().isNull() ? Mode::single : m_mode;
+}
+
+QRect PictureView::deviceRect() const {
+  return {QPoint(0, 0), (QSizeF(size()) * devicePixelRatioF()).toSize()};
+}
+
+QPointF PictureView::inDevice(const QPointF& position) const {
+  return position * devicePixelRatioF();
+}
+
+/// Side by side there are two of one size, with a gap between them.
+QRect PictureView::paneAt(const QPointF& device) const {
+  QRect pane = deviceRect();
+  if (shownMode() != Mode::sideBySide) return pane;
+  constexpr int gap = 2;
+  const int width = (pane.width() - gap) / 2;
+  const bool isRight = device.x() >= width + gap / 2.0;
+  return {isRight ? pane.width() - width : 0, 0, width, pane.height()};
+}
+
+Placement PictureView::placement(const QRect& pane) const {
+  return place(m_viewport, pane, image().size());
+}
+
+std::optional<QPoint> PictureView::pixelAt(const QPointF& position) const {
+  if (image().isNull()) return {};
+  const QPointF device = inDevice(position);
+  const QPointF point = placement(paneAt(device)).toPicture(device);
+  const QPoint pixel(int(std::floor(point.x())), int(std::floor(point.y())));
+  return image().rect().contains(pixel) ? std::optional(pixel) : std::nullopt;
+}
+
+int PictureView::wipeColumn() const {
+  return int(std::round(m_wipe * deviceRect().width()));
+}
+
+bool PictureView::isOnLine(const QPointF& position) const {
+  constexpr double reach = 6;
+  return shownMode() == Mode::wipe && std::abs(position.x() - m_wipe * width()) <= reach;
+}
+
+void PictureView::zoomBy(int steps, const QPointF& device) {
+  if (image().isNull() || steps == 0) return;
+  setViewport(zoomed(m_viewport, paneAt(device), image().size(), steps, device));
+}
+
+void PictureView::zoomIn() {
+  zoomBy(1, paneAt({}).toRectF().center());
+}
+
+void PictureView::zoomOut() {
+  zoomBy(-1, paneAt({}).toRectF().center());
+}
+
+void PictureView::fit() {
+  setViewport({});
+}
+
+void PictureView::oneToOne() {
+  if (!image().isNull()) setViewport(zoomedTo(m_viewport, paneAt({}), image().size(), 1));
+}
+
+void PictureView::wipeLeft() {
+  setWipe(m_wipe - 0.02);
+}
+
+void PictureView::wipeRight() {
+  setWipe(m_wipe + 0.02);
+}
+
+void PictureView::moreGain() {
+  setGain(2 * m_gain);
+}
+
+void PictureView::lessGain() {
+  setGain(m_gain / 2);
+}
+
+void PictureView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  m_pressed = event->position();
+  m_draggedFrom = m_viewport;
+  m_drag = isOnLine(m_pressed) ? Drag::wipe : Drag::press;
+}
+
+void PictureView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF position = event->position();
+  m_pointer = position;
+  const bool isFar = (position - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+  if (m_drag == Drag::press && isFar) m_drag = Drag::pan;
+  if (m_drag == Drag::wipe) setWipe(position.x() / width());
+  if (m_drag == Drag::pan && !image().isNull())
+    setViewport(moved(m_draggedFrom, paneAt({}), image().size(), inDevice(position - m_pressed)));
+  setCursor(isOnLine(position) ? Qt::SplitHCursor : Qt::CrossCursor);
+  update();
+}
+
+void PictureView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  const std::optional<QPoint> pixel = pixelAt(event->position());
+  if (std::exchange(m_drag, Drag::none) == Drag::press && pixel)
+    Q_EMIT pixelPicked(pixel->x(), pixel->y());
+}
+
+void PictureView::leaveEvent(QEvent*) {
+  m_pointer.reset();
+  update();
+}
+
+void PictureView::wheelEvent(QWheelEvent* event) {
+  constexpr int notch = 120;
+  m_wheel += event->angleDelta().y();
+  const int steps = m_wheel / notch;
+  m_wheel -= steps * notch;
+  zoomBy(steps, inDevice(event->position()));
+}
+
+/// The arrows move the part that is shown.
+void PictureView::keyPressEvent(QKeyEvent* event) {
+  const int x = int(event->key() == Qt::Key_Right) - int(event->key() == Qt::Key_Left);
+  const int y = int(event->key() == Qt::Key_Down) - int(event->key() == Qt::Key_Up);
+  if ((x == 0 && y == 0) || image().isNull()) return QWidget::keyPressEvent(event);
+  const QRect pane = paneAt({});
+  const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
+  setViewport(moved(m_viewport, pane, image().size(), by));
+}
+
+}  // namespace hogelscope
