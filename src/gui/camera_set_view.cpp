@@ -20,9 +20,9 @@ CameraSetView::CameraSetView(QWidget* parent)
   m_addButton->setObjectName("addSetButton");
   m_addButton->setToolTip(tr("Adds the set at the end of the list of states"));
   m_fileButton->setObjectName("addSetFileButton");
-  m_fileButton->setToolTip(
-      tr("A distribution, list or path (JSON), or a viewer's trace (CSV); the settings above that a "
-         "file does not say are its own defaults"));
+  m_fileButton->setToolTip(tr(
+      "A distribution, list or path (JSON), or a viewer's trace (CSV); the settings above that a "
+      "file does not say are its own defaults"));
   auto* forms = new QWidget;
   auto* column = new QVBoxLayout(forms);
   column->addWidget(
@@ -37,8 +37,9 @@ CameraSetView::CameraSetView(QWidget* parent)
   layout->addWidget(area, 1);
   layout->addWidget(m_addButton);
   layout->addWidget(m_fileButton);
-  connect(m_addButton, &QPushButton::clicked, this,
-          [this] { add([this] { return CameraSet{m_params, m_region, {}}; }); });
+  connect(m_addButton, &QPushButton::clicked, this, [this] {
+    add([this] { return CameraSet{m_params, m_region, {}}; });
+  });
   connect(m_fileButton, &QPushButton::clicked, this, &CameraSetView::askFile);
 }
 
@@ -58,7 +59,6 @@ bool CameraSetView::add(const std::function<CameraSet()>& set) {
     m_model->changeStates([&](Session& session) {
       const std::size_t first = session.cameras.size();
       session = withCameras(session, set());
-      Q_EMIT done(tr("%1 states added").arg(session.cameras.size() - first));
       return first;
     });
     return true;
@@ -73,9 +73,9 @@ bool CameraSetView::addFromFile(const QString& file) {
 }
 
 void CameraSetView::askFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Add states from a camera set"),
-                                                    m_model->file(),
-                                                    tr("Camera sets and traces (*.json *.csv)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Add states from a camera set"), m_model->file(),
+                                   tr("Camera sets and traces (*.json *.csv)"));
   if (!file.isEmpty()) addFromFile(file);
 }
 

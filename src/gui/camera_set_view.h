@@ -24,7 +24,6 @@ class CameraSetView : public QWidget {
   bool addFromFile(const QString& file);
 
  Q_SIGNALS:
-  void done(const QString& line);
   void failed(const QString& line);
 
  private:

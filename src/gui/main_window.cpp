@@ -95,11 +95,15 @@ void MainWindow::connectActions() {
   connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
-  for (QDockWidget* dock :
-       {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock, m_ui->tradeoffDock})
+  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
+                            m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
+  m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
+  m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
   m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
-  m_ui->tradeoffDock->hide();
+  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
+  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
+    dock->hide();
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
@@ -120,11 +124,16 @@ void MainWindow::connectModel() {
             m_method = method;
             render();
           });
+  m_ui->reportPanel->setModel(m_model);
+  connect(m_ui->reportPanel, &ReportDock::failed, this, &MainWindow::showError);
+  m_ui->cameraSetView->setModel(m_model);
+  connect(m_ui->cameraSetView, &CameraSetView::failed, this, &MainWindow::showError);
   connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
   connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
     m_loaded = scene;
     m_display = scene.display;
+    m_ui->reportPanel->setReference(scene);
     offerViews();
     showCurrent();
     m_scene->fit();
@@ -233,6 +242,7 @@ void MainWindow::showStates() {
 
 void MainWindow::showSession() {
   m_display = m_model->session().display;
+  m_ui->reportPanel->setReference(std::nullopt);
   m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
   m_ui->tradeoffView->forgetChoice();

@@ -71,9 +71,9 @@ QVariant ReportTable::data(const QModelIndex& index, int role) const {
 
 QVariant ReportTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical || section < 0 || section >= columns) return {};
-  const char* const titles[] = {QT_TR_NOOP("State"),         QT_TR_NOOP("Test"),
-                                QT_TR_NOOP("PSNR, dB"),      QT_TR_NOOP("PSNR seen, dB"),
-                                QT_TR_NOOP("SSIM"),          QT_TR_NOOP("Seen, %")};
+  const char* const titles[] = {QT_TR_NOOP("State"),    QT_TR_NOOP("Test"),
+                                QT_TR_NOOP("PSNR, dB"), QT_TR_NOOP("PSNR seen, dB"),
+                                QT_TR_NOOP("SSIM"),     QT_TR_NOOP("Seen, %")};
   const char* const helps[] = {
       QT_TR_NOOP("The camera state"),
       QT_TR_NOOP("The test light field"),

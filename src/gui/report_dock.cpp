@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report dock.
-#include "gui/report_view.h"
+#include "gui/report_dock.h"
 
 #include <QDesktopServices>
 #include <QFileDialog>
@@ -17,11 +17,14 @@
 #include <QSplitter>
 #include <QTableView>
 #include <QUrl>
+#include <algorithm>
 #include <limits>
 
+#include "core/summary_page.h"
 #include "gui/picture_view.h"
 #include "gui/report_table.h"
 #include "gui/report_worker.h"
+#include "gui/session_model.h"
 
 namespace hogelscope {
 
@@ -44,17 +47,18 @@ QWidget* beside(std::initializer_list<QWidget*> widgets) {
 
 }  // namespace
 
-ReportView::ReportView(QWidget* parent)
+ReportDock::ReportDock(QWidget* parent)
     : QWidget(parent),
       m_worker(new ReportWorker(this)),
       m_table(new ReportTable(this)),
       m_sorted(new QSortFilterProxyModel(this)),
       m_testList(new QListWidget),
       m_folder(new QLineEdit),
-      m_makeButton(button("makeReportButton", {}, tr("Renders every state from the session's light "
-                                                     "field and from each test, and compares"))),
-      m_pageButton(button("openPageButton", tr("&Open page"),
-                          tr("Shows report.html in the web browser"))),
+      m_makeButton(button("makeReportButton", {},
+                          tr("Renders every state from the session's light "
+                             "field and from each test, and compares"))),
+      m_pageButton(
+          button("openPageButton", tr("&Open page"), tr("Shows report.html in the web browser"))),
       m_progress(new QProgressBar),
       m_note(new QLabel),
       m_rows(new QTableView) {
@@ -80,7 +84,7 @@ ReportView::ReportView(QWidget* parent)
   showIdle();
 }
 
-QWidget* ReportView::makeSettings() {
+QWidget* ReportDock::makeSettings() {
   m_testList->setObjectName("testList");
   m_testList->setToolTip(tr("The light fields that are compared with the session's own"));
   m_testList->setMaximumHeight(90);
@@ -94,9 +98,9 @@ QWidget* ReportView::makeSettings() {
   auto* addFolder = button("addTestFolderButton", tr("Add &folder…"), tr("A folder of views"));
   auto* remove = button("removeTestButton", tr("&Remove"), tr("The one that is marked"));
   auto* choose = button("reportFolderButton", tr("Choose…"), tr("Another folder"));
-  connect(addFile, &QPushButton::clicked, this, &ReportView::askTest);
-  connect(addFolder, &QPushButton::clicked, this, &ReportView::askTestFolder);
-  connect(choose, &QPushButton::clicked, this, &ReportView::askFolder);
+  connect(addFile, &QPushButton::clicked, this, &ReportDock::askTest);
+  connect(addFolder, &QPushButton::clicked, this, &ReportDock::askTestFolder);
+  connect(choose, &QPushButton::clicked, this, &ReportDock::askFolder);
   connect(remove, &QPushButton::clicked, this, [this] {
     delete m_testList->currentItem();
     showIdle();
@@ -117,7 +121,7 @@ QWidget* ReportView::makeSettings() {
 }
 
 /// Zoomed and panned together.
-QWidget* ReportView::makePictures() {
+QWidget* ReportDock::makePictures() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -141,13 +145,13 @@ QWidget* ReportView::makePictures() {
   return row;
 }
 
-void ReportView::connectAll() {
-  connect(m_makeButton, &QPushButton::clicked, this, &ReportView::makeOrStop);
-  connect(m_pageButton, &QPushButton::clicked, this, &ReportView::openPage);
+void ReportDock::connectAll() {
+  connect(m_makeButton, &QPushButton::clicked, this, &ReportDock::makeOrStop);
+  connect(m_pageButton, &QPushButton::clicked, this, &ReportDock::openPage);
   connect(m_rows->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          &ReportView::showChosen);
-  connect(m_worker, &ReportWorker::advanced, this, &ReportView::showProgress);
-  connect(m_worker, &ReportWorker::rowFinished, this, &ReportView::showRow);
+          &ReportDock::showChosen);
+  connect(m_worker, &ReportWorker::advanced, this, &ReportDock::showProgress);
+  connect(m_worker, &ReportWorker::rowFinished, this, &ReportDock::showRow);
   connect(m_worker, &ReportWorker::finished, this, [this](const Report& report) {
     showIdle();
     m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
@@ -164,95 +168,101 @@ void ReportView::connectAll() {
   });
 }
 
-void ReportView::setSession(const Session& session, const QString& file) {
-  m_session = session;
-  m_file = file;
-  m_isModified = false;
+void ReportDock::setModel(SessionModel* model) {
+  m_model = model;
+  connect(model, &SessionModel::opened, this, [this] {
+    forget();
+    const QFileInfo info(m_model->file());
+    setFolder(info.path() + "/" + info.completeBaseName() + "-report");
+  });
+  connect(model, &SessionModel::edited, this, &ReportDock::noteEdits);
+  connect(model, &SessionModel::statesChanged, this, &ReportDock::noteEdits);
+  connect(model, &SessionModel::currentChanged, this,
+          [this] { chooseState(m_model->currentIndex()); });
+  showIdle();
+}
+
+/// Rows of another session are not shown any more, and a report that is under way stops.
+void ReportDock::forget() {
   if (m_isAtWork) stop();
-  m_request = {};
   m_table->begin(0);
   m_note->clear();
   m_pageButton->setEnabled(false);
   for (PictureView* view : {m_referencePicture, m_testPicture, m_differencePicture})
     view->setImages({});
-  const QFileInfo info(file);
-  if (!file.isEmpty()) m_folder->setText(info.path() + "/" + info.completeBaseName() + "-report");
   tellPsnr();
   if (!m_isAtWork) showIdle();
 }
 
-void ReportView::setEdited(const Session& session, bool isModified) {
-  m_isModified = isModified;
-  if (session == m_session) return;
-  const bool hasOtherStates = session.cameras.size() != m_session.cameras.size();
-  m_session = session;
-  if (m_table->rowCount() == 0) return;
-  if (hasOtherStates) {
-    setSession(session, m_file);
-    m_isModified = isModified;
-  } else if (!m_isAtWork) {
-    m_note->setText(tr("The session has been edited since this report was made."));
-  }
+void ReportDock::noteEdits() {
+  if (m_table->rowCount() == 0) return showIdle();
+  const auto nameOf = [](const CameraState& state) { return state.camera.name; };
+  if (!std::ranges::equal(m_request.session.cameras, m_model->session().cameras, {}, nameOf,
+                          nameOf))
+    return forget();
+  if (!m_isAtWork) m_note->setText(tr("The session has been edited since this report was made."));
 }
 
-void ReportView::setReference(const std::optional<Scene>& scene) {
+void ReportDock::setReference(const std::optional<Scene>& scene) {
   m_reference = scene;
 }
 
-void ReportView::askTest() {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      this, tr("Add test light fields"), m_file,
-      tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.json);;All files (*)"));
+void ReportDock::askTest() {
+  const QStringList files =
+      QFileDialog::getOpenFileNames(this, tr("Add test light fields"), m_model->file(),
+                                    tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff "
+                                       "*.exr *.json);;All files (*)"));
   for (const QString& file : files) addTest(file);
 }
 
-void ReportView::askTestFolder() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Add a folder of views"), QFileInfo(m_file).path());
+void ReportDock::askTestFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Add a folder of views"),
+                                                           QFileInfo(m_model->file()).path());
   if (!folder.isEmpty()) addTest(folder);
 }
 
-void ReportView::addTest(const QString& file) {
+void ReportDock::addTest(const QString& file) {
   m_testList->addItem(file);
   m_testList->setCurrentRow(m_testList->count() - 1);
   if (!m_isAtWork) showIdle();
 }
 
-void ReportView::askFolder() {
+void ReportDock::askFolder() {
   const QString folder =
       QFileDialog::getExistingDirectory(this, tr("Folder of the report"), m_folder->text());
   if (!folder.isEmpty()) setFolder(folder);
 }
 
-void ReportView::setFolder(const QString& folder) {
+void ReportDock::setFolder(const QString& folder) {
   m_folder->setText(folder);
 }
 
-void ReportView::openPage() {
+void ReportDock::openPage() {
   QDesktopServices::openUrl(
       QUrl::fromLocalFile(QString::fromStdString(m_request.output) + "/report.html"));
 }
 
-void ReportView::makeOrStop() {
+void ReportDock::makeOrStop() {
   if (m_isAtWork) return stop();
   start();
 }
 
-void ReportView::start() {
+void ReportDock::start() {
   m_tests.clear();
   for (int k = 0; k < m_testList->count(); ++k)
     m_tests.push_back(m_testList->item(k)->text().toStdString());
   m_request = {};
-  m_request.session = m_session;
+  m_request.session = m_model->session();
   m_request.session.sampling.tolerance = 0;  // differences are the light fields'
-  m_request.sessionFile = m_isModified ? std::string() : m_file.toStdString();
+  const std::string file = m_model->file().toStdString();
+  m_request.sessionFile = m_model->isModified() ? std::string() : file;
   m_request.output = m_folder->text().toStdString();
-  m_request.command = m_isModified ? "made in the window, from " + m_file.toStdString() + " as edited"
-                                   : "made in the window";
+  m_request.command =
+      "made in the window" + (m_model->isModified() ? ", from " + file + " as edited" : "");
   m_request.images = true;  // what a click on a row shows
   m_request.reference = m_reference;
   if (m_request.reference) m_request.reference->sampling.tolerance = 0;
-  m_table->begin(m_session.cameras.size() * m_tests.size());
+  m_table->begin(m_request.session.cameras.size() * m_tests.size());
   m_test = 0;
   tellPsnr();
   m_isAtWork = true;
@@ -264,36 +274,37 @@ void ReportView::start() {
   m_worker->start(m_request, m_tests);
 }
 
-void ReportView::stop() {
+void ReportDock::stop() {
   m_worker->stop();
   m_makeButton->setText(tr("Stopping…"));
   m_makeButton->setEnabled(false);
 }
 
-void ReportView::showIdle() {
+void ReportDock::showIdle() {
   m_isAtWork = false;
   m_makeButton->setText(tr("&Make report"));
-  m_makeButton->setEnabled(!m_session.cameras.empty() && m_testList->count() > 0);
+  m_makeButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&
+                           m_testList->count() > 0);
   m_progress->setVisible(false);
   m_progress->setValue(0);
 }
 
-void ReportView::showProgress(double fraction) {
+void ReportDock::showProgress(double fraction) {
   m_progress->setValue(int(1000 * fraction));
   const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, fraction);
   m_progress->setFormat("%p % " + QString::fromStdString(left));
 }
 
-void ReportView::showRow(std::size_t index, const ReportRow& row) {
+void ReportDock::showRow(std::size_t index, const ReportRow& row) {
   m_table->set(index, row);
   if (chosenRow() == index) showPictures(index);
   tellPsnr();
 }
 
-void ReportView::tellPsnr() {
+void ReportDock::tellPsnr() {
   std::vector<double> dB;
   if (m_table->rowCount() > 0) {
-    dB.assign(m_session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
+    dB.assign(m_request.session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t state = 0; state < dB.size(); ++state)
       if (const auto& row = m_table->row(state * m_tests.size() + m_test); row)
         dB[state] = psnr(row->metrics.mse);
@@ -301,13 +312,13 @@ void ReportView::tellPsnr() {
   Q_EMIT psnrChanged(dB);
 }
 
-std::optional<std::size_t> ReportView::chosenRow() const {
+std::optional<std::size_t> ReportDock::chosenRow() const {
   const QModelIndex current = m_sorted->mapToSource(m_rows->currentIndex());
   if (!current.isValid()) return std::nullopt;
   return std::size_t(current.row());
 }
 
-void ReportView::showChosen() {
+void ReportDock::showChosen() {
   const std::optional<std::size_t> row = chosenRow();
   if (!row || m_tests.empty()) return;
   if (const std::size_t test = *row % m_tests.size(); test != m_test) {
@@ -315,10 +326,10 @@ void ReportView::showChosen() {
     tellPsnr();
   }
   showPictures(*row);
-  Q_EMIT stateChosen(*row / m_tests.size());
+  m_model->setCurrentIndex(*row / m_tests.size());
 }
 
-void ReportView::showPictures(std::size_t index) {
+void ReportDock::showPictures(std::size_t index) {
   const std::optional<ReportRow>& row = m_table->row(index);
   QImage reference;
   QImage test;
@@ -333,7 +344,7 @@ void ReportView::showPictures(std::size_t index) {
   m_differencePicture->setImages(reference, test);
 }
 
-void ReportView::chooseState(std::size_t state) {
+void ReportDock::chooseState(std::size_t state) {
   const std::size_t row = state * m_tests.size() + m_test;
   if (m_tests.empty() || row >= std::size_t(m_table->rowCount()) || chosenRow() == row) return;
   m_rows->selectRow(m_sorted->mapFromSource(m_table->index(int(row), 0)).row());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock: test light fields, a run in the background, its rows, and the pictures of the row
-// that is chosen.
+// The report dock: test light fields, a run in the background, its rows, and the pictures of the
+// row that is chosen.
 #pragma once
 
 #include <QElapsedTimer>
@@ -21,32 +21,29 @@ namespace hogelscope {
 class PictureView;
 class ReportTable;
 class ReportWorker;
+class SessionModel;
 
-class ReportView : public QWidget {
+class ReportDock : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ReportView(QWidget* parent = nullptr);
+  explicit ReportDock(QWidget* parent = nullptr);
 
-  /// What the next report is of. Rows of another session are not shown any more, and a report that
-  /// is under way stops.
-  void setSession(const Session& session, const QString& file);
-  /// The session has other values than the rows that are shown.
-  void setEdited(const Session& session, bool isModified);
+  void setModel(SessionModel* model);
   /// What is in memory already; none while it is read.
   void setReference(const std::optional<Scene>& scene);
-  /// Shows the row of this state.
-  void chooseState(std::size_t state);
   void addTest(const QString& file);
   void setFolder(const QString& folder);
 
  Q_SIGNALS:
-  void stateChosen(std::size_t state);
   /// Of every state under the test of the chosen row, dB; not a number where there is none (yet).
   void psnrChanged(const std::vector<double>& dB);
   void failed(const QString& line);
 
  private:
+  void forget();
+  void noteEdits();
+  void chooseState(std::size_t state);
   QWidget* makeSettings();
   QWidget* makePictures();
   void connectAll();
@@ -65,9 +62,7 @@ class ReportView : public QWidget {
   void tellPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
 
-  Session m_session;
-  QString m_file;
-  bool m_isModified = false;
+  SessionModel* m_model = nullptr;
   std::optional<Scene> m_reference;
   ReportRequest m_request;           ///< of the rows that are shown
   std::vector<std::string> m_tests;  ///< likewise

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives the report and camera set docks in the real window: makes reports, stops them, looks at
+// their rows and pictures.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+
+#include "gui/camera_set_view.h"
+#include "gui/main_window.h"
+#include "gui/picture_view.h"
+#include "gui/report_dock.h"
+#include "gui/vtk_widget.h"
+#include "io/session_file.h"
+#include "tests/cli/csv.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr int stateCount = 5;
+
+float content(int x, int y, int channel) {
+  return float((x * 5 + y * 3 + channel * 40 + (x / 16) * (y / 8)) % 200 + 20) / 255;
+}
+
+/// The worse the further to the right.
+float noisy(int x, int y, int channel) {
+  return content(x, y, channel) + float((x * 7919 + y * 104729 + channel) % (2 + x / 8)) / 255;
+}
+
+/// The last one stands behind the panel.
+QByteArray session(const QByteArray& res, const QByteArray& sampling) {
+  QByteArray cameras;
+  for (int k = 0; k < stateCount; ++k)
+    cameras += (k == 0 ? "" : ", ") + QByteArray("{\"name\": \"s") + QByteArray::number(k) +
+               "\", \"eye\": [" + QByteArray::number(0.1 * k - 0.2) + ", 0, " +
+               (k == stateCount - 1 ? "-0.7" : "0.7") + "], \"fov\": 45, \"res\": " + res + "}";
+  return text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
+               .lightField = R"({"file": "a.png"})",
+               .sampling = sampling,
+               .cameras = "[" + cameras + "]"});
+}
+
+}  // namespace
+
+class TestReportDock : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void cleanup() { m_window.reset(); }
+  void makesAReport();
+  void sorts();
+  void aRowShowsItsPictures();
+  void theSceneIsTold();
+  void stopsAndGoesOn();
+  void errors();
+  void editsAreNoted();
+  void addsCameraSets();
+
+ private:
+  template <class T>
+  T* child(const char* name) const {
+    return m_window->findChild<T*>(name);
+  }
+  void click(const char* name) const {
+    QTest::mouseClick(child<QPushButton>(name), Qt::LeftButton);
+  }
+  QString cell(int row, int column) const {
+    auto* table = child<QTableView>("reportTable");
+    return table->model()->index(row, column).data().toString();
+  }
+  void open(const QByteArray& res = "[80, 60]", const QByteArray& sampling = "{}");
+  void make();
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+  std::unique_ptr<MainWindow> m_window;
+  ReportDock* m_dock = nullptr;
+};
+
+void TestReportDock::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+  writePicture("a.png", 128, 128, content);
+  writePicture("b.png", 128, 128, noisy);
+  writePicture("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
+  m_window = std::make_unique<MainWindow>();
+  m_window->resize(1600, 1000);
+  m_window->show();
+  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
+  m_dock = m_window->findChild<ReportDock*>();
+}
+
+void TestReportDock::open(const QByteArray& res, const QByteArray& sampling) {
+  writeFile("s.json", session(res, sampling));
+  QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
+  QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
+  QTRY_VERIFY(m_dock->isVisible());
+}
+
+void TestReportDock::make() {
+  open();
+  m_dock->addTest("b.png");
+  m_dock->addTest("c.png");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           30000);
+}
+
+void TestReportDock::makesAReport() {
+  QVERIFY(!child<QPushButton>("makeReportButton")->isEnabled());  // nothing to compare yet
+  make();
+  QCOMPARE(child<QLineEdit>("reportFolder")->text(), m_folder->filePath("s-report"));
+  for (const char* file : {"report.csv", "report.html", "summary.csv", "reference/s0.png"})
+    QVERIFY2(QFileInfo::exists(QString("s-report/") + file), file);
+  const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
+  for (int row = 0; row < 2 * stateCount; ++row) {
+    const QStringList cells = cellsOf(lines[row + 1]);
+    QCOMPARE(cell(row, 0), cells[0]);
+    QCOMPARE(cell(row, 1), cells[1]);
+    const bool isBlind = row / 2 == stateCount - 1;
+    QCOMPARE(cell(row, 2), isBlind ? QString("sees nothing of the display")
+                                   : QString::number(cells[3].toDouble(), 'f', 2));
+    QCOMPARE(cell(row, 4), isBlind ? QString("–") : QString::number(cells[6].toDouble(), 'f', 4));
+    QCOMPARE(cell(row, 5), QString::number(100 * cells[7].toDouble(), 'f', 1));
+  }
+  QVERIFY(child<QPushButton>("openPageButton")->isEnabled());
+  m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_dock.png");
+}
+
+void TestReportDock::sorts() {
+  make();
+  auto* header = child<QTableView>("reportTable")->horizontalHeader();
+  const QPoint psnr(header->sectionViewportPosition(2) + 10, 5);
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, psnr);
+  std::vector<double> up;
+  for (int row = 2; row < 2 * stateCount; ++row) up.push_back(cell(row, 2).toDouble());
+  QVERIFY(cell(0, 2).startsWith("sees nothing") && cell(1, 2).startsWith("sees nothing"));
+  QVERIFY(std::is_sorted(up.begin(), up.end()) && up.front() < up.back());
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, psnr);
+  QCOMPARE(cell(0, 2).toDouble(), up.back());
+}
+
+void TestReportDock::aRowShowsItsPictures() {
+  make();
+  auto* table = child<QTableView>("reportTable");
+  const QRect place = table->visualRect(table->model()->index(5, 0));  // s2, c.png
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, place.center());
+  auto* reference = child<PictureView>("reportReference");
+  auto* test = child<PictureView>("reportTest");
+  auto* difference = child<PictureView>("reportDifference");
+  const QImage wanted = QImage("s-report/reference/s2.png").convertToFormat(QImage::Format_RGB32);
+  const QImage other = QImage("s-report/test2/s2.png").convertToFormat(QImage::Format_RGB32);
+  QCOMPARE(reference->image().convertToFormat(QImage::Format_RGB32), wanted);
+  QCOMPARE(test->image().convertToFormat(QImage::Format_RGB32), other);
+  const QImage shown = difference->shownPicture().convertToFormat(QImage::Format_RGB32);
+  for (int y = 0; y < 60; y += 7)
+    for (int x = 0; x < 80; x += 5)
+      QCOMPARE(qRed(shown.pixel(x, y)),
+               std::min(255, difference->gain() *
+                                 std::abs(qRed(wanted.pixel(x, y)) - qRed(other.pixel(x, y)))));
+  QCOMPARE(m_window->findChild<QComboBox*>("stateBox")->currentText(), QString("s2"));
+  // zoomed together
+  const Viewport before = test->viewport();
+  reference->setFocus();
+  QTest::keyClick(reference, Qt::Key_Plus);
+  QVERIFY(test->viewport() != before);
+  QCOMPARE(test->viewport(), reference->viewport());
+  QCOMPARE(difference->viewport(), reference->viewport());
+  m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_pictures.png");
+}
+
+/// And a state that is chosen elsewhere is chosen here.
+void TestReportDock::theSceneIsTold() {
+  QSignalSpy told(m_dock, &ReportDock::psnrChanged);
+  make();
+  const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
+  const auto psnrOf = [&](int state, int test) {
+    return cellsOf(lines[1 + 2 * state + test])[3].toDouble();
+  };
+  const auto last = [&] { return told.last()[0].value<std::vector<double>>(); };
+  QCOMPARE(last().size(), std::size_t(stateCount));
+  QCOMPARE(last()[1], psnrOf(1, 0));
+  QVERIFY(std::isnan(last()[stateCount - 1]));
+  auto* table = child<QTableView>("reportTable");
+  table->selectRow(3);  // s1, c.png
+  QCOMPARE(last()[1], psnrOf(1, 1));
+  child<QComboBox>("stateBox")->setCurrentIndex(3);
+  QCOMPARE(table->currentIndex().row(), 7);
+  QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
+  QVERIFY(last().empty());
+  QCOMPARE(table->model()->rowCount(), 0);
+}
+
+void TestReportDock::stopsAndGoesOn() {
+  open("[800, 600]", R"({"samplesPerPixel": 8})");
+  m_dock->addTest("b.png");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 2).isEmpty(), 30000);
+  QCOMPARE(child<QPushButton>("makeReportButton")->text(), QString("&Stop"));
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().startsWith("Stopped"), 30000);
+  QVERIFY(QFileInfo::exists("s-report/report.journal"));
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           60000);
+  QVERIFY(!QFileInfo::exists("s-report/report.journal"));
+}
+
+void TestReportDock::errors() {
+  writeGrey("small.png", 8, 8);
+  open();
+  m_dock->addTest("small.png");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(
+      m_window->statusBar()->currentMessage().contains("small.png: size: is 8×8 px"), 30000);
+  QVERIFY(child<QLabel>("reportNote")->text().contains("small.png"));
+  click("removeTestButton");
+  QCOMPARE(child<QListWidget>("testList")->count(), 0);
+  QVERIFY(!child<QPushButton>("makeReportButton")->isEnabled());
+}
+
+void TestReportDock::editsAreNoted() {
+  make();
+  m_window->findChild<QScrollArea*>("cameraArea")
+      ->widget()
+      ->findChild<QDoubleSpinBox*>("eye.0")
+      ->setValue(0.05);
+  QVERIFY(child<QLabel>("reportNote")->text().contains("edited"));
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
+  QTest::keyClick(m_window.get(), Qt::Key_D, Qt::ControlModifier);  // duplicate
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 0);
+}
+
+void TestReportDock::addsCameraSets() {
+  open();
+  QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* sets = m_window->findChild<CameraSetView*>();
+  QTRY_VERIFY(sets->isVisible());
+  sets->findChild<QSpinBox*>("count")->setValue(7);
+  auto* states = child<QComboBox>("stateBox");
+  click("addSetButton");
+  QCOMPARE(states->count(), stateCount + 7);
+  writeFile("t.csv", "time,x,y,z\n0,0,0,0.6\n10,0.2,0,0.6\n");
+  QVERIFY(sets->addFromFile("t.csv"));
+  QVERIFY(states->count() > stateCount + 7);
+  const int before = states->count();
+  writeFile("t.csv", "time,x\n");
+  QVERIFY(!sets->addFromFile("t.csv"));
+  QVERIFY(m_window->statusBar()->currentMessage().contains("t.csv"));
+  QCOMPARE(states->count(), before);
+  m_window->grab().save(QCoreApplication::applicationDirPath() + "/camera_set_dock.png");
+}
+
+int main(int argc, char** argv) {
+  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
+  QApplication application(argc, argv);
+  TestReportDock test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "test_report_dock.moc"
