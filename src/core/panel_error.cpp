@@ -95,11 +95,9 @@ void PanelError::add(const View& view, LensTables& tables, const ParallelRows& p
       for (int x = 0; x < reference.width; x += batchSize)
         batchAt(y, x, std::min(batchSize, reference.width - x));
   });
-  // Pixels of many rows meet one cell: each sum has one thread.
-  parallelRows(2, [&](int begin, int end) {
-    if (begin == 0) addTo(m_hogels, m_pixels.hogel, m_pixels.squares);
-    if (end == 2) addTo(m_directions, m_pixels.direction, m_pixels.squares);
-  });
+  // On this thread: pixels of many rows meet one cell.
+  addTo(m_hogels, m_pixels.hogel, m_pixels.squares);
+  addTo(m_directions, m_pixels.direction, m_pixels.squares);
 }
 
 }  // namespace hogelscope
