@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "core/colour_map.h"
-#include "core/fast_simulation.h"
 #include "core/panel_error_figures.h"
 #include "tests/core/random_scene.h"
 
@@ -104,7 +103,6 @@ class TestPanelError : public QObject {
   void pictures();
   void shapes_data();
   void shapes();
-  void isAsFastAsAView();
 };
 
 void TestPanelError::sumsAreThoseOfALoop() {
@@ -328,25 +326,6 @@ void TestPanelError::shapes() {
   display.size = {1, height};
   const Image image = hogelPicture(PanelError(sizeOf(display)), display);
   QCOMPARE(QSize(image.width, image.height), size);
-}
-
-/// Only told: what else runs on the machine must not fail a test.
-void TestPanelError::isAsFastAsAView() {
-  Random random(1);
-  RandomScene scene;
-  scene.view.display = displayOf({128, 128}, {20, 20});
-  scene.content.size = sizeOf(scene.view.display);
-  fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
-  LensTables tables;
-  PanelError error(scene.content.size);
-  for (const double k1 : {0.0, 0.2}) {
-    scene.view.state.distortion.k1 = k1;
-    const Image a = simulateFast(scene.view);
-    error.add(scene.view, tables, serialRows, a, a);
-    QBENCHMARK {
-      error.add(scene.view, tables, serialRows, a, a);
-    }
-  }
 }
 
 QTEST_APPLESS_MAIN(TestPanelError)
