@@ -29,9 +29,9 @@ View raysThroughCentres(View view) {
 }
 
 FOR_EACH_MACHINE
-void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, int count,
+void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
                         std::uint32_t* __restrict squares) {
-  for (int k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     const int red = a[3 * k] - b[3 * k];
     const int green = a[3 * k + 1] - b[3 * k + 1];
     const int blue = a[3 * k + 2] - b[3 * k + 2];
@@ -109,7 +109,8 @@ void PanelError::add(const View& view, LensTables& tables, const ParallelRows& p
     const std::uint8_t* seenB = &test.seen[at];
     cellIndices(batch, 0, m_size.nx, seenA, seenB, count, &m_pixels.hogel[at]);
     cellIndices(batch, 2, m_size.du, seenA, seenB, count, &m_pixels.direction[at]);
-    squaredDifferences(&reference.rgb[3 * at], &test.rgb[3 * at], count, &m_pixels.squares[at]);
+    squaredDifferences(&reference.rgb[3 * at], &test.rgb[3 * at], std::size_t(count),
+                       &m_pixels.squares[at]);
   };
   parallelRows(reference.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
