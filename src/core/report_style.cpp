@@ -67,8 +67,8 @@ dd { margin-left: 1.2em; }
 @media print {
   body { font-size: 9.5pt; margin: 0; padding: 0; max-width: none; color: #000; }
   h2, h3 { break-after: avoid; }
-  figure, tr, dt, dd { break-inside: avoid; }
-  dt { break-after: avoid; }
+  figure, tr, dt, dd, p { break-inside: avoid; }
+  dt, h2 + p { break-after: avoid; }
   thead { display: table-header-group; break-inside: avoid; }
   .scroll { overflow: visible; }
   td, th { padding: .2em .45em; }
