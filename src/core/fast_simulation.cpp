@@ -219,6 +219,9 @@ void FastSimulation::cells(int y, int x0, int count, int sx, int sy, CellBatch& 
   if (m_lens) {
     x = m_lens->x(y, sx, sy) + x0;
     py = m_lens->y(y, sx, sy) + x0;
+  } else if (!m_plan.hasLens && m_lensKey.samplesPerPixel == 1) {
+    x = &m_x[std::size_t(x0)];
+    madeY.fill((y - m_lensKey.centre.y) / m_lensKey.focalLength.y);
   } else {
     m_rays->row(y, sx, sy, x0, count, madeX.data(), madeY.data());
   }

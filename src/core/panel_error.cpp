@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/fast_simulation.h"
+#include "core/for_each_machine.h"
 
 namespace hogelscope {
 
@@ -27,20 +28,44 @@ View raysThroughCentres(View view) {
   return view;
 }
 
-std::uint32_t squaredDifference(const std::uint8_t* a, const std::uint8_t* b) {
-  const int red = a[0] - b[0];
-  const int green = a[1] - b[1];
-  const int blue = a[2] - b[2];
-  return static_cast<std::uint32_t>(red * red + green * green + blue * blue);
+FOR_EACH_MACHINE
+void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
+                        std::uint32_t* __restrict squares) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const int red = a[3 * k] - b[3 * k];
+    const int green = a[3 * k + 1] - b[3 * k + 1];
+    const int blue = a[3 * k + 2] - b[3 * k + 2];
+    squares[k] = static_cast<std::uint32_t>(red * red + green * green + blue * blue);
+  }
 }
 
+/// Row-major indices of the cells along two axes of a batch, where a pixel is seen by all.
+FOR_EACH_MACHINE
+void cellIndices(const CellBatch& batch, std::size_t axis, int columns, const std::uint8_t* seenA,
+                 const std::uint8_t* seenB, int count, std::uint32_t* __restrict at) {
+  const std::uint32_t* column = batch.cell[axis].data();
+  const std::uint32_t* row = batch.cell[axis + 1].data();
+  const std::uint8_t* seen = batch.seen.data();
+  const auto width = static_cast<std::uint32_t>(columns);
+  for (int k = 0; k < count; ++k) {
+    const bool counts = (seen[k] & seenA[k] & seenB[k]) != 0;
+    at[k] = counts ? row[k] * width + column[k] : nowhere;
+  }
+}
+
+/// Neighbours often meet one cell, so it is written once for all of them.
 void addTo(std::vector<PanelError::Cell>& cells, const std::vector<std::uint32_t>& at,
            const std::vector<std::uint32_t>& squares) {
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    if (at[k] == nowhere) continue;
-    PanelError::Cell& cell = cells[at[k]];
-    cell.squares += squares[k];
-    ++cell.pixels;
+  for (std::size_t k = 0; k < at.size();) {
+    const std::uint32_t index = at[k];
+    PanelError::Cell sum;
+    for (; k < at.size() && at[k] == index; ++k) {
+      sum.squares += squares[k];
+      ++sum.pixels;
+    }
+    if (index == nowhere) continue;
+    cells[index].squares += sum.squares;
+    cells[index].pixels += sum.pixels;
   }
 }
 
@@ -75,31 +100,26 @@ void PanelError::add(const View& view, LensTables& tables, const ParallelRows& p
                      const Image& reference, const Image& test) {
   checkSizes(view, m_size, reference, test);
   const FastSimulation rays(raysThroughCentres(view), tables, parallelRows);
-  const auto columns = static_cast<std::uint32_t>(m_size.nx);
-  const auto angles = static_cast<std::uint32_t>(m_size.du);
   resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {
     CellBatch batch;
     rays.cells(y, x0, count, 0, 0, batch);
-    const std::size_t first = product(y, reference.width) + std::size_t(x0);
-    for (std::size_t k = 0; k < std::size_t(count); ++k) {
-      const std::size_t at = first + k;
-      const bool counts = (batch.seen[k] != 0) & (reference.seen[at] != 0) & (test.seen[at] != 0);
-      m_pixels.hogel[at] = counts ? batch.cell[1][k] * columns + batch.cell[0][k] : nowhere;
-      m_pixels.direction[at] = counts ? batch.cell[3][k] * angles + batch.cell[2][k] : nowhere;
-      m_pixels.squares[at] = squaredDifference(&reference.rgb[3 * at], &test.rgb[3 * at]);
-    }
+    const std::size_t at = product(y, reference.width) + std::size_t(x0);
+    const std::uint8_t* seenA = &reference.seen[at];
+    const std::uint8_t* seenB = &test.seen[at];
+    cellIndices(batch, 0, m_size.nx, seenA, seenB, count, &m_pixels.hogel[at]);
+    cellIndices(batch, 2, m_size.du, seenA, seenB, count, &m_pixels.direction[at]);
+    squaredDifferences(&reference.rgb[3 * at], &test.rgb[3 * at], std::size_t(count),
+                       &m_pixels.squares[at]);
   };
   parallelRows(reference.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < reference.width; x += batchSize)
         batchAt(y, x, std::min(batchSize, reference.width - x));
   });
-  // Pixels of many rows meet one cell: each sum has one thread.
-  parallelRows(2, [&](int begin, int end) {
-    if (begin == 0) addTo(m_hogels, m_pixels.hogel, m_pixels.squares);
-    if (end == 2) addTo(m_directions, m_pixels.direction, m_pixels.squares);
-  });
+  // On this thread: pixels of many rows meet one cell.
+  addTo(m_hogels, m_pixels.hogel, m_pixels.squares);
+  addTo(m_directions, m_pixels.direction, m_pixels.squares);
 }
 
 }  // namespace hogelscope

@@ -55,16 +55,17 @@ std::string percent(double share) {
   return rounded(100 * share, share < 0.1 ? 1 : 0) + " %";
 }
 
-/// How many pixels wide and high a cell becomes.
+/// How many pixels wide and high a cell becomes: whole numbers, as near to `shape` as they can be.
 std::array<int, 2> blockOf(const std::array<int, 2>& cells, const std::array<double, 2>& shape) {
   constexpr double least = 256;
-  const double scale = std::max({least / std::max(shape[0], shape[1]), double(cells[0]) / shape[0],
-                                 double(cells[1]) / shape[1]});
+  const double wanted = least / std::max(shape[0], shape[1]);
+  const std::size_t dense = cells[0] * shape[1] >= cells[1] * shape[0] ? 0 : 1;
+  const std::size_t other = 1 - dense;
   std::array<int, 2> block{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double largest = std::ceil(2 * least / cells[k]);  // odd shapes stay small
-    block[k] = int(std::clamp(std::ceil(scale * shape[k] / cells[k] - 1e-9), 1.0, largest));
-  }
+  block[dense] = std::max(1, int(std::ceil(wanted * shape[dense] / cells[dense] - 1e-9)));
+  const double scale = block[dense] * cells[dense] / shape[dense];
+  const double largest = std::ceil(2 * least / cells[other]);  // odd shapes stay small
+  block[other] = int(std::clamp(std::round(scale * shape[other] / cells[other]), 1.0, largest));
   return block;
 }
 

@@ -77,7 +77,7 @@ std::vector<PlotPoint> pointsOf(const std::vector<ReportRow>& rows, const std::s
     points.push_back(point);
   }
   std::stable_sort(points.begin(), points.end(), [](const PlotPoint& a, const PlotPoint& b) {
-    if (a.kind != b.kind) return a.kind > b.kind;
+    if (a.kind != b.kind) return a.kind < b.kind;
     return a.kind == PlotKind::compared && a.psnr > b.psnr;
   });
   return points;

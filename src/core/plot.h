@@ -42,14 +42,14 @@ std::string plotFrame(const PlotAxis& across, const PlotAxis& up, const std::str
                       const std::string& titleUp);
 
 /// What there is to say of a view at its place in a plot.
-enum class PlotKind { compared, identical, none };
+enum class PlotKind { identical, none, compared };
 struct PlotPoint {
   const ReportRow* row = nullptr;
   Vec3 eye;  ///< in the display frame, metres
   double psnr = 0;
   PlotKind kind = PlotKind::compared;
 };
-/// Of one test, the lowest PSNR last, so that nothing covers it.
+/// Of one test, in PlotKind's order and the lowest PSNR last, so that nothing covers it.
 std::vector<PlotPoint> pointsOf(const std::vector<ReportRow>& rows, const std::string& test,
                                 const DisplayParams& display);
 

@@ -60,20 +60,24 @@ struct Area {
   PlotAxis across{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
                   62, 744};
   PlotAxis up{across.low, across.high, 290, 14};
-  std::size_t points = 0;
+  std::size_t tests = 0;
   bool hasNumbers = false;
   bool hasIdentical = false;
 
-  explicit Area(const std::vector<Series>& all) {
+  explicit Area(const std::vector<Series>& all) : tests(all.size()) {
     for (const Series& series : all)
       for (const PlotPoint& point : series.points) add(point);
     pad(across, 2);
     pad(up, 1);
-    if (hasIdentical) up.to += 30;
+    if (hasIdentical) up.to += 28;
+  }
+
+  /// Where the identical views of a series lie: side by side, since all tests share the eyes.
+  [[nodiscard]] double stripOf(std::size_t index) const {
+    return 12 + 24 * (double(index) + 0.5) / double(tests);
   }
 
   void add(const PlotPoint& point) {
-    ++points;
     across.low = std::min(across.low, angleOf(point.eye));
     across.high = std::max(across.high, angleOf(point.eye));
     if (point.kind == PlotKind::identical) {
@@ -94,14 +98,14 @@ struct Area {
 };
 
 std::string drawn(const Area& area, const Series& series, std::size_t index) {
-  std::string text =
-      std::string("<g class=\"points\" fill=\"") + colours[index % colours.size()] + "\">\n";
+  const std::string colour = colours[index % colours.size()];
+  std::string text = "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">\n";
   for (const PlotPoint& point : series.points) {
     const bool isIdentical = point.kind == PlotKind::identical;
     text += shape(index, area.across.at(angleOf(point.eye)),
-                  isIdentical ? 26 : area.up.at(point.psnr), 0.8 * radiusFor(area.points));
-    if (isIdentical)
-      text += std::string(" class=\"hollow\" stroke=\"") + colours[index % colours.size()] + "\"";
+                  isIdentical ? area.stripOf(index) : area.up.at(point.psnr),
+                  0.8 * radiusFor(series.points.size()));
+    if (isIdentical) text += " class=\"hollow\"";
     text += ">" + titleOf(point) + (shape(index, 0, 0, 1)[1] == 'c' ? "</circle>" : "</polygon>") +
             "\n";
   }
@@ -128,8 +132,7 @@ std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& d
       "viewing angle\">" +
       plotFrame(area.across, area.up, "horizontal viewing angle in degrees, to the viewer's right",
                 "PSNR in dB");
-  if (area.hasIdentical)
-    text += svgText(56, 30, "end", "identical") + svgLine(62, 26, 744, 26, "grid");
+  if (area.hasIdentical) text += svgText(56, 28, "end", "identical");
   for (std::size_t k = 0; k < all.size(); ++k) text += drawn(area, all[k], k);
   return text + "</svg>\n" + legend(all) + "</figure>\n";
 }

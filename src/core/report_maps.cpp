@@ -49,7 +49,7 @@ Span psnrSpan(const std::vector<ReportRow>& rows) {
     if (row.problem.empty() && std::isfinite(db)) range.add(db);
   }
   if (!(range.low <= range.high)) return range;
-  if (range.width() < 0.1) range.widen(0.1);
+  if (range.width() < 1) range.widen(1 - range.width());
   const double step = tickStep(range.width(), 6);
   return {step * std::floor(range.low / step), step * std::ceil(range.high / step)};
 }

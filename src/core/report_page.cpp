@@ -32,7 +32,8 @@ std::string whatWasTested(const ReportPage& page) {
 
 std::string overPosition(const ReportPage& page) {
   return "<h2>PSNR over camera position</h2>\n<p>In the display's frame, in metres: the panel's "
-         "middle is at 0. Filled: coloured by PSNR; hollow: identical; cross: nothing to compare. "
+         "middle is at 0. Filled: coloured by PSNR; hollow: identical; cross: nothing to compare; "
+         "one scale for all tests. "
          "The pointer over a point shows its name and figures.</p>\n" +
          cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
 }

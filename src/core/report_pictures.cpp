@@ -38,7 +38,7 @@ struct Ends {
 
 std::string errorFigure(const std::string& png, const std::string& title, const Ends& ends,
                         double scale) {
-  std::string text = "<figure class=\"error\"><figcaption>" + title + "</figcaption>" +
+  std::string text = "<figure><figcaption>" + title + "</figcaption>" +
                      "<div class=\"row\"><div class=\"cells\"><div class=\"side\"><span>" +
                      ends.top + "</span><span>" + ends.bottom + "</span></div>" +
                      pictureTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
@@ -48,8 +48,8 @@ std::string errorFigure(const std::string& png, const std::string& title, const 
 }
 
 Ends angles(const std::array<double, 2>& fov) {
-  const std::string across = rounded(fov[0] / 2, 1);
-  const std::string up = rounded(fov[1] / 2, 1);
+  const std::string across = numberText(fov[0] / 2);
+  const std::string up = numberText(fov[1] / 2);
   return {up + "° up", up + "° down", across + "° left", across + "° right"};
 }
 

@@ -23,11 +23,11 @@ thead th.n, thead th { border-bottom: 2px solid #888; vertical-align: bottom;
 small { display: block; color: #444; }
 .facts th { font-weight: normal; color: #444; white-space: nowrap; }
 .facts td { overflow-wrap: anywhere; }
-.sorts button { all: unset; cursor: pointer; font-weight: bold; }
-.sorts button:focus-visible { outline: 2px solid #0072b2; outline-offset: 2px; }
-.sorts button::after { content: "\00a0\21c5"; color: #999; }
-th[aria-sort=ascending] button::after { content: "\00a0\25b2"; color: #111; }
-th[aria-sort=descending] button::after { content: "\00a0\25bc"; color: #111; }
+.sorts [role=button] { cursor: pointer; }
+.sorts [role=button]:focus-visible { outline: 2px solid #0072b2; outline-offset: 2px; }
+.sorts [role=button]::after { content: "\00a0\21c5"; color: #999; }
+th[aria-sort=ascending] [role=button]::after { content: "\00a0\25b2"; color: #111; }
+th[aria-sort=descending] [role=button]::after { content: "\00a0\25bc"; color: #111; }
 figure { margin: 1em 0; }
 figcaption { overflow-wrap: anywhere; }
 .row { display: flex; gap: 1em; align-items: flex-start; }
@@ -45,7 +45,8 @@ svg .points > .none { fill: none; stroke: #555; stroke-width: 1.5; }
 svg.map { max-width: 430px; }
 svg.wide { display: block; width: 100%; max-width: 900px; }
 .wide .points > :not(.hollow) { stroke: #fff; }
-.row > svg.colours { flex: 0 0 84px; }
+.wide .points > .hollow { stroke: currentColor; }
+.row > svg.colours { flex: 0 0 clamp(56px, 9.5%, 84px); }
 .legend { list-style: none; margin: .3em 0 0; padding: 0 0 0 4em; display: flex;
   flex-wrap: wrap; gap: .2em 1.6em; }
 .legend svg { vertical-align: -2px; }
@@ -59,20 +60,20 @@ svg.wide { display: block; width: 100%; max-width: 900px; }
   text-align: right; font-size: .85em; }
 .cells .foot { grid-column: 2; display: flex; justify-content: space-between;
   font-size: .85em; }
-.row > figure.error { flex: 1 1 0; }
+.row > .cells { flex: 0 1 28em; }
 dt { font-weight: bold; margin-top: .5em; }
 dd { margin-left: 1.2em; }
 @page { size: A4; margin: 14mm; }
 @media print {
   body { font-size: 9.5pt; margin: 0; padding: 0; max-width: none; color: #000; }
   h2, h3 { break-after: avoid; }
-  figure, tr, dt, dd { break-inside: avoid; }
-  dt { break-after: avoid; }
-  thead { display: table-header-group; }
+  figure, tr, dt, dd, p { break-inside: avoid; }
+  dt, h2 + p { break-after: avoid; }
+  thead { display: table-header-group; break-inside: avoid; }
   .scroll { overflow: visible; }
   td, th { padding: .2em .45em; }
   .sorts, .means { font-size: 8pt; }
-  .sorts button::after { content: none; }
+  .sorts [role=button]::after { content: none; }
   small, .problem { color: #000; }
 }
 )css";
@@ -101,10 +102,18 @@ for (const table of document.querySelectorAll('table.sorts')) {
     body.append(...rows.map(entry => entry.row));
   };
   heads.forEach((head, k) => {
-    const button = document.createElement('button');
+    // No button element: Chromium does not repeat a table head that has one on every printed page.
+    const button = document.createElement('span');
+    button.role = 'button';
+    button.tabIndex = 0;
     button.title = 'Sort by this column';
     button.append(...head.childNodes);
     button.addEventListener('click', () => sort(k));
+    button.addEventListener('keydown', event => {
+      if (!['Enter', ' '].includes(event.key)) return;
+      event.preventDefault();
+      sort(k);
+    });
     head.append(button);
   });
 }

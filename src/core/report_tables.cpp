@@ -11,8 +11,9 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<const char*, 8> figures{"PSNR dB", "PSNR seen dB", "PSNR-Y dB", "PSNR-YUV dB",
-                                             "SSIM",    "MSE",          "MSE seen",  "seen %"};
+constexpr std::array<const char*, 8> figures{"PSNR dB",          "PSNR seen dB", "PSNR\u2011Y dB",
+                                             "PSNR\u2011YUV dB", "SSIM",         "MSE",
+                                             "MSE seen",         "seen %"};
 
 std::string stateRow(const ReportRow& row) {
   const Metrics& m = row.metrics;

@@ -88,8 +88,8 @@ std::string summaryTables(const std::vector<TestSummary>& summaries,
       "<h2>Means over the states</h2>\n<p>In brackets 95 % bootstrap intervals. PSNR in dB; means "
       "are of the finite ones.</p>\n<div class=\"scroll\"><table class=\"means\"><thead><tr>"
       "<th>test</th>";
-  for (const char* head :
-       {"mean PSNR", "PSNR of mean MSE", "mean SSIM", "mean PSNR-Y", "mean PSNR-YUV", "identical"})
+  for (const char* head : {"mean PSNR", "PSNR of mean MSE", "mean SSIM", "mean PSNR\u2011Y",
+                           "mean PSNR\u2011YUV", "identical"})
     text += std::string("<th class=\"n\">") + head + "</th>";
   if (hasBlind) text += "<th class=\"n\">nothing to compare</th>";
   text += "<th class=\"n\">worst PSNR</th><th>worst view</th></tr></thead>\n<tbody>\n";

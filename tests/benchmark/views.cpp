@@ -5,6 +5,7 @@
 
 #include "core/fast_simulation.h"
 #include "core/for_each_machine.h"
+#include "core/panel_error.h"
 #include "tests/benchmark/scene.h"
 #include "vtk/parallel_rows.h"
 
@@ -152,6 +153,20 @@ void reference(benchmark::State& state) {
   countViews(state);
 }
 
+/// What a report adds to each view: its error thrown back onto the panel.
+void panelError(benchmark::State& state, View (*make)(int)) {
+  setThreads(0);
+  Image reference(600, 600);
+  std::fill(reference.seen.begin(), reference.seen.end(), std::uint8_t{255});
+  Image test = reference;
+  std::fill(test.rgb.begin(), test.rgb.end(), std::uint8_t{3});
+  LensTables tables;
+  PanelError error(lightField()->size());
+  int pose = 0;
+  for (auto _ : state) error.add(make(pose++ % poses), tables, parallelRows, reference, test);
+  countViews(state);
+}
+
 /// cv::remap with ready maps, on a hogel image small enough for it (32767 columns).
 void remapOpenCv(benchmark::State& state) {
   const cv::Mat source(8192, 8192, CV_8UC3, cv::Scalar(1, 2, 3));
@@ -183,6 +198,8 @@ void addViews() {
   add("view/psf 7x7", timeViews, leaking7, 0);
   add("limit/quadrilinear", limit, plain, 2, 2);
   add("view/quadrilinear", timeViews, quadrilinear, 0);
+  add("panel error/plain lens", panelError, plain);
+  add("panel error/distorted", panelError, distorted);
   add("reference/nearest one thread", reference);
   add("peer/cv::remap nearest, 8192x8192", remapOpenCv);
 }

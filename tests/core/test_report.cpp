@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/report.h"
-#include "core/report_page.h"
+#include "core/summary_page.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;
@@ -46,7 +46,7 @@ class TestReport : public QObject {
   void summaryOfIdenticalViews();
   void summaryOfNothing();
   void summaryInWords();
-  void pageEscapesNames();
+  void rowsThatCompareNothing();
 };
 
 void TestReport::csvOfNothingIsTheHeader() {
@@ -171,11 +171,27 @@ void TestReport::summaryInWords() {
   QVERIFY(lines[3].startsWith("identical views") && lines[3].endsWith(" 1 of 3"));
 }
 
-void TestReport::pageEscapesNames() {
-  const std::string page = reportPage({row("<b>&\"", 1)}, {{"<b>&\"", {}}}, "a<i>.json");
-  QVERIFY(page.find("&lt;b&gt;&amp;&quot;") != std::string::npos);
-  QVERIFY(page.find("a&lt;i&gt;.json") != std::string::npos);
-  QVERIFY(page.find("<b>") == std::string::npos && page.find("<i>") == std::string::npos);
+/// A row with a problem counts as such and nowhere else.
+void TestReport::rowsThatCompareNothing() {
+  ReportRow blind = row("b", notANumber);
+  blind.problem = "sees nothing";
+  blind.metrics = {notANumber, notANumber, notANumber, 0, {notANumber, notANumber, notANumber}};
+  ReportRow misleading = row("c", 0);  // whatever its numbers are
+  misleading.problem = "no frame";
+  const std::vector<ReportRow> rows{row("a", 650.25), blind, misleading};
+  const ReportSummary s = summarise(rows);
+  QCOMPARE(s.withoutView, std::size_t(2));
+  QCOMPARE(s.identical, std::size_t(0));
+  QCOMPARE(*s.worst, std::size_t(0));
+  QCOMPARE(s.meanFinitePsnr, 20.0);
+  QCOMPARE(s.psnrOfMeanMse, 20.0);
+  QCOMPARE(s.meanSsim, 0.5);
+  QVERIFY(!summarise({blind}).worst && std::isnan(summarise({blind}).meanFinitePsnr));
+  const QStringList lines = QString::fromStdString(summaryText(s, rows)).split('\n');
+  QCOMPARE(lines[4], QString("nothing to compare        2 of 3"));
+  QVERIFY(summaryText(summarise({row("a", 1)}), {row("a", 1)}).find("nothing") ==
+          std::string::npos);
+  QCOMPARE(lastLine(csv({blind})), QString("b,a.png,nan,nan,nan,nan,nan,0,0,0,1"));
 }
 
 QTEST_APPLESS_MAIN(TestReport)

@@ -50,6 +50,7 @@ class TestSummaries : public QObject {
   void notANumberDoesNotCount();
   void blocks();
   void csvFigures();
+  void rowsWithProblems();
   void allResamplesStates();
   void identicalOnly();
   void metricsTable();
@@ -119,6 +120,7 @@ void TestSummaries::csvFigures() {
            QString("test,figure,value,low,high,weighted,weighted_low,weighted_high,state"));
   QCOMPARE(cells(lines, "x,views")[2], QString("3"));
   QCOMPARE(cells(lines, "x,identical_views")[2], QString("1"));
+  QCOMPARE(cells(lines, "x,views_without_comparison")[2], QString("0"));
   QCOMPARE(cells(lines, "x,rate_bpp")[2], QString("0.25"));
   QVERIFY(lines.contains("x,worst_psnr,20,,,,,,\"b, c\""));
   for (const char* figure :
@@ -131,6 +133,17 @@ void TestSummaries::csvFigures() {
   QVERIFY(near(cells(lines, "x,mean_psnr")[2].toDouble(), 22));
   QVERIFY(near(cells(lines, "x,mean_psnr")[5].toDouble(), 21));
   QVERIFY(cells(lines, "all tests,rate_bpp").isEmpty());
+}
+
+void TestSummaries::rowsWithProblems() {
+  ReportRow blind = row("b", "x", 30, 5);
+  blind.problem = "sees nothing";
+  const auto summaries = summariseTests({row("a", "x", 4), blind, row("c", "x", 4)});
+  const QStringList lines = linesOf(summaryCsv(summaries));
+  QCOMPARE(cells(lines, "x,views")[2], QString("3"));
+  QCOMPARE(cells(lines, "x,views_without_comparison")[2], QString("1"));
+  for (const int k : {2, 3, 4, 5, 6, 7})
+    QVERIFY(std::abs(cells(lines, "x,mean_psnr")[k].toDouble() - 24) < 1e-9);
 }
 
 /// With tests that hardly differ, the interval over all is as wide as that of one of them: more
@@ -163,8 +176,10 @@ void TestSummaries::metricsTable() {
   ReportRow one = row("a, b", "t", 0, 0.5);
   one.metrics.mseYuv = {650.25, 65.025, 0};
   QCOMPARE(QString::fromStdString(metricsCsv({one})),
-           QString("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight\n"
-                   "\"a, b\",t,650.25,65.025,0,20,30,inf,inf,0.5\n"));
+           QString("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight,problem\n"
+                   "\"a, b\",t,650.25,65.025,0,20,30,inf,inf,0.5,\n"));
+  one.problem = "no frame, sorry";
+  QVERIFY(metricsCsv({one}).ends_with(",0.5,\"no frame, sorry\"\n"));
 }
 
 void TestSummaries::bdRates() {

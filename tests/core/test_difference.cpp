@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests difference pictures: their values and their gain.
+#include "core/difference.h"
+
+#include <QTest>
+#include <stdexcept>
+
+using namespace hogelscope;
+
+namespace {
+
+/// Two pixels: the first differs in red by `difference`, only the second is seen.
+std::array<Image, 2> pairOf(int difference) {
+  std::array<Image, 2> images{Image(2, 1), Image(2, 1)};
+  images[0].rgb = {255, 100, 7, 1, 2, 3};
+  images[1].rgb = {std::uint8_t(255 - difference), 100, 7, 1, 2, 3};
+  images[0].seen = {255, 255};
+  images[1].seen = {0, 255};
+  return images;
+}
+
+}  // namespace
+
+class TestDifference : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void gain_data();
+  void gain();
+  void bothSigns();
+  void sizes();
+};
+
+void TestDifference::gain_data() {
+  QTest::addColumn<int>("difference");
+  QTest::addColumn<int>("gain");
+  QTest::newRow("none") << 0 << 1;
+  QTest::newRow("one step") << 1 << 128;
+  QTest::newRow("two") << 2 << 64;
+  QTest::newRow("just fits") << 127 << 2;
+  QTest::newRow("just too large") << 128 << 1;
+  QTest::newRow("largest") << 255 << 1;
+}
+
+void TestDifference::gain() {
+  QFETCH(const int, difference);
+  QFETCH(const int, gain);
+  const auto [a, b] = pairOf(difference);
+  const DifferencePicture result = differencePicture(a, b);
+  QCOMPARE(result.gain, gain);
+  QVERIFY((result.image.rgb ==
+           std::vector<std::uint8_t>{std::uint8_t(gain * difference), 0, 0, 0, 0, 0}));
+  QVERIFY((result.image.seen == std::vector<std::uint8_t>{0, 255}));
+}
+
+void TestDifference::bothSigns() {
+  const auto [a, b] = pairOf(100);
+  QVERIFY(differencePicture(a, b).image == differencePicture(b, a).image);
+}
+
+void TestDifference::sizes() {
+  QVERIFY_EXCEPTION_THROWN(differencePicture(Image(2, 1), Image(1, 2)), std::invalid_argument);
+}
+
+QTEST_APPLESS_MAIN(TestDifference)
+#include "test_difference.moc"
