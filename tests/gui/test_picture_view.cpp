@@ -145,7 +145,7 @@ class TestPictureView : public QObject {
     key(Qt::Key_Minus);
     QVERIFY(std::abs(m_view->viewport().zoom - std::sqrt(2.0)) < 1e-12);
     const QPointF moved = m_view->viewport().centre - middle;
-    QVERIFY(std::abs(moved.x()) <= 1 && std::abs(moved.y()) <= 1);
+    QVERIFY(std::abs(moved.x()) < 1e-9 && std::abs(moved.y()) < 1e-9);
   }
 
   void neighboursAreNotMixedAboveOneToOneAndAGridShowsThem() {
@@ -243,12 +243,12 @@ class TestPictureView : public QObject {
     QVERIFY(std::abs(left.red() - right.red()) <= 1 && left.green() == right.green());
     QCOMPARE(left.blue(), firstBlue);
     QCOMPARE(right.blue(), secondBlue);
-    const QString place = placeAt({101, 151});
-    wheel({101, 151}, 120);
-    QCOMPARE(placeAt({101, 151}), place);
+    const QString place = placeAt({102, 151});
+    wheel({102, 151}, 120);
+    QCOMPARE(placeAt({102, 151}), place);
     wheel({320, 100}, 240);
     wheel({320, 100}, -240);
-    QCOMPARE(placeAt({101, 151}), place);
+    QCOMPARE(placeAt({102, 151}), place);
   }
 
   void theWipesLineIsWhereItIsPut() {

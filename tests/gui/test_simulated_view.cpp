@@ -105,6 +105,7 @@ class TestSimulatedView : public QObject {
     Session session = loadSession(sampleFile.toStdString());
     QVERIFY(equals(view()->image(), expected(dataFolder + "scene.png", session.cameras[0])));
     QVERIFY(equals(view()->otherImage(), expected(m_otherFile, session.cameras[0])));
+    QVERIFY2(message().startsWith("600 × 600 px, both in "), qPrintable(message()));
     moveTo("psfArea", "windowSize", 1);
     session.cameras[0].psf.windowSize = 1;
     const Image own = expected(dataFolder + "scene.png", session.cameras[0]);
