@@ -35,7 +35,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_certificateLabel(new QLabel(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
-  m_ui->splitter->setSizes({1, 1});
+  m_ui->splitter->setSizes({1000, 1000});
   m_scene = std::make_unique<DisplayScene>(*m_ui->sceneWidget);
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
@@ -153,8 +153,9 @@ void MainWindow::render() {
 void MainWindow::showView(const RenderedView& view) {
   m_pictures->show(view);
   const int views = view.otherImage.isNull() ? 1 : 2;
-  QString line = tr("%1 × %2 px in %3 ms, %4 views/s, %5")
-                     .arg(view.image.width())
+  const QString form = views == 1 ? tr("%1 × %2 px in %3 ms, %4 views/s, %5")
+                                  : tr("%1 × %2 px, both in %3 ms, %4 views/s, %5");
+  QString line = form.arg(view.image.width())
                      .arg(view.image.height())
                      .arg(view.milliseconds, 0, 'f', 1)
                      .arg(1000 * views / view.milliseconds, 0, 'f', 0)

@@ -146,7 +146,7 @@ QImage PictureView::shownPicture() const {
       isWipe ? int(std::round(placement(deviceRect()).toPicture(QPointF(wipeColumn(), 0)).x()))
              : image().width();
   QImage picture(isWipe ? image().size() : QSize(2 * image().width(), image().height()),
-                 QImage::Format_RGB888);
+                 image().format());
   QPainter painter(&picture);
   painter.drawImage(0, 0, image());
   const int from = std::clamp(split, 0, image().width());

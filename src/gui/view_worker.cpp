@@ -17,10 +17,11 @@ namespace hogelscope {
 
 namespace {
 
+/// As Qt paints it fastest, so that the window's thread need not convert it.
 QImage toQImage(const Image& image) {
   const QImage view(image.rgb.data(), image.width, image.height, qsizetype(3) * image.width,
                     QImage::Format_RGB888);
-  return view.copy();
+  return view.convertToFormat(QImage::Format_RGB32);
 }
 
 QImage maskOf(const Image& image) {

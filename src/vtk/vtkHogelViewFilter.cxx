@@ -109,6 +109,8 @@ int vtkHogelViewFilter::RequestInformation(
   const double spacing[3] = { scale, scale, 1 };
   const double origin[3] = { (scale - 1) / 2, (scale - 1) / 2, 0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  // VTK 9.1 keeps what a failed execution was asked for, and asks for the union of both.
+  info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
   info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);

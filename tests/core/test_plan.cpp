@@ -51,6 +51,21 @@ class TestPlan : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void saysInOneLineHowAViewRenders() {
+    View view = sampleView();
+    view.state.psf.windowSize = 1;
+    QCOMPARE(oneLine(view, plan(view)), std::string("nearest, 1 ray a pixel, no leakage, no lens"));
+    view.state.psf.windowSize = 7;
+    view.state.psf.sigma = 0.2;  // the outermost taps change nothing
+    view.sampling.samplesPerPixel = 2;
+    view.sampling.reconstruction = Reconstruction::bilinear;
+    view.state.distortion.k1 = 0.1;
+    QCOMPARE(oneLine(view, plan(view)),
+             std::string("bilinear, 4 rays a pixel, 9 of 49 taps, lens table kept"));
+    view.state.camera.res = {9000, 9000};
+    QVERIFY(oneLine(view, plan(view)).ends_with("lens row by row"));
+  }
+
   void plainLensHasNoTable() {
     View view = sampleView();
     QVERIFY(!plan(view).hasLens && says(plan(view), "no lens model"));

@@ -56,6 +56,27 @@ class TestViewFilter : public QObject {
  private Q_SLOTS:
   void initTestCase() { vtkObject::GlobalWarningDisplayOff(); }
 
+  /// VTK keeps the extent that a failed execution was asked for.
+  void aSmallerPictureAfterAStoppedOne() {
+    const vtkNew<vtkHogelViewFilter> filter;
+    bool goesOn = false;
+    filter->SetProgress([&](double) { return goesOn; });
+    View view = sampleView();
+    for (const std::array<int, 2> res :
+         {std::array{610, 470}, std::array{61, 47}, std::array{305, 600}, std::array{30, 600}}) {
+      view.state.camera.res = res;
+      filter->SetView(view);
+      goesOn = res[0] < 300;
+      if (goesOn) {
+        QVERIFY(filter->GetImage() == simulate(view));
+        QCOMPARE(filter->GetOutput()->GetDimensions()[0], res[0]);
+        QCOMPARE(filter->GetOutput()->GetDimensions()[1], res[1]);
+      } else {
+        QVERIFY_EXCEPTION_THROWN((void)filter->GetImage(), Cancelled);
+      }
+    }
+  }
+
   void givesTheReferencePicture() {
     const View view = sampleView();
     const vtkNew<vtkHogelViewFilter> filter;

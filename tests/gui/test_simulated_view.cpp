@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives the real window: compares with a second light field, and moves a slider fast.
+#include <QClipboard>
+#include <QComboBox>
+#include <QImage>
+#include <QScrollArea>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/fast_simulation.h"
+#include "gui/comparison.h"
+#include "gui/main_window.h"
+#include "gui/picture_commands.h"
+#include "gui/picture_difference.h"
+#include "gui/picture_view.h"
+#include "gui/view_worker.h"
+#include "gui/vtk_widget.h"
+#include "io/session_file.h"
+#include "tests/io/documents.h"
+
+using namespace hogelscope;
+
+namespace {
+
+const QString dataFolder = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/");
+const QString sampleFile = dataFolder + "table1.json";
+
+bool equals(const QImage& shown, const Image& expected) {
+  if (shown.width() != expected.width || shown.height() != expected.height) return false;
+  const QImage rgb = shown.convertToFormat(QImage::Format_RGB888);
+  for (int y = 0; y < rgb.height(); ++y)
+    if (!std::equal(rgb.constScanLine(y), rgb.constScanLine(y) + 3 * rgb.width(),
+                    expected.rgb.begin() + 3 * std::ptrdiff_t(y) * rgb.width()))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+class TestSimulatedView : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+  QString m_otherFile;
+  std::unique_ptr<MainWindow> m_window;
+
+  PictureView* view() const { return m_window->findChild<PictureView*>("pictureView"); }
+  PictureCommands* commands() const { return m_window->findChild<PictureCommands*>(); }
+  QAction* action(const char* name) const { return m_window->findChild<QAction*>(name); }
+  QString message() const { return m_window->statusBar()->currentMessage(); }
+  /// The picture that is shown is not a smaller one.
+  bool isFull() const { return message().contains("views/s") && !message().contains("resolution"); }
+  void openSample() {
+    QVERIFY(m_window->openSession(sampleFile));
+    QTRY_VERIFY_WITH_TIMEOUT(isFull(), 60000);
+  }
+  void compare() {
+    QVERIFY(commands()->compareWith(m_otherFile));
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull() && isFull(), 60000);
+  }
+  void moveTo(const char* area, const char* name, int value) const {
+    auto* widget = m_window->findChild<QScrollArea*>(area)->widget();
+    widget->findChild<QSpinBox*>(name)->setValue(value);
+  }
+  Image expected(const QString& lightField, const CameraState& state) const {
+    const Session session = loadSession(sampleFile.toStdString());
+    return simulateFast(
+        loadScene(withLightField(session, lightField.toStdString()), {}).view(state));
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QImage other(dataFolder + "scene.png");
+    other = other.convertToFormat(QImage::Format_RGB888);
+    other.invertPixels();
+    m_otherFile = m_folder.filePath("inverted.png");
+    QVERIFY(other.save(m_otherFile));
+  }
+  void init() {
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QApplication::setActiveWindow(m_window.get());
+  }
+  void cleanup() { m_window.reset(); }
+
+  void saysHowItRenders() {
+    QVERIFY(!action("compareAction")->isEnabled() && !action("savePictureAction")->isEnabled());
+    openSample();
+    QVERIFY2(message().startsWith("600 × 600 px in "), qPrintable(message()));
+    QVERIFY2(message().contains("nearest, 1 ray a pixel, 25 of 25 taps, lens table kept, "),
+             qPrintable(message()));
+    QVERIFY(message().contains(" thread"));
+    QVERIFY(action("compareAction")->isEnabled() && action("savePictureAction")->isEnabled());
+    QVERIFY(!action("stopComparingAction")->isEnabled() && !action("wipeAction")->isEnabled());
+  }
+
+  void comparesEachStateWithASecondLightField() {
+    openSample();
+    compare();
+    Session session = loadSession(sampleFile.toStdString());
+    QVERIFY(equals(view()->image(), expected(dataFolder + "scene.png", session.cameras[0])));
+    QVERIFY(equals(view()->otherImage(), expected(m_otherFile, session.cameras[0])));
+    QVERIFY2(message().startsWith("600 × 600 px, both in "), qPrintable(message()));
+    moveTo("psfArea", "windowSize", 1);
+    session.cameras[0].psf.windowSize = 1;
+    const Image own = expected(dataFolder + "scene.png", session.cameras[0]);
+    const Image other = expected(m_otherFile, session.cameras[0]);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), own) && equals(view()->otherImage(), other),
+                             20000);
+  }
+
+  void keysChooseHowToCompare() {
+    openSample();
+    compare();
+    const QImage own = view()->image();
+    const QImage other = view()->otherImage();
+    QCOMPARE(view()->shownPicture().size(), QSize(1200, 600));
+    QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier);
+    QVERIFY(action("differenceAction")->isChecked());
+    QCOMPARE(view()->shownPicture(), pictureDifference(own, other, view()->gain()));
+    QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier);
+    QCOMPARE(view()->shownPicture().size(), QSize(600, 600));
+    QCOMPARE(view()->shownPicture().copy(0, 0, 290, 600), own.copy(0, 0, 290, 600));
+    QCOMPARE(view()->shownPicture().copy(310, 0, 290, 600), other.copy(310, 0, 290, 600));
+    QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+    QCOMPARE(view()->shownPicture(), own);
+    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
+    QVERIFY(action("sideBySideAction")->isChecked() && !action("singleAction")->isChecked());
+    QCOMPARE(view()->shownPicture().copy(600, 0, 600, 600), other);
+  }
+
+  void theOtherLightFieldIsFreedWhenComparingStops() {
+    openSample();
+    for (const bool isBySession : {false, true}) {
+      compare();
+      const std::weak_ptr<const LightField> memory = commands()->other()->lightField;
+      QVERIFY(!memory.expired());
+      if (isBySession)
+        openSample();
+      else
+        action("stopComparingAction")->trigger();
+      QVERIFY(view()->otherImage().isNull() || isBySession);
+      QTRY_VERIFY_WITH_TIMEOUT(memory.expired(), 20000);
+      QTRY_VERIFY_WITH_TIMEOUT(view()->otherImage().isNull(), 20000);
+      QVERIFY(!action("stopComparingAction")->isEnabled() && !action("wipeAction")->isEnabled());
+      QTRY_VERIFY_WITH_TIMEOUT(isFull(), 20000);
+    }
+  }
+
+  void stopsReading() {
+    openSample();
+    QVERIFY(commands()->compareWith(m_otherFile));
+    QVERIFY(action("stopComparingAction")->isEnabled());
+    action("stopComparingAction")->trigger();
+    QTest::qWait(300);
+    QVERIFY(!commands()->other());
+    QVERIFY(view()->otherImage().isNull());
+  }
+
+  void aWrongFileIsToldAndChangesNothing() {
+    openSample();
+    compare();
+    const QImage own = view()->image();
+    const QImage other = view()->otherImage();
+    const QString text = m_folder.filePath("text.png");
+    writeFile(text, "no picture");
+    const QString small = m_folder.filePath("small.png");
+    QVERIFY(QImage(30, 20, QImage::Format_RGB888).save(small));
+    const QString session = m_folder.filePath("bad.json");
+    writeFile(session, R"({"hogelscope": 1, "cameras": []})");
+    for (const QString& file : {text, small, session, m_folder.filePath("none.png"),
+                                m_folder.filePath("none.json"), m_folder.path()}) {
+      m_window->statusBar()->clearMessage();
+      (void)commands()->compareWith(file);
+      QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith("Error: "), qPrintable(message()), 20000);
+      QVERIFY2(!message().contains('\n'), qPrintable(message()));
+      QCOMPARE(view()->image(), own);
+      QCOMPARE(view()->otherImage(), other);
+      QVERIFY(commands()->other() && action("stopComparingAction")->isEnabled());
+    }
+  }
+
+  void savesAndCopiesWhatIsShown() {
+    openSample();
+    compare();
+    action("differenceAction")->trigger();
+    const QString file = m_folder.filePath("shown.png");
+    QVERIFY(commands()->savePicture(file));
+    QCOMPARE(QImage(file).convertToFormat(QImage::Format_RGB888), view()->shownPicture());
+    action("copyPictureAction")->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB888),
+             view()->shownPicture());
+    QVERIFY(!commands()->savePicture(m_folder.filePath("none/shown.png")));
+    QVERIFY2(message().startsWith("Error: ") && message().contains("shown.png"),
+             qPrintable(message()));
+  }
+
+  void theMaskIsOfEachPicture() {
+    openSample();
+    m_window->findChild<QComboBox*>("stateBox")->setCurrentIndex(2);
+    QTest::qWait(500);
+    const QImage plain = view()->grab().toImage();
+    QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier);
+    QVERIFY(view()->grab().toImage() != plain);
+    QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier);
+    QCOMPARE(view()->grab().toImage(), plain);
+  }
+
+  /// A full picture takes longer than an edit: smaller ones come meanwhile, the exact one at last.
+  void theNewestWinsWhileASliderMoves() {
+    openSample();
+    compare();
+    moveTo("cameraArea", "res.0", 1800);
+    moveTo("cameraArea", "res.1", 1500);
+    QTRY_COMPARE_WITH_TIMEOUT(view()->image().size(), QSize(1800, 1500), 20000);
+    QTest::qWait(1000);  // its full picture
+    std::vector<RenderedView> views;
+    connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
+            [&](const RenderedView& rendered) { views.push_back(rendered); });
+    auto* k1 = m_window->findChild<QScrollArea*>("distortionArea")
+                   ->widget()
+                   ->findChild<QSlider*>("k1.slider");
+    const int start = k1->value();
+    constexpr int edits = 40;
+    for (int step = 1; step <= edits; ++step) {
+      k1->setValue(start - 10 * step);
+      QTest::qWait(10);
+    }
+    Session session = loadSession(sampleFile.toStdString());
+    CameraState& state = session.cameras[0];
+    state.camera.res = {1800, 1500};
+    state.distortion.k1 = m_window->findChild<QScrollArea*>("distortionArea")
+                              ->widget()
+                              ->findChild<QDoubleSpinBox*>("k1")
+                              ->value();
+    QVERIFY(state.distortion.k1 < 0.59);
+    const Image own = expected(dataFolder + "scene.png", state);
+    const Image other = expected(m_otherFile, state);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view()->image(), own), 30000);
+    QVERIFY(equals(view()->otherImage(), other));
+    QVERIFY(!message().contains("resolution"));
+    QCOMPARE(views.back().scale, 1);
+    QVERIFY(views.size() <= 2 * edits);
+    const auto full = std::count_if(views.begin(), views.end(),
+                                    [](const RenderedView& v) { return v.scale == 1; });
+    QVERIFY2(int(views.size()) > full, "no smaller picture came");
+    QVERIFY(full < edits);
+    for (const RenderedView& rendered : views) QCOMPARE(rendered.image.size(), QSize(1800, 1500));
+    QTest::qWait(300);
+    QVERIFY(equals(view()->image(), own));  // nothing older comes after it
+  }
+
+  void closesWhileReading() {
+    openSample();
+    QVERIFY(commands()->compareWith(m_otherFile));
+    m_window.reset();  // must neither hang nor crash
+  }
+};
+
+int main(int argc, char** argv) {
+  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
+  QApplication application(argc, argv);
+  TestSimulatedView test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "test_simulated_view.moc"
