@@ -13,6 +13,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTableView>
@@ -71,7 +72,9 @@ ReportDock::ReportDock(QWidget* parent)
   m_rows->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
   m_rows->verticalHeader()->hide();
-  m_rows->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_rows->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  m_rows->horizontalHeader()->setDefaultSectionSize(
+      fontMetrics().horizontalAdvance("PSNR seen, dB ") + 16);
   auto* parts = new QSplitter;
   parts->addWidget(makeSettings());
   parts->addWidget(m_rows);
@@ -117,7 +120,11 @@ QWidget* ReportDock::makeSettings() {
   layout->addWidget(m_progress);
   layout->addWidget(m_note);
   layout->addStretch();
-  return settings;
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidget(settings);
+  area->setWidgetResizable(true);
+  return area;
 }
 
 /// Zoomed and panned together.

@@ -63,6 +63,7 @@ QVariant ReportTable::data(const QModelIndex& index, int role) const {
   const bool isText = index.column() <= test;
   if (role == Qt::TextAlignmentRole && !isText) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (!row) return {};
+  if (role == Qt::ToolTipRole) return QString::fromStdString(row->problem);
   if (role == Qt::DisplayRole || (role == sortRole && isText)) return shown(*row, index.column());
   if (role != sortRole) return {};
   const double value = number(*row, index.column());

@@ -190,9 +190,10 @@ void TestReportResume::noMemoryForOneState() {
 #ifdef __SANITIZE_ADDRESS__
   QSKIP("the sanitizer's own memory is beyond any limit");
 #endif
-  QByteArray sessionWithLarge = session();
-  const qsizetype s12 = sessionWithLarge.indexOf("[120, 90]", sessionWithLarge.indexOf("\"s12\""));
-  writeFile("large.json", sessionWithLarge.replace(s12, 10, "[16384, 16384]"));
+  QByteArray document = session();
+  const QByteArray small = "[120, 90]";
+  const qsizetype res = document.indexOf(small, document.indexOf("\"s12\""));
+  writeFile("large.json", document.replace(res, small.size(), "[16384, 16384]"));
   QProcess process;
   limitTo(process, RLIMIT_AS, rlim_t{1} << 30U);
   start(process,

@@ -60,7 +60,7 @@ class TestMainWindow : public QObject {
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
-  const QImage& view() const { return m_window->findChild<PictureView*>()->image(); }
+  const QImage& view() const { return m_window->findChild<PictureView*>("pictureView")->image(); }
   template <class T>
   T* editor(const char* dock, const char* name) const {
     return m_window->findChild<QScrollArea*>(dock)->widget()->findChild<T*>(name);
