@@ -9,6 +9,11 @@
 
 namespace hogelscope {
 
+Comparison::Comparison(QObject* parent) : QObject(parent) {
+  connect(this, &Comparison::readScene, this, &Comparison::take, Qt::QueuedConnection);
+  connect(this, &Comparison::couldNotRead, this, &Comparison::giveUp, Qt::QueuedConnection);
+}
+
 Comparison::~Comparison() {
   stopReading();
 }
@@ -17,7 +22,9 @@ void Comparison::start(const Session& session, const QString& file) {
   const Session other = withLightField(session, file.toStdString());
   stopReading();
   m_isReading = true;
-  m_thread = std::thread([this, other, name = QFileInfo(file).fileName()] { read(other, name); });
+  m_thread = std::thread([this, number = m_reading, other, name = QFileInfo(file).fileName()] {
+    read(number, other, name);
+  });
 }
 
 void Comparison::stop() {
@@ -35,31 +42,29 @@ void Comparison::stopReading() {
   ++m_reading;  // what it has sent already no longer counts
 }
 
-/// On the thread. What it read is handed over on the object's own.
-void Comparison::read(const Session& session, const QString& name) {
+/// On the thread.
+void Comparison::read(int number, const Session& session, const QString& name) {
   try {
-    const Scene scene = loadScene(session, [this](double) { return !m_stops; });
-    finish([this, scene, name] {
-      m_other = scene;
-      m_name = name;
-      Q_EMIT changed();
-    });
+    Q_EMIT readScene(number, loadScene(session, [this](double) { return !m_stops; }), name);
   } catch (const Cancelled&) {
     // nobody waits for it
   } catch (const std::exception& error) {
-    finish([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
+    Q_EMIT couldNotRead(number, QString::fromUtf8(error.what()));
   }
 }
 
-void Comparison::finish(const std::function<void()>& result) {
-  QMetaObject::invokeMethod(
-      this,
-      [this, number = m_reading, result] {
-        if (number != m_reading) return;
-        m_isReading = false;
-        result();
-      },
-      Qt::QueuedConnection);
+void Comparison::take(int number, const Scene& scene, const QString& name) {
+  if (number != m_reading) return;
+  m_isReading = false;
+  m_other = scene;
+  m_name = name;
+  Q_EMIT changed();
+}
+
+void Comparison::giveUp(int number, const QString& line) {
+  if (number != m_reading) return;
+  m_isReading = false;
+  Q_EMIT failed(line);
 }
 
 }  // namespace hogelscope

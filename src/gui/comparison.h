@@ -5,7 +5,6 @@
 
 #include <QObject>
 #include <atomic>
-#include <functional>
 #include <optional>
 #include <thread>
 
@@ -18,7 +17,7 @@ class Comparison : public QObject {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
+  explicit Comparison(QObject* parent = nullptr);
   /// Stops what is under way.
   ~Comparison() override;
 
@@ -37,11 +36,15 @@ class Comparison : public QObject {
   void changed();  ///< another one, or none
   /// It could not be read; what was compared still is.
   void failed(const QString& line);
+  /// From the thread to the object's own, of reading `number`; for nobody else.
+  void readScene(int number, const hogelscope::Scene& scene, const QString& name);
+  void couldNotRead(int number, const QString& line);
 
  private:
   void stopReading();
-  void read(const Session& session, const QString& name);
-  void finish(const std::function<void()>& result);
+  void read(int number, const Session& session, const QString& name);
+  void take(int number, const Scene& scene, const QString& name);
+  void giveUp(int number, const QString& line);
 
   std::optional<Scene> m_other;
   QString m_name;

@@ -22,36 +22,36 @@ PictureView::PictureView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   setAccessibleName(tr("Picture"));
-  addActions();
+  addCommands();
 }
 
 /// Shortcuts of the widget that has the focus, and its context menu.
-void PictureView::addActions() {
+void PictureView::addCommands() {
   using View = PictureView;
-  addAction("zoomInAction", tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
-  addAction("zoomOutAction", tr("Zoom &out"), {Qt::Key_Minus}, {}, &View::zoomOut);
-  addAction("fitPictureAction", tr("&Fit"), {Qt::Key_0}, {}, &View::fit);
-  addAction("oneToOneAction", tr("One &to one"), {Qt::Key_1}, {}, &View::oneToOne);
-  addAction("wipeLeftAction", tr("Line to the &left"), {Qt::SHIFT | Qt::Key_Left}, Mode::wipe,
-            &View::wipeLeft);
-  addAction("wipeRightAction", tr("Line to the &right"), {Qt::SHIFT | Qt::Key_Right}, Mode::wipe,
-            &View::wipeRight);
-  addAction("moreGainAction", tr("&Double the gain"), {Qt::SHIFT | Qt::Key_Up}, Mode::difference,
-            &View::moreGain);
-  addAction("lessGainAction", tr("&Halve the gain"), {Qt::SHIFT | Qt::Key_Down}, Mode::difference,
-            &View::lessGain);
+  addCommand("zoomInAction", tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
+  addCommand("zoomOutAction", tr("Zoom &out"), {Qt::Key_Minus}, {}, &View::zoomOut);
+  addCommand("fitPictureAction", tr("&Fit"), {Qt::Key_0}, {}, &View::fit);
+  addCommand("oneToOneAction", tr("One &to one"), {Qt::Key_1}, {}, &View::oneToOne);
+  addCommand("wipeLeftAction", tr("Line to the &left"), {Qt::SHIFT | Qt::Key_Left}, Mode::wipe,
+             &View::wipeLeft);
+  addCommand("wipeRightAction", tr("Line to the &right"), {Qt::SHIFT | Qt::Key_Right}, Mode::wipe,
+             &View::wipeRight);
+  addCommand("moreGainAction", tr("&Double the gain"), {Qt::SHIFT | Qt::Key_Up}, Mode::difference,
+             &View::moreGain);
+  addCommand("lessGainAction", tr("&Halve the gain"), {Qt::SHIFT | Qt::Key_Down}, Mode::difference,
+             &View::lessGain);
   showActions();
 }
 
-void PictureView::addAction(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                            std::optional<Mode> mode, void (PictureView::*does)()) {
+void PictureView::addCommand(const char* name, const QString& text, const QList<QKeySequence>& keys,
+                             std::optional<Mode> mode, void (PictureView::*does)()) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setShortcuts(keys);
   action->setShortcutContext(Qt::WidgetShortcut);
   if (mode) action->setData(int(*mode));
   connect(action, &QAction::triggered, this, does);
-  QWidget::addAction(action);
+  addAction(action);
 }
 
 /// Only those that do something.

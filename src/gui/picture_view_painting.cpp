@@ -23,12 +23,12 @@ QColor difference(const QColor& a, const QColor& b) {
 void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const QString& text) {
   if (text.isEmpty()) return;
   constexpr int margin = 4;
-  QRect box =
-      painter.boundingRect(area.adjusted(margin, margin, -margin, -margin), int(corner), text);
+  const QRect inner = area.adjusted(margin, margin, -margin, -margin);
+  QRect box = painter.boundingRect(inner, int(corner) | int(Qt::TextWordWrap), text);
   box = box.adjusted(-margin, -margin / 2, margin, margin / 2);
   painter.fillRect(box, QColor(0, 0, 0, 170));
   painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, text);
+  painter.drawText(box, int(Qt::AlignCenter) | int(Qt::TextWordWrap), text);
 }
 
 }  // namespace
