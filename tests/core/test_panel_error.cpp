@@ -41,18 +41,20 @@ struct Expected {
         directions(std::size_t(scene.content.size.du) * std::size_t(scene.content.size.dv)) {
     const brute::Simulator rays(scene.view, scene.content);
     for (std::size_t at = 0; at < test.pixelCount(); ++at) {
-      const brute::Ray ray = rays.ray(int(at) % test.width, int(at) / test.width);
+      const brute::Ray ray = rayOf(rays, int(at) % test.width, int(at) / test.width);
       if (ray.meets == brute::Ray::Meets::unclear) test.seen[at] = 0;
       if (ray.meets == brute::Ray::Meets::display && reference.seen[at] && test.seen[at])
         add(scene.content.size, ray.hit, &reference.rgb[3 * at], &test.rgb[3 * at]);
     }
   }
+  static brute::Ray rayOf(const brute::Simulator& rays, int x, int y) { return rays.ray(x, y); }
   void add(const LightFieldSize& size, const std::array<double, 4>& hit, const std::uint8_t* a,
            const std::uint8_t* b) {
     const auto [i, j, u, v] = hit;
     ++met;
-    for (auto* cell : {&hogels[std::size_t(int(j) * size.nx + int(i))],
-                       &directions[std::size_t(int(v) * size.du + int(u))]}) {
+    const auto hogel = std::size_t(j) * std::size_t(size.nx) + std::size_t(i);
+    const auto direction = std::size_t(v) * std::size_t(size.du) + std::size_t(u);
+    for (auto* cell : {&hogels[hogel], &directions[direction]}) {
       ++cell->pixels;
       for (int c = 0; c < 3; ++c) cell->squares += std::uint64_t(std::pow(a[c] - b[c], 2));
     }
@@ -61,6 +63,7 @@ struct Expected {
 
 void onThreeThreads(int count, const std::function<void(int, int)>& rows) {
   std::vector<std::thread> threads;
+  threads.reserve(3);
   for (int k = 0; k < 3; ++k)
     threads.emplace_back([&rows, count, k] { rows(count * k / 3, count * (k + 1) / 3); });
   for (std::thread& thread : threads) thread.join();

@@ -262,9 +262,10 @@ void TestReportPlots::angles() {
   QVERIFY(at("e").name.isEmpty());
 }
 
-/// Six tests: no two with the same colour and the same marker.
+/// Twelve tests: no two with the same colour and the same marker.
 void TestReportPlots::seriesDiffer() {
   std::vector<ReportRow> rows;
+  rows.reserve(12);
   for (int k = 0; k < 12; ++k) rows.push_back(row("a", {0, 0, 1}, 30, std::to_string(k)));
   const std::string html = anglePlot(rows, displayOf());
   const auto drawings = drawingsOf(html);
