@@ -56,7 +56,7 @@ void CameraSetView::setModel(SessionModel* model) {
 
 bool CameraSetView::add(const std::function<CameraSet()>& set) {
   try {
-    m_model->changeStates([&](Session& session) {
+    m_model->changeStates(tr("Add camera set"), [&](Session& session) {
       const std::size_t first = session.cameras.size();
       session = withCameras(session, set());
       return first;

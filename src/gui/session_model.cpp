@@ -2,9 +2,46 @@
 // The session that the window shows and edits.
 #include "gui/session_model.h"
 
+#include <QElapsedTimer>
+#include <QUndoCommand>
+#include <algorithm>
+#include <utility>
+
+#include "core/changed_field.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
+
+/// A whole session before and after: small beside the light field that it names.
+class SessionModel::Edit : public QUndoCommand {
+ public:
+  Edit(SessionModel& model, const QString& name, Content before, Content after)
+      : QUndoCommand(name), m_model(model), m_before(std::move(before)), m_after(std::move(after)) {
+    m_time.start();
+  }
+
+  void undo() override { m_model.show(m_before); }
+  void redo() override { m_model.show(m_after); }
+  [[nodiscard]] int id() const override { return 1; }
+
+  bool mergeWith(const QUndoCommand* next) override {
+    constexpr qint64 quickly = 1000;  // milliseconds
+    const auto* other = static_cast<const Edit*>(next);
+    if (other->text() != text() || m_time.hasExpired(quickly) ||
+        other->m_before.current != m_before.current ||
+        other->m_after.session.cameras.size() != m_before.session.cameras.size())
+      return false;
+    m_after = other->m_after;
+    m_time.start();
+    return true;
+  }
+
+ private:
+  SessionModel& m_model;
+  Content m_before;
+  Content m_after;
+  QElapsedTimer m_time;
+};
 
 CameraState SessionModel::current() const {
   return m_current < m_session.cameras.size() ? m_session.cameras[m_current] : CameraState{};
@@ -15,6 +52,7 @@ void SessionModel::open(const QString& file) {
   m_saved = m_session;
   m_file = file;
   m_current = 0;
+  m_undo.clear();
   Q_EMIT opened();
 }
 
@@ -32,18 +70,45 @@ void SessionModel::setCurrentIndex(std::size_t index) {
   Q_EMIT currentChanged();
 }
 
-void SessionModel::changeStates(const std::function<std::size_t(Session&)>& action) {
-  Session changed = m_session;
-  const std::size_t current = action(changed);
-  m_session = std::move(changed);
-  m_current = current;
-  Q_EMIT statesChanged();
+void SessionModel::push(const QString& name, Content after) {
+  if (after.session == m_session && after.current == m_current) return;
+  m_undo.push(new Edit(*this, name, {m_session, m_current}, std::move(after)));
+}
+
+void SessionModel::show(const Content& content) {
+  const Session before = std::move(m_session);
+  m_session = content.session;
+  const bool isOther = std::exchange(m_current, content.current) != content.current;
+  if (before.display != m_session.display || before.lightField != m_session.lightField ||
+      before.sampling != m_session.sampling)
+    Q_EMIT contentChanged();
+  const auto nameOf = [](const CameraState& state) { return state.camera.name; };
+  if (!std::ranges::equal(before.cameras, m_session.cameras, {}, nameOf, nameOf))
+    Q_EMIT statesChanged();
+  else if (before.cameras != m_session.cameras)
+    Q_EMIT edited();
+  else if (isOther)
+    Q_EMIT currentChanged();
+}
+
+void SessionModel::edit(const QString& name, const std::function<void(Session&)>& action) {
+  Content after{m_session, m_current};
+  action(after.session);
+  push(name, std::move(after));
 }
 
 void SessionModel::setCurrent(const CameraState& state) {
-  if (m_current >= m_session.cameras.size() || m_session.cameras[m_current] == state) return;
-  m_session.cameras[m_current] = state;
-  Q_EMIT edited();
+  if (m_current >= m_session.cameras.size()) return;
+  const std::string field = changedField(m_session.cameras[m_current], state);
+  edit(tr("Change %1").arg(QString::fromStdString(field)),
+       [&](Session& session) { session.cameras[m_current] = state; });
+}
+
+void SessionModel::changeStates(const QString& name,
+                                const std::function<std::size_t(Session&)>& action) {
+  Content after{m_session, m_current};
+  after.current = action(after.session);
+  push(name, std::move(after));
 }
 
 }  // namespace hogelscope

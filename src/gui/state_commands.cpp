@@ -31,29 +31,30 @@ StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
     entry->setObjectName(name);
     entry->setShortcut(key);
   };
-  const auto change = [this](std::size_t (*action)(Session&, std::size_t)) {
-    return [this, action] {
+  const auto change = [this](const QString& name, std::size_t (*action)(Session&, std::size_t)) {
+    return [this, name, action] {
       guarded([&] {
         m_model->changeStates(
-            [&](Session& session) { return action(session, m_model->currentIndex()); });
+            name, [&](Session& session) { return action(session, m_model->currentIndex()); });
       });
     };
   };
-  add("duplicateAction", tr("&Duplicate"), Qt::CTRL | Qt::Key_D, change(duplicateState));
+  add("duplicateAction", tr("&Duplicate"), Qt::CTRL | Qt::Key_D,
+      change(tr("Duplicate state"), duplicateState));
   add("renameAction", tr("&Rename…"), Qt::Key_F2, [this] { askName(); });
   add("removeAction", tr("De&lete"), Qt::CTRL | Qt::Key_Delete,
-      change([](Session& session, std::size_t index) {
+      change(tr("Delete state"), [](Session& session, std::size_t index) {
         removeState(session, index);
         return std::min(index, session.cameras.size() - 1);
       }));
   add("moveUpAction", tr("Move &up"), Qt::CTRL | Qt::SHIFT | Qt::Key_Up,
-      change([](Session& session, std::size_t index) {
+      change(tr("Move state"), [](Session& session, std::size_t index) {
         const std::size_t to = index > 0 ? index - 1 : 0;
         moveState(session, index, to);
         return to;
       }));
   add("moveDownAction", tr("Move dow&n"), Qt::CTRL | Qt::SHIFT | Qt::Key_Down,
-      change([](Session& session, std::size_t index) {
+      change(tr("Move state"), [](Session& session, std::size_t index) {
         const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
         moveState(session, index, to);
         return to;
@@ -72,7 +73,7 @@ void StateCommands::askName() {
       QString::fromStdString(m_model->current().camera.name), &isGiven);
   if (!isGiven) return;
   guarded([&] {
-    m_model->changeStates([&](Session& session) {
+    m_model->changeStates(tr("Rename state"), [&](Session& session) {
       renameState(session, m_model->currentIndex(), name.toStdString());
       return m_model->currentIndex();
     });
@@ -88,7 +89,7 @@ void StateCommands::askStates() {
 bool StateCommands::mergeStatesOf(const QString& file) {
   return guarded([&] {
     const std::vector<CameraState> states = loadStates(file.toStdString());
-    m_model->changeStates([&](Session& session) {
+    m_model->changeStates(tr("Load states"), [&](Session& session) {
       const std::size_t first = session.cameras.size();
       mergeStates(session, states);
       return first;

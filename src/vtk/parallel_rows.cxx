@@ -30,9 +30,4 @@ void setThreads(int count)
   vtkSMPTools::Initialize(count > 0 ? std::min(count, cores) : cores);
 }
 
-int threads()
-{
-  return vtkSMPTools::GetEstimatedNumberOfThreads();
-}
-
 } // namespace hogelscope

@@ -16,7 +16,4 @@ int threadCount();
 /// How many threads work from now on, in the whole process; 0 = all.
 void setThreads(int count);
 
-/// How many threads work.
-int threads();
-
 } // namespace hogelscope
