@@ -8,7 +8,8 @@ namespace hogelscope {
 
 struct DifferencePicture {
   Image image;   ///< gain · |reference − test|, each channel; seen where both are
-  int gain = 1;  ///< the largest power of two that nothing is cut off by; 1 for equal pictures
+  int gain = 1;  ///< the largest power of two that cuts off at most a thousandth of the values
+                 ///< that differ, so that one outlier does not hide the rest; 1 for none
 };
 
 /// Throws std::invalid_argument where the sizes differ.

@@ -27,7 +27,7 @@ std::string displayWords(const DisplayParams& d) {
 std::string whatWasTested(const ReportPage& page) {
   std::string text = "<h2>What was tested</h2>\n<table class=\"facts\"><tbody>\n";
   for (const ReportFact& one : page.facts) text += fact(one.name, one.value);
-  return text + fact("display", displayWords(page.display)) + "</tbody></table>\n";
+  return text + fact("Display", displayWords(page.display)) + "</tbody></table>\n";
 }
 
 std::string overPosition(const ReportPage& page) {

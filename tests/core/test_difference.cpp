@@ -27,6 +27,7 @@ class TestDifference : public QObject {
  private Q_SLOTS:
   void gain_data();
   void gain();
+  void outliers();
   void bothSigns();
   void sizes();
 };
@@ -51,6 +52,19 @@ void TestDifference::gain() {
   QVERIFY((result.image.rgb ==
            std::vector<std::uint8_t>{std::uint8_t(gain * difference), 0, 0, 0, 0, 0}));
   QVERIFY((result.image.seen == std::vector<std::uint8_t>{0, 255}));
+}
+
+/// One value in a thousand may be cut off, two may not.
+void TestDifference::outliers() {
+  Image a(1000, 1);
+  Image b(1000, 1);
+  for (std::size_t k = 0; k < 1000; ++k) a.rgb[3 * k] = 10;
+  a.rgb[0] = 200;
+  QCOMPARE(differencePicture(a, b).gain, 16);
+  QCOMPARE(differencePicture(a, b).image.rgb[0], std::uint8_t(255));
+  QCOMPARE(differencePicture(a, b).image.rgb[3], std::uint8_t(160));
+  a.rgb[3] = 200;
+  QCOMPARE(differencePicture(a, b).gain, 1);
 }
 
 void TestDifference::bothSigns() {
