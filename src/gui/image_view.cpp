@@ -2,6 +2,7 @@
 // Shows the simulated view, as large as fits.
 #include "gui/image_view.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 
 namespace hogelscope {
@@ -23,11 +24,21 @@ void ImageView::paintEvent(QPaintEvent*) {
     painter.drawText(rect(), Qt::AlignCenter, tr("No view yet: open a session (Ctrl+O)"));
     return;
   }
-  const QSize fitted = m_image.size().scaled(size(), Qt::KeepAspectRatio);
-  QRect target(QPoint(0, 0), fitted);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, target().width() < m_image.width());
+  painter.drawImage(target(), m_image);
+}
+
+QRect ImageView::target() const {
+  QRect target(QPoint(0, 0), m_image.size().scaled(size(), Qt::KeepAspectRatio));
   target.moveCenter(rect().center());
-  painter.setRenderHint(QPainter::SmoothPixmapTransform, fitted.width() < m_image.width());
-  painter.drawImage(target, m_image);
+  return target;
+}
+
+void ImageView::mousePressEvent(QMouseEvent* event) {
+  if (m_image.isNull() || !target().contains(event->position().toPoint())) return;
+  const QPointF at = event->position() - target().topLeft();
+  Q_EMIT pixelPicked(int(at.x() * m_image.width() / target().width()),
+                     int(at.y() * m_image.height() / target().height()));
 }
 
 }  // namespace hogelscope

@@ -16,10 +16,18 @@ class ImageView : public QWidget {
   void setImage(const QImage& image);
   [[nodiscard]] const QImage& image() const { return m_image; }
 
+ Q_SIGNALS:
+  /// A click on a pixel of the picture.
+  void pixelPicked(int x, int y);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
 
  private:
+  /// Where the picture is in the widget.
+  [[nodiscard]] QRect target() const;
+
   QImage m_image;
 };
 

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 
 #include "core/error.h"
-#include "gui/display_scene.h"
 #include "gui/parameter_form.h"
+#include "gui/scene_controller.h"
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
 #include "gui/view_worker.h"
@@ -35,7 +35,7 @@ MainWindow::MainWindow(QWidget* parent)
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
   m_ui->splitter->setSizes({1, 1});
-  m_scene = std::make_unique<DisplayScene>(*m_ui->sceneWidget);
+  m_scene = new SceneController(*m_ui, m_model, this);
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(24);
@@ -90,7 +90,6 @@ void MainWindow::connectActions() {
   connect(m_ui->saveAsAction, &QAction::triggered, this, &MainWindow::askSaveAs);
   connect(m_ui->importAction, &QAction::triggered, this, &MainWindow::askImport);
   connect(m_ui->quitAction, &QAction::triggered, this, &QWidget::close);
-  connect(m_ui->fitAction, &QAction::triggered, this, [this] { m_scene->fit(); });
   connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
@@ -119,14 +118,14 @@ void MainWindow::connectModel() {
             m_method = method;
             m_worker->render(m_model->current(), m_method);
           });
+  connect(m_ui->imageView, &ImageView::pixelPicked, m_scene, &SceneController::showPixel);
   connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
   connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
     m_loaded = scene;
-    m_display = scene.display;
+    m_scene->setScene(scene);
     offerViews();
     showCurrent();
-    m_scene->fit();
   });
   connect(m_worker, &ViewWorker::rendered, this, [this](const QImage& image, double ms) {
     m_ui->imageView->setImage(image);
@@ -215,7 +214,6 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showSession() {
-  m_display = m_model->session().display;
   m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
   m_ui->tradeoffView->forgetChoice();
@@ -223,7 +221,6 @@ void MainWindow::showSession() {
   statusBar()->showMessage(
       tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
   showStates();
-  m_scene->fit();
 }
 
 void MainWindow::showCurrent() {
@@ -232,7 +229,6 @@ void MainWindow::showCurrent() {
   m_stateBox->setItemText(index, QString::fromStdString(m_model->current().camera.name));
   m_stateBox->setCurrentIndex(index);
   for (ParameterForm* form : m_forms) form->refresh();
-  m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
   m_worker->render(m_model->current(), m_method);
   showTitle();
 }

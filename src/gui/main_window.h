@@ -19,8 +19,8 @@ class MainWindow;
 
 namespace hogelscope {
 
-class DisplayScene;
 class ParameterForm;
+class SceneController;
 class SessionModel;
 class ViewWorker;
 
@@ -61,9 +61,8 @@ class MainWindow : public QMainWindow {
   ViewWorker* m_worker;
   QComboBox* m_stateBox;
   QLabel* m_certificateLabel;
-  std::unique_ptr<DisplayScene> m_scene;
+  SceneController* m_scene;
   std::vector<ParameterForm*> m_forms;
-  DisplayParams m_display;              ///< resolved
   std::optional<Scene> m_loaded;        ///< none while a light field is read
   std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
 };
