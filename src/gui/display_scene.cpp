@@ -84,11 +84,14 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
   redraw();
 }
 
+double DisplayScene::pixelOnPanel() const {
+  return radians(m_renderer->GetActiveCamera()->GetViewAngle()) /
+         std::max(1, m_widget.deviceSize().height()) * distanceToPanel(m_display, eye().eye);
+}
+
 void DisplayScene::adjustToEye() {
   constexpr double leastPixels = 8;  // between two lines of the grid
-  const double pixel = m_renderer->GetActiveCamera()->GetViewAngle() * std::numbers::pi / 180 /
-                       std::max(1, m_widget.deviceSize().height());
-  m_panel.setGridSpacing(leastPixels * pixel * distanceToPanel(m_display, eye().eye));
+  m_panel.setGridSpacing(leastPixels * pixelOnPanel());
   m_handles.setSceneEye(eye().eye);
   m_widget.update();
   Q_EMIT eyeChanged();

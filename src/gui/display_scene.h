@@ -52,6 +52,9 @@ class DisplayScene : public QObject {
   /// The scene's eye; eye, lookat, up and fov only. Metres, degrees.
   [[nodiscard]] CameraParams eye() const;
 
+  /// How large a pixel of the screen is on the panel, where that is nearest, in metres.
+  [[nodiscard]] double pixelOnPanel() const;
+
   /// Pixels from the lower left. States in ascending order.
   [[nodiscard]] std::vector<int> statesAt(int x, int y) const;
   /// The hogel under a pixel; in real-valued indices, whether it sends light here or not.

@@ -9,11 +9,11 @@
 
 class vtkActor;
 class vtkAxesActor;
-class vtkBillboardTextActor3D;
 class vtkHogelDisplaySource;
 class vtkImageData;
 class vtkRenderer;
 class vtkScaleBarSource;
+class vtkTextActor;
 class vtkTexture;
 
 namespace hogelscope {
@@ -44,7 +44,7 @@ class PanelActors {
   vtkNew<vtkAxesActor> m_axes;
   vtkNew<vtkScaleBarSource> m_barSource;
   vtkNew<vtkActor> m_bar;
-  vtkNew<vtkBillboardTextActor3D> m_barLabel;
+  vtkNew<vtkTextActor> m_barLabel;
 };
 
 }  // namespace hogelscope

@@ -116,12 +116,16 @@ void SceneController::refresh() {
   showText();
 }
 
-/// As large as it is on the screen at most; fewer pixels where each of them costs more.
+/// With a pixel for each of the screen's; with fewer where each costs more.
 void SceneController::renderPanel() {
   const CameraState current = m_model->current();
-  const int longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
-  const int side = std::min(longest, m_form.sceneWidget->deviceSize().height());
-  const std::optional<CameraState> state = panelState(m_display, m_scene->eye().eye, {side, side});
+  const double longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
+  const auto pixels = [&](double side) {
+    return int(std::clamp(side / m_scene->pixelOnPanel(), 1.0, longest));
+  };
+  const auto [width, height] = m_display.size;
+  const std::optional<CameraState> state =
+      panelState(m_display, m_scene->eye().eye, {pixels(width), pixels(height)});
   if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || !state) {
     m_scene->panel().setPicture(nullptr);
     return m_scene->redraw();
