@@ -41,6 +41,7 @@ PsnrScale::PsnrScale() {
   m_bar->SetTitle("PSNR, dB");
   m_bar->SetLabelFormat("%.1f");
   m_bar->SetNumberOfLabels(5);
+  m_bar->SetVerticalTitleSeparation(8);
   m_bar->SetPosition(0.88, 0.3);
   m_bar->SetWidth(0.1);
   m_bar->SetHeight(0.45);

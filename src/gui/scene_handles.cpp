@@ -48,6 +48,7 @@ void SceneHandles::setUp(Handle& handle, const std::array<double, 3>& colour) {
   handle.widget->SetInteractor(m_interactor);
   handle.widget->SetDefaultRenderer(m_renderer);
   handle.widget->ManagesCursorOff();
+  handle.widget->AllowHandleResizeOff();
   handle.widget->AddObserver(vtkCommand::InteractionEvent, this, &SceneHandles::onDrag);
 }
 
@@ -77,6 +78,7 @@ void SceneHandles::update() {
   const double near = 0.05 * length(positionOf(m_eye.ball) - positionOf(m_lookat.ball));
   for (Handle* handle : {&m_eye, &m_lookat}) {
     const bool isShown = m_isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
+    handle->ball->Modified();  // else it keeps its size in metres, not in pixels
     if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
   }
 }

@@ -70,9 +70,13 @@ std::vector<int> statesAt(vtkPolyData* lines, vtkMatrix4x4* clipFromWorld, const
     vtkIdType count = 0;
     const vtkIdType* ends = nullptr;
     lines->GetCellPoints(cell, count, ends);
+    if (count != 2 || ends == nullptr)
+    {
+      continue;
+    }
     const Clip a = clipOf(lines, ends[0], clipFromWorld);
     const Clip b = clipOf(lines, ends[1], clipFromWorld);
-    if (count == 2 && distanceOnScreen(a, b, place) <= place.Tolerance)
+    if (distanceOnScreen(a, b, place) <= place.Tolerance)
     {
       states.insert(static_cast<int>(numbers->GetTuple1(cell)));
     }

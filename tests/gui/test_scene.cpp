@@ -236,6 +236,26 @@ class TestScene : public QObject {
     QVERIFY(m_window->isWindowModified());
   }
 
+  void theBallsKeepTheirSizeOnTheScreen() {
+    press(Qt::Key_F7);
+    // How wide it is on the screen, across the frustum's axis.
+    const auto ball = [this] {
+      QTest::qWait(50);
+      const QImage image = drawn();
+      const QPoint eye = onScreen(edited("eye"));
+      int height = 0;
+      for (int y = eye.y() - 30; y < eye.y() + 30; ++y)
+        if (image.pixelColor(eye.x(), y).red() > 2 * image.pixelColor(eye.x(), y).blue()) ++height;
+      return height;
+    };
+    const int before = ball();
+    QVERIFY2(before >= 6 && before < 25, qPrintable(QString::number(before)));
+    scene().renderer()->GetActiveCamera()->Dolly(0.2);
+    scene().redraw();
+    const int after = ball();
+    QVERIFY2(2 * after > before, qPrintable(QString::number(after)));  // the lines at it do shrink
+  }
+
   void draggingTheSceneTurnsIt() {
     const Vec3 before = scene().eye().eye;
     drag(QPoint(20, 20), QPoint(90, 60));

@@ -96,8 +96,8 @@ class TestSources : public QObject {
   }
 
   void manyFrustaAreOnePolyData() {
-    std::vector<CameraFrustum> frusta;
-    for (int k = 0; k < 300; ++k) frusta.push_back({wideCamera(), {}, k});
+    std::vector<CameraFrustum> frusta(300, {wideCamera(), {}});
+    for (int k = 0; k < 300; ++k) frusta[std::size_t(k)].State = k;
     frusta[17].Camera.lookat = frusta[17].Camera.eye;  // no frame
     frusta[20].IsDashed = true;
     const vtkNew<vtkCameraFrustumSource> source;
