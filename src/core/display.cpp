@@ -50,30 +50,44 @@ Display::Display(const DisplayParams& params)
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()) {}
 
-std::optional<Hit> Display::hit(const Vec3& eye, const Vec3& direction) const {
+std::optional<Hit> Display::place(const Vec3& eye, const Vec3& direction) const {
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
   const double a = direction.x / direction.z;
   const double b = direction.y / direction.z;
   const double x = eye.x - eye.z * a;
   const double y = eye.y - eye.z * b;
-  const Hit hit{
+  return Hit{
       (x / m_params.size[0] + 0.5) * m_size.nx,
       (0.5 - y / m_params.size[1]) * m_size.ny,
       m_size.du * (0.5 + fieldFromSlope(m_params.lens, a, m_params.fov[0])),
       m_size.dv * (0.5 - fieldFromSlope(m_params.lens, b, m_params.fov[1])),
   };
-  const bool seen = inside(hit.i, m_size.nx) && inside(hit.j, m_size.ny) &&
-                    inside(hit.u, m_size.du) && inside(hit.v, m_size.dv);
-  return seen ? std::optional(hit) : std::nullopt;
+}
+
+bool Display::isOnPanel(const Hit& place) const {
+  return inside(place.i, m_size.nx) && inside(place.j, m_size.ny);
+}
+
+bool Display::isInField(const Hit& place) const {
+  return inside(place.u, m_size.du) && inside(place.v, m_size.dv);
+}
+
+std::optional<Hit> Display::hit(const Vec3& eye, const Vec3& direction) const {
+  const std::optional<Hit> there = place(eye, direction);
+  return there && isOnPanel(*there) && isInField(*there) ? there : std::nullopt;
+}
+
+Vec2 Display::slopes(double u, double v) const {
+  return {slopeFromField(m_params.lens, u / m_size.du - 0.5, m_params.fov[0]),
+          slopeFromField(m_params.lens, 0.5 - v / m_size.dv, m_params.fov[1])};
+}
+
+Vec2 Display::position(double i, double j) const {
+  return {(i / m_size.nx - 0.5) * m_params.size[0], (0.5 - j / m_size.ny) * m_params.size[1]};
 }
 
 PanelRay Display::rayOf(const TexelIndex& at) const {
-  const double fieldX = (at.u + 0.5) / m_size.du - 0.5;
-  const double fieldY = 0.5 - (at.v + 0.5) / m_size.dv;
-  return {{((at.i + 0.5) / m_size.nx - 0.5) * m_params.size[0],
-           (0.5 - (at.j + 0.5) / m_size.ny) * m_params.size[1]},
-          {slopeFromField(m_params.lens, fieldX, m_params.fov[0]),
-           slopeFromField(m_params.lens, fieldY, m_params.fov[1])}};
+  return {position(at.i + 0.5, at.j + 0.5), slopes(at.u + 0.5, at.v + 0.5)};
 }
 
 }  // namespace hogelscope

@@ -55,6 +55,17 @@ class Display {
   /// misses it, or leaves the hogel's angular field.
   [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction) const;
 
+  /// The same where only the panel's plane matters: also beyond the panel and the angular field.
+  /// None where the eye is not in front or the ray does not go toward the plane.
+  [[nodiscard]] std::optional<Hit> place(const Vec3& eye, const Vec3& direction) const;
+  [[nodiscard]] bool isOnPanel(const Hit& place) const;
+  [[nodiscard]] bool isInField(const Hit& place) const;
+
+  /// Slopes dx/dz, dy/dz of the light of a real-valued direction: u = 0 … du, v = 0 … dv.
+  [[nodiscard]] Vec2 slopes(double u, double v) const;
+  /// A place on the panel, in its plane's metres: i = 0 … nx, j = 0 … ny.
+  [[nodiscard]] Vec2 position(double i, double j) const;
+
   /// The ray that leaves the middle of a hogel through the middle of a directional pixel: the
   /// inverse of `hit`, for making content.
   [[nodiscard]] PanelRay rayOf(const TexelIndex& at) const;

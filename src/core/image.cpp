@@ -6,6 +6,19 @@
 
 namespace hogelscope {
 
+Image hogelPicture(const LightField& lightField, int i, int j) {
+  Image image(lightField.size().du, lightField.size().dv);
+  auto to = image.rgb.begin();
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const Rgb light = lightField.texel({i, j, u, v});
+      for (const double value : {light.r, light.g, light.b}) *to++ = quantised(value);
+    }
+  }
+  image.seen.assign(image.pixelCount(), 255);
+  return image;
+}
+
 std::uint8_t quantised(double codeValue) {
   if (!(codeValue > 0)) return 0;
   if (codeValue >= 255) return 255;

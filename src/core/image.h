@@ -24,6 +24,9 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
+/// Hogel (i, j)'s own picture, one pixel for each direction: column u, row v. All of it is seen.
+Image hogelPicture(const LightField& lightField, int i, int j);
+
 /// Code value to 8 bits: rounds half up, limits to 0 … 255.
 std::uint8_t quantised(double codeValue);
 

@@ -31,6 +31,14 @@ double energyInWindow(const PsfParams& params) {
   return axis * axis;
 }
 
+int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v) {
+  const int reach = (params.windowSize - 1) / 2;
+  const auto along = [&](int at, int count) {
+    return std::min(at + reach, count - 1) - std::max(at - reach, 0) + 1;
+  };
+  return along(u, size.du) * along(v, size.dv);
+}
+
 double linearFromEncoded(double codeValue) {
   const double s = codeValue / 255;
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);

@@ -26,6 +26,9 @@ void describe(ParameterVisitor& v, PsfParams& p);
 /// The part of the Gaussian's energy within the window: erf(windowSize / (2√2 σ))², 1 at 1.
 double energyInWindow(const PsfParams& params);
 
+/// How many directional pixels add up to the light of direction (u, v) of a hogel.
+int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);
+
 /// sRGB's transfer function (IEC 61966-2-1), code values to linear 0 … 1 and back.
 double linearFromEncoded(double codeValue);
 double encodedFromLinear(double linear);

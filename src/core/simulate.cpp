@@ -36,6 +36,12 @@ Neighbours neighbours(double index, int count, bool interpolate) {
 
 }  // namespace
 
+std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping,
+                               const Vec2& onSensor) {
+  return mapping == LensMapping::exact ? distortion.undistort(onSensor)
+                                       : distortion.distort(onSensor);
+}
+
 Simulation::Simulation(View view)
     : m_view(std::move(view)),
       m_display(m_view.display),
@@ -48,10 +54,8 @@ Simulation::Simulation(View view)
 }
 
 std::optional<Hit> Simulation::hitOf(double px, double py) const {
-  const Vec2 onSensor = m_camera.normalised(px, py);
-  const std::optional<Vec2> p = m_view.sampling.mapping == LensMapping::exact
-                                    ? m_distortion.undistort(onSensor)
-                                    : m_distortion.distort(onSensor);
+  const std::optional<Vec2> p =
+      idealPoint(m_distortion, m_view.sampling.mapping, m_camera.normalised(px, py));
   if (!p) return std::nullopt;
   return m_display.hit(m_displayFromCamera.origin, m_displayFromCamera.direction({p->x, p->y, 1}));
 }

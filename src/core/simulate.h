@@ -22,6 +22,11 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
+/// Through the lens, backwards: the point of the plane z = 1 whose light falls on `onSensor`; none
+/// where there is no ray.
+std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping,
+                               const Vec2& onSensor);
+
 class Simulation {
  public:
   /// Throws InputError where the state has no camera frame or the light field is not the display's

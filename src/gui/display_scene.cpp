@@ -1,109 +1,168 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene: the panel with its hogel grid, and the frusta of all states.
+// The 3-D scene: its parts, its own camera, what lies under the pointer.
 #include "gui/display_scene.h"
 
-#include <vtkActor.h>
-#include <vtkAppendPolyData.h>
 #include <vtkAxesActor.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkOrientationMarkerWidget.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <QTimer>
+#include <cmath>
+#include <numbers>
+
 #include "core/error.h"
+#include "core/panel_view.h"
 #include "gui/vtk_widget.h"
-#include "vtk/vtkCameraFrustumSource.h"
-#include "vtk/vtkHogelDisplaySource.h"
+#include "vtk/line_picker.h"
 
 namespace hogelscope {
 
 namespace {
 
-/// Shows a source's output in one unlit colour.
-void connect(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
-             std::array<double, 3> colour, float lineWidth) {
-  const vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source);
-  // What is drawn later lies on top of the panel in its own plane.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 200);
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -200);
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour.data());
-  actor->GetProperty()->SetLineWidth(lineWidth);
-  actor->GetProperty()->LightingOff();
-  renderer->AddActor(actor);
+Vec3 vec3(const double* p) {
+  return {p[0], p[1], p[2]};
 }
 
-bool hasFrame(const CameraParams& params) {
+bool hasFrame(const CameraState& state) {
   try {
-    const Camera camera(params);
+    const Camera camera(state.camera, state.intrinsics);
     return true;
   } catch (const InputError&) {
     return false;
   }
 }
 
-/// Long enough to be seen, short enough to leave the panel free.
-double frustumLength(const CameraParams& camera) {
-  return 0.25 * length(camera.lookat - camera.eye);
-}
-
 }  // namespace
 
-DisplayScene::DisplayScene(VtkWidget& widget) : m_widget(widget) {
-  m_renderer->SetBackground(0.13, 0.14, 0.17);
+DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
+    : QObject(parent),
+      m_widget(widget),
+      m_panel(m_renderer),
+      m_frusta(m_renderer),
+      m_picked(m_renderer),
+      m_handles(m_renderer, widget.interactor(), nullptr),
+      m_eyeTimer(new QTimer(this)) {
   m_widget.renderWindow()->AddRenderer(m_renderer);
-  const vtkNew<vtkActor> panel;
-  connect(m_renderer, panel, m_display->GetOutputPort(0), {0.24, 0.28, 0.36}, 1);
-  const vtkNew<vtkActor> grid;
-  connect(m_renderer, grid, m_display->GetOutputPort(1), {0.50, 0.58, 0.70}, 1);
-  connect(m_renderer, m_otherActor, m_otherFrusta->GetOutputPort(), {0.55, 0.75, 0.60}, 1);
-  connect(m_renderer, m_currentActor, m_currentFrustum->GetOutputPort(), {1.00, 0.65, 0.15}, 3);
+  m_renderer->SetBackground(0.13, 0.14, 0.17);
   m_marker->SetOrientationMarker(m_axes);
   m_marker->SetInteractor(m_widget.interactor());
   m_marker->SetViewport(0, 0, 0.2, 0.2);
   m_marker->EnabledOn();
   m_marker->InteractiveOff();
+  m_eyeTimer->setSingleShot(true);
+  connect(m_eyeTimer, &QTimer::timeout, this, &DisplayScene::adjustToEye);
+  connect(&m_widget, &VtkWidget::resized, m_eyeTimer, [this] { m_eyeTimer->start(); });
+  // A turn of the camera modifies it several times.
+  m_renderer->GetActiveCamera()->AddObserver(vtkCommand::ModifiedEvent, m_eyeTimer,
+                                             static_cast<void (QTimer::*)()>(&QTimer::start));
 }
 
 DisplayScene::~DisplayScene() {
+  m_renderer->GetActiveCamera()->RemoveAllObservers();
   m_marker->SetInteractor(nullptr);
 }
 
-void DisplayScene::show(const DisplayParams& display, const std::vector<CameraState>& states,
-                        std::size_t current) {
-  m_display->SetDisplay(display);
-  m_otherFrusta->RemoveAllInputConnections(0);
-  m_currentActor->SetVisibility(current < states.size() && hasFrame(states[current].camera));
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const CameraParams& camera = states[k].camera;
-    if (!hasFrame(camera)) continue;
-    if (k == current) {
-      m_currentFrustum->SetCamera(camera, states[k].intrinsics);
-      m_currentFrustum->SetDistance(frustumLength(camera));
-      continue;
-    }
-    const vtkNew<vtkCameraFrustumSource> frustum;
-    frustum->SetCamera(camera, states[k].intrinsics);
-    frustum->SetDistance(frustumLength(camera));
-    m_otherFrusta->AddInputConnection(frustum->GetOutputPort());
-  }
-  m_otherActor->SetVisibility(m_otherFrusta->GetNumberOfInputConnections(0) > 0);
+void DisplayScene::redraw() {
   m_renderer->ResetCameraClippingRange();
   m_widget.update();
 }
 
-void DisplayScene::fit() {
-  vtkCamera* camera = m_renderer->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(1.1, 0.7, 1.3);
-  camera->SetViewUp(0, 1, 0);
-  m_renderer->ResetCamera();
+void DisplayScene::show(const DisplayParams& display, const std::vector<CameraState>& states,
+                        std::size_t current) {
+  m_display = display;
+  m_panel.setDisplay(display);
+  m_frusta.show(display, states, current);
+  const bool hasCurrent = current < states.size() && hasFrame(states[current]);
+  if (hasCurrent)
+    m_handles.place(states[current].camera.eye, states[current].camera.lookat);
+  else
+    m_handles.hide();
+  redraw();
+}
+
+double DisplayScene::pixelOnPanel() const {
+  return radians(m_renderer->GetActiveCamera()->GetViewAngle()) /
+         std::max(1, m_widget.deviceSize().height()) * distanceToPanel(m_display, eye().eye);
+}
+
+void DisplayScene::adjustToEye() {
+  constexpr double leastPixels = 8;  // between two lines of the grid
+  m_panel.setGridSpacing(leastPixels * pixelOnPanel());
+  m_handles.setSceneEye(eye().eye);
   m_widget.update();
+  Q_EMIT eyeChanged();
+}
+
+void DisplayScene::look(const Vec3& target, const Vec3& from, const Vec3& up) {
+  vtkCamera* camera = m_renderer->GetActiveCamera();
+  camera->SetFocalPoint(target.x, target.y, target.z);
+  camera->SetPosition(from.x, from.y, from.z);
+  camera->SetViewUp(up.x, up.y, up.z);
+}
+
+/// Goes back or forth until all of it fills the window.
+void DisplayScene::fitDistance() {
+  m_renderer->GetActiveCamera()->SetViewAngle(30);
+  m_renderer->ResetCamera();
+  m_renderer->GetActiveCamera()->Dolly(1.2);  // ResetCamera leaves room for the corners of a sphere
+  redraw();
+}
+
+void DisplayScene::fit() {
+  look({0, 0, 0}, {0.6, 0.4, 1.3}, {0, 1, 0});
+  fitDistance();
+}
+
+void DisplayScene::lookFrom(SceneSide side) {
+  const auto [right, up, front, centre] =
+      transformFromPose(m_display.position, m_display.orientation);
+  if (side == SceneSide::front) look(centre, centre + front, up);
+  if (side == SceneSide::top) look(centre, centre + up, -1.0 * front);
+  if (side == SceneSide::side) look(centre, centre + right, up);
+  fitDistance();
+}
+
+void DisplayScene::lookThrough(const CameraState& state) {
+  if (!hasFrame(state)) return;
+  look(state.camera.lookat, state.camera.eye, state.camera.up);
+  const double focal = Camera(state.camera, state.intrinsics).focalLength().y;
+  m_renderer->GetActiveCamera()->SetViewAngle(2 * std::atan(state.camera.res[1] / 2.0 / focal) *
+                                              180 / std::numbers::pi);
+  redraw();
+}
+
+CameraParams DisplayScene::eye() const {
+  vtkCamera* camera = m_renderer->GetActiveCamera();
+  CameraParams eye;
+  eye.eye = vec3(camera->GetPosition());
+  eye.lookat = vec3(camera->GetFocalPoint());
+  eye.up = vec3(camera->GetViewUp());
+  eye.fov = camera->GetViewAngle();
+  return eye;
+}
+
+std::vector<int> DisplayScene::statesAt(int x, int y) const {
+  const QSize size = m_widget.deviceSize();
+  constexpr double tolerance = 4;  // pixels
+  return m_frusta.statesAt(m_renderer, {x + 0.5, y + 0.5, tolerance, size.width(), size.height()});
+}
+
+std::optional<Hit> DisplayScene::hogelAt(int x, int y) const {
+  if (m_display.hogels[0] < 1 || m_display.directions[0] < 1) return std::nullopt;
+  m_renderer->SetDisplayPoint(x + 0.5, y + 0.5, 1);
+  m_renderer->DisplayToWorld();
+  const double* far = m_renderer->GetWorldPoint();
+  const Display display(m_display);
+  const Vec3 from = eye().eye;
+  const Vec3 to = {far[0] / far[3], far[1] / far[3], far[2] / far[3]};
+  const RigidTransform& displayFromWorld = display.displayFromWorld();
+  const std::optional<Hit> place =
+      display.place(displayFromWorld.point(from), displayFromWorld.direction(to - from));
+  return place && display.isOnPanel(*place) ? place : std::nullopt;
 }
 
 }  // namespace hogelscope

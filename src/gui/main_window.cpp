@@ -15,9 +15,9 @@
 #include <QVBoxLayout>
 
 #include "core/error.h"
-#include "gui/display_scene.h"
 #include "gui/parameter_form.h"
 #include "gui/picture_commands.h"
+#include "gui/scene_controller.h"
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
 #include "gui/view_worker.h"
@@ -36,7 +36,7 @@ MainWindow::MainWindow(QWidget* parent)
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
   m_ui->splitter->setSizes({1000, 1000});
-  m_scene = std::make_unique<DisplayScene>(*m_ui->sceneWidget);
+  m_scene = new SceneController(*m_ui, m_model, this);
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(24);
@@ -91,7 +91,6 @@ void MainWindow::connectActions() {
   connect(m_ui->saveAsAction, &QAction::triggered, this, &MainWindow::askSaveAs);
   connect(m_ui->importAction, &QAction::triggered, this, &MainWindow::askImport);
   connect(m_ui->quitAction, &QAction::triggered, this, &QWidget::close);
-  connect(m_ui->fitAction, &QAction::triggered, this, [this] { m_scene->fit(); });
   connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
@@ -126,17 +125,18 @@ void MainWindow::connectModel() {
           });
   m_ui->reportPanel->setModel(m_model);
   connect(m_ui->reportPanel, &ReportDock::failed, this, &MainWindow::showError);
+  connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetView::failed, this, &MainWindow::showError);
+  connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
   connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
   connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
     m_loaded = scene;
-    m_display = scene.display;
+    m_scene->setScene(scene);
     m_ui->reportPanel->setReference(scene);
     offerViews();
     showCurrent();
-    m_scene->fit();
   });
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
   m_pictures = new PictureCommands(*m_ui, m_model, this);
@@ -242,7 +242,6 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showSession() {
-  m_display = m_model->session().display;
   m_ui->reportPanel->setReference(std::nullopt);
   m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
@@ -251,7 +250,6 @@ void MainWindow::showSession() {
   statusBar()->showMessage(
       tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
   showStates();
-  m_scene->fit();
 }
 
 void MainWindow::showCurrent() {
@@ -260,7 +258,6 @@ void MainWindow::showCurrent() {
   m_stateBox->setItemText(index, QString::fromStdString(m_model->current().camera.name));
   m_stateBox->setCurrentIndex(index);
   for (ParameterForm* form : m_forms) form->refresh();
-  m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
   render();
   showTitle();
 }

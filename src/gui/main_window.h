@@ -19,9 +19,9 @@ class MainWindow;
 
 namespace hogelscope {
 
-class DisplayScene;
 class ParameterForm;
 class PictureCommands;
+class SceneController;
 class SessionModel;
 class ViewWorker;
 struct RenderedView;
@@ -65,10 +65,9 @@ class MainWindow : public QMainWindow {
   ViewWorker* m_worker;
   QComboBox* m_stateBox;
   QLabel* m_certificateLabel;
-  std::unique_ptr<DisplayScene> m_scene;
+  SceneController* m_scene;
   PictureCommands* m_pictures = nullptr;
   std::vector<ParameterForm*> m_forms;
-  DisplayParams m_display;              ///< resolved
   std::optional<Scene> m_loaded;        ///< none while a light field is read
   std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
 };

@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
+#include <QStyle>
 #include <QTableView>
 #include <QUrl>
 #include <algorithm>
@@ -124,6 +125,9 @@ QWidget* ReportDock::makeSettings() {
   area->setFrameShape(QFrame::NoFrame);
   area->setWidget(settings);
   area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumWidth(settings->minimumSizeHint().width() +
+                        style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   return area;
 }
 

@@ -14,6 +14,8 @@
 #include <QOpenGLExtraFunctions>
 #include <QScreen>
 #include <QWheelEvent>
+#include <cmath>
+#include <utility>
 
 namespace hogelscope {
 
@@ -83,6 +85,7 @@ void VtkWidget::resizeGL(int, int) {
   const QSize screenSize = (QSizeF(screen()->size()) * devicePixelRatioF()).toSize();
   m_window->SetScreenSize(screenSize.width(), screenSize.height());
   m_interactor->UpdateSize(deviceSize().width(), deviceSize().height());
+  Q_EMIT resized();
 }
 
 void VtkWidget::paintGL() {
@@ -146,7 +149,14 @@ void VtkWidget::tellPointer(const QPointF& position, Qt::KeyboardModifiers modif
   m_interactor->SetAltKey(modifiers.testFlag(Qt::AltModifier));
 }
 
+QPoint VtkWidget::fromLowerLeft(const QPointF& position) const {
+  const QPoint p = (position * devicePixelRatioF()).toPoint();
+  return {p.x(), deviceSize().height() - 1 - p.y()};
+}
+
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
+  m_pressedAt = event->position();
+  m_isClick = event->button() == Qt::LeftButton;
   tellPointer(event->position(), event->modifiers());
   if (event->button() == Qt::LeftButton) m_interactor->LeftButtonPressEvent();
   if (event->button() == Qt::MiddleButton) m_interactor->MiddleButtonPressEvent();
@@ -158,11 +168,20 @@ void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) m_interactor->LeftButtonReleaseEvent();
   if (event->button() == Qt::MiddleButton) m_interactor->MiddleButtonReleaseEvent();
   if (event->button() == Qt::RightButton) m_interactor->RightButtonReleaseEvent();
+  if (event->button() != Qt::LeftButton || !std::exchange(m_isClick, false)) return;
+  const QPoint at = fromLowerLeft(event->position());
+  Q_EMIT clicked(at.x(), at.y());
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   tellPointer(event->position(), event->modifiers());
   m_interactor->MouseMoveEvent();
+  constexpr double still = 3;  // a hand trembles
+  const QPointF way = event->position() - m_pressedAt;
+  if (std::hypot(way.x(), way.y()) > still) m_isClick = false;
+  if (event->buttons() != Qt::NoButton) return;
+  const QPoint at = fromLowerLeft(event->position());
+  Q_EMIT hovered(at.x(), at.y());
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {

@@ -27,6 +27,15 @@ class VtkWidget : public QOpenGLWidget {
 
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return m_window; }
   [[nodiscard]] vtkGenericRenderWindowInteractor* interactor() const { return m_interactor; }
+  /// In the screen's own pixels, as VTK counts them.
+  [[nodiscard]] QSize deviceSize() const;
+
+ Q_SIGNALS:
+  /// The left button went down and up at one place; pixels from the lower left.
+  void clicked(int x, int y);
+  /// The pointer is there, no button is pressed.
+  void hovered(int x, int y);
+  void resized();
 
  protected:
   bool event(QEvent* event) override;
@@ -46,11 +55,13 @@ class VtkWidget : public QOpenGLWidget {
   void onIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
   void onSupportsOpenGL(vtkObject* caller, unsigned long event, void* isSupported);
   void onRenderRequest(vtkObject* caller, unsigned long event, void* data);
-  [[nodiscard]] QSize deviceSize() const;
+  [[nodiscard]] QPoint fromLowerLeft(const QPointF& position) const;
 
   vtkNew<vtkGenericOpenGLRenderWindow> m_window;
   vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
   QMetaObject::Connection m_contextEnds;
+  QPointF m_pressedAt;
+  bool m_isClick = false;  ///< the left button is down and has not been moved
 };
 
 }  // namespace hogelscope

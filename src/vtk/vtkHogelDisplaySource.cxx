@@ -10,6 +10,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkHogelDisplaySource);
 
 namespace
@@ -55,17 +57,20 @@ void fillPanel(const hogelscope::DisplayParams& display, vtkPolyData* output)
   output->GetPointData()->SetTCoords(texture);
 }
 
-int lineStep(int cells, int maximumLines)
+/// Lines never get more, however near the eye is.
+constexpr int maximumLines = 2048;
+
+int lineStep(int cells, double size, double spacing)
 {
   int step = 1;
-  while (cells / step + 1 > maximumLines)
+  while (step < cells && (cells / step > maximumLines || step * size / cells < spacing))
   {
     step *= 2;
   }
   return step;
 }
 
-void fillGrid(const hogelscope::DisplayParams& display, int maximumLines, vtkPolyData* output)
+void fillGrid(const hogelscope::DisplayParams& display, double spacing, vtkPolyData* output)
 {
   PanelPoints points(display);
   vtkNew<vtkCellArray> lines;
@@ -76,15 +81,18 @@ void fillGrid(const hogelscope::DisplayParams& display, int maximumLines, vtkPol
     lines->InsertCellPoint(points.Add(x1, y1));
   };
   const auto [nx, ny] = display.hogels;
-  const int stepX = lineStep(nx, maximumLines);
-  for (int i = 0; i <= nx; i += stepX)
+  // The panel's own edge is always drawn.
+  const int stepX = lineStep(nx, display.size[0], spacing);
+  for (int i = 0; i < nx + stepX; i += stepX)
   {
-    add(double(i) / nx - 0.5, -0.5, double(i) / nx - 0.5, 0.5);
+    const double x = double(std::min(i, nx)) / nx - 0.5;
+    add(x, -0.5, x, 0.5);
   }
-  const int stepY = lineStep(ny, maximumLines);
-  for (int j = 0; j <= ny; j += stepY)
+  const int stepY = lineStep(ny, display.size[1], spacing);
+  for (int j = 0; j < ny + stepY; j += stepY)
   {
-    add(-0.5, 0.5 - double(j) / ny, 0.5, 0.5 - double(j) / ny);
+    const double y = 0.5 - double(std::min(j, ny)) / ny;
+    add(-0.5, y, 0.5, y);
   }
   output->SetPoints(points.Get());
   output->SetLines(lines);
@@ -115,7 +123,7 @@ int vtkHogelDisplaySource::RequestData(
     return 1; // no display yet: empty outputs
   }
   fillPanel(this->Display, vtkPolyData::GetData(outputVector, 0));
-  fillGrid(this->Display, this->MaximumLines, vtkPolyData::GetData(outputVector, 1));
+  fillGrid(this->Display, this->Spacing, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }
 
@@ -123,5 +131,5 @@ void vtkHogelDisplaySource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Hogels: " << this->Display.hogels[0] << " " << this->Display.hogels[1] << "\n";
-  os << indent << "MaximumLines: " << this->MaximumLines << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
 }

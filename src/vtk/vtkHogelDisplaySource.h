@@ -4,8 +4,8 @@
  * @brief   the panel and its hogel grid as polygonal data, in the world
  *
  * Port 0: the panel, one quad whose texture coordinates have (0, 0) at its lower left. Port 1: the
- * borders of the hogels as lines; where there are more than MaximumLines across or down, every 2nd,
- * 4th, 8th … is drawn.
+ * borders of the hogels as lines; where they are nearer to each other than Spacing, every 2nd, 4th,
+ * 8th … is drawn.
  */
 #ifndef vtkHogelDisplaySource_h
 #define vtkHogelDisplaySource_h
@@ -26,10 +26,10 @@ public:
 
   ///@{
   /**
-   * Grid lines across and down, at most. 64 by default.
+   * Between two lines at least, in metres. 0 by default.
    */
-  vtkSetClampMacro(MaximumLines, int, 2, VTK_INT_MAX);
-  vtkGetMacro(MaximumLines, int);
+  vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Spacing, double);
   ///@}
 
 protected:
@@ -44,7 +44,7 @@ private:
   void operator=(const vtkHogelDisplaySource&) = delete;
 
   hogelscope::DisplayParams Display;
-  int MaximumLines = 64;
+  double Spacing = 0;
 };
 
 #endif

@@ -15,6 +15,7 @@ class TestLightField : public QObject {
 
  private Q_SLOTS:
   void texelsLieInTheHogelImagesRaster();
+  void aHogelHasItsOwnPicture();
   void storedValues();
   void wrongCountIsRefused();
   void quantisedRoundsHalfUp_data();
@@ -37,6 +38,19 @@ void TestLightField::texelsLieInTheHogelImagesRaster() {
   QVERIFY((lightField.texel({1, 0, 2, 3}) == Rgb{156, 157, 158}));
   QVERIFY((lightField.texel({0, 1, 0, 0}) == Rgb{180, 181, 182}));
   QVERIFY((lightField.texel({1, 1, 3, 1}) == Rgb{249, 250, 251}));
+}
+
+void TestLightField::aHogelHasItsOwnPicture() {
+  const LightFieldSize size{2, 3, 4, 2};
+  std::vector<std::uint8_t> values(3 * size.width() * size.height());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<std::uint8_t>(k);
+  const Image picture = hogelPicture(LightField(size, values), 1, 2);
+  QCOMPARE(picture.width, 4);
+  QCOMPARE(picture.height, 2);
+  for (std::size_t v = 0; v < 2; ++v)
+    for (std::size_t k = 0; k < 12; ++k)  // its tile of the hogel image, 24 values a row
+      QCOMPARE(picture.rgb[12 * v + k], static_cast<std::uint8_t>(24 * (4 + v) + 12 + k));
+  QVERIFY(picture.seen == std::vector<std::uint8_t>(8, 255));
 }
 
 void TestLightField::storedValues() {

@@ -90,6 +90,7 @@ class TestMainWindow : public QObject {
 
   void sceneShowsPanelGridAndFrustum() {
     waitForSample();
+    m_window->findChild<QAction*>("scenePanelPictureAction")->trigger();  // off
     const QImage scene = m_window->findChild<VtkWidget*>()->grabFramebuffer();
     QVERIFY(count(scene, QColor(61, 71, 92)) > 5000);     // panel
     QVERIFY(count(scene, QColor(128, 148, 179)) > 2000);  // grid

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The panel and the frusta stand where the simulation has them.
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <QtTest>
 
 #include "core/display.h"
+#include "vtk/atlas.h"
+#include "vtk/line_picker.h"
 #include "vtk/vtkCameraFrustumSource.h"
 #include "vtk/vtkHogelDisplaySource.h"
+#include "vtk/vtkHogelFieldSource.h"
+#include "vtk/vtkScaleBarSource.h"
 
 using namespace hogelscope;
 
@@ -46,13 +53,22 @@ class TestSources : public QObject {
   }
 
   void gridThinsOut() {
-    DisplayParams display;
+    DisplayParams display;  // 0.5 m × 0.5 m
     display.hogels = {512, 3};
     const vtkNew<vtkHogelDisplaySource> source;
     source->SetDisplay(display);
-    source->SetMaximumLines(64);
-    source->Update();
-    QCOMPARE(source->GetOutput(1)->GetNumberOfLines(), vtkIdType(512 / 16 + 1 + 4));
+    const auto lines = [&](double spacing) {
+      source->SetSpacing(spacing);
+      source->Update();
+      return int(source->GetOutput(1)->GetNumberOfLines());
+    };
+    QCOMPARE(lines(0), 513 + 4);
+    QCOMPARE(lines(0.5 / 512), 513 + 4);
+    QCOMPARE(lines(0.006), 512 / 8 + 1 + 4);
+    QCOMPARE(lines(10), 2 + 2);  // only the panel's edges are left
+    display.hogels = {65536, 65536};
+    source->SetDisplay(display);
+    QVERIFY(lines(0) <= 2 * 2049);
   }
 
   void withoutHogelsIsEmpty() {
@@ -62,19 +78,142 @@ class TestSources : public QObject {
   }
 
   void frustumHasTheFieldOfView() {
+    const vtkNew<vtkCameraFrustumSource> source;
+    source->SetFrusta({{wideCamera(), {}, 7, {1, 2, 3}, false}});
+    source->Update();
+    vtkPolyData* lines = source->GetOutput(0);
+    QCOMPARE(lines->GetNumberOfLines(), vtkIdType(10));
+    // Line 0 is from the eye to the picture's upper left, line 2 to its lower right; the near plane
+    // is a quarter of 2 m away.
+    QVERIFY(isNear(point(lines, 0), {0, 0, 2}));
+    QVERIFY(isNear(point(lines, 1), {-1, 0.5, 1.5}));
+    QVERIFY(isNear(point(lines, 5), {1, -0.5, 1.5}));
+    for (vtkIdType cell = 0; cell < 10; ++cell) {
+      QCOMPARE(lines->GetCellData()->GetArray("State")->GetTuple1(cell), 7.0);
+      const double* colour = lines->GetCellData()->GetScalars()->GetTuple3(cell);
+      QVERIFY(colour[0] == 1 && colour[1] == 2 && colour[2] == 3);
+    }
+  }
+
+  void manyFrustaAreOnePolyData() {
+    std::vector<CameraFrustum> frusta(300, {wideCamera(), {}});
+    for (int k = 0; k < 300; ++k) frusta[std::size_t(k)].State = k;
+    frusta[17].Camera.lookat = frusta[17].Camera.eye;  // no frame
+    frusta[20].IsDashed = true;
+    const vtkNew<vtkCameraFrustumSource> source;
+    source->SetFrusta(frusta);
+    source->SetAtlasColumns(Atlas::ForCount(300).Columns);
+    source->Update();
+    QCOMPARE(source->GetOutput(0)->GetNumberOfLines(), vtkIdType(298 * 10 + 10 * 8));
+    QCOMPARE(source->GetOutput(1)->GetNumberOfPolys(), vtkIdType(299));
+    const vtkMTimeType before = source->GetMTime();
+    source->SetFrusta(frusta);
+    QCOMPARE(source->GetMTime(), before);
+  }
+
+  void picturesLieOnTheNearPlane() {
+    const Atlas atlas = Atlas::ForCount(5);
+    QCOMPARE(atlas.Columns, 3);
+    QCOMPARE(Atlas::ForCount(0).Columns, 1);
+    const vtkNew<vtkCameraFrustumSource> source;
+    source->SetFrusta({{wideCamera(), {}, 4}});  // the middle tile
+    source->SetAtlasColumns(atlas.Columns);
+    source->Update();
+    vtkPolyData* pictures = source->GetOutput(1);
+    const auto isAt = [&](vtkIdType id, const Vec3& p, double s, double t) {
+      const double* texture = pictures->GetPointData()->GetTCoords()->GetTuple2(id);
+      return isNear(point(pictures, id), p) && std::abs(texture[0] - s / 3) < 1e-6 &&
+             std::abs(texture[1] - t / 3) < 1e-6;
+    };
+    QVERIFY(isAt(0, {-1, 0.5, 1.5}, 1, 2));
+    QVERIFY(isAt(1, {1, 0.5, 1.5}, 2, 2));
+    QVERIFY(isAt(2, {1, -0.5, 1.5}, 2, 1));
+    QVERIFY(isAt(3, {-1, -0.5, 1.5}, 1, 1));
+  }
+
+  void hogelFieldIsWhereItsDirectionsGo() {
+    for (const HogelLens lens : {HogelLens::rectilinear, HogelLens::equiangular}) {
+      DisplayParams display;
+      display.position = {0.3, -0.2, 1};
+      display.orientation = {20, 30, 40};
+      display.size = {0.4, 0.2};
+      display.hogels = {8, 4};
+      display.directions = {7, 40};
+      display.fov = {100, 40};
+      display.lens = lens;
+      const vtkNew<vtkHogelFieldSource> source;
+      source->SetHogel(display, 2, 3);
+      source->Update();
+      QCOMPARE(source->GetOutput(0)->GetNumberOfLines(), vtkIdType(17 + 16));
+      vtkPolyData* end = source->GetOutput(1);
+      QCOMPARE(end->GetNumberOfPoints(), vtkIdType(8 * 33));
+      // Seen from each point of the end the hogel shows the direction that its texture says.
+      const Display core(display);
+      for (vtkIdType id = 0; id < end->GetNumberOfPoints(); ++id) {
+        const Vec3 eye = core.displayFromWorld().point(point(end, id));
+        QVERIFY(std::abs(eye.z - source->GetLength()) < 1e-6);
+        const Vec2 middle = core.position(2.5, 3.5);
+        const auto place = core.place(eye, Vec3{middle.x, middle.y, 0} - eye);
+        const double* texture = end->GetPointData()->GetTCoords()->GetTuple2(id);
+        QVERIFY(std::abs(place->u - 7 * texture[0]) < 1e-4);
+        QVERIFY(std::abs(place->v - 40 * (1 - texture[1])) < 1e-4);
+      }
+      QVERIFY(isNear(core.displayFromWorld().point(point(source->GetOutput(0), 0)),
+                     {-0.2 + 2.5 * 0.05, 0.1 - 3.5 * 0.05, 0}));
+    }
+  }
+
+  void scaleBarIsRound() {
+    const vtkNew<vtkScaleBarSource> source;
+    DisplayParams display;
+    const std::array<std::array<double, 2>, 6> lengths{
+        {{0.5, 0.2}, {0.2, 0.1}, {0.19, 0.05}, {1, 0.5}, {7, 2}, {0.003, 0.001}}};
+    for (const auto& [width, length] : lengths) {
+      display.size = {width, 0.1};
+      source->SetDisplay(display);
+      source->Update();
+      QVERIFY(std::abs(source->GetLength() - length) < 1e-12);
+      const Vec3 ends[2] = {point(source->GetOutput(), 0), point(source->GetOutput(), 1)};
+      QVERIFY(isNear(ends[1] - ends[0], {length, 0, 0}));
+      QVERIFY(ends[0].y < -0.05 && source->GetLabelPosition().y < ends[0].y);
+    }
+  }
+
+  void linesArePickedOnTheScreen() {
+    const vtkNew<vtkCameraFrustumSource> source;
+    CameraParams other = wideCamera();
+    other.res = {100, 100};  // the same eye and axis, a narrower picture
+    source->SetFrusta({{wideCamera(), {}, 3}, {other, {}, 9}});
+    source->Update();
+    vtkPolyData* lines = source->GetOutput(0);
+    const vtkNew<vtkMatrix4x4> clip;  // x and y as they are, w = z: seen from the origin along +z
+    clip->SetElement(3, 2, 1);
+    clip->SetElement(3, 3, 0);
+    const auto at = [&](double x, double y) { return statesAt(lines, clip, {x, y, 4, 600, 600}); };
+    // (-1, 0.5, 1.5) is drawn at (-2/3, 1/3): pixel (100, 400) of 600.
+    QCOMPARE(at(100, 400), std::vector<int>{3});
+    QCOMPARE(at(103, 398), std::vector<int>{3});
+    QCOMPARE(at(95, 400), std::vector<int>{});
+    QCOMPARE(at(200, 400), (std::vector<int>{3, 9}));
+    QCOMPARE(at(300, 300), (std::vector<int>{3, 9}));  // the eye
+    QCOMPARE(at(170, 300), std::vector<int>{});
+    clip->SetElement(3, 2, -1);  // all of it is behind the eye
+    QCOMPARE(at(300, 300), std::vector<int>{});
+    clip->SetElement(3, 2, 1);
+    clip->SetElement(3, 3, -1.75);  // the near plane is behind, the eye before
+    QCOMPARE(at(300, 300), (std::vector<int>{3, 9}));
+    QCOMPARE(at(100, 400), (std::vector<int>{3}));  // on its way there
+    QCOMPARE(at(300, 450), std::vector<int>{});
+  }
+
+ private:
+  /// 90° high, twice as wide, looks from (0, 0, 2) at the origin.
+  static CameraParams wideCamera() {
     CameraParams camera;
     camera.eye = {0, 0, 2};
     camera.fov = 90;
     camera.res = {200, 100};
-    const vtkNew<vtkCameraFrustumSource> source;
-    source->SetCamera(camera);
-    source->SetDistance(0.5);
-    source->Update();
-    vtkPolyData* lines = source->GetOutput();
-    QVERIFY(isNear(point(lines, 0), {0, 0, 2}));
-    QVERIFY(isNear(point(lines, 1), {-1, 0.5, 1.5}));  // upper left of the picture
-    QVERIFY(isNear(point(lines, 3), {1, -0.5, 1.5}));
-    QCOMPARE(lines->GetNumberOfLines(), vtkIdType(10));
+    return camera;
   }
 };
 

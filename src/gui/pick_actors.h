@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is picked, in the 3-D scene: a hogel's angular field with its own picture, a pixel's ray.
+#pragma once
+
+#include <vtkNew.h>
+
+#include "core/display.h"
+
+class vtkActor;
+class vtkHogelFieldSource;
+class vtkImageData;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTexture;
+
+namespace hogelscope {
+
+class PickActors {
+ public:
+  explicit PickActors(vtkRenderer* renderer);
+  ~PickActors();
+  PickActors(const PickActors&) = delete;
+  PickActors& operator=(const PickActors&) = delete;
+
+  /// `picture` has a pixel for each of the hogel's directions.
+  void showHogel(const DisplayParams& display, int i, int j, vtkImageData* picture);
+  /// In the world, metres.
+  void showRay(const Vec3& from, const Vec3& to);
+  void hideHogel();
+  void hideRay();
+  [[nodiscard]] bool hasHogel() const;
+  [[nodiscard]] bool hasRay() const;
+
+ private:
+  vtkNew<vtkHogelFieldSource> m_field;
+  vtkNew<vtkActor> m_rays;
+  vtkNew<vtkActor> m_end;
+  vtkNew<vtkTexture> m_picture;
+  vtkNew<vtkPolyData> m_line;
+  vtkNew<vtkActor> m_ray;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which states' lines lie under a place of the screen.
+#pragma once
+
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkPolyData;
+
+namespace hogelscope
+{
+
+/// Where to look: pixels from the viewport's lower left.
+struct ScreenPlace
+{
+  double X = 0;
+  double Y = 0;
+  double Tolerance = 4;
+  int Width = 1; ///< the viewport's
+  int Height = 1;
+};
+
+/// The "State" of every line within the tolerance, each once, in ascending order.
+/// `clipFromWorld`: the camera's composite projection, x and y from -1 to 1 over the viewport.
+std::vector<int> statesAt(
+  vtkPolyData* lines, vtkMatrix4x4* clipFromWorld, const ScreenPlace& place);
+
+} // namespace hogelscope

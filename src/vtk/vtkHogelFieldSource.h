@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHogelFieldSource
+ * @brief   the angular field of one hogel, in the world
+ *
+ * Port 0: rays from the hogel's middle to the border of its field, and that border. Port 1: the
+ * field's end, a plane parallel to the panel at Length in front of it; texture coordinates (0, 0)
+ * at the direction u = 0, v = dv, so that the hogel's picture lies on it as its lens spreads it.
+ */
+#ifndef vtkHogelFieldSource_h
+#define vtkHogelFieldSource_h
+
+#include <vtkPolyDataAlgorithm.h>
+
+#include "core/display.h"
+#include "hogelscope_vtkModule.h" // for export macro
+
+class HOGELSCOPE_VTK_EXPORT vtkHogelFieldSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHogelFieldSource* New();
+  vtkTypeMacro(vtkHogelFieldSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Hogel (i, j) of a display whose hogels and directions are given.
+   */
+  void SetHogel(const hogelscope::DisplayParams& display, int i, int j);
+
+  /**
+   * From the panel to the field's end in metres: what makes the end about half as wide as the
+   * panel.
+   */
+  double GetLength() const;
+
+protected:
+  vtkHogelFieldSource();
+  ~vtkHogelFieldSource() override = default;
+
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+
+private:
+  vtkHogelFieldSource(const vtkHogelFieldSource&) = delete;
+  void operator=(const vtkHogelFieldSource&) = delete;
+
+  hogelscope::DisplayParams Display;
+  int I = 0;
+  int J = 0;
+};
+
+#endif

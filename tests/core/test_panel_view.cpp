@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The panel's own picture: each of its pixels is the ray from the eye to that place of the panel.
+#include <QtTest>
+
+#include "core/panel_view.h"
+#include "core/pixel_trace.h"
+#include "tests/core/random_scene.h"
+
+using namespace hogelscope;
+
+class TestPanelView : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void aPixelIsAPlaceOfThePanel() {
+    Random random(5);
+    int seen = 0;
+    for (int k = 0; k < 200; ++k) {
+      RandomScene scene = randomScene(random);
+      const DisplayParams& display = scene.view.display;
+      const Vec3 eye = scene.view.state.camera.eye;
+      const std::array<int, 2> res{random.integer(1, 40), random.integer(1, 40)};
+      const auto state = panelState(display, eye, res);
+      QVERIFY(state.has_value());
+      scene.view.state = *state;
+      scene.view.sampling.mapping = LensMapping::exact;
+      const int x = random.integer(0, res[0] - 1);
+      const int y = random.integer(0, res[1] - 1);
+      const PixelTrace pixel = trace(scene.view, x, y);
+      QVERIFY(pixel.place.has_value());
+      QVERIFY(pixel.end != RayEnd::misses);
+      QVERIFY(std::abs(pixel.place->i - (x + 0.5) / res[0] * display.hogels[0]) < 1e-6);
+      QVERIFY(std::abs(pixel.place->j - (y + 0.5) / res[1] * display.hogels[1]) < 1e-6);
+      QVERIFY(length(pixel.eye - eye) < 1e-12);
+      if (pixel.end == RayEnd::seen) ++seen;
+    }
+    QVERIFY(seen > 50);
+  }
+
+  void thereIsNoneFromBehind() {
+    QVERIFY(!panelState({}, {0, 0, -0.1}, {4, 4}));
+    QVERIFY(!panelState({}, {0, 0, 0}, {4, 4}));
+    QVERIFY(panelState({}, {3, 2, 1e-9}, {4, 4}));
+  }
+
+  void distanceIsToTheNearestPlace() {
+    Random random(9);
+    for (int k = 0; k < 100; ++k) {
+      const DisplayParams display = randomDisplay(random);
+      const RigidTransform world = transformFromPose(display.position, display.orientation);
+      const Vec3 p{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+      double least = 1e9;
+      constexpr int n = 200;
+      for (int y = 0; y <= n; ++y)
+        for (int x = 0; x <= n; ++x)
+          least = std::min(least,
+                           length(p - world.point({(double(x) / n - 0.5) * display.size[0],
+                                                   (double(y) / n - 0.5) * display.size[1], 0})));
+      const double distance = distanceToPanel(display, p);
+      QVERIFY(distance <= least + 1e-9 && least - distance < 2.0 / n);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(TestPanelView)
+#include "test_panel_view.moc"

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The share of the panel that lights an eye: against counting its places ray by ray.
+#include <QtTest>
+
+#include "core/viewing_zone.h"
+#include "tests/core/random_scene.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Of n × n places of the panel, the share whose ray to the eye hits the display.
+double counted(const DisplayParams& params, const Vec3& eye, int n) {
+  const Display display(params);
+  const Vec3 e = display.displayFromWorld().point(eye);
+  int seen = 0;
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      const Vec3 place{((x + 0.5) / n - 0.5) * params.size[0],
+                       ((y + 0.5) / n - 0.5) * params.size[1], 0};
+      if (display.hit(e, place - e)) ++seen;
+    }
+  }
+  return double(seen) / (n * n);
+}
+
+}  // namespace
+
+class TestViewingZone : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void isWhatIsCounted() {
+    Random random(31);
+    int all = 0;
+    int none = 0;
+    int part = 0;
+    for (int k = 0; k < 400; ++k) {
+      const DisplayParams display = randomDisplay(random);
+      const double size = std::max(display.size[0], display.size[1]);
+      const Vec3 eye = transformFromPose(display.position, display.orientation)
+                           .point({random.uniform(-2, 2) * size, random.uniform(-2, 2) * size,
+                                   random.uniform(-0.3, 3) * size});
+      constexpr int n = 100;
+      const double share = shareSeenFrom(display, eye);
+      // Counting is a place off at each of the four borders.
+      QVERIFY(std::abs(share - counted(display, eye, n)) <= 2.0 / n);
+      share == 0 ? ++none : share == 1 ? ++all : ++part;
+    }
+    QVERIFY(all > 20 && none > 20 && part > 20);
+  }
+
+  void isClosedForm() {
+    DisplayParams display;  // 0.5 m × 0.5 m, 60°
+    display.fov = {90, 90};
+    QCOMPARE(shareSeenFrom(display, {0, 0, 0.25}), 1.0);
+    QCOMPARE(shareSeenFrom(display, {0, 0, 0.125}), 0.25);
+    QCOMPARE(shareSeenFrom(display, {0.5, 0, 0.25}), 0.0);
+    QCOMPARE(shareSeenFrom(display, {0.375, 0, 0.25}), 0.25);
+    QCOMPARE(shareSeenFrom(display, {0, 0, 0}), 0.0);
+    QCOMPARE(shareSeenFrom(display, {0, 0, -1}), 0.0);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestViewingZone)
+#include "test_viewing_zone.moc"
