@@ -126,6 +126,19 @@ void DisplayScene::lookFrom(SceneSide side) {
   fitDistance();
 }
 
+void DisplayScene::turn(double right, double up) {
+  vtkCamera* camera = m_renderer->GetActiveCamera();
+  camera->Azimuth(right);
+  camera->Elevation(up);
+  camera->OrthogonalizeViewUp();
+  redraw();
+}
+
+void DisplayScene::approach(double factor) {
+  m_renderer->GetActiveCamera()->Dolly(factor);
+  redraw();
+}
+
 void DisplayScene::lookThrough(const CameraState& state) {
   if (!hasFrame(state)) return;
   look(state.camera.lookat, state.camera.eye, state.camera.up);

@@ -47,6 +47,10 @@ class DisplayScene : public QObject {
   /// Looks at all of it from the front, a little from the right and above.
   void fit();
   void lookFrom(SceneSide side);
+  /// The eye goes round what the scene looks at, to the right and upwards; degrees.
+  void turn(double right, double up);
+  /// So many times nearer.
+  void approach(double factor);
   /// With the state's pose and vertical field of view. A state without a frame changes nothing.
   void lookThrough(const CameraState& state);
   /// The scene's eye; eye, lookat, up and fov only. Metres, degrees.

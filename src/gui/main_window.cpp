@@ -47,7 +47,9 @@ MainWindow::MainWindow(QWidget* parent)
   showTitle();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  delete m_scene;  // before the widget that it draws into
+}
 
 namespace {
 

@@ -38,6 +38,18 @@ void SceneController::connectActions() {
   on(m_form.sceneFrontAction, [this] { m_scene->lookFrom(SceneSide::front); });
   on(m_form.sceneTopAction, [this] { m_scene->lookFrom(SceneSide::top); });
   on(m_form.sceneSideAction, [this] { m_scene->lookFrom(SceneSide::side); });
+  // Keys of the scene itself: elsewhere arrows mean something else.
+  const auto onScene = [this, on](QAction* action, auto slot) {
+    m_form.sceneWidget->addAction(action);
+    on(action, slot);
+  };
+  constexpr double step = 5;  // degrees
+  onScene(m_form.sceneLeftAction, [this] { m_scene->turn(-step, 0); });
+  onScene(m_form.sceneRightAction, [this] { m_scene->turn(step, 0); });
+  onScene(m_form.sceneUpAction, [this] { m_scene->turn(0, step); });
+  onScene(m_form.sceneDownAction, [this] { m_scene->turn(0, -step); });
+  onScene(m_form.sceneNearerAction, [this] { m_scene->approach(1.1); });
+  onScene(m_form.sceneFartherAction, [this] { m_scene->approach(1 / 1.1); });
   on(m_form.sceneLookThroughAction, [this] { m_scene->lookThrough(m_model->current()); });
   on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
   on(m_form.scenePanelPictureAction, [this] { renderPanel(); });

@@ -12,7 +12,7 @@ namespace hogelscope {
 
 namespace {
 constexpr int longestTile = 192;   ///< texels: few states have fine pictures
-constexpr int longestSide = 2048;  ///< of the whole texture: it is sent anew with each picture
+constexpr int longestSide = 1024;  ///< of the whole texture: it is sent anew with each picture
 constexpr std::uint8_t emptyGrey = 40;
 }  // namespace
 

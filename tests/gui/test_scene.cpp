@@ -264,6 +264,29 @@ class TestScene : public QObject {
     QVERIFY(readout().contains("Click a frustum"));  // that was no click
   }
 
+  void keysTurnTheScene() {
+    press(Qt::Key_F5);
+    widget()->setFocus();
+    const auto key = [this](Qt::Key k) { QTest::keyClick(widget(), k); };
+    const double before = length(scene().eye().eye - scene().eye().lookat);
+    const auto direction = [this] { return normalise(scene().eye().eye - scene().eye().lookat); };
+    for (int k = 0; k < 6; ++k) key(Qt::Key_Right);
+    QVERIFY(isNear(direction(), {0.5, 0, std::sqrt(0.75)}, 1e-6));  // 30°
+    for (int k = 0; k < 6; ++k) key(Qt::Key_Left);
+    for (int k = 0; k < 6; ++k) key(Qt::Key_Up);
+    QVERIFY(isNear(direction(), {0, 0.5, std::sqrt(0.75)}, 1e-6));
+    for (int k = 0; k < 6; ++k) key(Qt::Key_Down);
+    QVERIFY(isNear(direction(), {0, 0, 1}, 1e-6));
+    key(Qt::Key_Plus);
+    QCOMPARE(length(scene().eye().eye - scene().eye().lookat), before / 1.1);
+    key(Qt::Key_Minus);
+    QCOMPARE(length(scene().eye().eye - scene().eye().lookat), before);
+    // In a field the arrows are the field's.
+    find<QScrollArea>("cameraArea")->widget()->findChild<QDoubleSpinBox*>("eye.0")->setFocus();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
+    QVERIFY(isNear(direction(), {0, 0, 1}, 1e-6));
+  }
+
   void commandsPlaceTheScenesEye() {
     const auto isAlong = [this](const Vec3& axis) {
       const CameraParams eye = scene().eye();
