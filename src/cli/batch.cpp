@@ -9,6 +9,7 @@
 
 #include "cli/camera_job.h"
 #include "cli/explain.h"
+#include "cli/generate_job.h"
 #include "cli/info.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
@@ -16,7 +17,6 @@
 #include "cli/stability_job.h"
 #include "cli/tradeoff_job.h"
 #include "core/error.h"
-#include "core/pattern.h"
 #include "io/atomic_file.h"
 #include "io/image_file.h"
 #include "io/light_field_file.h"
@@ -60,42 +60,6 @@ int render(const Options& options) {
   return 0;
 }
 
-int generate(const Options& options) {
-  const Session session = loadSession(options.session, options.overrides);
-  const DisplayParams& display = session.display;
-  if (display.hogels[0] < 1 || display.directions[0] < 1)
-    throw InputError(options.session, "display.hogels",
-                     "and directions are needed to make content");
-  const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
-                            display.directions[1]};
-  const ScenePattern pattern(display);
-  if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
-  ProgressBar bar("generating", options.quiet);
-  ImageRowWriter writer(options.output, size.width(), size.height());
-  std::vector<std::uint8_t> row(3 * size.width());
-  for (int y = 0; y < int(size.height()); ++y) {
-    advance(bar.progress(), y / double(size.height()));
-    for (int x = 0; x < int(size.width()); ++x) {
-      const Rgb c = pattern.texel({x / size.du, y / size.dv, x % size.du, y % size.dv});
-      std::uint8_t* rgb = &row[3 * std::size_t(x)];
-      rgb[0] = quantised(c.r);
-      rgb[1] = quantised(c.g);
-      rgb[2] = quantised(c.b);
-    }
-    writer.write(row);
-  }
-  writer.finish();
-  bar.done();
-  if (!options.quiet)
-    std::cout << options.output << ": " << size.width() << "×" << size.height() << " px\n";
-  return 0;
-}
-
-}  // namespace
-
-namespace {
-
 int runJob(const Options& options) {
   vtkObject::GlobalWarningDisplayOff();  // what fails comes back as InputError
   vtkHogelViewFilter::SetThreads(options.threads);
@@ -107,7 +71,7 @@ int runJob(const Options& options) {
     case Command::makeCameras:
       return makeCameras(options);
     case Command::generate:
-      return generate(options);
+      return generateJob(options);
     case Command::tradeoff:
       return tradeoff(options);
     case Command::stability:

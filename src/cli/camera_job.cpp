@@ -18,6 +18,7 @@ int makeCameras(const Options& options) {
   std::vector<std::string> ofSet;
   for (const std::string& text : options.overrides)
     (isOfCameraSet(text) ? ofSet : ofSession.overrides).push_back(text);
+  if (options.seed) ofSet.push_back("cameraSet.seed=" + std::to_string(*options.seed));
   const Session session = loadSelected(ofSession);
   const Session result = withCameras(session, loadCameraSet(options.cameras, ofSet));
   if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())

@@ -3,6 +3,7 @@
 #include "cli/manual.h"
 
 #include "core/camera_set.h"
+#include "core/pattern.h"
 #include "core/report.h"
 #include "core/session.h"
 
@@ -98,7 +99,10 @@ std::string parameterManual() {
          table<PsfParams>() +
          "# Parameters of a camera set\n\n"
          "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
-         table<CameraSetParams>() + table<CameraRegionParams>();
+         table<CameraSetParams>() + table<CameraRegionParams>() +
+         "# Parameters of a pattern\n\n"
+         "For `--generate`, likewise with `--set`; none of them stands in a session.\n\n" +
+         table<PatternParams>();
 }
 
 }  // namespace hogelscope

@@ -51,6 +51,17 @@ std::string oneOf(const std::string& text, const char* flag,
   throw InputError(flag, "\"" + text + "\" is not one of " + known);
 }
 
+std::string_view generateHelp() {
+  static const std::string help = [] {
+    std::string text = "Writes a test light field of the session's display, of any size: ";
+    for (const PatternName& pattern : patternNames())
+      text += std::string(&pattern == &patternNames().front() ? "" : "; ") +
+              std::string(pattern.name) + " (" + std::string(pattern.help) + ")";
+    return text + ".";
+  }();
+  return help;
+}
+
 const std::vector<Flag>& jobs() {
   static const std::vector<Flag> flags{
       {"render", "", "One picture for each camera state: DIR/<name>.png.",
@@ -66,10 +77,12 @@ const std::vector<Flag>& jobs() {
          choose(o, Command::makeCameras);
          o.cameras = v;
        }},
-      {"generate", "PATTERN", "Writes a test light field of the session's display: scene.",
+      {"generate", "PATTERN", generateHelp(),
        [](Options& o, const std::string& v) {
          choose(o, Command::generate);
-         o.pattern = oneOf(v, "--generate", patternNames());
+         std::vector<std::string_view> names;
+         for (const PatternName& pattern : patternNames()) names.push_back(pattern.name);
+         o.pattern = oneOf(v, "--generate", names);
        }},
       {"tradeoff", "",
        "Speed against accuracy of every method on the session's own states: DIR/tradeoff.csv, "
@@ -114,8 +127,13 @@ const std::vector<Flag>& settings() {
        [](Options& o, const std::string& v) { o.rates.push_back(v); }},
       {"count", "N", "--make-cameras: states to add; --set cameraSet.count=N.",
        [](Options& o, const std::string& v) { o.overrides.push_back("cameraSet.count=" + v); }},
-      {"seed", "K", "--make-cameras: of the random numbers; --set cameraSet.seed=K.",
-       [](Options& o, const std::string& v) { o.overrides.push_back("cameraSet.seed=" + v); }},
+      {"seed", "K",
+       "--make-cameras: of the random numbers, --set cameraSet.seed=K; --degrade: of the noise.",
+       [](Options& o, const std::string& v) { o.seed = number(v, "--seed", 0); }},
+      {"degrade", "HOW",
+       "--generate: a worse copy: jpeg:QUALITY, noise:SIGMA in code values, or blur:SIGMA in "
+       "directional pixels.",
+       [](Options& o, const std::string& v) { o.degrade = v; }},
       {"region", "box|plane|arc",
        "--make-cameras: where the cameras stand; --set cameraRegion.region=….",
        [](Options& o, const std::string& v) { o.overrides.push_back("cameraRegion.region=" + v); }},
@@ -193,6 +211,13 @@ void refuseMissing(const Options& options) {
   for (const std::string& text : options.overrides)
     if (isOfCameraSet(text) && options.command != Command::makeCameras)
       throw InputError("--set " + text, "belongs to --make-cameras SET");
+    else if (isOfPattern(text) && options.command != Command::generate)
+      throw InputError("--set " + text, "belongs to --generate PATTERN");
+  if (!options.degrade.empty() && options.command != Command::generate)
+    throw InputError("--degrade", "belongs to --generate PATTERN");
+  if (options.seed && options.command != Command::makeCameras &&
+      options.command != Command::generate)
+    throw InputError("--seed", "belongs to --make-cameras SET or --generate PATTERN");
   if (options.command != Command::report && !(options.groups.empty() && options.rates.empty()))
     throw InputError(options.groups.empty() ? "--rate" : "--group", "belongs to --report");
   const bool isStability = options.command == Command::stability;
@@ -295,6 +320,10 @@ Options parseOptions(const std::vector<std::string>& arguments) {
 
 bool isOfCameraSet(const std::string& override) {
   return override.starts_with("cameraSet.") || override.starts_with("cameraRegion.");
+}
+
+bool isOfPattern(const std::string& override) {
+  return override.starts_with("pattern.");
 }
 
 std::string helpText(const std::string& topic) {

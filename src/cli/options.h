@@ -30,6 +30,7 @@ struct Options {
   std::string calibrations;        ///< --stability
   std::string cameras;             ///< --make-cameras: a distribution or a file
   std::string pattern;             ///< --generate
+  std::string degrade;             ///< --generate: "jpeg:60"
   std::string infoFile;            ///< --info
   std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help
   std::vector<std::string> tests;
@@ -39,7 +40,8 @@ struct Options {
   std::string states = "*";
   std::string format = "png";
   std::optional<double> failBelow;  ///< dB
-  int threads = 0;                  ///< 0: all
+  std::optional<int> seed;
+  int threads = 0;  ///< 0: all
   bool masks = false;
   bool images = false;
   bool explain = false;
@@ -51,6 +53,9 @@ Options parseOptions(const std::vector<std::string>& arguments);
 
 /// Is it a --set of a camera set (cameraSet or cameraRegion) and not of the session?
 bool isOfCameraSet(const std::string& override);
+
+/// Is it one of a pattern (pattern)?
+bool isOfPattern(const std::string& override);
 
 /// What --help prints; `topic` is "" or "parameters".
 std::string helpText(const std::string& topic);

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/error.h"
-#include "core/pattern.h"
+#include "core/scene_pattern.h"
 #include "core/scaled_view.h"
 #include "tests/core/random_scene.h"
 
