@@ -73,9 +73,9 @@ Degradation parseDegradation(const std::string& text) {
   const bool isNumber = error == std::errc() && end == number.data() + number.size();
   const auto within = [&](double least, double most) {
     if (!isNumber || !(result.amount >= least && result.amount <= most))
-      throw InputError("--degrade " + text, "needs a number from " + std::to_string(int(least)) +
-                                                " to " + std::to_string(int(most)) + " after " +
-                                                name + ":");
+      throw InputError("--degrade", text,
+                       "needs a number from " + std::to_string(int(least)) + " to " +
+                           std::to_string(int(most)) + " after " + name + ":");
   };
   if (name == "jpeg") {
     result.kind = Kind::jpeg;
@@ -87,7 +87,7 @@ Degradation parseDegradation(const std::string& text) {
     result.kind = Kind::blur;
     within(0, 100);
   } else {
-    throw InputError("--degrade " + text, "is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA");
+    throw InputError("--degrade", text, "is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA");
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "cli/options.h"
 #include "tests/cli/program.h"
@@ -53,6 +54,9 @@ class TestCommandLine : public QObject {
   void infoOfNothing();
   void generateMakesTheSampleAgain();
   void generateMakesItsFolder();
+  void generateDegrades();
+  void generateRefuses_data();
+  void generateRefuses();
 
  private:
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -159,7 +163,15 @@ void TestCommandLine::mistakes_data() {
   row("format", {"--format", "jpg"}, "--format: \"jpg\" is not one of png, exr, tif");
   row("a camera set's", render + QStringList{"--count", "3"},
       "--set cameraSet.count=3: belongs to --make-cameras SET");
-  row("pattern", {"--generate", "lena"}, "--generate: \"lena\" is not one of scene");
+  row("pattern", {"--generate", "lena"},
+      "--generate: \"lena\" is not one of scene, spheres, directions, hogels, checkerboard, edge, "
+      "crosstalk");
+  row("a pattern's", render + QStringList{"--set", "pattern.depth=1"},
+      "--set pattern.depth=1: belongs to --generate PATTERN");
+  row("degrade", render + QStringList{"--degrade", "jpeg:60"},
+      "--degrade: belongs to --generate PATTERN");
+  row("seed", render + QStringList{"--seed", "1"},
+      "--seed: belongs to --make-cameras SET or --generate PATTERN");
 }
 
 void TestCommandLine::mistakes() {
@@ -270,6 +282,54 @@ void TestCommandLine::generateMakesItsFolder() {
   QCOMPARE(namesIn("new/deeper"), QStringList{"g.tif"});
   QCOMPARE(specOf("new/deeper/g.tif").width, 40);
   QCOMPARE(specOf("new/deeper/g.tif").height, 60);
+}
+
+/// A copy that differs as much as it was asked to; the same with the same seed.
+void TestCommandLine::generateDegrades() {
+  const auto made = [this](const QString& file, const QStringList& more) {
+    const QStringList arguments{"--generate", "edge",
+                                "--session",  sampleSession,
+                                "--output",   file,
+                                "--set",      "display.hogels=[8,6]",
+                                "--set",      "pattern.depth=0.05",
+                                "--quiet"};
+    const Outcome outcome = run(arguments + more, m_folder->path());
+    return outcome.status == 0 ? valuesOf<std::uint8_t>(file) : std::vector<std::uint8_t>();
+  };
+  const auto plain = made("a.png", {});
+  QCOMPARE(plain.size(), std::size_t(3 * 160 * 120));
+  QVERIFY(plain != made("b.png", {"--set", "pattern.angle=40"}));
+  const auto noisy = made("c.png", {"--degrade", "noise:4"});
+  double squares = 0;
+  for (std::size_t k = 0; k < plain.size(); ++k)
+    squares += std::pow(double(plain[k]) - noisy[k], 2) / double(plain.size());
+  QVERIFY2(std::abs(squares - 16) < 0.5, qPrintable(QString::number(squares)));
+  QVERIFY(noisy == made("d.png", {"--degrade", "noise:4"}));
+  QVERIFY(noisy != made("e.png", {"--degrade", "noise:4", "--seed", "5"}));
+}
+
+void TestCommandLine::generateRefuses_data() {
+  QTest::addColumn<QStringList>("more");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("a field")
+      << QStringList{"--set", "pattern.dept=1"}
+      << QByteArray("--set: pattern.dept: is not known here; did you mean \"depth\"?");
+  QTest::newRow("a range") << QStringList{"--set", "pattern.depth=11"}
+                           << QByteArray("--set: pattern.depth: 11 is out of range: -10 to 10 m");
+  QTest::newRow("a copy") << QStringList{"--degrade", "jpeg:0"}
+                          << QByteArray(
+                                 "--degrade: jpeg:0: needs a number from 1 to 100 after jpeg:");
+}
+
+void TestCommandLine::generateRefuses() {
+  QFETCH(QStringList, more);
+  QFETCH(QByteArray, line);
+  const Outcome outcome =
+      run(QStringList{"--generate", "edge", "--session", sampleSession, "--output", "a.png"} + more,
+          m_folder->path());
+  QCOMPARE(outcome.err, "hogelscope: " + line + "\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn("."), QStringList());
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)
