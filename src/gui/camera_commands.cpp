@@ -92,48 +92,39 @@ CameraCommands::CameraCommands(QMenu* menu, SessionModel* model, QObject* parent
 }
 
 template <class Action>
-QAction* CameraCommands::add(QMenu* menu, const char* name, const QString& title,
-                             const QString& help, const QKeySequence& key, Action action) {
+void CameraCommands::add(QMenu* menu, const QString& name, const QString& title,
+                         const QString& help, const QKeySequence& key, Action action) {
   menu->setToolTipsVisible(true);
   QAction* entry = menu->addAction(title, this, action);
-  entry->setObjectName(QString(name) + "Action");
+  entry->setObjectName(name + "Action");
   entry->setToolTip(help);
   entry->setShortcut(key);
-  return entry;
 }
 
 /// Larger ones with Shift.
 void CameraCommands::addMotions(QMenu* menu, int factor) {
   for (const MotionCommand& command : motions()) {
     const double step = factor * stepOf(command.motion);
-    const bool isWay = stepOf(command.motion) < 1;
-    const QString amount = isWay ? tr("%1 cm").arg(100 * step) : tr("%1°").arg(step);
-    const QString name = QString(command.title).remove('&');
-    QAction* entry =
-        add(menu, command.name, command.title, command.help.arg(amount),
-            factor == 1 ? QKeySequence(command.key) : QKeySequence(Qt::SHIFT | command.key),
-            [this, name, motion = command.motion, amount = command.sign * step] {
-              move(name, motion, amount);
-            });
-    if (factor != 1) entry->setObjectName(QString(command.name) + "LargeAction");
+    const QString amount =
+        stepOf(command.motion) < 1 ? tr("%1 cm").arg(100 * step) : tr("%1°").arg(step);
+    const QString title = QString(command.title).remove('&');
+    const QString name = QString(command.name) + (factor == 1 ? "" : "Large");
+    const QKeyCombination key(factor == 1 ? Qt::NoModifier : Qt::ShiftModifier, command.key);
+    add(menu, name, command.title, command.help.arg(amount), key,
+        [this, title, motion = command.motion, by = command.sign * step] {
+          edit(title, [&](CameraState& state) { state.camera = moved(state.camera, motion, by); });
+        });
   }
 }
 
 void CameraCommands::addPsfSteps() {
   const QString sigma = tr("Changes the leakage's σ by 0.05 px");
   const QString window = tr("Changes the width of the leakage's window by 2 px; 1 is no leakage");
-  const auto step = [this](void (CameraCommands::*does)(const QString&, int), const QString& name,
-                           int steps) {
-    return [this, does, name, steps] { (this->*does)(name, steps); };
-  };
-  add(m_menu, "lessSigma", tr("Less &σ"), sigma, Qt::Key_Z,
-      step(&CameraCommands::stepSigma, tr("Change sigma"), -1));
-  add(m_menu, "moreSigma", tr("More σ"), sigma, Qt::Key_X,
-      step(&CameraCommands::stepSigma, tr("Change sigma"), 1));
+  add(m_menu, "lessSigma", tr("Less &σ"), sigma, Qt::Key_Z, [this] { stepSigma(-1); });
+  add(m_menu, "moreSigma", tr("More σ"), sigma, Qt::Key_X, [this] { stepSigma(1); });
   add(m_menu, "smallerWindow", tr("Smaller &window"), window, Qt::Key_C,
-      step(&CameraCommands::stepWindow, tr("Change windowSize"), -1));
-  add(m_menu, "largerWindow", tr("Larger window"), window, Qt::Key_V,
-      step(&CameraCommands::stepWindow, tr("Change windowSize"), 1));
+      [this] { stepWindow(-1); });
+  add(m_menu, "largerWindow", tr("Larger window"), window, Qt::Key_V, [this] { stepWindow(1); });
 }
 
 void CameraCommands::addSwitches() {
@@ -159,32 +150,31 @@ void CameraCommands::addStates() {
       Qt::Key_PageUp, [this] { goTo(-1); });
 }
 
-void CameraCommands::move(const QString& name, Motion motion, double amount) {
+/// Of the current state, if there is one.
+void CameraCommands::edit(const QString& name, const std::function<void(CameraState&)>& action) {
+  const std::size_t current = m_model->currentIndex();
+  if (current >= m_model->session().cameras.size()) return;
   try {
-    m_model->edit(name, [&](Session& session) {
-      CameraParams& camera = session.cameras.at(m_model->currentIndex()).camera;
-      camera = moved(camera, motion, amount);
-    });
+    m_model->edit(name, [&](Session& session) { action(session.cameras[current]); });
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
   }
 }
 
-void CameraCommands::stepSigma(const QString& name, int steps) {
+void CameraCommands::stepSigma(int steps) {
   constexpr double step = 0.05;
   constexpr double rounding = 1e9;  // sums of steps stay short in the document
   const Range range = RangeOf("sigma").range;
-  m_model->edit(name, [&](Session& session) {
-    double& sigma = session.cameras.at(m_model->currentIndex()).psf.sigma;
-    const double wanted = std::round((sigma + steps * step) * rounding) / rounding;
-    if (wanted > range.min) sigma = std::min(wanted, range.max);  // 0 leaks nothing in any window
+  edit(tr("Change sigma"), [&](CameraState& state) {
+    const double wanted = std::round((state.psf.sigma + steps * step) * rounding) / rounding;
+    if (wanted > range.min) state.psf.sigma = std::min(wanted, range.max);  // 0 is no Gaussian
   });
 }
 
-void CameraCommands::stepWindow(const QString& name, int steps) {
+void CameraCommands::stepWindow(int steps) {
   const Range range = RangeOf("windowSize").range;
-  m_model->edit(name, [&](Session& session) {
-    int& size = session.cameras.at(m_model->currentIndex()).psf.windowSize;
+  edit(tr("Change windowSize"), [&](CameraState& state) {
+    int& size = state.psf.windowSize;
     size = int(std::clamp(size + steps * range.step, range.min, range.max));
   });
 }
@@ -205,9 +195,8 @@ void CameraCommands::toggle(const QString& part, Value& (*in)(CameraState&), con
     return;
   }
   const Value wanted = isOn ? off : kept[name];
-  m_model->edit((isOn ? tr("Switch off %1") : tr("Switch on %1")).arg(part), [&](Session& session) {
-    in(session.cameras.at(m_model->currentIndex())) = wanted;
-  });
+  edit((isOn ? tr("Switch off %1") : tr("Switch on %1")).arg(part),
+       [&](CameraState& other) { in(other) = wanted; });
 }
 
 }  // namespace hogelscope

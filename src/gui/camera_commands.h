@@ -5,7 +5,9 @@
 
 #include <QMenu>
 #include <QObject>
+#include <functional>
 #include <map>
+#include <vector>
 
 #include "core/camera_motion.h"
 #include "core/session.h"
@@ -31,15 +33,15 @@ class CameraCommands : public QObject {
 
   static std::vector<MotionCommand> motions();
   template <class Action>
-  QAction* add(QMenu* menu, const char* name, const QString& title, const QString& help,
-               const QKeySequence& key, Action action);
+  void add(QMenu* menu, const QString& name, const QString& title, const QString& help,
+           const QKeySequence& key, Action action);
   void addMotions(QMenu* menu, int factor);
   void addPsfSteps();
   void addSwitches();
   void addStates();
-  void move(const QString& name, Motion motion, double amount);
-  void stepSigma(const QString& name, int steps);
-  void stepWindow(const QString& name, int steps);
+  void edit(const QString& name, const std::function<void(CameraState&)>& action);
+  void stepSigma(int steps);
+  void stepWindow(int steps);
   void goTo(int offset);
   /// Between `off` and what was kept.
   template <class Value>

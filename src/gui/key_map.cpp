@@ -59,13 +59,13 @@ bool isKey(const QKeySequence& key, const std::string& text) {
 }  // namespace
 
 KeyMap::KeyMap(QMainWindow* window) : QObject(window) {
-  for (auto* dock : window->findChildren<QDockWidget*>()) {
-    QAction* toggle = dock->toggleViewAction();
-    toggle->setObjectName(dock->objectName() + "Action");
-    toggle->setToolTip(tr("Shows or hides the dock %1").arg(dock->windowTitle()));
-  }
-  for (auto* bar : window->findChildren<QToolBar*>())
-    bar->toggleViewAction()->setObjectName(bar->objectName() + "Action");
+  const auto nameToggle = [](const QWidget* part, QAction* toggle) {
+    toggle->setObjectName(part->objectName() + "Action");
+    toggle->setToolTip(tr("Shows or hides: %1").arg(part->windowTitle()));
+  };
+  for (auto* dock : window->findChildren<QDockWidget*>())
+    nameToggle(dock, dock->toggleViewAction());
+  for (auto* bar : window->findChildren<QToolBar*>()) nameToggle(bar, bar->toggleViewAction());
   for (QAction* action : window->findChildren<QAction*>())
     if (isCommand(action)) addAction(action);
   std::ranges::stable_sort(m_commands, {}, &Command::section);

@@ -102,6 +102,8 @@ void MainWindow::connectActions() {
   for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
                             m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
+  m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
+  m_ui->toolBar->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
   m_ui->cameraDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_1);
   m_ui->distortionDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_2);
   m_ui->psfDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_3);

@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>
@@ -32,6 +31,10 @@ void PictureView::addCommands() {
   addCommand("zoomOutAction", tr("Zoom &out"), {Qt::Key_Minus}, {}, &View::zoomOut);
   addCommand("fitPictureAction", tr("&Fit"), {Qt::Key_0}, {}, &View::fit);
   addCommand("oneToOneAction", tr("One &to one"), {Qt::Key_1}, {}, &View::oneToOne);
+  addCommand("panLeftAction", tr("More to the left"), {Qt::Key_Left}, {}, &View::panLeft);
+  addCommand("panRightAction", tr("More to the right"), {Qt::Key_Right}, {}, &View::panRight);
+  addCommand("panUpAction", tr("More above"), {Qt::Key_Up}, {}, &View::panUp);
+  addCommand("panDownAction", tr("More below"), {Qt::Key_Down}, {}, &View::panDown);
   addCommand("wipeLeftAction", tr("Line to the &left"), {Qt::SHIFT | Qt::Key_Left}, Mode::wipe,
              &View::wipeLeft);
   addCommand("wipeRightAction", tr("Line to the &right"), {Qt::SHIFT | Qt::Key_Right}, Mode::wipe,
@@ -197,6 +200,30 @@ void PictureView::oneToOne() {
   if (!image().isNull()) setViewport(zoomedTo(m_viewport, paneAt({}), image().size(), 1));
 }
 
+/// The part that is shown, by a tenth of the pane.
+void PictureView::pan(int x, int y) {
+  if (image().isNull()) return;
+  const QRect pane = paneAt({});
+  const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
+  setViewport(moved(m_viewport, pane, image().size(), by));
+}
+
+void PictureView::panLeft() {
+  pan(-1, 0);
+}
+
+void PictureView::panRight() {
+  pan(1, 0);
+}
+
+void PictureView::panUp() {
+  pan(0, -1);
+}
+
+void PictureView::panDown() {
+  pan(0, 1);
+}
+
 void PictureView::wipeLeft() {
   setWipe(m_wipe - 0.02);
 }
@@ -250,16 +277,6 @@ void PictureView::wheelEvent(QWheelEvent* event) {
   const int steps = m_wheel / notch;
   m_wheel -= steps * notch;
   zoomBy(steps, inDevice(event->position()));
-}
-
-/// The arrows move the part that is shown.
-void PictureView::keyPressEvent(QKeyEvent* event) {
-  const int x = int(event->key() == Qt::Key_Right) - int(event->key() == Qt::Key_Left);
-  const int y = int(event->key() == Qt::Key_Down) - int(event->key() == Qt::Key_Up);
-  if ((x == 0 && y == 0) || image().isNull()) return QWidget::keyPressEvent(event);
-  const QRect pane = paneAt({});
-  const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
-  setViewport(moved(m_viewport, pane, image().size(), by));
 }
 
 }  // namespace hogelscope

@@ -61,7 +61,6 @@ class PictureView : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   struct Shown {
@@ -80,6 +79,11 @@ class PictureView : public QWidget {
   void zoomOut();
   void fit();
   void oneToOne();
+  void pan(int x, int y);
+  void panLeft();
+  void panRight();
+  void panUp();
+  void panDown();
   void wipeLeft();
   void wipeRight();
   void moreGain();
