@@ -50,6 +50,7 @@ KeyWindow::KeyWindow(KeyMap* map, QWidget* parent)
   makeTable();
   layOut();
   connect(m_search, &QLineEdit::textChanged, this, &KeyWindow::search);
+  connect(m_search, &QLineEdit::returnPressed, m_field, [this] { m_field->setFocus(); });
   connect(m_table, &QTableWidget::currentCellChanged, this, &KeyWindow::showChosen);
   connect(m_table, &QTableWidget::cellActivated, m_field, [this] { m_field->setFocus(); });
   connect(m_field, &KeyField::keyPressed, this, [this](const QKeySequence& key) {
@@ -75,6 +76,7 @@ void KeyWindow::makeTable() {
   m_table->setTabKeyNavigation(false);
   m_table->setWordWrap(false);
   m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   for (int row = 0; row < m_table->rowCount(); ++row)
     for (int column = 0; column < columnCount; ++column)
       m_table->setItem(row, column, new QTableWidgetItem);

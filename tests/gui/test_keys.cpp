@@ -195,6 +195,15 @@ void TestKeys::whereverTheFocusIs() {
     z -= 0.01;
     QVERIFY2(std::abs(eye().z - z) < 1e-12, name);
   }
+  auto* floating = child<QDockWidget>("psfDock");
+  floating->setFloating(true);
+  QApplication::setActiveWindow(floating);
+  auto* slider = child<QWidget>("sigma.slider");
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_W);
+  z -= 0.01;
+  QVERIFY(std::abs(eye().z - z) < 1e-12);
+  QApplication::setActiveWindow(m_window.get());
   child<QDockWidget>("reportDock")->raise();
   auto* table = child<QWidget>("reportTable");
   table->setFocus();
@@ -405,6 +414,9 @@ void TestKeys::searching() {
   QVERIFY(shown().contains("orbitUpAction") && shown().contains("orbitUpLargeAction"));
   QVERIFY(!shown().contains("walkForwardAction"));
   QCOMPARE(table->currentRow(), rowOf("orbitUpAction"));
+  QApplication::setActiveWindow(m_window->findChild<KeyWindow*>());
+  QTest::keyClick(search, Qt::Key_Return);
+  QVERIFY(child<KeyField>("keyField")->hasFocus());
   m_window->findChild<KeyWindow*>()->grab().save(QCoreApplication::applicationDirPath() +
                                                  "/key_window.png");
   QTest::keyClicks(search, " no such thing");
