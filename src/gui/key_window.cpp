@@ -46,7 +46,7 @@ KeyWindow::KeyWindow(KeyMap* map, QWidget* parent)
       m_note(new QLabel) {
   setObjectName("keyWindow");
   setWindowTitle(tr("Keys"));
-  resize(1000, 640);
+  resize(1200, 640);
   makeTable();
   layOut();
   connect(m_search, &QLineEdit::textChanged, this, &KeyWindow::search);
@@ -61,6 +61,7 @@ KeyWindow::KeyWindow(KeyMap* map, QWidget* parent)
   connect(m_map, &KeyMap::changed, this, &KeyWindow::refresh);
   m_table->setCurrentCell(0, commandColumn);
   refresh();
+  setWidths();
 }
 
 void KeyWindow::makeTable() {
@@ -108,6 +109,15 @@ void KeyWindow::layOut() {
   layout->addWidget(m_note);
 }
 
+/// Once, so that nothing jumps when rows are hidden or keys change.
+void KeyWindow::setWidths() {
+  m_table->resizeColumnToContents(commandColumn);
+  const int keyWidth = fontMetrics().horizontalAdvance("Ctrl+Alt+Shift+PgDown ");
+  for (const int column : {keyColumn, defaultColumn}) m_table->setColumnWidth(column, keyWidth);
+  m_table->setColumnWidth(conflictColumn, 2 * keyWidth);
+  m_table->horizontalHeader()->setSectionResizeMode(helpColumn, QHeaderView::Stretch);
+}
+
 /// Rows that have all words, in any column.
 void KeyWindow::search(const QString& words) {
   const QStringList wanted = words.split(' ', Qt::SkipEmptyParts);
@@ -149,8 +159,6 @@ void KeyWindow::showRow(int row) {
 
 void KeyWindow::refresh() {
   for (int row = 0; row < m_table->rowCount(); ++row) showRow(row);
-  m_table->resizeColumnsToContents();
-  m_table->horizontalHeader()->setSectionResizeMode(helpColumn, QHeaderView::Stretch);
   showChosen();
 }
 

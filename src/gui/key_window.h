@@ -27,6 +27,7 @@ class KeyWindow : public QDialog {
 
   void makeTable();
   void layOut();
+  void setWidths();
   void search(const QString& words);
   void refresh();
   void showRow(int row);

@@ -27,29 +27,41 @@ PictureView::PictureView(QWidget* parent) : QWidget(parent) {
 /// Shortcuts of the widget that has the focus, and its context menu.
 void PictureView::addCommands() {
   using View = PictureView;
-  addCommand("zoomInAction", tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
-  addCommand("zoomOutAction", tr("Zoom &out"), {Qt::Key_Minus}, {}, &View::zoomOut);
-  addCommand("fitPictureAction", tr("&Fit"), {Qt::Key_0}, {}, &View::fit);
-  addCommand("oneToOneAction", tr("One &to one"), {Qt::Key_1}, {}, &View::oneToOne);
-  addCommand("panLeftAction", tr("More to the left"), {Qt::Key_Left}, {}, &View::panLeft);
-  addCommand("panRightAction", tr("More to the right"), {Qt::Key_Right}, {}, &View::panRight);
-  addCommand("panUpAction", tr("More above"), {Qt::Key_Up}, {}, &View::panUp);
-  addCommand("panDownAction", tr("More below"), {Qt::Key_Down}, {}, &View::panDown);
-  addCommand("wipeLeftAction", tr("Line to the &left"), {Qt::SHIFT | Qt::Key_Left}, Mode::wipe,
-             &View::wipeLeft);
-  addCommand("wipeRightAction", tr("Line to the &right"), {Qt::SHIFT | Qt::Key_Right}, Mode::wipe,
-             &View::wipeRight);
-  addCommand("moreGainAction", tr("&Double the gain"), {Qt::SHIFT | Qt::Key_Up}, Mode::difference,
-             &View::moreGain);
-  addCommand("lessGainAction", tr("&Halve the gain"), {Qt::SHIFT | Qt::Key_Down}, Mode::difference,
-             &View::lessGain);
+  addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
+             {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
+  addCommand("zoomOutAction", tr("Zoom &out"), tr("Shows more, smaller by √2"), {Qt::Key_Minus}, {},
+             &View::zoomOut);
+  addCommand("fitPictureAction", tr("&Fit"), tr("Shows the whole picture"), {Qt::Key_0}, {},
+             &View::fit);
+  addCommand("oneToOneAction", tr("One &to one"),
+             tr("One pixel of the picture on one of the screen"), {Qt::Key_1}, {}, &View::oneToOne);
+  addCommand("panLeftAction", tr("More to the left"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Left}, {}, &View::panLeft);
+  addCommand("panRightAction", tr("More to the right"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Right}, {}, &View::panRight);
+  addCommand("panUpAction", tr("More above"), tr("Moves what is shown by a tenth"), {Qt::Key_Up},
+             {}, &View::panUp);
+  addCommand("panDownAction", tr("More below"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Down}, {}, &View::panDown);
+  addCommand("wipeLeftAction", tr("Line to the &left"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Left},
+             Mode::wipe, &View::wipeLeft);
+  addCommand("wipeRightAction", tr("Line to the &right"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Right},
+             Mode::wipe, &View::wipeRight);
+  addCommand("moreGainAction", tr("&Double the gain"), tr("Twice the difference, up to 128 times"),
+             {Qt::SHIFT | Qt::Key_Up}, Mode::difference, &View::moreGain);
+  addCommand("lessGainAction", tr("&Halve the gain"), tr("Half the difference, down to once"),
+             {Qt::SHIFT | Qt::Key_Down}, Mode::difference, &View::lessGain);
   showActions();
 }
 
-void PictureView::addCommand(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                             std::optional<Mode> mode, void (PictureView::*does)()) {
+void PictureView::addCommand(const char* name, const QString& text, const QString& help,
+                             const QList<QKeySequence>& keys, std::optional<Mode> mode,
+                             void (PictureView::*does)()) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
+  action->setToolTip(help);
   action->setShortcuts(keys);
   action->setShortcutContext(Qt::WidgetShortcut);
   if (mode) action->setData(int(*mode));

@@ -72,8 +72,9 @@ class PictureView : public QWidget {
   enum class Drag { none, press, pan, wipe };
 
   void addCommands();
-  void addCommand(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                  std::optional<Mode> mode, void (PictureView::*does)());
+  void addCommand(const char* name, const QString& text, const QString& help,
+                  const QList<QKeySequence>& keys, std::optional<Mode> mode,
+                  void (PictureView::*does)());
   void showActions();
   void zoomIn();
   void zoomOut();

@@ -1,39 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Presses keys in the real window: they move the camera wherever the focus is, but not in fields;
-// the window of keys gives commands other keys.
+// Presses keys in the real window: they move the camera wherever the focus is, but not in fields.
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QStatusBar>
-#include <QTableWidget>
-#include <QTemporaryDir>
 #include <QUndoStack>
-#include <QtTest>
-#include <set>
 
 #include "core/camera_motion.h"
-#include "gui/key_field.h"
 #include "gui/key_map.h"
-#include "gui/key_window.h"
-#include "gui/main_window.h"
-#include "gui/picture_view.h"
-#include "gui/session_model.h"
-#include "gui/vtk_widget.h"
-#include "io/key_map_file.h"
-#include "tests/gui/small_session.h"
+#include "tests/gui/window_test.h"
 
 using namespace hogelscope;
 
-class TestKeys : public QObject {
+class TestKeys : public WindowTest {
   Q_OBJECT
 
  private Q_SLOTS:
-  void init();
+  void init() { start(); }
   void cleanup() { m_window.reset(); }
   void eachMotionHasItsKey_data();
   void eachMotionHasItsKey();
@@ -45,98 +29,10 @@ class TestKeys : public QObject {
   void leakageOffAndOn();
   void statesByPage();
   void nothingIsOpen();
-  void everythingHasAKeyOfItsOwn();
-  void theManualListsAllKeys();
-  void anotherKeyAtOnce();
-  void conflicts();
-  void searching();
-  void takenAway();
-  void keptForNextTime();
-  void picturesToo();
-  void aBadFileIsOneLine();
-  void signsAndModifiers();
 
  private:
-  template <class T>
-  T* child(const char* name) const {
-    return m_window->findChild<T*>(name);
-  }
-  template <class T>
-  T* editor(const char* area, const char* name) const {
-    return child<QScrollArea>(area)->widget()->findChild<T*>(name);
-  }
-  void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) const {
-    QTest::keyClick(m_window.get(), which, modifiers);
-  }
   Vec3 eye() const { return m_model->current().camera.eye; }
-  QString message() const { return m_window->statusBar()->currentMessage(); }
-  static QString keysFile() {
-    return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/keys.json";
-  }
-  void start();
-  void openKeys();
-  int rowOf(const char* action) const;
-  QString cell(const char* action, int column) const;
-  void choose(const char* action) const;
-  void press(const char* action, Qt::Key which, Qt::KeyboardModifiers modifiers = {}) const;
-
-  QTemporaryDir m_folder;
-  std::unique_ptr<MainWindow> m_window;
-  SessionModel* m_model = nullptr;
-  KeyMap* m_map = nullptr;
 };
-
-void TestKeys::init() {
-  QFile::remove(keysFile());
-  start();
-}
-
-void TestKeys::start() {
-  QVERIFY(QDir::setCurrent(m_folder.path()));
-  writeSmallSession();
-  m_window = std::make_unique<MainWindow>();
-  m_window->show();
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-  QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
-  m_model = m_window->findChild<SessionModel*>();
-  m_map = m_window->findChild<KeyMap*>();
-  QVERIFY(m_window->openSession("s.json"));
-}
-
-void TestKeys::openKeys() {
-  key(Qt::Key_K, Qt::ControlModifier);
-  QTRY_VERIFY(m_window->findChild<KeyWindow*>() != nullptr);
-  QTRY_VERIFY(m_window->findChild<KeyWindow*>()->isVisible());
-}
-
-int TestKeys::rowOf(const char* action) const {
-  const auto& commands = m_map->commands();
-  const auto found = std::ranges::find(commands, QString(action), &KeyMap::Command::name);
-  if (found == commands.end()) qFatal("no command %s", action);
-  return int(found - commands.begin());
-}
-
-QString TestKeys::cell(const char* action, int column) const {
-  return child<QTableWidget>("keyTable")->item(rowOf(action), column)->text();
-}
-
-/// As a user does: a click on the row, Return.
-void TestKeys::choose(const char* action) const {
-  auto* table = child<QTableWidget>("keyTable");
-  QApplication::setActiveWindow(m_window->findChild<KeyWindow*>());
-  QTableWidgetItem* item = table->item(rowOf(action), 0);
-  table->scrollToItem(item);
-  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(item).center());
-  QTest::keyClick(table, Qt::Key_Return);
-}
-
-void TestKeys::press(const char* action, Qt::Key which, Qt::KeyboardModifiers modifiers) const {
-  choose(action);
-  auto* field = child<KeyField>("keyField");
-  QVERIFY(field->hasFocus());
-  QTest::keyClick(field, which, modifiers);
-  QApplication::setActiveWindow(m_window.get());
-}
 
 void TestKeys::eachMotionHasItsKey_data() {
   QTest::addColumn<int>("which");
@@ -323,193 +219,7 @@ void TestKeys::nothingIsOpen() {
   QVERIFY(!empty.isWindowModified());
 }
 
-void TestKeys::everythingHasAKeyOfItsOwn() {
-  QVERIFY(m_map->commands().size() > 60);
-  for (std::size_t k = 0; k < m_map->commands().size(); ++k) {
-    const KeyMap::Command& command = m_map->commands()[k];
-    QVERIFY2(!command.defaults.isEmpty(), qPrintable(command.name));
-    QVERIFY2(!command.section.isEmpty() && !command.title.isEmpty(), qPrintable(command.name));
-    QVERIFY2(m_map->conflictsOf(k).empty(), qPrintable(command.name));
-  }
-}
-
-/// keys.md holds a row for each command, and no other; what it should be lies beside this program.
-void TestKeys::theManualListsAllKeys() {
-  QByteArray table = "| menu | command | key |\n|---|---|---|\n";
-  for (const KeyMap::Command& command : m_map->commands())
-    table += QString("| %1 | %2 | %3 |\n")
-                 .arg(command.section, command.title,
-                      QKeySequence::listToString(command.defaults, QKeySequence::PortableText)
-                          .replace("; ", " or "))
-                 .toUtf8();
-  const QString made = QCoreApplication::applicationDirPath() + "/keys.md";
-  const QByteArray manual = contentOf(HOGELSCOPE_SOURCE_DIR "/resources/manual/keys.md");
-  writeFile(made, manual.left(manual.indexOf("| menu |")) + table);
-  QVERIFY2(contentOf(made) == manual, qPrintable("the manual should be as " + made));
-}
-
-void TestKeys::anotherKeyAtOnce() {
-  openKeys();
-  QCOMPARE(cell("walkForwardAction", 0), QString("Camera: Walk forward"));
-  QCOMPARE(cell("walkForwardAction", 1), QString("Moves the camera 1 cm along its view"));
-  QCOMPARE(cell("walkForwardAction", 2), QString("W"));
-  press("walkForwardAction", Qt::Key_Y, Qt::ControlModifier);
-  QCOMPARE(cell("walkForwardAction", 2), QString("Ctrl+Y"));
-  QCOMPARE(cell("walkForwardAction", 3), QString("W"));
-  key(Qt::Key_W);
-  QCOMPARE(eye().z, 0.7);
-  key(Qt::Key_Y, Qt::ControlModifier);
-  QCOMPARE(eye().z, 0.69);
-  QVERIFY(loadKeyTexts(keysFile().toStdString()) == KeyTexts({{"walkForwardAction", "Ctrl+Y"}}));
-  choose("walkForwardAction");
-  QTest::mouseClick(child<QPushButton>("resetKeyButton"), Qt::LeftButton);
-  QVERIFY(!child<QPushButton>("resetKeyButton")->isEnabled());
-  QVERIFY(loadKeyTexts(keysFile().toStdString()).empty());
-  QApplication::setActiveWindow(m_window.get());
-  key(Qt::Key_W);
-  QCOMPARE(eye().z, 0.68);
-}
-
-/// Both are marked, neither works, and one solves it for both.
-void TestKeys::conflicts() {
-  openKeys();
-  press("walkForwardAction", Qt::Key_D, Qt::ControlModifier);
-  QCOMPARE(cell("walkForwardAction", 4), QString("⚠ also States: Duplicate"));
-  QCOMPARE(cell("duplicateAction", 4), QString("⚠ also Camera: Walk forward"));
-  QVERIFY(child<QLabel>("keyNote")->text().contains("Ctrl+D is also the key of States: Duplicate"));
-  auto* table = child<QTableWidget>("keyTable");
-  const QBrush marked = table->item(rowOf("duplicateAction"), 0)->background();
-  QVERIFY(marked != table->item(rowOf("renameAction"), 0)->background());
-  QTest::ignoreMessage(QtWarningMsg, QRegularExpression("QAction::event: Ambiguous shortcut.*"));
-  key(Qt::Key_D, Qt::ControlModifier);
-  QCOMPARE(m_model->session().cameras.size(), std::size_t(3));
-  QCOMPARE(eye().z, 0.7);
-  press("duplicateAction", Qt::Key_F9);
-  QCOMPARE(cell("walkForwardAction", 4), QString());
-  QCOMPARE(cell("duplicateAction", 4), QString());
-  key(Qt::Key_D, Qt::ControlModifier);
-  QCOMPARE(eye().z, 0.69);
-  key(Qt::Key_F9);
-  QCOMPARE(m_model->session().cameras.size(), std::size_t(4));
-  QTest::mouseClick(child<QPushButton>("resetAllKeysButton"), Qt::LeftButton);
-  key(Qt::Key_D, Qt::ControlModifier);
-  QCOMPARE(m_model->session().cameras.size(), std::size_t(5));
-}
-
-void TestKeys::searching() {
-  openKeys();
-  auto* table = child<QTableWidget>("keyTable");
-  auto* search = child<QLineEdit>("keySearch");
-  const auto shown = [&] {
-    std::set<QString> rows;
-    for (int row = 0; row < table->rowCount(); ++row)
-      if (!table->isRowHidden(row)) rows.insert(m_map->commands()[std::size_t(row)].name);
-    return rows;
-  };
-  QCOMPARE(shown().size(), m_map->commands().size());
-  QTest::keyClicks(search, "ctrl+d");  // Ctrl+D and Ctrl+Del
-  QCOMPARE(shown(), (std::set<QString>{"duplicateAction", "removeAction"}));
-  search->clear();
-  QTest::keyClicks(search, "ORBIT up");
-  QVERIFY(shown().contains("orbitUpAction") && shown().contains("orbitUpLargeAction"));
-  QVERIFY(!shown().contains("walkForwardAction"));
-  QCOMPARE(table->currentRow(), rowOf("orbitUpAction"));
-  QApplication::setActiveWindow(m_window->findChild<KeyWindow*>());
-  QTest::keyClick(search, Qt::Key_Return);
-  QVERIFY(child<KeyField>("keyField")->hasFocus());
-  m_window->findChild<KeyWindow*>()->grab().save(QCoreApplication::applicationDirPath() +
-                                                 "/key_window.png");
-  QTest::keyClicks(search, " no such thing");
-  QVERIFY(shown().empty());
-}
-
-void TestKeys::takenAway() {
-  openKeys();
-  press("walkForwardAction", Qt::Key_Backspace);
-  QCOMPARE(cell("walkForwardAction", 2), QString());
-  key(Qt::Key_W);
-  QCOMPARE(eye().z, 0.7);
-  m_window.reset();
-  start();
-  key(Qt::Key_W);
-  QCOMPARE(eye().z, 0.7);
-}
-
-void TestKeys::keptForNextTime() {
-  openKeys();
-  press("reportDockAction", Qt::Key_F8);
-  m_window.reset();
-  start();
-  key(Qt::Key_F8);
-  QTRY_VERIFY(child<QDockWidget>("reportDock")->isVisible());
-  openKeys();
-  QCOMPARE(cell("reportDockAction", 2), QString("F8"));
-  QCOMPARE(cell("reportDockAction", 3), QString("Ctrl+R"));
-}
-
-/// One key for the same command of all pictures.
-void TestKeys::picturesToo() {
-  QTRY_VERIFY_WITH_TIMEOUT(!child<PictureView>("pictureView")->image().isNull(), 20000);
-  openKeys();
-  press("zoomInAction", Qt::Key_F7);
-  child<QDockWidget>("reportDock")->show();
-  const QImage picture = child<PictureView>("pictureView")->image();
-  for (const char* name : {"pictureView", "reportReference"}) {
-    auto* view = child<PictureView>(name);
-    view->setImages(picture);
-    view->setFocus();
-    const Viewport before = view->viewport();
-    QTest::keyClick(view, Qt::Key_Plus);
-    QVERIFY(view->viewport() == before);
-    QTest::keyClick(view, Qt::Key_F7);
-    QVERIFY2(view->viewport() != before, name);
-  }
-}
-
-void TestKeys::aBadFileIsOneLine() {
-  m_window.reset();
-  for (const auto& [document, line] :
-       {std::pair("{", "is not JSON"),
-        std::pair(R"({"hogelscopeKeys": 1, "keys": {"saveAction": "Nonsense+W"}})",
-                  "keys.saveAction: \"Nonsense+W\" is not a key")}) {
-    writeFile(keysFile(), document);
-    MainWindow window;
-    const QString shown = window.statusBar()->currentMessage();
-    QVERIFY2(shown.startsWith("Error: " + keysFile()) && shown.contains(line), qPrintable(shown));
-    QVERIFY(!shown.contains('\n'));
-    QCOMPARE(window.findChild<QAction*>("saveAction")->shortcut(), QKeySequence("Ctrl+S"));
-  }
-  writeFile(keysFile(), R"({"hogelscopeKeys": 1, "keys": {"newerAction": "Ctrl+J"}})");
-  MainWindow window;
-  QVERIFY(window.statusBar()->currentMessage().isEmpty());
-}
-
-void TestKeys::signsAndModifiers() {
-  KeyField field;
-  field.show();
-  QSignalSpy pressed(&field, &KeyField::keyPressed);
-  const auto last = [&] { return pressed.takeLast()[0].value<QKeySequence>().toString(); };
-  QTest::keyClick(&field, Qt::Key_Plus, Qt::ShiftModifier);
-  QCOMPARE(last(), QString("+"));
-  QTest::keyClick(&field, Qt::Key_A, Qt::ShiftModifier | Qt::AltModifier);
-  QCOMPARE(last(), QString("Alt+Shift+A"));
-  QTest::keyClick(&field, Qt::Key_Delete, Qt::ControlModifier);
-  QCOMPARE(last(), QString("Ctrl+Del"));
-  QTest::keyClick(&field, Qt::Key_Delete);
-  QCOMPARE(last(), QString());
-  for (const Qt::Key which : {Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt, Qt::Key_Meta,
-                              Qt::Key_AltGr, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Tab}) {
-    QKeyEvent event(QEvent::KeyPress, which, {});
-    QApplication::sendEvent(&field, &event);
-  }
-  QVERIFY(pressed.isEmpty());
-}
-
 int main(int argc, char** argv) {
-  QStandardPaths::setTestModeEnabled(true);
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
-  QApplication application(argc, argv);
-  TestKeys test;
-  return QTest::qExec(&test, argc, argv);
+  return runWindowTest<TestKeys>(argc, argv);
 }
 #include "test_keys.moc"

@@ -5,23 +5,16 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
-#include <QStatusBar>
-#include <QTemporaryDir>
 #include <QUndoStack>
-#include <QtTest>
 
-#include "gui/main_window.h"
-#include "gui/session_model.h"
 #include "gui/state_commands.h"
-#include "gui/vtk_widget.h"
 #include "io/session_file.h"
-#include "tests/gui/small_session.h"
+#include "tests/gui/window_test.h"
 
 using namespace hogelscope;
 
-class TestUndo : public QObject {
+class TestUndo : public WindowTest {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -40,37 +33,15 @@ class TestUndo : public QObject {
   void fieldsUndoTypingFirst();
 
  private:
-  template <class T>
-  T* child(const char* name) const {
-    return m_window->findChild<T*>(name);
-  }
-  template <class T>
-  T* editor(const char* area, const char* name) const {
-    return child<QScrollArea>(area)->widget()->findChild<T*>(name);
-  }
   void trigger(const char* name) const { child<QAction>(name)->trigger(); }
-  void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) const {
-    QTest::keyClick(m_window.get(), which, modifiers);
-  }
   void undo() const { key(Qt::Key_Z, Qt::ControlModifier); }
   void redo() const { key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
   int steps() const { return m_model->undoStack()->count(); }
   QString undoText() const { return child<QAction>("undoAction")->text().remove('&'); }
-
-  QTemporaryDir m_folder;
-  std::unique_ptr<MainWindow> m_window;
-  SessionModel* m_model = nullptr;
 };
 
 void TestUndo::init() {
-  QVERIFY(QDir::setCurrent(m_folder.path()));
-  writeSmallSession();
-  m_window = std::make_unique<MainWindow>();
-  m_window->show();
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-  QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
-  m_model = m_window->findChild<SessionModel*>();
-  QVERIFY(m_window->openSession("s.json"));
+  start();
   QVERIFY(!child<QAction>("undoAction")->isEnabled());
   QVERIFY(!child<QAction>("redoAction")->isEnabled());
 }
@@ -259,10 +230,6 @@ void TestUndo::fieldsUndoTypingFirst() {
 }
 
 int main(int argc, char** argv) {
-  QStandardPaths::setTestModeEnabled(true);
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
-  QApplication application(argc, argv);
-  TestUndo test;
-  return QTest::qExec(&test, argc, argv);
+  return runWindowTest<TestUndo>(argc, argv);
 }
 #include "test_undo.moc"
