@@ -15,6 +15,8 @@
 #include <QVBoxLayout>
 
 #include "core/error.h"
+#include "gui/camera_commands.h"
+#include "gui/edit_commands.h"
 #include "gui/parameter_form.h"
 #include "gui/picture_commands.h"
 #include "gui/scene_controller.h"
@@ -40,10 +42,12 @@ MainWindow::MainWindow(QWidget* parent)
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(24);
+  m_stateBox->setFocusPolicy(Qt::TabFocus);  // after a click, keys still move the camera
   m_ui->toolBar->addWidget(m_stateBox);
   addForms();
   connectActions();
   connectModel();
+  addEditing();
   showTitle();
 }
 
@@ -99,6 +103,11 @@ void MainWindow::connectActions() {
   for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
                             m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
+  m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
+  m_ui->toolBar->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
+  m_ui->cameraDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_1);
+  m_ui->distortionDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_2);
+  m_ui->psfDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_3);
   m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
   m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
   m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
@@ -146,6 +155,15 @@ void MainWindow::connectModel() {
   connect(m_pictures, &PictureCommands::failed, this, &MainWindow::showError);
   connect(m_pictures, &PictureCommands::done, statusBar(),
           [this](const QString& line) { statusBar()->showMessage(line); });
+}
+
+/// Last: keys are given to all actions.
+void MainWindow::addEditing() {
+  auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
+  connect(camera, &CameraCommands::failed, this, &MainWindow::showError);
+  auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
+  connect(edit, &EditCommands::failed, this, &MainWindow::showError);
+  edit->readKeys();
 }
 
 void MainWindow::render() {
@@ -273,6 +291,7 @@ void MainWindow::showTitle() {
   m_ui->saveAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->saveAsAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->importAction->setEnabled(!m_model->session().cameras.empty());
+  m_ui->cameraMenu->setEnabled(!m_model->session().cameras.empty());
   m_ui->statesMenu->setEnabled(!m_model->session().cameras.empty());
 }
 

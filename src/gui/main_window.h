@@ -42,6 +42,7 @@ class MainWindow : public QMainWindow {
  private:
   void connectActions();
   void connectModel();
+  void addEditing();
   void addForms();
   void askOpen();
   void save();

@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>
@@ -28,25 +27,41 @@ PictureView::PictureView(QWidget* parent) : QWidget(parent) {
 /// Shortcuts of the widget that has the focus, and its context menu.
 void PictureView::addCommands() {
   using View = PictureView;
-  addCommand("zoomInAction", tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
-  addCommand("zoomOutAction", tr("Zoom &out"), {Qt::Key_Minus}, {}, &View::zoomOut);
-  addCommand("fitPictureAction", tr("&Fit"), {Qt::Key_0}, {}, &View::fit);
-  addCommand("oneToOneAction", tr("One &to one"), {Qt::Key_1}, {}, &View::oneToOne);
-  addCommand("wipeLeftAction", tr("Line to the &left"), {Qt::SHIFT | Qt::Key_Left}, Mode::wipe,
-             &View::wipeLeft);
-  addCommand("wipeRightAction", tr("Line to the &right"), {Qt::SHIFT | Qt::Key_Right}, Mode::wipe,
-             &View::wipeRight);
-  addCommand("moreGainAction", tr("&Double the gain"), {Qt::SHIFT | Qt::Key_Up}, Mode::difference,
-             &View::moreGain);
-  addCommand("lessGainAction", tr("&Halve the gain"), {Qt::SHIFT | Qt::Key_Down}, Mode::difference,
-             &View::lessGain);
+  addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
+             {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
+  addCommand("zoomOutAction", tr("Zoom &out"), tr("Shows more, smaller by √2"), {Qt::Key_Minus}, {},
+             &View::zoomOut);
+  addCommand("fitPictureAction", tr("&Fit"), tr("Shows the whole picture"), {Qt::Key_0}, {},
+             &View::fit);
+  addCommand("oneToOneAction", tr("One &to one"),
+             tr("One pixel of the picture on one of the screen"), {Qt::Key_1}, {}, &View::oneToOne);
+  addCommand("panLeftAction", tr("More to the left"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Left}, {}, &View::panLeft);
+  addCommand("panRightAction", tr("More to the right"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Right}, {}, &View::panRight);
+  addCommand("panUpAction", tr("More above"), tr("Moves what is shown by a tenth"), {Qt::Key_Up},
+             {}, &View::panUp);
+  addCommand("panDownAction", tr("More below"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Down}, {}, &View::panDown);
+  addCommand("wipeLeftAction", tr("Line to the &left"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Left},
+             Mode::wipe, &View::wipeLeft);
+  addCommand("wipeRightAction", tr("Line to the &right"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Right},
+             Mode::wipe, &View::wipeRight);
+  addCommand("moreGainAction", tr("&Double the gain"), tr("Twice the difference, up to 128 times"),
+             {Qt::SHIFT | Qt::Key_Up}, Mode::difference, &View::moreGain);
+  addCommand("lessGainAction", tr("&Halve the gain"), tr("Half the difference, down to once"),
+             {Qt::SHIFT | Qt::Key_Down}, Mode::difference, &View::lessGain);
   showActions();
 }
 
-void PictureView::addCommand(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                             std::optional<Mode> mode, void (PictureView::*does)()) {
+void PictureView::addCommand(const char* name, const QString& text, const QString& help,
+                             const QList<QKeySequence>& keys, std::optional<Mode> mode,
+                             void (PictureView::*does)()) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
+  action->setToolTip(help);
   action->setShortcuts(keys);
   action->setShortcutContext(Qt::WidgetShortcut);
   if (mode) action->setData(int(*mode));
@@ -197,6 +212,30 @@ void PictureView::oneToOne() {
   if (!image().isNull()) setViewport(zoomedTo(m_viewport, paneAt({}), image().size(), 1));
 }
 
+/// The part that is shown, by a tenth of the pane.
+void PictureView::pan(int x, int y) {
+  if (image().isNull()) return;
+  const QRect pane = paneAt({});
+  const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
+  setViewport(moved(m_viewport, pane, image().size(), by));
+}
+
+void PictureView::panLeft() {
+  pan(-1, 0);
+}
+
+void PictureView::panRight() {
+  pan(1, 0);
+}
+
+void PictureView::panUp() {
+  pan(0, -1);
+}
+
+void PictureView::panDown() {
+  pan(0, 1);
+}
+
 void PictureView::wipeLeft() {
   setWipe(m_wipe - 0.02);
 }
@@ -250,16 +289,6 @@ void PictureView::wheelEvent(QWheelEvent* event) {
   const int steps = m_wheel / notch;
   m_wheel -= steps * notch;
   zoomBy(steps, inDevice(event->position()));
-}
-
-/// The arrows move the part that is shown.
-void PictureView::keyPressEvent(QKeyEvent* event) {
-  const int x = int(event->key() == Qt::Key_Right) - int(event->key() == Qt::Key_Left);
-  const int y = int(event->key() == Qt::Key_Down) - int(event->key() == Qt::Key_Up);
-  if ((x == 0 && y == 0) || image().isNull()) return QWidget::keyPressEvent(event);
-  const QRect pane = paneAt({});
-  const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
-  setViewport(moved(m_viewport, pane, image().size(), by));
 }
 
 }  // namespace hogelscope

@@ -61,7 +61,6 @@ class PictureView : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   struct Shown {
@@ -73,13 +72,19 @@ class PictureView : public QWidget {
   enum class Drag { none, press, pan, wipe };
 
   void addCommands();
-  void addCommand(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                  std::optional<Mode> mode, void (PictureView::*does)());
+  void addCommand(const char* name, const QString& text, const QString& help,
+                  const QList<QKeySequence>& keys, std::optional<Mode> mode,
+                  void (PictureView::*does)());
   void showActions();
   void zoomIn();
   void zoomOut();
   void fit();
   void oneToOne();
+  void pan(int x, int y);
+  void panLeft();
+  void panRight();
+  void panUp();
+  void panDown();
   void wipeLeft();
   void wipeRight();
   void moreGain();

@@ -25,10 +25,12 @@ bool StateCommands::guarded(Action action) {
 /// What core/states.h does, on the current state.
 StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
     : QObject(parent), m_menu(menu), m_model(model) {
-  const auto add = [this](const char* name, const QString& title, const QKeySequence& key,
-                          auto action) {
+  m_menu->setToolTipsVisible(true);
+  const auto add = [this](const char* name, const QString& title, const QString& help,
+                          const QKeySequence& key, auto action) {
     auto* entry = m_menu->addAction(title, this, action);
     entry->setObjectName(name);
+    entry->setToolTip(help);
     entry->setShortcut(key);
   };
   const auto change = [this](const QString& name, std::size_t (*action)(Session&, std::size_t)) {
@@ -39,31 +41,37 @@ StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
       });
     };
   };
-  add("duplicateAction", tr("&Duplicate"), Qt::CTRL | Qt::Key_D,
+  add("duplicateAction", tr("&Duplicate"), tr("Copies the current state"), Qt::CTRL | Qt::Key_D,
       change(tr("Duplicate state"), duplicateState));
-  add("renameAction", tr("&Rename…"), Qt::Key_F2, [this] { askName(); });
-  add("removeAction", tr("De&lete"), Qt::CTRL | Qt::Key_Delete,
+  add("renameAction", tr("&Rename…"), tr("Gives the current state another name"), Qt::Key_F2,
+      [this] { askName(); });
+  add("removeAction", tr("De&lete"), tr("Takes the current state out of the session"),
+      Qt::CTRL | Qt::Key_Delete,
       change(tr("Delete state"), [](Session& session, std::size_t index) {
         removeState(session, index);
         return std::min(index, session.cameras.size() - 1);
       }));
-  add("moveUpAction", tr("Move &up"), Qt::CTRL | Qt::SHIFT | Qt::Key_Up,
+  add("moveUpAction", tr("Move &up"), tr("Swaps the current state with the one before it"),
+      Qt::CTRL | Qt::SHIFT | Qt::Key_Up,
       change(tr("Move state"), [](Session& session, std::size_t index) {
         const std::size_t to = index > 0 ? index - 1 : 0;
         moveState(session, index, to);
         return to;
       }));
-  add("moveDownAction", tr("Move dow&n"), Qt::CTRL | Qt::SHIFT | Qt::Key_Down,
+  add("moveDownAction", tr("Move dow&n"), tr("Swaps the current state with the one after it"),
+      Qt::CTRL | Qt::SHIFT | Qt::Key_Down,
       change(tr("Move state"), [](Session& session, std::size_t index) {
         const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
         moveState(session, index, to);
         return to;
       }));
   m_menu->addSeparator();
-  add("loadStatesAction", tr("&Load states from file…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+  add("loadStatesAction", tr("&Load states from file…"),
+      tr("Adds the states of another session behind this one's"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
       [this] { askStates(); });
-  add("addToFileAction", tr("&Add this state to file…"), Qt::CTRL | Qt::SHIFT | Qt::Key_A,
-      [this] { askFile(); });
+  add("addToFileAction", tr("&Add this state to file…"),
+      tr("Saves the current state as one more of another session's file"),
+      Qt::CTRL | Qt::SHIFT | Qt::Key_A, [this] { askFile(); });
 }
 
 void StateCommands::askName() {

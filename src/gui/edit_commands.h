@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Edit menu: undo, redo, and the window of keys.
+#pragma once
+
+#include <QMainWindow>
+#include <QMenu>
+
+namespace hogelscope {
+
+class KeyMap;
+class SessionModel;
+
+class EditCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window);
+
+  /// Call it when the window has all its actions.
+  void readKeys();
+
+ Q_SIGNALS:
+  void failed(const QString& line);
+
+ private:
+  void showKeys();
+
+  QMainWindow* m_window;
+  KeyMap* m_keys = nullptr;
+};
+
+}  // namespace hogelscope

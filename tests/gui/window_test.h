@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tests of the real window share: a small session in it, quick to read and render, and keys.
+#pragma once
+
+#include <QScrollArea>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "gui/main_window.h"
+#include "gui/session_model.h"
+#include "gui/vtk_widget.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+/// s.json: three states, a (with lens and leakage), b and c, over a.png.
+inline void writeSmallSession() {
+  writePicture("a.png", 64, 64, [](int x, int y, int channel) {
+    return float((x * 5 + y * 3 + channel * 40) % 200 + 20) / 255;
+  });
+  const auto state = [](const QByteArray& name, const QByteArray& more) {
+    return "{\"name\": \"" + name + "\", \"eye\": [0, 0, 0.7], \"res\": [40, 30]" + more + "}";
+  };
+  writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [4, 4]})",
+                            .lightField = R"({"file": "a.png"})",
+                            .cameras = "[" +
+                                       state("a",
+                                             R"(, "distortion": {"k1": 0.1, "p2": 0.01},
+                                                "psf": {"sigma": 0.5, "windowSize": 3})") +
+                                       ", " + state("b", "") + ", " + state("c", "") + "]"}));
+}
+
+class WindowTest : public QObject {
+ protected:
+  /// With s.json open.
+  void start() {
+    QVERIFY(QDir::setCurrent(m_folder.path()));
+    writeSmallSession();
+    m_window = std::make_unique<hogelscope::MainWindow>();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
+    m_model = m_window->findChild<hogelscope::SessionModel*>();
+    QVERIFY(m_window->openSession("s.json"));
+  }
+
+  template <class T>
+  T* child(const char* name) const {
+    return m_window->findChild<T*>(name);
+  }
+  template <class T>
+  T* editor(const char* area, const char* name) const {
+    return child<QScrollArea>(area)->widget()->findChild<T*>(name);
+  }
+  void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) const {
+    QTest::keyClick(m_window.get(), which, modifiers);
+  }
+  [[nodiscard]] QString message() const { return m_window->statusBar()->currentMessage(); }
+
+  QTemporaryDir m_folder;
+  std::unique_ptr<hogelscope::MainWindow> m_window;
+  hogelscope::SessionModel* m_model = nullptr;
+};
+
+/// The users' own files stay as they are.
+template <class Test>
+int runWindowTest(int argc, char** argv) {
+  QStandardPaths::setTestModeEnabled(true);
+  QSurfaceFormat::setDefaultFormat(hogelscope::VtkWidget::surfaceFormat());
+  const QApplication application(argc, argv);
+  Test test;
+  return QTest::qExec(&test, argc, argv);
+}
