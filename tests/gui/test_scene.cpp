@@ -448,7 +448,7 @@ class TestScene : public QObject {
     press(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
     press(Qt::Key_F6);
     click(onScreen(many.cameras[250].camera.eye));
-    QVERIFY(current() >= 249 && current() <= 251);
+    QVERIFY2(std::abs(current() - 250) <= 3, qPrintable(QString::number(current())));
     m_window.reset();  // while pictures are being rendered
   }
 };
