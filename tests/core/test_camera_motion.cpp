@@ -107,6 +107,7 @@ class TestCameraMotion : public QObject {
       QVERIFY(std::abs(distance(to) - distance(from)) < 1e-15);
       QVERIFY(std::abs(length(to.up) - length(from.up)) < 1e-15);
       const bool isWay = stepOf(motion) == 0.01;
+      if (isWay) QVERIFY(std::abs(apart(to.eye, from.eye) - 0.07) < 1e-15);
       QCOMPARE(apart(forward(to), forward(from)) < 1e-15, isWay || motion == Motion::roll);
       if (motion == Motion::orbitAcross || motion == Motion::orbitUp)
         QVERIFY(to.lookat == from.lookat);
@@ -145,10 +146,15 @@ class TestCameraMotion : public QObject {
     CameraParams camera = ahead();
     camera.eye = {0, 1, 1e-3};  // 0.057° from straight down
     QVERIFY(apart(moved(camera, Motion::orbitUp, 2), camera) < 1e-12);
+    QVERIFY(apart(moved(camera, Motion::tilt, -2), camera) < 1e-12);
     const CameraParams away = moved(camera, Motion::orbitUp, -2);
     const double degrees = std::atan(1e-3) / radians(1) + 2;
     QVERIFY(apart(away.eye, length(camera.eye) * Vec3{0, std::cos(radians(degrees)),
                                                       std::sin(radians(degrees))}) < 1e-12);
+    CameraParams below = ahead();
+    below.eye = {0, -1, 1e-3};  // straight up
+    QVERIFY(apart(moved(below, Motion::orbitUp, -2), below) < 1e-12);
+    QVERIFY(apart(moved(below, Motion::tilt, 2), below) < 1e-12);
   }
 
   void otherFieldsStay() {

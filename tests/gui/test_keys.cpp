@@ -180,8 +180,13 @@ void TestKeys::lensOffAndOn() {
   key(Qt::Key_B);
   QVERIFY2(message().contains("b has no lens distortion to switch on"), qPrintable(message()));
   QVERIFY(now() == DistortionParams{});
-  QVERIFY(m_window->openSession("s.json"));
+  editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.3);
+  key(Qt::Key_B);
+  QVERIFY(m_window->openSession("s.json"));  // nor one of another session
   QVERIFY(now() == lens);
+  key(Qt::Key_PageDown);
+  key(Qt::Key_B);
+  QVERIFY2(message().contains("b has no lens distortion to switch on"), qPrintable(message()));
 }
 
 void TestKeys::leakageOffAndOn() {
