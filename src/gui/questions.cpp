@@ -17,6 +17,8 @@ Unsaved askUnsaved(QWidget* window, const QString& name) {
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window);
   box.setObjectName("unsavedBox");
   box.setInformativeText(QObject::tr("What is not saved is lost."));
+  box.button(QMessageBox::Save)->setText(QObject::tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(QObject::tr("&Discard"));
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
   switch (box.exec()) {
