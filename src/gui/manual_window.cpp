@@ -10,6 +10,7 @@
 #include <QShortcut>
 #include <QSplitter>
 #include <QTextBlock>
+#include <QTextTable>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -70,10 +71,12 @@ ManualWindow::ManualWindow(QWidget* parent)
   layout->addWidget(splitter, 1);
   connect(back, &QToolButton::clicked, m_page, &QTextBrowser::backward);
   connect(m_page, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+  connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::layOutTables);
   connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::listHeadings);
   connect(m_contents, &QTreeWidget::currentItemChanged, this, &ManualWindow::goTo);
   back->setEnabled(false);
   addKeys();
+  m_page->document()->setDocumentMargin(12);
   m_page->setSource(QUrl("qrc:/manual/manual.md"));
 }
 
@@ -89,6 +92,22 @@ void ManualWindow::addKeys() {
   key(Qt::SHIFT | Qt::Key_F3, [this] { find(QTextDocument::FindBackward); });
   key(Qt::Key_Escape, [this] { close(); });
   connect(m_search, &QLineEdit::returnPressed, this, [this] { find({}); });
+}
+
+/// Markdown says nothing about how tables look.
+void ManualWindow::layOutTables() {
+  for (QTextFrame* frame : m_page->document()->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorder(1);
+    format.setBorderBrush(palette().color(QPalette::PlaceholderText));
+    format.setCellPadding(4);
+    format.setTopMargin(4);
+    format.setBottomMargin(8);
+    table->setFormat(format);
+  }
 }
 
 /// The chapters of the page that is shown, each with its place in the text.

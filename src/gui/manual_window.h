@@ -29,6 +29,7 @@ class ManualWindow : public QWidget {
 
  private:
   void addKeys();
+  void layOutTables();
   void listHeadings();
   void goTo(const QTreeWidgetItem* heading);
   void find(QTextDocument::FindFlags flags);

@@ -23,13 +23,22 @@ QColor errorColour(const QPalette& palette) {
   return isDark ? QColor(255, 138, 128) : QColor(176, 0, 32);
 }
 
+/// Six lines high, unless the user wants more.
+class ErrorList : public QPlainTextEdit {
+ public:
+  [[nodiscard]] QSize sizeHint() const override { return {480, 6 * fontMetrics().lineSpacing()}; }
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    return {120, 3 * fontMetrics().lineSpacing()};
+  }
+};
+
 }  // namespace
 
 Messages::Messages(QMainWindow* window)
     : QObject(window),
       m_window(window),
       m_dock(new QDockWidget(tr("Errors"), window)),
-      m_list(new QPlainTextEdit),
+      m_list(new ErrorList),
       m_button(new QToolButton) {
   m_dock->setObjectName("errorsDock");
   m_list->setObjectName("errors");
@@ -39,7 +48,7 @@ Messages::Messages(QMainWindow* window)
   m_list->setToolTip(
       tr("The last %1 errors, the newest below; Ctrl+C copies what is selected").arg(mostErrors));
   m_dock->setWidget(m_list);
-  window->addDockWidget(Qt::BottomDockWidgetArea, m_dock);
+  window->addDockWidget(Qt::BottomDockWidgetArea, m_dock, Qt::Vertical);  // below the others
   m_dock->hide();
   QAction* toggle = m_dock->toggleViewAction();
   toggle->setShortcut(Qt::Key_F8);
