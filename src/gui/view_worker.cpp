@@ -133,7 +133,8 @@ void ViewWorker::run() {
 
 void ViewWorker::loadNow(const Session& session) {
   m_scene.reset();  // frees the old one's memory before the new one is read
-  int percent = -1;
+  Q_EMIT reading(0);
+  int percent = 0;
   try {
     m_scene = loadScene(session, [&](double done) {
       if (std::exchange(percent, int(100 * done)) != int(100 * done)) Q_EMIT reading(done);
