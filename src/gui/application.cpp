@@ -3,7 +3,9 @@
 #include "gui/application.h"
 
 #include <QApplication>
+#include <QLocale>
 #include <QSurfaceFormat>
+#include <QTranslator>
 #include <cstdlib>
 
 #include "core/error.h"
@@ -21,9 +23,14 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
   const QApplication application(argc, argv);
   QApplication::setApplicationName("Hogelscope");
   QApplication::setApplicationVersion(HOGELSCOPE_VERSION);
+  QApplication::setOrganizationName("Hogelscope");
+  QTranslator translator;
+  if (translator.load(QLocale(), "hogelscope", "_", QApplication::applicationDirPath()))
+    QApplication::installTranslator(&translator);
   MainWindow window;
-  if (!files.empty()) window.openSession(QString::fromStdString(files.front()));
-  window.show();
+  QStringList names;
+  for (const std::string& file : files) names.append(QString::fromStdString(file));
+  window.start(names);
   return QApplication::exec();
 }
 

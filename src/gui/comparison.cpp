@@ -3,6 +3,7 @@
 #include "gui/comparison.h"
 
 #include <QFileInfo>
+#include <utility>
 
 #include "core/error.h"
 #include "io/session_file.h"
@@ -11,6 +12,12 @@ namespace hogelscope {
 
 Comparison::Comparison(QObject* parent) : QObject(parent) {
   connect(this, &Comparison::readScene, this, &Comparison::take, Qt::QueuedConnection);
+  connect(
+      this, &Comparison::readPart, this,
+      [this](int number, double done) {
+        if (number == m_reading) Q_EMIT reading(done);
+      },
+      Qt::QueuedConnection);
   connect(this, &Comparison::couldNotRead, this, &Comparison::giveUp, Qt::QueuedConnection);
 }
 
@@ -44,8 +51,13 @@ void Comparison::stopReading() {
 
 /// On the thread.
 void Comparison::read(int number, const Session& session, const QString& name) {
+  int percent = -1;
+  const auto progress = [&](double done) {
+    if (std::exchange(percent, int(100 * done)) != int(100 * done)) Q_EMIT readPart(number, done);
+    return !m_stops;
+  };
   try {
-    Q_EMIT readScene(number, loadScene(session, [this](double) { return !m_stops; }), name);
+    Q_EMIT readScene(number, loadScene(session, progress), name);
   } catch (const Cancelled&) {
     // nobody waits for it
   } catch (const std::exception& error) {

@@ -33,10 +33,12 @@ class Comparison : public QObject {
   [[nodiscard]] bool isReading() const { return m_isReading; }
 
  Q_SIGNALS:
-  void changed();  ///< another one, or none
+  void changed();             ///< another one, or none
+  void reading(double done);  ///< 0 … 1
   /// It could not be read; what was compared still is.
   void failed(const QString& line);
   /// From the thread to the object's own, of reading `number`; for nobody else.
+  void readPart(int number, double done);
   void readScene(int number, const hogelscope::Scene& scene, const QString& name);
   void couldNotRead(int number, const QString& line);
 

@@ -4,26 +4,29 @@
 
 #include <vtkObject.h>
 
+#include <QCloseEvent>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMessageBox>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/error.h"
 #include "gui/camera_commands.h"
+#include "gui/colours.h"
 #include "gui/edit_commands.h"
+#include "gui/file_commands.h"
+#include "gui/help_commands.h"
+#include "gui/messages.h"
 #include "gui/parameter_form.h"
 #include "gui/picture_commands.h"
+#include "gui/reading_bar.h"
 #include "gui/scene_controller.h"
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
 #include "gui/view_worker.h"
-#include "io/calibration_file.h"
+#include "gui/window_layout.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
@@ -37,6 +40,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_certificateLabel(new QLabel(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
+  m_messages = new Messages(this);
   m_ui->splitter->setSizes({1000, 1000});
   m_scene = new SceneController(*m_ui, m_model, this);
   m_stateBox->setObjectName("stateBox");
@@ -47,6 +51,7 @@ MainWindow::MainWindow(QWidget* parent)
   addForms();
   connectActions();
   connectModel();
+  addHabits();
   addEditing();
   showTitle();
 }
@@ -92,16 +97,11 @@ void MainWindow::addForms() {
 }
 
 void MainWindow::connectActions() {
-  connect(m_ui->openAction, &QAction::triggered, this, &MainWindow::askOpen);
-  connect(m_ui->saveAction, &QAction::triggered, this, &MainWindow::save);
-  connect(m_ui->saveAsAction, &QAction::triggered, this, &MainWindow::askSaveAs);
-  connect(m_ui->importAction, &QAction::triggered, this, &MainWindow::askImport);
-  connect(m_ui->quitAction, &QAction::triggered, this, &QWidget::close);
-  connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
-  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
-                            m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
+  for (QDockWidget* dock :
+       {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock, m_ui->cameraSetDock,
+        m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
   m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
   m_ui->toolBar->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
@@ -118,30 +118,33 @@ void MainWindow::connectActions() {
 }
 
 void MainWindow::connectModel() {
+  for (const auto signal :
+       {&SessionModel::opened, &SessionModel::saved, &SessionModel::edited,
+        &SessionModel::currentChanged, &SessionModel::statesChanged, &SessionModel::contentChanged})
+    connect(m_model, signal, m_messages, &Messages::dismiss);
   connect(m_model, &SessionModel::opened, this, &MainWindow::showSession);
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
   auto* states = new StateCommands(m_ui->statesMenu, m_model, this);
-  connect(states, &StateCommands::failed, this, &MainWindow::showError);
-  connect(states, &StateCommands::done, statusBar(),
-          [this](const QString& line) { statusBar()->showMessage(line); });
+  connect(states, &StateCommands::failed, m_messages, &Messages::fail);
+  connect(states, &StateCommands::done, m_messages, &Messages::say);
   connect(m_model, &SessionModel::statesChanged, this, &MainWindow::showStates);
   connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
-  connect(m_ui->tradeoffView, &TradeoffView::failed, this, &MainWindow::showError);
+  connect(m_ui->tradeoffView, &TradeoffView::failed, m_messages, &Messages::fail);
   connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
           [this](const std::optional<NamedMethod>& method) {
             m_method = method;
             render();
           });
   m_ui->reportPanel->setModel(m_model);
-  connect(m_ui->reportPanel, &ReportDock::failed, this, &MainWindow::showError);
+  connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::fail);
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
-  connect(m_ui->cameraSetView, &CameraSetView::failed, this, &MainWindow::showError);
+  connect(m_ui->cameraSetView, &CameraSetView::failed, m_messages, &Messages::fail);
   connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
   connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
-  connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
+  connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
   connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
     m_loaded = scene;
     m_scene->setScene(scene);
@@ -149,20 +152,20 @@ void MainWindow::connectModel() {
     offerViews();
     showCurrent();
   });
+  connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
   m_pictures = new PictureCommands(*m_ui, m_model, this);
   connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
-  connect(m_pictures, &PictureCommands::failed, this, &MainWindow::showError);
-  connect(m_pictures, &PictureCommands::done, statusBar(),
-          [this](const QString& line) { statusBar()->showMessage(line); });
+  connect(m_pictures, &PictureCommands::failed, m_messages, &Messages::fail);
+  connect(m_pictures, &PictureCommands::done, m_messages, &Messages::say);
 }
 
 /// Last: keys are given to all actions.
 void MainWindow::addEditing() {
   auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
-  connect(camera, &CameraCommands::failed, this, &MainWindow::showError);
+  connect(camera, &CameraCommands::failed, m_messages, &Messages::fail);
   auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
-  connect(edit, &EditCommands::failed, this, &MainWindow::showError);
+  connect(edit, &EditCommands::failed, m_messages, &Messages::fail);
   edit->readKeys();
 }
 
@@ -182,7 +185,7 @@ void MainWindow::showView(const RenderedView& view) {
                      .arg(view.plan);
   if (view.scale > 1) line += tr(", resolution 1/%1").arg(view.scale);
   if (m_method) line += tr(", method: %1").arg(QString::fromStdString(m_method->name));
-  statusBar()->showMessage(line);
+  m_messages->say(line);
 }
 
 /// To the measurement: the states as they are in the session now.
@@ -194,61 +197,58 @@ void MainWindow::offerViews() {
   m_ui->tradeoffView->setViews(views);
 }
 
-template <class Action>
-bool MainWindow::guarded(Action action) {
-  try {
-    action();
-    return true;
-  } catch (const std::exception& error) {
-    showError(QString::fromUtf8(error.what()));
-    return false;
-  }
-}
-
 bool MainWindow::openSession(const QString& file) {
-  return guarded([&] { m_model->open(file); });
+  return m_files->open(file);
 }
 
 bool MainWindow::saveSession(const QString& file) {
-  return guarded([&] { m_model->save(file); });
+  return m_files->save(file);
 }
 
 bool MainWindow::importCalibration(const QString& file) {
-  return guarded([&] {
-    CameraState state = m_model->current();
-    apply(loadCalibration(file.toStdString()), state);
-    m_model->setCurrent(state);
-  });
+  return m_files->importCalibration(file);
 }
 
-void MainWindow::askOpen() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open session"), m_model->file(),
-                                                    tr("Sessions (*.json)"));
-  if (!file.isEmpty()) openSession(file);
+void MainWindow::start(const QStringList& files) {
+  m_layout->restore();
+  show();
+  m_files->offerRecovery();
+  m_files->take(files);
 }
 
-void MainWindow::save() {
-  if (m_model->file().isEmpty()) return askSaveAs();
-  saveSession(m_model->file());
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(m_files->mayLeave());
+  if (!event->isAccepted()) return;
+  m_layout->save();
+  m_files->end();
 }
 
-void MainWindow::askSaveAs() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save session as"), m_model->file(),
-                                                    tr("Sessions (*.json)"));
-  if (!file.isEmpty()) saveSession(file);
+/// Files, help, colours, layout: classes that only need to be there.
+void MainWindow::addHabits() {
+  m_files = new FileCommands(*m_ui, m_model, this);
+  connect(m_files, &FileCommands::done, m_messages, &Messages::say);
+  connect(m_files, &FileCommands::failed, m_messages, &Messages::fail);
+  connect(m_files, &FileCommands::comparisonAsked, m_pictures, &PictureCommands::compareWith);
+  new HelpCommands(*m_ui, this);
+  new Colours(m_ui->coloursMenu, this);
+  m_layout = new WindowLayout(this, m_ui->splitter);
+  connect(m_ui->resetLayoutAction, &QAction::triggered, m_layout, &WindowLayout::reset);
+  auto* bar = new ReadingBar(tr("Light field"), this);
+  bar->setObjectName("readingBar");
+  statusBar()->addPermanentWidget(bar);
+  connect(m_worker, &ViewWorker::reading, bar, &ReadingBar::advance);
+  connect(m_worker, &ViewWorker::loaded, bar, &QWidget::hide);
+  connect(m_worker, &ViewWorker::failed, bar, &QWidget::hide);
+  connect(m_worker, &ViewWorker::readingStopped, bar, &QWidget::hide);
+  connect(bar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
 }
 
-void MainWindow::askImport() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Import OpenCV calibration"), m_model->file(),
-                                   tr("Calibrations (*.yml *.yaml *.json)"));
-  if (!file.isEmpty()) importCalibration(file);
-}
-
-void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About Hogelscope"),
-                     tr("Hogelscope %1\nSimulated viewing of light field displays")
-                         .arg(QStringLiteral(HOGELSCOPE_VERSION)));
+/// No picture is better than that of another light field.
+void MainWindow::showStopped() {
+  m_ui->pictureView->setMask({}, {});
+  m_ui->pictureView->setImages({});
+  m_messages->say(tr("Stopped reading %1; to read it, open the session again")
+                      .arg(QString::fromStdString(m_model->session().lightField.file)));
 }
 
 /// Fills the list of states again.
@@ -267,7 +267,7 @@ void MainWindow::showSession() {
   m_method.reset();
   m_ui->tradeoffView->forgetChoice();
   m_worker->load(m_model->session());
-  statusBar()->showMessage(
+  m_messages->say(
       tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
   showStates();
 }
@@ -304,10 +304,6 @@ void MainWindow::showCertificate(const LensCertificate& certificate) {
                 .arg(share, 0, 'f', 1);
   m_certificateLabel->setText(
       warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
-}
-
-void MainWindow::showError(const QString& line) {
-  statusBar()->showMessage(tr("Error: %1").arg(line));
 }
 
 }  // namespace hogelscope

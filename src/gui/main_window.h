@@ -19,11 +19,14 @@ class MainWindow;
 
 namespace hogelscope {
 
+class FileCommands;
+class Messages;
 class ParameterForm;
 class PictureCommands;
 class SceneController;
 class SessionModel;
 class ViewWorker;
+class WindowLayout;
 struct RenderedView;
 
 class MainWindow : public QMainWindow {
@@ -33,7 +36,10 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// What goes wrong is shown in the status bar. True if the session is open.
+  /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
+  /// command line (FileCommands::take).
+  void start(const QStringList& files);
+  /// None of these asks; what goes wrong is told by Messages. True if it is done.
   bool openSession(const QString& file);
   bool saveSession(const QString& file);
   /// Into the current state.
@@ -44,26 +50,24 @@ class MainWindow : public QMainWindow {
   void connectModel();
   void addEditing();
   void addForms();
-  void askOpen();
-  void save();
-  void askSaveAs();
-  void askImport();
-  void showAbout();
+  void addHabits();
+  void closeEvent(QCloseEvent* event) override;
+  void showStopped();
   void showSession();
   void showCurrent();
   void showTitle();
   void render();
   void showView(const RenderedView& view);
   void showCertificate(const LensCertificate& certificate);
-  void showError(const QString& line);
   void offerViews();
   void showStates();
-  template <class Action>
-  bool guarded(Action action);
 
   std::unique_ptr<Ui::MainWindow> m_ui;
   SessionModel* m_model;
   ViewWorker* m_worker;
+  Messages* m_messages = nullptr;
+  FileCommands* m_files = nullptr;
+  WindowLayout* m_layout = nullptr;
   QComboBox* m_stateBox;
   QLabel* m_certificateLabel;
   SceneController* m_scene;

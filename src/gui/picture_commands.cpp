@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "gui/reading_bar.h"
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
 #include "io/image_file.h"
@@ -35,6 +36,13 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
   connect(m_comparison, &Comparison::failed, this, &PictureCommands::showComparison);
   connect(m_model, &SessionModel::opened, m_comparison, &Comparison::stop);
   m_ui.pictureView->setHint(tr("No view yet: open a session (Ctrl+O)"));
+  auto* bar = new ReadingBar(tr("Other light field"), m_ui.statusBar);
+  bar->setObjectName("otherReadingBar");
+  m_ui.statusBar->addPermanentWidget(bar);
+  connect(m_comparison, &Comparison::reading, bar, &ReadingBar::advance);
+  connect(m_comparison, &Comparison::changed, bar, &QWidget::hide);
+  connect(m_comparison, &Comparison::failed, bar, &QWidget::hide);
+  connect(bar, &ReadingBar::stopAsked, this, &PictureCommands::stopReading);
   addModes();
   showComparison();
 }
@@ -75,6 +83,12 @@ void PictureCommands::showComparison() {
 void PictureCommands::stopComparing() {
   m_comparison->stop();
   m_ui.pictureView->setImages(m_ui.pictureView->image());
+}
+
+/// What was compared before goes too, as with every stop.
+void PictureCommands::stopReading() {
+  stopComparing();
+  Q_EMIT done(tr("Stopped reading the other light field"));
 }
 
 bool PictureCommands::compareWith(const QString& file) {

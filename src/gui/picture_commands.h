@@ -39,6 +39,7 @@ class PictureCommands : public QObject {
  private:
   void addModes();
   void stopComparing();
+  void stopReading();
   void showComparison();
   void copy();
   void askFile();

@@ -56,6 +56,15 @@ void SessionModel::open(const QString& file) {
   Q_EMIT opened();
 }
 
+void SessionModel::recover(const QString& copy, const QString& file) {
+  m_session = loadSession(copy.toStdString());
+  m_saved = {};  // whatever the file holds now, it is not what the user last saw
+  m_file = file;
+  m_current = 0;
+  m_undo.clear();
+  Q_EMIT opened();
+}
+
 void SessionModel::save(const QString& file) {
   check(m_session);
   saveSession(file.toStdString(), m_session);

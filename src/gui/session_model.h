@@ -28,6 +28,9 @@ class SessionModel : public QObject {
 
   /// Throws InputError; the session stays as it was.
   void open(const QString& file);
+  /// Opens `copy`, which a crash left behind, as unsaved edits of `file`. Throws InputError; the
+  /// session stays as it was.
+  void recover(const QString& copy, const QString& file);
   /// Throws InputError; unsaved edits stay.
   void save(const QString& file);
   void setCurrentIndex(std::size_t index);

@@ -119,7 +119,8 @@ void TradeoffView::show(const Tradeoff& tradeoff) {
   showIdle();
   if (!isWanted) return;
   const std::string question = text(questionOf(m_views.front().sampling));
-  m_chart->setChart(TradeoffChart(tradeoff.rows, "Error against " + question));
+  const QString title = tr("Error against %1").arg(QString::fromStdString(question));
+  m_chart->setChart(TradeoffChart(tradeoff.rows, title.toStdString()));
 }
 
 void TradeoffView::choose(std::optional<std::size_t> row) {

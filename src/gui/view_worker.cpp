@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "core/error.h"
 #include "core/plan.h"
@@ -66,9 +67,15 @@ void ViewWorker::load(const Session& session) {
   {
     const std::lock_guard lock(m_mutex);
     m_toLoad = session;
+    m_isReadingStopped = false;
     m_toRender.reset();
   }
   m_wake.notify_one();
+}
+
+void ViewWorker::stopReading() {
+  const std::lock_guard lock(m_mutex);
+  m_isReadingStopped = true;
 }
 
 void ViewWorker::render(const CameraState& state, const std::optional<NamedMethod>& method,
@@ -82,7 +89,7 @@ void ViewWorker::render(const CameraState& state, const std::optional<NamedMetho
 
 bool ViewWorker::hasNewer(bool isLoading) {
   const std::lock_guard lock(m_mutex);
-  return m_ends || m_toLoad || (!isLoading && m_toRender);
+  return m_ends || m_toLoad || (isLoading ? m_isReadingStopped : m_toRender.has_value());
 }
 
 /// Asked while a view is rendered.
@@ -126,7 +133,18 @@ void ViewWorker::run() {
 
 void ViewWorker::loadNow(const Session& session) {
   m_scene.reset();  // frees the old one's memory before the new one is read
-  m_scene = loadScene(session, [this](double) { return !hasNewer(true); });
+  Q_EMIT reading(0);
+  int percent = 0;
+  try {
+    m_scene = loadScene(session, [&](double done) {
+      if (std::exchange(percent, int(100 * done)) != int(100 * done)) Q_EMIT reading(done);
+      return !hasNewer(true);
+    });
+  } catch (const Cancelled&) {
+    const std::lock_guard lock(m_mutex);
+    if (m_isReadingStopped && !m_toLoad) Q_EMIT readingStopped();
+    return;
+  }
   Q_EMIT loaded(*m_scene);
 }
 

@@ -41,6 +41,8 @@ class ViewWorker : public QObject {
 
   /// Reads the session's light field; an older reading stops.
   void load(const Session& session);
+  /// There is no light field then until the next load().
+  void stopReading();
   /// Renders once the light field is there, by the session's own method if none is given, and from
   /// the other light field too; an older rendering stops. Where that takes long a smaller picture
   /// comes first, and the full one when no newer request has come for a moment.
@@ -48,7 +50,9 @@ class ViewWorker : public QObject {
               const std::optional<Scene>& other);
 
  Q_SIGNALS:
+  void reading(double done);  ///< 0 … 1
   void loaded(const hogelscope::Scene& scene);
+  void readingStopped();  ///< because it was asked for
   void rendered(const hogelscope::RenderedView& view);
   /// After the picture, where its lens is another one than before.
   void certified(const hogelscope::LensCertificate& certificate);
@@ -70,10 +74,11 @@ class ViewWorker : public QObject {
   [[nodiscard]] bool mustStop();
   [[nodiscard]] bool handRests();
 
-  std::mutex m_mutex;  ///< guards the next four
+  std::mutex m_mutex;  ///< guards the next five
   std::condition_variable m_wake;
   std::optional<Session> m_toLoad;
   std::optional<Request> m_toRender;
+  bool m_isReadingStopped = false;
   bool m_ends = false;
 
   std::optional<Scene> m_scene;   ///< the thread's own, as all that follow

@@ -7,6 +7,7 @@
 #include "core/sampling.h"
 #include "io/session_file.h"
 #include "report/file_hash.h"
+#include "report/versions.h"
 
 namespace hogelscope {
 
@@ -30,16 +31,12 @@ std::string described(const SamplingParams& sampling) {
          (sampling.mapping == LensMapping::exact ? "exact" : "direct") + " lens mapping";
 }
 
-std::string versions() {
-  return "Hogelscope " HOGELSCOPE_VERSION ", Qt " + std::string(qVersion());
-}
-
 }  // namespace
 
 ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   const Session& session = request.session;
   ReportFacts facts;
-  std::string all = versions() + textOf(session) + (request.images ? "images" : "");
+  std::string all = versionsLine() + textOf(session) + (request.images ? "images" : "");
   const auto line = [&](const std::string& name, const std::string& value) {
     facts.lines.push_back({name, value});
   };
@@ -61,7 +58,7 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   }
   line("Camera states", std::to_string(session.cameras.size()));
   line("Sampling", described(session.sampling));
-  line("Program", versions());
+  line("Program", versionsLine());
   line("Command", request.command);
   line("Made", QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd HH:mm 'UTC'").toStdString());
   facts.key = sha256(all);

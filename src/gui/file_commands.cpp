@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The File menu.
+#include "gui/file_commands.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "gui/autosave.h"
+#include "gui/file_drop.h"
+#include "gui/questions.h"
+#include "gui/recent_files.h"
+#include "gui/session_model.h"
+#include "io/calibration_file.h"
+#include "io/session_file.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window)
+    : QObject(window),
+      m_model(model),
+      m_window(window),
+      m_recent(new RecentFiles(ui.recentMenu, this)),
+      m_autosave(new Autosave(model, this)) {
+  connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
+  connect(ui.saveAction, &QAction::triggered, this, &FileCommands::saveOrAsk);
+  connect(ui.saveAsAction, &QAction::triggered, this, &FileCommands::askSaveAs);
+  connect(ui.importAction, &QAction::triggered, this, &FileCommands::askImport);
+  connect(ui.quitAction, &QAction::triggered, window, &QWidget::close);
+  connect(m_recent, &RecentFiles::chosen, this, [this](const QString& file) {
+    if (mayLeave()) open(file);
+  });
+  connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
+  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::take);
+}
+
+template <class Action>
+bool FileCommands::guarded(Action action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+bool FileCommands::open(const QString& file) {
+  return guarded([&] {
+    m_model->open(file);
+    m_recent->add(file);
+  });
+}
+
+bool FileCommands::save(const QString& file) {
+  return guarded([&] {
+    m_model->save(file);
+    m_recent->add(file);
+    Q_EMIT done(tr("Saved %1").arg(file));
+  });
+}
+
+bool FileCommands::importCalibration(const QString& file) {
+  return guarded([&] {
+    CameraState state = m_model->current();
+    apply(loadCalibration(file.toStdString()), state);
+    m_model->setCurrent(state);
+  });
+}
+
+void FileCommands::take(const QStringList& files) {
+  QStringList sorted = files;  // the session comes first
+  std::stable_partition(sorted.begin(), sorted.end(),
+                        [](const QString& file) { return isSessionFile(file.toStdString()); });
+  for (qsizetype k = 0; k < sorted.size(); ++k) takeOne(sorted[k], k == 0);
+}
+
+/// Only the first can be the session to open: a second one is a light field to compare with.
+void FileCommands::takeOne(const QString& file, bool isFirst) {
+  const QString suffix = QFileInfo(file).suffix().toLower();
+  if (isFirst && isSessionFile(file.toStdString())) {
+    if (mayLeave()) open(file);
+  } else if (m_model->session().cameras.empty()) {
+    Q_EMIT failed(tr("%1: needs an open session (*.json)").arg(file));
+  } else if (suffix == "yml" || suffix == "yaml") {
+    importCalibration(file);
+  } else {
+    Q_EMIT comparisonAsked(file);
+  }
+}
+
+bool FileCommands::mayLeave() {
+  if (!m_model->isModified()) return true;
+  const QString name =
+      m_model->file().isEmpty() ? tr("The session") : QFileInfo(m_model->file()).fileName();
+  const Unsaved answer = askUnsaved(m_window, name);
+  return answer == Unsaved::save ? saveOrAsk() : answer == Unsaved::discard;
+}
+
+void FileCommands::end() {
+  m_autosave->forget();
+}
+
+void FileCommands::offerRecovery() {
+  m_autosave->offerRecovery(m_window);
+}
+
+bool FileCommands::saveOrAsk() {
+  return m_model->file().isEmpty() ? askSaveAs() : save(m_model->file());
+}
+
+bool FileCommands::askSaveAs() {
+  const QString file = QFileDialog::getSaveFileName(m_window, tr("Save session as"),
+                                                    m_model->file(), tr("Sessions (*.json)"));
+  return !file.isEmpty() && save(file);
+}
+
+void FileCommands::askOpen() {
+  const QString file = QFileDialog::getOpenFileName(m_window, tr("Open session"), m_model->file(),
+                                                    tr("Sessions (*.json)"));
+  if (!file.isEmpty() && mayLeave()) open(file);
+}
+
+void FileCommands::askImport() {
+  const QString file =
+      QFileDialog::getOpenFileName(m_window, tr("Import OpenCV calibration"), m_model->file(),
+                                   tr("Calibrations (*.yml *.yaml *.json)"));
+  if (!file.isEmpty()) importCalibration(file);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The File menu: opening, saving and importing, by dialogs, recent files, drops and the command
+// line; asks before edits are lost, and keeps them through a crash.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QWidget;
+
+namespace Ui {
+class MainWindow;
+}
+
+namespace hogelscope {
+
+class Autosave;
+class RecentFiles;
+class SessionModel;
+
+class FileCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
+
+  /// These do not ask; what goes wrong is told by failed(). True if it is done.
+  bool open(const QString& file);
+  bool save(const QString& file);
+  bool importCalibration(const QString& file);
+
+  /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
+  /// current state, and the open session is compared with anything else.
+  void take(const QStringList& files);
+  /// True if there are no edits, or they are saved or not wanted any more.
+  bool mayLeave();
+  /// The window closes: no edits are left to recover.
+  void end();
+  void offerRecovery();
+
+ Q_SIGNALS:
+  void done(const QString& line);
+  void failed(const QString& line);
+  void comparisonAsked(const QString& file);
+
+ private:
+  template <class Action>
+  bool guarded(Action action);
+  void takeOne(const QString& file, bool isFirst);
+  bool saveOrAsk();
+  bool askSaveAs();
+  void askOpen();
+  void askImport();
+
+  SessionModel* m_model;
+  QWidget* m_window;
+  RecentFiles* m_recent;
+  Autosave* m_autosave;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the window and its docks are.
+#include "gui/window_layout.h"
+
+#include <QMainWindow>
+#include <QSettings>
+#include <QSplitter>
+
+namespace hogelscope {
+
+namespace {
+
+/// Another one, and layouts that were saved before no longer count.
+constexpr int version = 1;
+
+}  // namespace
+
+WindowLayout::WindowLayout(QMainWindow* window, QSplitter* splitter)
+    : QObject(window),
+      m_window(window),
+      m_splitter(splitter),
+      m_docks(window->saveState(version)),
+      m_split(splitter->saveState()) {}
+
+void WindowLayout::save() const {
+  QSettings settings;
+  settings.setValue("window/version", version);
+  settings.setValue("window/geometry", m_window->saveGeometry());
+  settings.setValue("window/docks", m_window->saveState(version));
+  settings.setValue("window/splitter", m_splitter->saveState());
+}
+
+void WindowLayout::restore() {
+  const QSettings settings;
+  if (settings.value("window/version").toInt() != version) return;
+  m_window->restoreGeometry(settings.value("window/geometry").toByteArray());
+  m_window->restoreState(settings.value("window/docks").toByteArray(), version);
+  m_splitter->restoreState(settings.value("window/splitter").toByteArray());
+}
+
+void WindowLayout::reset() {
+  m_window->restoreState(m_docks, version);
+  m_splitter->restoreState(m_split);
+}
+
+}  // namespace hogelscope
