@@ -51,7 +51,10 @@ MainWindow::MainWindow(QWidget* parent)
   showTitle();
 }
 
-MainWindow::~MainWindow() = default;
+/// A field that loses the focus takes what was typed: while there still is a session to take it.
+MainWindow::~MainWindow() {
+  hide();
+}
 
 namespace {
 
