@@ -57,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+  hide();          // a field that loses the focus takes what was typed, while there is a session
   delete m_scene;  // before the widget that it draws into
 }
 
