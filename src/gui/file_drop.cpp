@@ -4,7 +4,6 @@
 
 #include <QDropEvent>
 #include <QMimeData>
-#include <QTimer>
 #include <QUrl>
 #include <QWidget>
 
@@ -33,7 +32,8 @@ bool FileDrop::eventFilter(QObject* /*watched*/, QEvent* event) {
   if (files.isEmpty()) return false;
   drop->acceptProposedAction();
   if (event->type() == QEvent::Drop)
-    QTimer::singleShot(0, this, [this, files] { Q_EMIT dropped(files); });
+    QMetaObject::invokeMethod(
+        this, [this, files] { Q_EMIT dropped(files); }, Qt::QueuedConnection);
   return true;
 }
 
