@@ -31,9 +31,7 @@ bool FileDrop::eventFilter(QObject* /*watched*/, QEvent* event) {
   const QStringList files = filesOf(*drop->mimeData());
   if (files.isEmpty()) return false;
   drop->acceptProposedAction();
-  if (event->type() == QEvent::Drop)
-    QMetaObject::invokeMethod(
-        this, [this, files] { Q_EMIT dropped(files); }, Qt::QueuedConnection);
+  if (event->type() == QEvent::Drop) Q_EMIT dropped(files);
   return true;
 }
 
