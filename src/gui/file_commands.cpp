@@ -33,7 +33,8 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
     if (mayLeave()) open(file);
   });
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
-  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::take);
+  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::take,
+          Qt::QueuedConnection);
 }
 
 template <class Action>

@@ -4,7 +4,6 @@
 
 #include <QDropEvent>
 #include <QMimeData>
-#include <QTimer>
 #include <QUrl>
 #include <QWidget>
 
@@ -32,8 +31,7 @@ bool FileDrop::eventFilter(QObject* /*watched*/, QEvent* event) {
   const QStringList files = filesOf(*drop->mimeData());
   if (files.isEmpty()) return false;
   drop->acceptProposedAction();
-  if (event->type() == QEvent::Drop)
-    QTimer::singleShot(0, this, [this, files] { Q_EMIT dropped(files); });
+  if (event->type() == QEvent::Drop) Q_EMIT dropped(files);
   return true;
 }
 

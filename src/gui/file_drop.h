@@ -16,7 +16,7 @@ class FileDrop : public QObject {
   explicit FileDrop(QWidget* window);
 
  Q_SIGNALS:
-  /// Once the drop has ended, so that a question does not hold the other program.
+  /// During the drop: to be connected as queued, or a question would hold the other program.
   void dropped(const QStringList& files);
 
  private:

@@ -18,7 +18,7 @@
 namespace hogelscope {
 
 QVariant ManualPage::loadResource(int type, const QUrl& name) {
-  const QVariant resource = QTextBrowser::loadResource(type, name);
+  QVariant resource = QTextBrowser::loadResource(type, name);
   if (type != QTextDocument::ImageResource) return resource;
   QImage image = QImage::fromData(resource.toByteArray());
   const auto widest =
