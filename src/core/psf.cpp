@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace hogelscope {
 
@@ -29,6 +30,17 @@ double energyInWindow(const PsfParams& params) {
   if (params.windowSize == 1) return 1;
   const double axis = std::erf(params.windowSize / (2 * std::numbers::sqrt2 * params.sigma));
   return axis * axis;
+}
+
+bool cutsTooMuch(const PsfParams& params) {
+  return energyInWindow(params) < 0.99;
+}
+
+std::vector<double> kernel(const PsfParams& params) {
+  std::vector<double> weights = Psf(params).weights();
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights) weight /= sum;
+  return weights;
 }
 
 double linearFromEncoded(double codeValue) {

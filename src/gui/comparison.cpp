@@ -22,6 +22,7 @@ void Comparison::start(const Session& session, const QString& file) {
   const Session other = withLightField(session, file.toStdString());
   stopReading();
   m_isReading = true;
+  m_readsOwnDisplay = isSessionFile(file.toStdString());
   m_thread = std::thread([this, number = m_reading, other, name = QFileInfo(file).fileName()] {
     read(number, other, name);
   });
@@ -32,6 +33,16 @@ void Comparison::stop() {
   m_other.reset();
   m_name.clear();
   Q_EMIT changed();
+}
+
+void Comparison::follow(const Session& session) {
+  if (!m_other) return;
+  m_other->sampling = session.sampling;
+  if (m_hasOwnDisplay) return;
+  DisplayParams display = session.display;
+  display.hogels = m_other->display.hogels;
+  display.directions = m_other->display.directions;
+  m_other->display = display;
 }
 
 void Comparison::stopReading() {
@@ -56,6 +67,7 @@ void Comparison::read(int number, const Session& session, const QString& name) {
 void Comparison::take(int number, const Scene& scene, const QString& name) {
   if (number != m_reading) return;
   m_isReading = false;
+  m_hasOwnDisplay = m_readsOwnDisplay;
   m_other = scene;
   m_name = name;
   Q_EMIT changed();

@@ -7,21 +7,22 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
 #include <QMessageBox>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include "core/error.h"
 #include "gui/display_scene.h"
-#include "gui/parameter_form.h"
+#include "gui/distortion_dock.h"
+#include "gui/light_field_dock.h"
 #include "gui/picture_commands.h"
-#include "gui/session_model.h"
+#include "gui/psf_dock.h"
+#include "gui/session_forms.h"
 #include "gui/state_commands.h"
+#include "gui/state_dock.h"
 #include "gui/view_worker.h"
 #include "io/calibration_file.h"
+#include "io/session_file.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
@@ -31,8 +32,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_ui(std::make_unique<Ui::MainWindow>()),
       m_model(new SessionModel(this)),
       m_worker(new ViewWorker(this)),
-      m_stateBox(new QComboBox(this)),
-      m_certificateLabel(new QLabel(this)) {
+      m_stateBox(new QComboBox(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
   m_ui->splitter->setSizes({1000, 1000});
@@ -41,52 +41,62 @@ MainWindow::MainWindow(QWidget* parent)
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(24);
   m_ui->toolBar->addWidget(m_stateBox);
-  addForms();
+  addDocks();
+  arrangeDocks();
   connectActions();
   connectModel();
+  connectDocks();
+  connectWorker();
   showTitle();
 }
 
 MainWindow::~MainWindow() = default;
 
-namespace {
-
-/// One below the other.
-QWidget* stacked(const std::vector<QWidget*>& widgets) {
-  auto* column = new QWidget;
-  auto* layout = new QVBoxLayout(column);
-  layout->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* widget : widgets) layout->addWidget(widget);
-  layout->addStretch();
-  return column;
+void MainWindow::addDocks() {
+  m_ui->lightFieldArea->setWidget(m_lightField = new LightFieldDock(m_model));
+  m_ui->displayArea->setWidget(stacked({contentForm(m_model, &Session::display)}));
+  m_ui->cameraArea->setWidget(stacked(
+      {stateForm(m_model, &CameraState::camera), stateForm(m_model, &CameraState::intrinsics)}));
+  m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
+  m_ui->psfArea->setWidget(new PsfDock(m_model));
+  auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
+  auto* states = new StateDock(m_model, commands);
+  m_ui->statesDock->setWidget(states);
+  connect(commands, &StateCommands::nameAsked, this, [this, states] {
+    m_ui->statesDock->show();
+    m_ui->statesDock->raise();
+    states->editName();
+  });
+  connect(commands, &StateCommands::failed, this, &MainWindow::showError);
+  connect(commands, &StateCommands::done, statusBar(),
+          [this](const QString& line) { statusBar()->showMessage(line); });
 }
 
-}  // namespace
-
-void MainWindow::addForms() {
-  const auto form = [this](auto part) {
-    m_forms.push_back(new ParameterForm([this, part](ParameterVisitor& visitor) {
-      CameraState state = m_model->current();
-      describe(visitor, state.*part);
-      m_model->setCurrent(state);
-    }));
-    return m_forms.back();
-  };
-  auto* importButton = new QToolButton;
-  importButton->setDefaultAction(m_ui->importAction);
-  m_certificateLabel->setObjectName("certificateLabel");
-  m_certificateLabel->setWordWrap(true);
-  m_certificateLabel->setMargin(6);
-  m_certificateLabel->setToolTip(tr("How far the lens can be trusted"));
-  m_ui->cameraArea->setWidget(
-      stacked({form(&CameraState::camera), form(&CameraState::intrinsics)}));
-  m_ui->distortionArea->setWidget(
-      stacked({form(&CameraState::distortion), m_certificateLabel, importButton}));
-  m_ui->psfArea->setWidget(form(&CameraState::psf));
+/// In the order of the line. Two groups of tabs stand beside the pictures, so that all fits into
+/// 1280 × 800.
+void MainWindow::arrangeDocks() {
+  const std::initializer_list<QDockWidget*> docks{
+      m_ui->statesDock,    m_ui->lightFieldDock, m_ui->displayDock,
+      m_ui->cameraDock,    m_ui->distortionDock, m_ui->psfDock,
+      m_ui->cameraSetDock, m_ui->reportDock,     m_ui->tradeoffDock};
+  for (QDockWidget* dock : docks) m_ui->viewMenu->addAction(dock->toggleViewAction());
+  tabifyDockWidget(m_ui->lightFieldDock, m_ui->displayDock);
+  tabifyDockWidget(m_ui->displayDock, m_ui->cameraDock);
+  tabifyDockWidget(m_ui->distortionDock, m_ui->psfDock);
+  tabifyDockWidget(m_ui->psfDock, m_ui->cameraSetDock);
+  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
+  m_ui->distortionDock->raise();
+  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
+    dock->hide();
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
 }
 
 void MainWindow::connectActions() {
   connect(m_ui->openAction, &QAction::triggered, this, &MainWindow::askOpen);
+  connect(m_ui->openLightFieldAction, &QAction::triggered, this, &MainWindow::askLightField);
+  connect(m_ui->openFolderAction, &QAction::triggered, this, &MainWindow::askFolder);
   connect(m_ui->saveAction, &QAction::triggered, this, &MainWindow::save);
   connect(m_ui->saveAsAction, &QAction::triggered, this, &MainWindow::askSaveAs);
   connect(m_ui->importAction, &QAction::triggered, this, &MainWindow::askImport);
@@ -95,16 +105,9 @@ void MainWindow::connectActions() {
   connect(m_ui->aboutAction, &QAction::triggered, this, &MainWindow::showAbout);
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
-  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
-                            m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
-    m_ui->viewMenu->addAction(dock->toggleViewAction());
   m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
   m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
   m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
-  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
-  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
-    dock->hide();
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::connectModel() {
@@ -112,12 +115,12 @@ void MainWindow::connectModel() {
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
-  auto* states = new StateCommands(m_ui->statesMenu, m_model, this);
-  connect(states, &StateCommands::failed, this, &MainWindow::showError);
-  connect(states, &StateCommands::done, statusBar(),
-          [this](const QString& line) { statusBar()->showMessage(line); });
+  connect(m_model, &SessionModel::contentChanged, this, &MainWindow::showContent);
   connect(m_model, &SessionModel::statesChanged, this, &MainWindow::showStates);
   connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
+}
+
+void MainWindow::connectDocks() {
   connect(m_ui->tradeoffView, &TradeoffView::failed, this, &MainWindow::showError);
   connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
           [this](const std::optional<NamedMethod>& method) {
@@ -128,17 +131,6 @@ void MainWindow::connectModel() {
   connect(m_ui->reportPanel, &ReportDock::failed, this, &MainWindow::showError);
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetView::failed, this, &MainWindow::showError);
-  connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
-  connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
-  connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
-    m_loaded = scene;
-    m_display = scene.display;
-    m_ui->reportPanel->setReference(scene);
-    offerViews();
-    showCurrent();
-    m_scene->fit();
-  });
-  connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
   m_pictures = new PictureCommands(*m_ui, m_model, this);
   connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
   connect(m_pictures, &PictureCommands::failed, this, &MainWindow::showError);
@@ -146,8 +138,16 @@ void MainWindow::connectModel() {
           [this](const QString& line) { statusBar()->showMessage(line); });
 }
 
+void MainWindow::connectWorker() {
+  connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showCertificate);
+  connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
+  connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
+  connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
+}
+
 void MainWindow::render() {
-  m_worker->render(m_model->current(), m_method, m_pictures->other());
+  m_worker->render(
+      {m_model->current(), m_display, m_model->session().sampling, m_method, m_pictures->other()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
@@ -186,7 +186,9 @@ bool MainWindow::guarded(Action action) {
 }
 
 bool MainWindow::openSession(const QString& file) {
-  return guarded([&] { m_model->open(file); });
+  return guarded([&] {
+    isSessionFile(file.toStdString()) ? m_model->open(file) : m_model->openLightField(file);
+  });
 }
 
 bool MainWindow::saveSession(const QString& file) {
@@ -205,6 +207,19 @@ void MainWindow::askOpen() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open session"), m_model->file(),
                                                     tr("Sessions (*.json)"));
   if (!file.isEmpty()) openSession(file);
+}
+
+void MainWindow::askLightField() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open light field"), m_model->file(),
+      tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+  if (!file.isEmpty()) openSession(file);
+}
+
+void MainWindow::askFolder() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Open folder of views"), m_model->file());
+  if (!folder.isEmpty()) openSession(folder);
 }
 
 void MainWindow::save() {
@@ -242,16 +257,44 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showSession() {
-  m_display = m_model->session().display;
-  m_ui->reportPanel->setReference(std::nullopt);
-  m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
   m_ui->tradeoffView->forgetChoice();
-  m_worker->load(m_model->session());
-  statusBar()->showMessage(
-      tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
+  load();
   showStates();
   m_scene->fit();
+}
+
+void MainWindow::load() {
+  m_asked = m_model->session();
+  m_display = m_asked.display;
+  m_loaded.reset();  // the old one's memory is free before the new one is read
+  m_ui->reportPanel->setReference(std::nullopt);
+  m_lightField->setScene(std::nullopt);
+  m_worker->load(m_asked);
+  statusBar()->showMessage(tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file)));
+}
+
+/// What has been read, with the session's display and sampling as they are now.
+void MainWindow::take(const Scene& scene) {
+  m_loaded = scene;
+  showContent();
+  m_scene->fit();
+}
+
+/// A light field that is in memory is not read again where only the panel's pose, size or lens or
+/// the sampling are others.
+void MainWindow::showContent() {
+  if (!m_loaded || !readTheSame(m_asked, m_model->session())) {
+    load();
+  } else {
+    m_loaded->display = resolved(m_model->session().display, m_loaded->lightField->size());
+    m_loaded->sampling = m_model->session().sampling;
+    m_display = m_loaded->display;
+    m_lightField->setScene(m_loaded);
+    m_ui->reportPanel->setReference(m_loaded);
+  }
+  offerViews();
+  showCurrent();
 }
 
 void MainWindow::showCurrent() {
@@ -259,15 +302,15 @@ void MainWindow::showCurrent() {
   const auto index = int(m_model->currentIndex());
   m_stateBox->setItemText(index, QString::fromStdString(m_model->current().camera.name));
   m_stateBox->setCurrentIndex(index);
-  for (ParameterForm* form : m_forms) form->refresh();
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
   render();
   showTitle();
 }
 
 void MainWindow::showTitle() {
-  const QString name =
-      m_model->file().isEmpty() ? tr("no session") : QFileInfo(m_model->file()).fileName();
+  const QString name = !m_model->file().isEmpty()           ? QFileInfo(m_model->file()).fileName()
+                       : m_model->session().cameras.empty() ? tr("no session")
+                                                            : tr("new session");
   setWindowTitle(tr("%1[*] – Hogelscope").arg(name));
   setWindowModified(m_model->isModified());
   setWindowFilePath(m_model->file());
@@ -275,17 +318,6 @@ void MainWindow::showTitle() {
   m_ui->saveAsAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->importAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->statesMenu->setEnabled(!m_model->session().cameras.empty());
-}
-
-void MainWindow::showCertificate(const LensCertificate& certificate) {
-  const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
-  const QString warning =
-      certificate.withoutRay == 0
-          ? QString()
-          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
-                .arg(share, 0, 'f', 1);
-  m_certificateLabel->setText(
-      warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
 }
 
 void MainWindow::showError(const QString& line) {

@@ -5,13 +5,11 @@
 #include <QMainWindow>
 #include <memory>
 
-#include "core/lens_certificate.h"
 #include "core/session.h"
 #include "io/light_field_file.h"
 #include "study/tradeoff.h"
 
 class QComboBox;
-class QLabel;
 
 namespace Ui {
 class MainWindow;
@@ -20,7 +18,8 @@ class MainWindow;
 namespace hogelscope {
 
 class DisplayScene;
-class ParameterForm;
+class DistortionDock;
+class LightFieldDock;
 class PictureCommands;
 class SessionModel;
 class ViewWorker;
@@ -33,7 +32,8 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// What goes wrong is shown in the status bar. True if the session is open.
+  /// A session document, or a light field (an image or a folder), which a new session is made
+  /// around. What goes wrong is shown in the status bar. True if the session is open.
   bool openSession(const QString& file);
   bool saveSession(const QString& file);
   /// Into the current state.
@@ -42,18 +42,25 @@ class MainWindow : public QMainWindow {
  private:
   void connectActions();
   void connectModel();
-  void addForms();
+  void addDocks();
+  void arrangeDocks();
+  void connectDocks();
+  void connectWorker();
   void askOpen();
+  void askLightField();
+  void askFolder();
   void save();
   void askSaveAs();
   void askImport();
   void showAbout();
   void showSession();
+  void showContent();
+  void load();
+  void take(const Scene& scene);
   void showCurrent();
   void showTitle();
   void render();
   void showView(const RenderedView& view);
-  void showCertificate(const LensCertificate& certificate);
   void showError(const QString& line);
   void offerViews();
   void showStates();
@@ -64,12 +71,13 @@ class MainWindow : public QMainWindow {
   SessionModel* m_model;
   ViewWorker* m_worker;
   QComboBox* m_stateBox;
-  QLabel* m_certificateLabel;
   std::unique_ptr<DisplayScene> m_scene;
   PictureCommands* m_pictures = nullptr;
-  std::vector<ParameterForm*> m_forms;
+  DistortionDock* m_distortion = nullptr;
+  LightFieldDock* m_lightField = nullptr;
   DisplayParams m_display;              ///< resolved
-  std::optional<Scene> m_loaded;        ///< none while a light field is read
+  std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be
+  Session m_asked;                      ///< whose light field was read last, or is read
   std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
 };
 

@@ -29,6 +29,9 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
   connectAction(m_ui.savePictureAction, &PictureCommands::askPicture);
   connectAction(m_ui.copyPictureAction, &PictureCommands::copy);
   connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &PictureView::showMask);
+  const auto follow = [this] { m_comparison->follow(m_model->session()); };
+  connect(m_model, &SessionModel::contentChanged, this, follow);
+  connect(m_comparison, &Comparison::changed, this, follow);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::otherChanged);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::showComparison);
   connect(m_comparison, &Comparison::failed, this, &PictureCommands::failed);

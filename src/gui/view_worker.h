@@ -31,6 +31,15 @@ struct RenderedView {
   QString plan;             ///< how, in one line
 };
 
+/// What is to be seen.
+struct ViewRequest {
+  CameraState state;
+  DisplayParams display;
+  SamplingParams sampling;
+  std::optional<NamedMethod> method;  ///< none: the session's own
+  std::optional<Scene> other;         ///< the second light field
+};
+
 class ViewWorker : public QObject {
   Q_OBJECT
 
@@ -41,11 +50,10 @@ class ViewWorker : public QObject {
 
   /// Reads the session's light field; an older reading stops.
   void load(const Session& session);
-  /// Renders once the light field is there, by the session's own method if none is given, and from
-  /// the other light field too; an older rendering stops. Where that takes long a smaller picture
-  /// comes first, and the full one when no newer request has come for a moment.
-  void render(const CameraState& state, const std::optional<NamedMethod>& method,
-              const std::optional<Scene>& other);
+  /// Renders once the light field is there, and not at all where it could not be read; an older
+  /// rendering stops. Where it takes long a smaller picture comes first, and the full one when no
+  /// newer request has come for a moment.
+  void render(const ViewRequest& request);
 
  Q_SIGNALS:
   void loaded(const hogelscope::Scene& scene);
@@ -55,17 +63,11 @@ class ViewWorker : public QObject {
   void failed(const QString& line);
 
  private:
-  struct Request {
-    CameraState state;
-    std::optional<NamedMethod> method;
-    std::optional<Scene> other;
-  };
-
   void run();
   void loadNow(const Session& session);
-  void renderNow(const Request& request, vtkHogelViewFilter& filter);
-  void renderAt(int scale, double patience, const Request& request, vtkHogelViewFilter& filter);
-  void certifyNow(const CameraState& state);
+  void renderNow(const ViewRequest& request, vtkHogelViewFilter& filter);
+  void renderAt(int scale, double patience, const ViewRequest& request, vtkHogelViewFilter& filter);
+  void certifyNow(const ViewRequest& request);
   [[nodiscard]] bool hasNewer(bool isLoading);
   [[nodiscard]] bool mustStop();
   [[nodiscard]] bool handRests();
@@ -73,7 +75,7 @@ class ViewWorker : public QObject {
   std::mutex m_mutex;  ///< guards the next four
   std::condition_variable m_wake;
   std::optional<Session> m_toLoad;
-  std::optional<Request> m_toRender;
+  std::optional<ViewRequest> m_toRender;
   bool m_ends = false;
 
   std::optional<Scene> m_scene;   ///< the thread's own, as all that follow

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawing of a lens: straight lines of the world in the picture, the fold, what has no ray.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "core/lens_grid.h"
+
+class QPainterPath;
+
+namespace hogelscope {
+
+class LensView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LensView(QWidget* parent = nullptr);
+
+  /// `res` is the picture's size in pixels; {0, 0} draws nothing.
+  void setLens(const LensGrid& grid, const std::array<int, 2>& res);
+
+  [[nodiscard]] QSize sizeHint() const override { return {240, 240}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] QTransform widgetFromPicture() const;
+  [[nodiscard]] QRectF border() const;
+  [[nodiscard]] QPainterPath foldPath() const;
+  void paintLines(QPainter& painter, const QTransform& transform) const;
+  void paintFold(QPainter& painter, const QTransform& transform) const;
+
+  LensGrid m_grid;
+  std::array<int, 2> m_res{};
+};
+
+}  // namespace hogelscope
