@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "core/lens_certificate.h"
+#include "core/lens_grid.h"
 
 class QAction;
 class QLabel;
@@ -21,15 +22,11 @@ class DistortionDock : public QWidget {
  public:
   DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent = nullptr);
 
-  void showCertificate(const LensCertificate& certificate);
+  void showLens(const LensCertificate& certificate, const LensGrid& grid);
 
  private:
-  void showLens();
-
-  SessionModel* m_model;
   LensView* m_lens;
   QLabel* m_certificate;
-  std::optional<LensKey> m_drawn;
 };
 
 }  // namespace hogelscope

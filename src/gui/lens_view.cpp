@@ -32,20 +32,20 @@ LensView::LensView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
-void LensView::setLens(const LensGrid& grid, const std::array<int, 2>& res) {
+void LensView::setLens(const LensGrid& grid) {
   m_grid = grid;
-  m_res = res;
   update();
 }
 
 QRectF LensView::border() const {
-  return {-0.5, -0.5, double(m_res[0]), double(m_res[1])};
+  return {-0.5, -0.5, double(m_grid.res[0]), double(m_grid.res[1])};
 }
 
 /// With a margin, in which the grid goes on.
 QTransform LensView::widgetFromPicture() const {
   constexpr double margin = 1.12;
-  const double scale = std::min(width() / (margin * m_res[0]), height() / (margin * m_res[1]));
+  const double scale =
+      std::min(width() / (margin * m_grid.res[0]), height() / (margin * m_grid.res[1]));
   QTransform transform;
   transform.translate(width() / 2.0, height() / 2.0);
   transform.scale(scale, scale);
@@ -61,7 +61,7 @@ QPainterPath LensView::foldPath() const {
 }
 
 void LensView::paintEvent(QPaintEvent*) {
-  if (m_res[0] < 1 || m_res[1] < 1) return;
+  if (m_grid.res[0] < 1 || m_grid.res[1] < 1) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QTransform transform = widgetFromPicture();

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
 
 #include "core/lens_grid.h"
 
@@ -17,8 +16,7 @@ class LensView : public QWidget {
  public:
   explicit LensView(QWidget* parent = nullptr);
 
-  /// `res` is the picture's size in pixels; {0, 0} draws nothing.
-  void setLens(const LensGrid& grid, const std::array<int, 2>& res);
+  void setLens(const LensGrid& grid);
 
   [[nodiscard]] QSize sizeHint() const override { return {240, 240}; }
 
@@ -33,7 +31,6 @@ class LensView : public QWidget {
   void paintFold(QPainter& painter, const QTransform& transform) const;
 
   LensGrid m_grid;
-  std::array<int, 2> m_res{};
 };
 
 }  // namespace hogelscope

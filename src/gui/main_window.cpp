@@ -72,25 +72,26 @@ void MainWindow::addDocks() {
           [this](const QString& line) { statusBar()->showMessage(line); });
 }
 
-/// In the order of the line. Two groups of tabs stand beside the pictures, so that all fits into
-/// 1280 × 800.
+/// In the order of the line, one behind the other below the list of states: each is seen whole, and
+/// all fits into 1280 × 800.
 void MainWindow::arrangeDocks() {
-  const std::initializer_list<QDockWidget*> docks{
-      m_ui->statesDock,    m_ui->lightFieldDock, m_ui->displayDock,
-      m_ui->cameraDock,    m_ui->distortionDock, m_ui->psfDock,
-      m_ui->cameraSetDock, m_ui->reportDock,     m_ui->tradeoffDock};
-  for (QDockWidget* dock : docks) m_ui->viewMenu->addAction(dock->toggleViewAction());
-  tabifyDockWidget(m_ui->lightFieldDock, m_ui->displayDock);
-  tabifyDockWidget(m_ui->displayDock, m_ui->cameraDock);
-  tabifyDockWidget(m_ui->distortionDock, m_ui->psfDock);
-  tabifyDockWidget(m_ui->psfDock, m_ui->cameraSetDock);
+  const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
+                                        m_ui->cameraDock,     m_ui->distortionDock,
+                                        m_ui->psfDock,        m_ui->cameraSetDock};
+  m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
+    if (k > 0) tabifyDockWidget(parts[k - 1], parts[k]);
+  }
+  for (QDockWidget* dock : {m_ui->reportDock, m_ui->tradeoffDock})
+    m_ui->viewMenu->addAction(dock->toggleViewAction());
   tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
-  m_ui->distortionDock->raise();
   for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     dock->hide();
+  m_ui->cameraDock->raise();
+  resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {200, 600}, Qt::Vertical);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
 }
 
 void MainWindow::connectActions() {
@@ -139,7 +140,7 @@ void MainWindow::connectDocks() {
 }
 
 void MainWindow::connectWorker() {
-  connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showCertificate);
+  connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showError);
   connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);

@@ -32,7 +32,6 @@ StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* pare
           [this](int row) { m_model->setCurrentIndex(std::size_t(row)); });
   connect(m_list, &QListWidget::itemSelectionChanged, this, &StateDock::tellSelection);
   connect(m_list, &QListWidget::itemChanged, this, &StateDock::rename);
-  connect(m_commands, &StateCommands::nameAsked, this, &StateDock::editName);
   connect(m_model, &SessionModel::opened, this, &StateDock::fill);
   connect(m_model, &SessionModel::statesChanged, this, &StateDock::fill);
   connect(m_model, &SessionModel::edited, this, &StateDock::showCurrent);

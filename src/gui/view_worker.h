@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/lens_certificate.h"
+#include "core/lens_grid.h"
 #include "core/session.h"
 #include "gui/view_pace.h"
 #include "io/light_field_file.h"
@@ -59,7 +60,7 @@ class ViewWorker : public QObject {
   void loaded(const hogelscope::Scene& scene);
   void rendered(const hogelscope::RenderedView& view);
   /// After the picture, where its lens is another one than before.
-  void certified(const hogelscope::LensCertificate& certificate);
+  void certified(const hogelscope::LensCertificate& certificate, const hogelscope::LensGrid& grid);
   void failed(const QString& line);
 
  private:
