@@ -35,14 +35,15 @@ void Comparison::stop() {
   Q_EMIT changed();
 }
 
-void Comparison::follow(const Session& session) {
-  if (!m_other) return;
-  m_other->sampling = session.sampling;
-  if (m_hasOwnDisplay) return;
-  DisplayParams display = session.display;
-  display.hogels = m_other->display.hogels;
-  display.directions = m_other->display.directions;
-  m_other->display = display;
+std::optional<Scene> Comparison::other(const Session& session) const {
+  std::optional<Scene> scene = m_other;
+  if (!scene) return scene;
+  scene->sampling = session.sampling;
+  if (m_hasOwnDisplay) return scene;
+  scene->display = session.display;
+  scene->display.hogels = m_other->display.hogels;
+  scene->display.directions = m_other->display.directions;
+  return scene;
 }
 
 void Comparison::stopReading() {

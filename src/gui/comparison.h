@@ -25,12 +25,10 @@ class Comparison : public QObject {
   /// until it is there nothing changes. Throws InputError.
   void start(const Session& session, const QString& file);
   void stop();
-  /// Takes over the session's sampling, and its display where the other light field has none of its
-  /// own.
-  void follow(const Session& session);
 
+  /// With the session's sampling, and its display where the other light field has none of its own.
   /// None while nothing is compared.
-  [[nodiscard]] const std::optional<Scene>& other() const { return m_other; }
+  [[nodiscard]] std::optional<Scene> other(const Session& session) const;
   /// Its file's name.
   [[nodiscard]] const QString& name() const { return m_name; }
   [[nodiscard]] bool isReading() const { return m_isReading; }

@@ -2,6 +2,7 @@
 // The lens distortion dock.
 #include "gui/distortion_dock.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -15,7 +16,7 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
     : QWidget(parent), m_lens(new LensView), m_certificate(new QLabel) {
   m_certificate->setObjectName("certificateLabel");
   m_certificate->setWordWrap(true);
-  m_certificate->setMargin(6);
+  m_certificate->setMargin(9);
   m_certificate->setToolTip(tr("How far the lens can be trusted"));
   auto* importButton = new QToolButton;
   importButton->setObjectName("importButton");
@@ -23,7 +24,11 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(stateForm(model, &CameraState::distortion));
-  layout->addWidget(importButton);
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(layout->spacing() + 3, 0, 0, 0);
+  buttons->addWidget(importButton);
+  buttons->addStretch();
+  layout->addLayout(buttons);
   layout->addWidget(m_certificate);
   layout->addWidget(m_lens, 1);
 }

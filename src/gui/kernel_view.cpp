@@ -18,9 +18,10 @@ QColor colourOf(double share) {
   return {r, g, b};
 }
 
-/// Per cent, as many digits as tell neighbours apart.
+/// Per cent, short.
 QString percent(double weight) {
-  return QString::number(100 * weight, 'f', weight < 0.001 ? 2 : 1);
+  return weight < 0.001 ? QString::number(100 * weight, 'g', 1)
+                        : QString::number(100 * weight, 'f', 1);
 }
 
 }  // namespace
@@ -73,8 +74,8 @@ void KernelView::paintEvent(QPaintEvent*) {
     return;
   }
   paintCells(painter);
-  paintNumbers(painter);
   if (m_params.windowSize > 1) paintSigma(painter);
+  paintNumbers(painter);
   const QRectF below(0, square().bottom(), width(), height() - square().bottom());
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(below, Qt::AlignCenter,

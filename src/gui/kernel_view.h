@@ -20,7 +20,7 @@ class KernelView : public QWidget {
   /// What the tap at a position weighs, as the drawing says it; "" beside the drawing.
   [[nodiscard]] QString textAt(const QPointF& position) const;
 
-  [[nodiscard]] QSize sizeHint() const override { return {240, 240}; }
+  [[nodiscard]] QSize sizeHint() const override { return {160, 160}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -18,7 +18,7 @@ class LensView : public QWidget {
 
   void setLens(const LensGrid& grid);
 
-  [[nodiscard]] QSize sizeHint() const override { return {240, 240}; }
+  [[nodiscard]] QSize sizeHint() const override { return {160, 160}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

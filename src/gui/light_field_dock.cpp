@@ -30,7 +30,7 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   m_contents->setObjectName("contentsLabel");
   m_contents->setToolTip(tr("What has been read"));
   m_contents->setWordWrap(true);
-  m_contents->setMargin(6);
+  m_contents->setMargin(9);
   auto* fileButton = button("chooseFileButton", tr("Choose &file…"),
                             tr("Another picture: hogels, or a quilt of views"));
   auto* folderButton = button("chooseFolderButton", tr("Choose f&older…"),

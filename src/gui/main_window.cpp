@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "core/error.h"
 #include "gui/display_scene.h"
@@ -259,6 +260,7 @@ void MainWindow::showStates() {
 
 void MainWindow::showSession() {
   m_method.reset();
+  m_isNew = true;
   m_ui->tradeoffView->forgetChoice();
   load();
   showStates();
@@ -279,7 +281,7 @@ void MainWindow::load() {
 void MainWindow::take(const Scene& scene) {
   m_loaded = scene;
   showContent();
-  m_scene->fit();
+  if (std::exchange(m_isNew, false)) m_scene->fit();
 }
 
 /// A light field that is in memory is not read again where only the panel's pose, size or lens or

@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
   DistortionDock* m_distortion = nullptr;
   LightFieldDock* m_lightField = nullptr;
   DisplayParams m_display;              ///< resolved
+  bool m_isNew = false;                 ///< the session: the scene has to be fitted to it
   std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be
   Session m_asked;                      ///< whose light field was read last, or is read
   std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own

@@ -29,9 +29,6 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
   connectAction(m_ui.savePictureAction, &PictureCommands::askPicture);
   connectAction(m_ui.copyPictureAction, &PictureCommands::copy);
   connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &PictureView::showMask);
-  const auto follow = [this] { m_comparison->follow(m_model->session()); };
-  connect(m_model, &SessionModel::contentChanged, this, follow);
-  connect(m_comparison, &Comparison::changed, this, follow);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::otherChanged);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::showComparison);
   connect(m_comparison, &Comparison::failed, this, &PictureCommands::failed);
@@ -52,6 +49,10 @@ void PictureCommands::addModes() {
     connect(action, &QAction::triggered, this, [this, m = mode] { m_ui.pictureView->setMode(m); });
   }
   m_ui.sideBySideAction->setChecked(true);
+}
+
+std::optional<Scene> PictureCommands::other() const {
+  return m_comparison->other(m_model->session());
 }
 
 void PictureCommands::show(const RenderedView& view) {

@@ -17,7 +17,7 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
       tr("How much of the Gaussian's light the window leaves out; a wider window "
          "leaves out less"));
   m_energy->setWordWrap(true);
-  m_energy->setMargin(6);
+  m_energy->setMargin(9);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(stateForm(m_model, &CameraState::psf));

@@ -22,6 +22,7 @@
 #include "gui/lens_view.h"
 #include "gui/light_field_dock.h"
 #include "gui/main_window.h"
+#include "gui/picture_commands.h"
 #include "gui/picture_view.h"
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
@@ -163,6 +164,10 @@ class TestDocks : public QObject {
       dock->toggleViewAction()->trigger();
       QVERIFY2(!dock->isHidden(), name);
     }
+    auto* camera = child<QDockWidget>("cameraDock");
+    camera->setFloating(true);
+    QVERIFY(camera->isWindow() && camera->isVisible());
+    camera->setFloating(false);
     QCOMPARE(m_window->tabifiedDockWidgets(child<QDockWidget>("cameraDock")).size(), 5);
   }
 
@@ -184,6 +189,23 @@ class TestDocks : public QObject {
     while (model()->undoStack()->canUndo()) model()->undoStack()->undo();
     QTRY_VERIFY_WITH_TIMEOUT(view() == before, 20000);
     QCOMPARE(editor<QDoubleSpinBox>("displayArea", "size.0")->value(), 0.5);
+  }
+
+  /// The same light field compared with itself stays the same picture.
+  void aComparisonFollowsTheDisplay() {
+    openSmall();
+    const QString file = QString::fromStdString(model()->session().lightField.file);
+    QVERIFY(m_window->findChild<PictureCommands*>()->compareWith(file));
+    RenderedView last;
+    connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
+            [&](const RenderedView& view) { last = view; });
+    QTRY_VERIFY_WITH_TIMEOUT(!last.otherImage.isNull(), 20000);
+    editor<QDoubleSpinBox>("displayArea", "size.0")->setValue(0.3);
+    editor<QSpinBox>("lightFieldArea", "samplesPerPixel")->setValue(2);
+    const Image picture = expected();
+    QTRY_VERIFY_WITH_TIMEOUT(equals(last.image, picture), 20000);
+    QVERIFY(equals(last.otherImage, picture));
+    disconnect(m_window->findChild<ViewWorker*>(), nullptr, this, nullptr);
   }
 
   void hogelsThatDoNotFitAreToldAndMended() {
