@@ -148,6 +148,7 @@ void MainWindow::connectWorker() {
 }
 
 void MainWindow::render() {
+  if (!m_loaded) return;  // take() renders
   m_worker->render(
       {m_model->current(), m_display, m_model->session().sampling, m_method, m_pictures->other()});
 }
