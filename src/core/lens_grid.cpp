@@ -18,7 +18,7 @@ Vec2 times(double s, const Vec2& p) {
 class Mapping {
  public:
   explicit Mapping(const LensKey& lens)
-      : m_lens(lens), m_distortion(lens.distortion), m_inverse(m_distortion) {}
+      : m_lens(lens), m_distortion(lens.distortion), m_inverse(Distortion(lens.distortion)) {}
 
   /// On the plane z = 1.
   [[nodiscard]] Vec2 onSensor(const Vec2& pixel) const {
@@ -110,8 +110,10 @@ void addFold(const Border& border, const Mapping& mapping, LensGrid& grid) {
     if (std::isnan(mapping.undistort(times(farthest, unit)).x)) {
       folds = true;
       good = 0;
-      for (double step = farthest / 2; step > std::ldexp(farthest, -halvings); step /= 2)
+      for (int halving = 1; halving <= halvings; ++halving) {
+        const double step = std::ldexp(farthest, -halving);
         if (!std::isnan(mapping.undistort(times(good + step, unit)).x)) good += step;
+      }
     }
     grid.fold.push_back(mapping.pixel(times(good, unit)));
   }

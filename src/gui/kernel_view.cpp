@@ -40,6 +40,14 @@ void KernelView::setParams(const PsfParams& params) {
   update();
 }
 
+/// Of tap k.
+QRectF KernelView::cell(int k) const {
+  const int side = m_params.windowSize;
+  const double width = square().width() / side;
+  const int row = k / side;
+  return {square().left() + width * (k % side), square().top() + width * row, width, width};
+}
+
 /// Of the taps; below it is a line of text.
 QRectF KernelView::square() const {
   const double below = fontMetrics().height() + 6;
@@ -75,7 +83,9 @@ void KernelView::paintEvent(QPaintEvent*) {
   }
   paintCells(painter);
   if (m_params.windowSize > 1) paintSigma(painter);
+  painter.save();
   paintNumbers(painter);
+  painter.restore();
   const QRectF below(0, square().bottom(), width(), height() - square().bottom());
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(below, Qt::AlignCenter,
@@ -83,39 +93,30 @@ void KernelView::paintEvent(QPaintEvent*) {
 }
 
 void KernelView::paintCells(QPainter& painter) const {
-  const int side = m_params.windowSize;
-  const double cell = square().width() / side;
   const double most = *std::max_element(m_weights.begin(), m_weights.end());
-  const bool hasGrid = cell >= 6;
+  const bool hasGrid = cell(0).width() >= 6;
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(hasGrid ? QPen(QColor(0, 0, 0, 90)) : QPen(Qt::NoPen));
-  for (int k = 0; k < side * side; ++k) {
+  for (int k = 0; k < int(m_weights.size()); ++k) {
     painter.setBrush(colourOf(m_weights[std::size_t(k)] / most));
     // A small overlap, so that no background shows between cells without a grid.
     const double overlap = hasGrid ? 0 : 1;
-    painter.drawRect(QRectF(square().left() + cell * (k % side), square().top() + cell * (k / side),
-                            cell + overlap, cell + overlap)
-                         .intersected(square()));
+    painter.drawRect(cell(k).adjusted(0, 0, overlap, overlap).intersected(square()));
   }
   painter.setRenderHint(QPainter::Antialiasing, true);
 }
 
 void KernelView::paintNumbers(QPainter& painter) const {
-  const int side = m_params.windowSize;
-  const double cell = square().width() / side;
   QFont small = font();
   small.setPointSizeF(0.85 * small.pointSizeF());
   painter.setFont(small);
-  if (cell < painter.fontMetrics().horizontalAdvance("100.0") + 2) return painter.setFont(font());
+  if (cell(0).width() < painter.fontMetrics().horizontalAdvance("100.0") + 2) return;
   const double most = *std::max_element(m_weights.begin(), m_weights.end());
-  for (int k = 0; k < side * side; ++k) {
+  for (int k = 0; k < int(m_weights.size()); ++k) {
     const double weight = m_weights[std::size_t(k)];
     painter.setPen(weight > 0.6 * most ? Qt::black : Qt::white);
-    painter.drawText(
-        QRectF(square().left() + cell * (k % side), square().top() + cell * (k / side), cell, cell),
-        Qt::AlignCenter, percent(weight));
+    painter.drawText(cell(k), Qt::AlignCenter, percent(weight));
   }
-  painter.setFont(font());
 }
 
 /// A circle of radius sigma around the middle tap, clipped to the window.

@@ -28,6 +28,7 @@ class KernelView : public QWidget {
 
  private:
   [[nodiscard]] QRectF square() const;
+  [[nodiscard]] QRectF cell(int k) const;
   void paintCells(QPainter& painter) const;
   void paintNumbers(QPainter& painter) const;
   void paintSigma(QPainter& painter) const;
