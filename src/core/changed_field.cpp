@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares two states by a visitor of their descriptions.
+// Compares states and sessions by a visitor of their descriptions.
 #include "core/changed_field.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace hogelscope {
@@ -24,6 +25,11 @@ class Values : public ParameterVisitor {
     describe(*this, state.distortion);
     describe(*this, state.psf);
   }
+  explicit Values(Session session) {
+    describe(*this, session.display);
+    describe(*this, session.lightField);
+    describe(*this, session.sampling);
+  }
   std::vector<Value> values;
 
  private:
@@ -45,14 +51,24 @@ class Values : public ParameterVisitor {
   }
 };
 
+/// A choice comes before the fields that only one of its values has.
+template <class Described>
+std::string firstChange(const Described& before, const Described& after) {
+  const std::vector<Values::Value> old = Values(before).values;
+  const std::vector<Values::Value> now = Values(after).values;
+  const auto [changed, newer] = std::mismatch(old.begin(), old.end(), now.begin(), now.end());
+  if (changed != old.end()) return changed->name;
+  return newer != now.end() ? newer->name : "";
+}
+
 }  // namespace
 
 std::string changedField(const CameraState& before, const CameraState& after) {
-  const std::vector<Values::Value> old = Values(before).values;
-  const std::vector<Values::Value> now = Values(after).values;
-  for (std::size_t k = 0; k < old.size(); ++k)
-    if (!(old[k] == now[k])) return old[k].name;
-  return {};
+  return firstChange(before, after);
+}
+
+std::string changedField(const Session& before, const Session& after) {
+  return firstChange(before, after);
 }
 
 }  // namespace hogelscope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which field of a camera state an edit changes, for the name of what can be taken back.
+// Which field of a camera state or a session an edit changes, for the name of what can be taken
+// back.
 #pragma once
 
 #include <string>
@@ -10,5 +11,7 @@ namespace hogelscope {
 
 /// The name of the first one; "" if none.
 std::string changedField(const CameraState& before, const CameraState& after);
+/// The same of display, light field and sampling.
+std::string changedField(const Session& before, const Session& after);
 
 }  // namespace hogelscope

@@ -45,9 +45,9 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
             "by whole pixels, rounded.");
   }
   if (layout == Layout::quilt) {
-    v.field("columns", quiltColumns, {1, 4096, 1}, "views",
+    v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",
             "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
-    v.field("rows", quiltRows, {1, 4096, 1}, "views",
+    v.field("rows", quiltRows, {1, 4096, 1, true}, "views",
             "Rows of views, the first one at the bottom.");
   }
 }

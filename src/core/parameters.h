@@ -20,7 +20,7 @@ struct Range {
   double min = 0;
   double max = 0;
   double step = 1;
-  bool mayBeLeftOut = false;  ///< a real number: it is notGiven then
+  bool mayBeLeftOut = false;  ///< a real number is notGiven then, an integer min - 1
 };
 
 /// A real number that was left out: outside every range.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace hogelscope {
 
@@ -37,6 +38,17 @@ int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v) {
     return std::min(at + reach, count - 1) - std::max(at - reach, 0) + 1;
   };
   return along(u, size.du) * along(v, size.dv);
+}
+
+bool cutsTooMuch(const PsfParams& params) {
+  return energyInWindow(params) < 0.99;
+}
+
+std::vector<double> kernel(const PsfParams& params) {
+  std::vector<double> weights = Psf(params).weights();
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights) weight /= sum;
+  return weights;
 }
 
 double linearFromEncoded(double codeValue) {

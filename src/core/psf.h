@@ -25,6 +25,12 @@ void describe(ParameterVisitor& v, PsfParams& p);
 
 /// The part of the Gaussian's energy within the window: erf(windowSize / (2√2 σ))², 1 at 1.
 double energyInWindow(const PsfParams& params);
+/// More than 1 % of it is not.
+bool cutsTooMuch(const PsfParams& params);
+
+/// The window's weights, row by row, as fractions of their sum; they need a sigma above 0 where
+/// windowSize > 1.
+std::vector<double> kernel(const PsfParams& params);
 
 /// How many directional pixels add up to the light of direction (u, v) of a hogel.
 int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);
@@ -44,6 +50,8 @@ class Psf {
   /// P'(u, v) of DESIGN §2 for one directional pixel, in the light that is summed: code values, or
   /// linear 0 … 1 (`encoded` takes it back).
   [[nodiscard]] Rgb leaked(const LightField& lightField, const TexelIndex& at) const;
+  /// W(x, y), windowSize² of them, row by row.
+  [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 
  private:
   [[nodiscard]] double weight(int x, int y) const;

@@ -52,6 +52,10 @@ void check(const CameraState& state, const std::string& path) {
 void check(const Session& session) {
   if (session.lightField.file.empty())
     throw InputError("lightField.file", "is missing: name the image or folder to show");
+  for (const auto& [name, pair] : {std::pair("display.hogels", session.display.hogels),
+                                   std::pair("display.directions", session.display.directions)})
+    if ((pair[0] > 0) != (pair[1] > 0))
+      throw InputError(name, "has one number only: give both, across and down, or neither");
   const bool given = session.display.hogels[0] > 0 && session.display.directions[0] > 0;
   if (session.lightField.layout == Layout::hogels && !given)
     throw InputError(session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
@@ -73,12 +77,11 @@ void check(const Session& session) {
 std::vector<std::string> warnings(const Session& session) {
   std::map<std::string, std::vector<std::string>> statesOf;
   for (const CameraState& state : session.cameras) {
-    const double energy = energyInWindow(state.psf);
-    if (energy >= 0.99) continue;
+    if (!cutsTooMuch(state.psf)) continue;
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(),
                   "psf: a window of %d keeps %.1f %% of the Gaussian of sigma %g; widen it",
-                  state.psf.windowSize, 100 * energy, state.psf.sigma);
+                  state.psf.windowSize, 100 * energyInWindow(state.psf), state.psf.sigma);
     statesOf[text.data()].push_back(state.camera.name);
   }
   std::vector<std::string> lines;

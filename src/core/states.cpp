@@ -24,6 +24,18 @@ std::string freeName(const Session& session, const std::string& wanted) {
   return name;
 }
 
+CameraState inFrontOf(const DisplayParams& display) {
+  // As far away as the paper's camera is from its panel, in units of the panel.
+  const double distance = 1.118 * std::max(display.size[0], display.size[1]);
+  const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
+  CameraState state;
+  state.camera.name = "View";
+  state.camera.eye = worldFromDisplay.point({0, 0, distance});
+  state.camera.lookat = display.position;
+  state.camera.up = worldFromDisplay.yAxis;
+  return state;
+}
+
 std::size_t addState(Session& session, CameraState state) {
   state.camera.name = freeName(session, state.camera.name);
   session.cameras.push_back(std::move(state));
@@ -36,10 +48,13 @@ std::size_t duplicateState(Session& session, std::size_t index) {
   return index + 1;
 }
 
-void removeState(Session& session, std::size_t index) {
-  if (session.cameras.size() < 2)
-    throw InputError("cameras", "has one state only, and a session needs one");
-  session.cameras.erase(session.cameras.begin() + std::ptrdiff_t(index));
+void removeStates(Session& session, const std::vector<std::size_t>& indices) {
+  std::vector<CameraState> left;
+  for (std::size_t k = 0; k < session.cameras.size(); ++k)
+    if (std::ranges::find(indices, k) == indices.end()) left.push_back(session.cameras[k]);
+  if (left.empty())
+    throw InputError("cameras", "would have no state left, and a session needs one");
+  session.cameras = std::move(left);
 }
 
 void moveState(Session& session, std::size_t from, std::size_t to) {

@@ -9,12 +9,15 @@ namespace hogelscope {
 /// `wanted`, or with the first of " 2", " 3", … that no state has.
 std::string freeName(const Session& session, const std::string& wanted);
 
+/// On the panel's axis, where the panel fills most of the picture; named "View".
+CameraState inFrontOf(const DisplayParams& display);
+
 /// After the others; its name becomes a free one. Returns its index.
 std::size_t addState(Session& session, CameraState state);
 /// Behind the original. Returns its index.
 std::size_t duplicateState(Session& session, std::size_t index);
-/// Throws InputError for the only one.
-void removeState(Session& session, std::size_t index);
+/// By their indices. Throws InputError for all of them.
+void removeStates(Session& session, const std::vector<std::size_t>& indices);
 /// `to` is its index afterwards.
 void moveState(Session& session, std::size_t from, std::size_t to);
 /// Throws InputError: taken, or not a file's name.

@@ -29,6 +29,7 @@ void Comparison::start(const Session& session, const QString& file) {
   const Session other = withLightField(session, file.toStdString());
   stopReading();
   m_isReading = true;
+  m_readsOwnDisplay = isSessionFile(file.toStdString());
   m_thread = std::thread([this, number = m_reading, other, name = QFileInfo(file).fileName()] {
     read(number, other, name);
   });
@@ -39,6 +40,17 @@ void Comparison::stop() {
   m_other.reset();
   m_name.clear();
   Q_EMIT changed();
+}
+
+std::optional<Scene> Comparison::other(const Session& session) const {
+  std::optional<Scene> scene = m_other;
+  if (!scene) return scene;
+  scene->sampling = session.sampling;
+  if (m_hasOwnDisplay) return scene;
+  scene->display = session.display;
+  scene->display.hogels = m_other->display.hogels;
+  scene->display.directions = m_other->display.directions;
+  return scene;
 }
 
 void Comparison::stopReading() {
@@ -68,6 +80,7 @@ void Comparison::read(int number, const Session& session, const QString& name) {
 void Comparison::take(int number, const Scene& scene, const QString& name) {
   if (number != m_reading) return;
   m_isReading = false;
+  m_hasOwnDisplay = m_readsOwnDisplay;
   m_other = scene;
   m_name = name;
   Q_EMIT changed();

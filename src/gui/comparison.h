@@ -26,8 +26,9 @@ class Comparison : public QObject {
   void start(const Session& session, const QString& file);
   void stop();
 
+  /// With the session's sampling, and its display where the other light field has none of its own.
   /// None while nothing is compared.
-  [[nodiscard]] const std::optional<Scene>& other() const { return m_other; }
+  [[nodiscard]] std::optional<Scene> other(const Session& session) const;
   /// Its file's name.
   [[nodiscard]] const QString& name() const { return m_name; }
   [[nodiscard]] bool isReading() const { return m_isReading; }
@@ -51,7 +52,9 @@ class Comparison : public QObject {
   std::optional<Scene> m_other;
   QString m_name;
   bool m_isReading = false;
-  int m_reading = 0;  ///< the number of the latest reading
+  bool m_hasOwnDisplay = false;    ///< other()
+  bool m_readsOwnDisplay = false;  ///< what is read
+  int m_reading = 0;               ///< the number of the latest reading
   std::atomic<bool> m_stops = false;
   std::thread m_thread;
 };

@@ -25,6 +25,8 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
       m_recent(new RecentFiles(ui.recentMenu, this)),
       m_autosave(new Autosave(model, this)) {
   connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
+  connect(ui.openLightFieldAction, &QAction::triggered, this, &FileCommands::askLightField);
+  connect(ui.openFolderAction, &QAction::triggered, this, &FileCommands::askFolder);
   connect(ui.saveAction, &QAction::triggered, this, &FileCommands::saveOrAsk);
   connect(ui.saveAsAction, &QAction::triggered, this, &FileCommands::askSaveAs);
   connect(ui.importAction, &QAction::triggered, this, &FileCommands::askImport);
@@ -50,6 +52,7 @@ bool FileCommands::guarded(Action action) {
 
 bool FileCommands::open(const QString& file) {
   return guarded([&] {
+    if (!isSessionFile(file.toStdString())) return m_model->openLightField(file);
     m_model->open(file);
     m_recent->add(file);
   });
@@ -81,11 +84,13 @@ void FileCommands::take(const QStringList& files) {
 /// Only the first can be the session to open: a second one is a light field to compare with.
 void FileCommands::takeOne(const QString& file, bool isFirst) {
   const QString suffix = QFileInfo(file).suffix().toLower();
-  if (isFirst && isSessionFile(file.toStdString())) {
+  const bool isCalibration = suffix == "yml" || suffix == "yaml";
+  const bool isOpen = !m_model->session().cameras.empty();
+  if (isFirst && (isSessionFile(file.toStdString()) || !(isOpen || isCalibration))) {
     if (mayLeave()) open(file);
-  } else if (m_model->session().cameras.empty()) {
+  } else if (!isOpen) {
     Q_EMIT failed(tr("%1: needs an open session (*.json)").arg(file));
-  } else if (suffix == "yml" || suffix == "yaml") {
+  } else if (isCalibration) {
     importCalibration(file);
   } else {
     Q_EMIT comparisonAsked(file);
@@ -122,6 +127,19 @@ void FileCommands::askOpen() {
   const QString file = QFileDialog::getOpenFileName(m_window, tr("Open session"), m_model->file(),
                                                     tr("Sessions (*.json)"));
   if (!file.isEmpty() && mayLeave()) open(file);
+}
+
+void FileCommands::askLightField() {
+  const QString file = QFileDialog::getOpenFileName(
+      m_window, tr("Open light field"), m_model->file(),
+      tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+  if (!file.isEmpty() && mayLeave()) open(file);
+}
+
+void FileCommands::askFolder() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(m_window, tr("Open folder of views"), m_model->file());
+  if (!folder.isEmpty() && mayLeave()) open(folder);
 }
 
 void FileCommands::askImport() {

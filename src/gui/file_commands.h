@@ -24,13 +24,15 @@ class FileCommands : public QObject {
  public:
   FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
 
-  /// These do not ask; what goes wrong is told by failed(). True if it is done.
+  /// These do not ask; a light field opens as a session around it; what goes wrong is told by
+  /// failed(). True if it is done.
   bool open(const QString& file);
   bool save(const QString& file);
   bool importCalibration(const QString& file);
 
   /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
-  /// current state, and the open session is compared with anything else.
+  /// current state, and the open session is compared with anything else; where none is open, a
+  /// light field opens as a new one.
   void take(const QStringList& files);
   /// True if there are no edits, or they are saved or not wanted any more.
   bool mayLeave();
@@ -50,6 +52,8 @@ class FileCommands : public QObject {
   bool saveOrAsk();
   bool askSaveAs();
   void askOpen();
+  void askLightField();
+  void askFolder();
   void askImport();
 
   SessionModel* m_model;

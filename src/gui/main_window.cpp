@@ -7,24 +7,27 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QFileInfo>
-#include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QToolButton>
-#include <QVBoxLayout>
+#include <utility>
 
 #include "gui/camera_commands.h"
 #include "gui/colours.h"
+#include "gui/display_scene.h"
+#include "gui/distortion_dock.h"
 #include "gui/edit_commands.h"
 #include "gui/file_commands.h"
 #include "gui/help_commands.h"
+#include "gui/light_field_dock.h"
 #include "gui/messages.h"
-#include "gui/parameter_form.h"
 #include "gui/picture_commands.h"
+#include "gui/psf_dock.h"
 #include "gui/reading_bar.h"
 #include "gui/scene_controller.h"
+#include "gui/session_forms.h"
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
+#include "gui/state_dock.h"
 #include "gui/view_worker.h"
 #include "gui/window_layout.h"
 #include "ui_main_window.h"
@@ -36,8 +39,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_ui(std::make_unique<Ui::MainWindow>()),
       m_model(new SessionModel(this)),
       m_worker(new ViewWorker(this)),
-      m_stateBox(new QComboBox(this)),
-      m_certificateLabel(new QLabel(this)) {
+      m_stateBox(new QComboBox(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
   m_messages = new Messages(this);
@@ -48,9 +50,12 @@ MainWindow::MainWindow(QWidget* parent)
   m_stateBox->setMinimumContentsLength(24);
   m_stateBox->setFocusPolicy(Qt::TabFocus);  // after a click, keys still move the camera
   m_ui->toolBar->addWidget(m_stateBox);
-  addForms();
+  addDocks();
+  arrangeDocks();
   connectActions();
   connectModel();
+  connectDocks();
+  connectWorker();
   addHabits();
   addEditing();
   showTitle();
@@ -61,61 +66,59 @@ MainWindow::~MainWindow() {
   delete m_scene;  // before the widget that it draws into
 }
 
-namespace {
-
-/// One below the other.
-QWidget* stacked(const std::vector<QWidget*>& widgets) {
-  auto* column = new QWidget;
-  auto* layout = new QVBoxLayout(column);
-  layout->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* widget : widgets) layout->addWidget(widget);
-  layout->addStretch();
-  return column;
+void MainWindow::addDocks() {
+  m_ui->lightFieldArea->setWidget(m_lightField = new LightFieldDock(m_model));
+  m_ui->displayArea->setWidget(stacked({contentForm(m_model, &Session::display)}));
+  m_ui->cameraArea->setWidget(stacked(
+      {stateForm(m_model, &CameraState::camera), stateForm(m_model, &CameraState::intrinsics)}));
+  m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
+  m_ui->psfArea->setWidget(new PsfDock(m_model));
+  auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
+  auto* states = new StateDock(m_model, commands);
+  m_ui->statesDock->setWidget(states);
+  connect(commands, &StateCommands::nameAsked, this, [this, states] {
+    m_ui->statesDock->show();
+    m_ui->statesDock->raise();
+    states->editName();
+  });
+  connect(commands, &StateCommands::failed, m_messages, &Messages::fail);
+  connect(commands, &StateCommands::done, m_messages, &Messages::say);
 }
 
-}  // namespace
-
-void MainWindow::addForms() {
-  const auto form = [this](auto part) {
-    m_forms.push_back(new ParameterForm([this, part](ParameterVisitor& visitor) {
-      CameraState state = m_model->current();
-      describe(visitor, state.*part);
-      m_model->setCurrent(state);
-    }));
-    return m_forms.back();
-  };
-  auto* importButton = new QToolButton;
-  importButton->setDefaultAction(m_ui->importAction);
-  m_certificateLabel->setObjectName("certificateLabel");
-  m_certificateLabel->setWordWrap(true);
-  m_certificateLabel->setMargin(6);
-  m_certificateLabel->setToolTip(tr("How far the lens can be trusted"));
-  m_ui->cameraArea->setWidget(
-      stacked({form(&CameraState::camera), form(&CameraState::intrinsics)}));
-  m_ui->distortionArea->setWidget(
-      stacked({form(&CameraState::distortion), m_certificateLabel, importButton}));
-  m_ui->psfArea->setWidget(form(&CameraState::psf));
+/// In the order of the line, one behind the other below the list of states: each is seen whole, and
+/// all fits into 1280 × 800.
+void MainWindow::arrangeDocks() {
+  const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
+                                        m_ui->cameraDock,     m_ui->distortionDock,
+                                        m_ui->psfDock,        m_ui->cameraSetDock};
+  m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
+    if (k > 0) tabifyDockWidget(parts[k - 1], parts[k]);
+  }
+  for (QDockWidget* dock : {m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
+    m_ui->viewMenu->addAction(dock->toggleViewAction());
+  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
+  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
+    dock->hide();
+  m_ui->cameraDock->raise();
+  resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {200, 600}, Qt::Vertical);
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::connectActions() {
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
-  for (QDockWidget* dock :
-       {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock, m_ui->cameraSetDock,
-        m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
-    m_ui->viewMenu->addAction(dock->toggleViewAction());
   m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
   m_ui->toolBar->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
-  m_ui->cameraDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_1);
-  m_ui->distortionDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_2);
-  m_ui->psfDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_3);
+  int digit = Qt::Key_1;
+  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
+                            m_ui->lightFieldDock, m_ui->displayDock, m_ui->statesDock})
+    dock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key(digit++));
   m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
   m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
   m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
-  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
-  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
-    dock->hide();
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::connectModel() {
@@ -127,11 +130,12 @@ void MainWindow::connectModel() {
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
-  auto* states = new StateCommands(m_ui->statesMenu, m_model, this);
-  connect(states, &StateCommands::failed, m_messages, &Messages::fail);
-  connect(states, &StateCommands::done, m_messages, &Messages::say);
+  connect(m_model, &SessionModel::contentChanged, this, &MainWindow::showContent);
   connect(m_model, &SessionModel::statesChanged, this, &MainWindow::showStates);
   connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
+}
+
+void MainWindow::connectDocks() {
   connect(m_ui->tradeoffView, &TradeoffView::failed, m_messages, &Messages::fail);
   connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
           [this](const std::optional<NamedMethod>& method) {
@@ -144,17 +148,6 @@ void MainWindow::connectModel() {
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetView::failed, m_messages, &Messages::fail);
   connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
-  connect(m_worker, &ViewWorker::certified, this, &MainWindow::showCertificate);
-  connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
-  connect(m_worker, &ViewWorker::loaded, this, [this](const Scene& scene) {
-    m_loaded = scene;
-    m_scene->setScene(scene);
-    m_ui->reportPanel->setReference(scene);
-    offerViews();
-    showCurrent();
-  });
-  connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
-  connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
   m_pictures = new PictureCommands(*m_ui, m_model, this);
   connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
   connect(m_pictures, &PictureCommands::failed, m_messages, &Messages::fail);
@@ -170,8 +163,18 @@ void MainWindow::addEditing() {
   edit->readKeys();
 }
 
+void MainWindow::connectWorker() {
+  connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
+  connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
+  connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
+  connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
+  connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
+}
+
 void MainWindow::render() {
-  m_worker->render(m_model->current(), m_method, m_pictures->other());
+  if (!m_loaded) return;  // take() renders
+  m_worker->render(
+      {m_model->current(), m_display, m_model->session().sampling, m_method, m_pictures->other()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
@@ -263,14 +266,46 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showSession() {
-  m_ui->reportPanel->setReference(std::nullopt);
-  m_loaded.reset();  // the old one's memory is free before the new one is read
   m_method.reset();
+  m_isNew = true;
   m_ui->tradeoffView->forgetChoice();
-  m_worker->load(m_model->session());
-  m_messages->say(
-      tr("Reading %1 …").arg(QString::fromStdString(m_model->session().lightField.file)));
+  load();
   showStates();
+}
+
+void MainWindow::load() {
+  m_asked = m_model->session();
+  m_display = m_asked.display;
+  m_loaded.reset();  // the old one's memory is free before the new one is read
+  m_ui->reportPanel->setReference(std::nullopt);
+  m_lightField->setScene(std::nullopt);
+  m_scene->setScene(std::nullopt);
+  m_worker->load(m_asked);
+  m_messages->say(tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file)));
+}
+
+/// What has been read, with the session's display and sampling as they are now.
+void MainWindow::take(const Scene& scene) {
+  m_loaded = scene;
+  showContent();
+  if (std::exchange(m_isNew, false)) m_scene->scene().fit();
+}
+
+/// A light field that is in memory is not read again where only the panel's pose, size or lens or
+/// the sampling are others.
+void MainWindow::showContent() {
+  if (!m_loaded || !readTheSame(m_asked, m_model->session())) {
+    load();
+  } else {
+    m_loaded->display = resolved(m_model->session().display, m_loaded->lightField->size());
+    m_loaded->sampling = m_model->session().sampling;
+    m_display = m_loaded->display;
+    m_lightField->setScene(m_loaded);
+    m_scene->setScene(m_loaded);
+    m_ui->reportPanel->setReference(m_loaded);
+  }
+  offerViews();
+  showCurrent();
 }
 
 void MainWindow::showCurrent() {
@@ -278,14 +313,14 @@ void MainWindow::showCurrent() {
   const auto index = int(m_model->currentIndex());
   m_stateBox->setItemText(index, QString::fromStdString(m_model->current().camera.name));
   m_stateBox->setCurrentIndex(index);
-  for (ParameterForm* form : m_forms) form->refresh();
   render();
   showTitle();
 }
 
 void MainWindow::showTitle() {
-  const QString name =
-      m_model->file().isEmpty() ? tr("no session") : QFileInfo(m_model->file()).fileName();
+  const QString name = !m_model->file().isEmpty()           ? QFileInfo(m_model->file()).fileName()
+                       : m_model->session().cameras.empty() ? tr("no session")
+                                                            : tr("new session");
   setWindowTitle(tr("%1[*] – Hogelscope").arg(name));
   setWindowModified(m_model->isModified());
   setWindowFilePath(m_model->file());
@@ -294,17 +329,6 @@ void MainWindow::showTitle() {
   m_ui->importAction->setEnabled(!m_model->session().cameras.empty());
   m_ui->cameraMenu->setEnabled(!m_model->session().cameras.empty());
   m_ui->statesMenu->setEnabled(!m_model->session().cameras.empty());
-}
-
-void MainWindow::showCertificate(const LensCertificate& certificate) {
-  const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
-  const QString warning =
-      certificate.withoutRay == 0
-          ? QString()
-          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
-                .arg(share, 0, 'f', 1);
-  m_certificateLabel->setText(
-      warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
 }
 
 }  // namespace hogelscope

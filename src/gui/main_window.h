@@ -5,13 +5,11 @@
 #include <QMainWindow>
 #include <memory>
 
-#include "core/lens_certificate.h"
 #include "core/session.h"
 #include "io/light_field_file.h"
 #include "study/tradeoff.h"
 
 class QComboBox;
-class QLabel;
 
 namespace Ui {
 class MainWindow;
@@ -19,9 +17,10 @@ class MainWindow;
 
 namespace hogelscope {
 
+class DistortionDock;
 class FileCommands;
+class LightFieldDock;
 class Messages;
-class ParameterForm;
 class PictureCommands;
 class SceneController;
 class SessionModel;
@@ -39,7 +38,8 @@ class MainWindow : public QMainWindow {
   /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
   /// command line (FileCommands::take).
   void start(const QStringList& files);
-  /// None of these asks; what goes wrong is told by Messages. True if it is done.
+  /// None of these asks; what goes wrong is told by Messages. True if it is done. What opens is a
+  /// session document, or a light field (an image or a folder), which a new session is made around.
   bool openSession(const QString& file);
   bool saveSession(const QString& file);
   /// Into the current state.
@@ -48,17 +48,22 @@ class MainWindow : public QMainWindow {
  private:
   void connectActions();
   void connectModel();
+  void addDocks();
+  void arrangeDocks();
+  void connectDocks();
+  void connectWorker();
   void addEditing();
-  void addForms();
   void addHabits();
   void closeEvent(QCloseEvent* event) override;
   void showStopped();
   void showSession();
+  void showContent();
+  void load();
+  void take(const Scene& scene);
   void showCurrent();
   void showTitle();
   void render();
   void showView(const RenderedView& view);
-  void showCertificate(const LensCertificate& certificate);
   void offerViews();
   void showStates();
 
@@ -69,11 +74,14 @@ class MainWindow : public QMainWindow {
   FileCommands* m_files = nullptr;
   WindowLayout* m_layout = nullptr;
   QComboBox* m_stateBox;
-  QLabel* m_certificateLabel;
   SceneController* m_scene;
   PictureCommands* m_pictures = nullptr;
-  std::vector<ParameterForm*> m_forms;
-  std::optional<Scene> m_loaded;        ///< none while a light field is read
+  DistortionDock* m_distortion = nullptr;
+  LightFieldDock* m_lightField = nullptr;
+  DisplayParams m_display;              ///< resolved
+  bool m_isNew = false;                 ///< the session: the scene has to be fitted to it
+  std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be
+  Session m_asked;                      ///< whose light field was read last, or is read
   std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
 };
 

@@ -51,10 +51,10 @@ Messages::Messages(QMainWindow* window)
   window->addDockWidget(Qt::BottomDockWidgetArea, m_dock, Qt::Vertical);  // below the others
   m_dock->hide();
   QAction* toggle = m_dock->toggleViewAction();
-  toggle->setShortcut(Qt::Key_F8);
+  toggle->setShortcut(Qt::Key_F4);
   m_button->setObjectName("errorsButton");
   m_button->setAutoRaise(true);
-  m_button->setToolTip(tr("Shows or hides the list of errors (F8)"));
+  m_button->setToolTip(tr("Shows or hides the list of errors (F4)"));
   connect(m_button, &QToolButton::clicked, toggle, &QAction::trigger);
   window->statusBar()->addPermanentWidget(m_button);
   m_button->hide();

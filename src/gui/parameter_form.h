@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A form made from a parameter description: a row for each field, with unit, help and slider.
+// A form made from a parameter description: a heading, and a row for each field with unit, help and
+// slider.
 #pragma once
 
+#include <QHash>
+#include <QSet>
 #include <QWidget>
 #include <functional>
 #include <string>
@@ -9,10 +12,15 @@
 #include "core/parameters.h"
 
 class QFormLayout;
+class QLabel;
 
 namespace hogelscope {
 
-/// The editors are named after their fields: "sigma", "sigma.slider", "eye.0".
+template <class Box>
+class BoxRow;
+
+/// A field gets its row when it is visited first; the row hides while the field is not visited. The
+/// editors are named after their fields: "sigma", "sigma.slider", "eye.0".
 class ParameterForm : public QWidget, private ParameterVisitor {
   Q_OBJECT
 
@@ -26,7 +34,7 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   void refresh();
 
  private:
-  enum class Pass { build, show, take };
+  enum class Pass { show, take };
 
   void group(std::string_view name, std::string_view help) override;
   void numbers(const Field& field, std::span<double> values, bool isList) override;
@@ -38,16 +46,21 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   template <class Box, class Number>
   void boxes(const Field& field, std::span<Number> values, bool isList);
   template <class Box>
-  void addBoxes(const Field& field, std::size_t count, bool isList);
+  BoxRow<Box>* newBoxes(const Field& field, std::size_t count, bool isList);
   template <class Box>
   void addSlider(const Field& field, Box* box, QWidget* row);
+  template <class Make>
+  auto editor(const Field& field, Make make) -> decltype(make());
   void addRow(const Field& field, QWidget* editor);
   void take(QObject* editor);
 
   Visit m_visit;
   QFormLayout* m_layout;
-  Pass m_pass = Pass::build;
+  QLabel* m_heading;
+  Pass m_pass = Pass::show;
   QObject* m_taken = nullptr;  ///< the editor that a user changed
+  QHash<QString, QWidget*> m_rows;
+  QSet<QWidget*> m_visited;  ///< of m_rows, in this walk
 };
 
 }  // namespace hogelscope

@@ -59,6 +59,10 @@ void PictureCommands::addModes() {
   m_ui.sideBySideAction->setChecked(true);
 }
 
+std::optional<Scene> PictureCommands::other() const {
+  return m_comparison->other(m_model->session());
+}
+
 void PictureCommands::show(const RenderedView& view) {
   const bool hasOther = other().has_value();  // not a picture that was under way when it stopped
   m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());

@@ -24,7 +24,7 @@ class PictureCommands : public QObject {
   PictureCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
   /// What is to be rendered beside the session's own light field.
-  [[nodiscard]] const std::optional<Scene>& other() const { return m_comparison->other(); }
+  [[nodiscard]] std::optional<Scene> other() const;
   void show(const RenderedView& view);
   /// Begins to read; what goes wrong is told by failed(), now or later.
   bool compareWith(const QString& file);

@@ -58,13 +58,9 @@ void SceneController::connectActions() {
 
 void SceneController::connectModel() {
   connect(m_model, &SessionModel::opened, this, [this] {
-    m_display = m_model->session().display;
-    m_loaded.reset();
-    m_worker->setScene(std::nullopt);
-    m_scene->panel().setPicture(nullptr);
     m_scene->frusta().showPsnr({});
     forgetPicks();
-    refresh();
+    setScene(std::nullopt);
     m_scene->fit();
   });
   connect(m_model, &SessionModel::currentChanged, this, [this] {
@@ -107,12 +103,12 @@ void SceneController::connectScene() {
   connect(&m_scene->handles(), &SceneHandles::lookatDragged, this, moved(&CameraParams::lookat));
 }
 
-void SceneController::setScene(const Scene& scene) {
+void SceneController::setScene(const std::optional<Scene>& scene) {
   m_loaded = scene;
-  m_display = scene.display;
+  m_display = scene ? scene->display : m_model->session().display;
   m_worker->setScene(scene);
+  if (!scene) m_scene->panel().setPicture(nullptr);
   refresh();
-  m_scene->fit();
 }
 
 void SceneController::showPsnr(const std::vector<double>& dB) {

@@ -28,8 +28,8 @@ class SceneController : public QObject {
   SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent);
   ~SceneController() override;
 
-  /// The session's light field is read.
-  void setScene(const Scene& scene);
+  /// The session's light field, with its display; none while it is read.
+  void setScene(const std::optional<Scene>& scene);
   /// Colours the frusta, by state, in dB; empty: no longer. Infinite is identical, NaN no view.
   void showPsnr(const std::vector<double>& dB);
   /// A pixel of the current state's simulated view: its ray and what that meets. A pixel outside

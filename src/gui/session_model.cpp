@@ -65,6 +65,15 @@ void SessionModel::recover(const QString& copy, const QString& file) {
   Q_EMIT opened();
 }
 
+void SessionModel::openLightField(const QString& file) {
+  m_session = sessionAround(file.toStdString());
+  m_saved = {};
+  m_file.clear();
+  m_current = 0;
+  m_undo.clear();
+  Q_EMIT opened();
+}
+
 void SessionModel::save(const QString& file) {
   check(m_session);
   saveSession(file.toStdString(), m_session);
@@ -111,6 +120,15 @@ void SessionModel::setCurrent(const CameraState& state) {
   const std::string field = changedField(m_session.cameras[m_current], state);
   edit(tr("Change %1").arg(QString::fromStdString(field)),
        [&](Session& session) { session.cameras[m_current] = state; });
+}
+
+void SessionModel::setContent(const Session& content) {
+  const std::string field = changedField(m_session, content);
+  edit(tr("Change %1").arg(QString::fromStdString(field)), [&](Session& session) {
+    session.display = content.display;
+    session.lightField = content.lightField;
+    session.sampling = content.sampling;
+  });
 }
 
 void SessionModel::changeStates(const QString& name,

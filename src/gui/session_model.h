@@ -31,6 +31,8 @@ class SessionModel : public QObject {
   /// Opens `copy`, which a crash left behind, as unsaved edits of `file`. Throws InputError; the
   /// session stays as it was.
   void recover(const QString& copy, const QString& file);
+  /// A new session around a light field (sessionAround). Throws InputError likewise.
+  void openLightField(const QString& file);
   /// Throws InputError; unsaved edits stay.
   void save(const QString& file);
   void setCurrentIndex(std::size_t index);
@@ -41,6 +43,8 @@ class SessionModel : public QObject {
   void edit(const QString& name, const std::function<void(Session&)>& action);
   /// The current state, field by field; the name is that of the first field that changes.
   void setCurrent(const CameraState& state);
+  /// Display, light field and sampling, likewise.
+  void setContent(const Session& content);
   /// Does something to the list of states (core/states.h); the one at the index that `action`
   /// returns becomes current.
   void changeStates(const QString& name, const std::function<std::size_t(Session&)>& action);

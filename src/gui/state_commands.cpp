@@ -3,7 +3,7 @@
 #include "gui/state_commands.h"
 
 #include <QFileDialog>
-#include <QInputDialog>
+#include <algorithm>
 
 #include "core/states.h"
 #include "gui/session_model.h"
@@ -22,67 +22,110 @@ bool StateCommands::guarded(Action action) {
   }
 }
 
-/// What core/states.h does, on the current state.
 StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
     : QObject(parent), m_menu(menu), m_model(model) {
   m_menu->setToolTipsVisible(true);
-  const auto add = [this](const char* name, const QString& title, const QString& help,
-                          const QKeySequence& key, auto action) {
-    auto* entry = m_menu->addAction(title, this, action);
-    entry->setObjectName(name);
-    entry->setToolTip(help);
-    entry->setShortcut(key);
-  };
-  const auto change = [this](const QString& name, std::size_t (*action)(Session&, std::size_t)) {
-    return [this, name, action] {
-      guarded([&] {
-        m_model->changeStates(
-            name, [&](Session& session) { return action(session, m_model->currentIndex()); });
-      });
-    };
-  };
-  add("duplicateAction", tr("&Duplicate"), tr("Copies the current state"), Qt::CTRL | Qt::Key_D,
-      change(tr("Duplicate state"), duplicateState));
-  add("renameAction", tr("&Rename…"), tr("Gives the current state another name"), Qt::Key_F2,
-      [this] { askName(); });
-  add("removeAction", tr("De&lete"), tr("Takes the current state out of the session"),
-      Qt::CTRL | Qt::Key_Delete,
-      change(tr("Delete state"), [](Session& session, std::size_t index) {
-        removeState(session, index);
-        return std::min(index, session.cameras.size() - 1);
-      }));
-  add("moveUpAction", tr("Move &up"), tr("Swaps the current state with the one before it"),
-      Qt::CTRL | Qt::SHIFT | Qt::Key_Up,
-      change(tr("Move state"), [](Session& session, std::size_t index) {
-        const std::size_t to = index > 0 ? index - 1 : 0;
-        moveState(session, index, to);
-        return to;
-      }));
-  add("moveDownAction", tr("Move dow&n"), tr("Swaps the current state with the one after it"),
-      Qt::CTRL | Qt::SHIFT | Qt::Key_Down,
-      change(tr("Move state"), [](Session& session, std::size_t index) {
-        const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
-        moveState(session, index, to);
-        return to;
-      }));
+  addListEntries();
   m_menu->addSeparator();
-  add("loadStatesAction", tr("&Load states from file…"),
-      tr("Adds the states of another session behind this one's"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
-      [this] { askStates(); });
-  add("addToFileAction", tr("&Add this state to file…"),
-      tr("Saves the current state as one more of another session's file"),
-      Qt::CTRL | Qt::SHIFT | Qt::Key_A, [this] { askFile(); });
+  addFileEntries();
 }
 
-void StateCommands::askName() {
-  bool isGiven = false;
-  const QString name = QInputDialog::getText(
-      m_menu, tr("Rename state"), tr("Name, also of its picture's file:"), QLineEdit::Normal,
-      QString::fromStdString(m_model->current().camera.name), &isGiven);
-  if (!isGiven) return;
+template <class Action>
+void StateCommands::add(const Entry& entry, Action action) {
+  auto* made = m_menu->addAction(entry.title, this, action);
+  made->setObjectName(entry.name);
+  made->setIconText(entry.buttonText);
+  made->setShortcut(entry.key);
+  made->setToolTip(tr("%1 (%2)").arg(entry.help, entry.key.toString(QKeySequence::NativeText)));
+  m_actions.push_back(made);
+}
+
+/// What core/states.h does, on the current state.
+void StateCommands::addListEntries() {
+  add({"addStateAction", tr("&New"), tr("New"), tr("A new state in front of the display"),
+       Qt::CTRL | Qt::Key_N},
+      [this] {
+        change(tr("Add state"), [](Session& session, std::size_t) {
+          return addState(session, inFrontOf(session.display));
+        });
+      });
+  add({"duplicateAction", tr("&Duplicate"), tr("Duplicate"),
+       tr("A copy of the current state behind it"), Qt::CTRL | Qt::Key_D},
+      [this] { change(tr("Duplicate state"), duplicateState); });
+  add({"renameAction", tr("&Rename"), tr("Rename"), tr("Edits the current state's name"),
+       Qt::Key_F2},
+      [this] { Q_EMIT nameAsked(); });
+  add({"removeAction", tr("De&lete"), tr("Delete"), tr("Deletes the marked states"),
+       Qt::CTRL | Qt::Key_Delete},
+      [this] { remove(); });
+  add({"moveUpAction", tr("Move &up"), tr("Up"), tr("Moves the current state up"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_Up},
+      [this] {
+        change(tr("Move state"), [](Session& session, std::size_t index) {
+          const std::size_t to = index > 0 ? index - 1 : 0;
+          moveState(session, index, to);
+          return to;
+        });
+      });
+  add({"moveDownAction", tr("Move dow&n"), tr("Down"), tr("Moves the current state down"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_Down},
+      [this] {
+        change(tr("Move state"), [](Session& session, std::size_t index) {
+          const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
+          moveState(session, index, to);
+          return to;
+        });
+      });
+}
+
+void StateCommands::addFileEntries() {
+  add({"loadStatesAction", tr("&Load states from file…"), tr("Load…"),
+       tr("Adds another session's states behind these"), Qt::CTRL | Qt::SHIFT | Qt::Key_O},
+      [this] { askStates(); });
+  add({"addToFileAction", tr("&Add to file…"), tr("Add to…"),
+       tr("Adds the marked states to another session's file"), Qt::CTRL | Qt::SHIFT | Qt::Key_A},
+      [this] { askFile(); });
+  add({"saveStatesAction", tr("&Save to new file…"), tr("Save as…"),
+       tr("Writes a session of the marked states only"), Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+      [this] { askNewFile(); });
+}
+
+void StateCommands::setMarked(const std::vector<std::size_t>& indices) {
+  m_marked = indices;
+  std::ranges::sort(m_marked);
+}
+
+std::vector<std::size_t> StateCommands::marked() const {
+  return m_marked.empty() ? std::vector{m_model->currentIndex()} : m_marked;
+}
+
+std::vector<CameraState> StateCommands::markedStates() const {
+  std::vector<CameraState> states;
+  for (const std::size_t index : marked()) states.push_back(m_model->session().cameras.at(index));
+  return states;
+}
+
+void StateCommands::change(const QString& name, std::size_t (*action)(Session&, std::size_t)) {
   guarded([&] {
+    m_model->changeStates(
+        name, [&](Session& session) { return action(session, m_model->currentIndex()); });
+  });
+}
+
+void StateCommands::remove() {
+  guarded([&] {
+    m_model->changeStates(tr("Delete state"), [this](Session& session) {
+      const std::size_t first = marked().front();
+      removeStates(session, marked());
+      return std::min(first, session.cameras.size() - 1);
+    });
+  });
+}
+
+bool StateCommands::rename(std::size_t index, const QString& name) {
+  return guarded([&] {
     m_model->changeStates(tr("Rename state"), [&](Session& session) {
-      renameState(session, m_model->currentIndex(), name.toStdString());
+      renameState(session, index, name.toStdString());
       return m_model->currentIndex();
     });
   });
@@ -106,15 +149,31 @@ bool StateCommands::mergeStatesOf(const QString& file) {
 }
 
 void StateCommands::askFile() {
-  const QString file = QFileDialog::getOpenFileName(m_menu, tr("Add state to session"),
+  const QString file = QFileDialog::getOpenFileName(m_menu, tr("Add states to session"),
                                                     m_model->file(), tr("Sessions (*.json)"));
-  if (!file.isEmpty()) appendStateTo(file);
+  if (!file.isEmpty()) appendStatesTo(file);
 }
 
-bool StateCommands::appendStateTo(const QString& file) {
+bool StateCommands::appendStatesTo(const QString& file) {
   return guarded([&] {
-    appendStates(file.toStdString(), {m_model->current()});
+    appendStates(file.toStdString(), markedStates());
     Q_EMIT done(tr("Added to %1").arg(file));
+  });
+}
+
+void StateCommands::askNewFile() {
+  const QString file = QFileDialog::getSaveFileName(m_menu, tr("Save states to new session"),
+                                                    m_model->file(), tr("Sessions (*.json)"));
+  if (!file.isEmpty()) saveStatesAs(file);
+}
+
+bool StateCommands::saveStatesAs(const QString& file) {
+  return guarded([&] {
+    Session session = m_model->session();
+    session.cameras = markedStates();
+    check(session);
+    saveSession(file.toStdString(), session);
+    Q_EMIT done(tr("Saved %1").arg(file));
   });
 }
 

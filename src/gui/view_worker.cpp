@@ -50,6 +50,7 @@ QString planOf(const View& view) {
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
   qRegisterMetaType<Scene>("hogelscope::Scene");
   qRegisterMetaType<LensCertificate>("hogelscope::LensCertificate");
+  qRegisterMetaType<LensGrid>("hogelscope::LensGrid");
   qRegisterMetaType<RenderedView>("hogelscope::RenderedView");
   m_thread = std::thread([this] { run(); });
 }
@@ -78,11 +79,10 @@ void ViewWorker::stopReading() {
   m_isReadingStopped = true;
 }
 
-void ViewWorker::render(const CameraState& state, const std::optional<NamedMethod>& method,
-                        const std::optional<Scene>& other) {
+void ViewWorker::render(const ViewRequest& request) {
   {
     const std::lock_guard lock(m_mutex);
-    m_toRender = Request{state, method, other};
+    m_toRender = request;
   }
   m_wake.notify_one();
 }
@@ -115,14 +115,14 @@ void ViewWorker::run() {
     m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
     if (m_ends) return;
     const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
-    const std::optional<Request> request =
+    const std::optional<ViewRequest> request =
         session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
     lock.unlock();
     try {
       if (session) loadNow(*session);
       if (!request || !m_scene) continue;
       renderNow(*request, *filter);
-      if (!hasNewer(false)) certifyNow(request->state);
+      if (!hasNewer(false)) certifyNow(*request);
     } catch (const Cancelled&) {
       // a newer request waits
     } catch (const std::exception& error) {
@@ -150,7 +150,7 @@ void ViewWorker::loadNow(const Session& session) {
 
 /// A smaller picture is finished even if newer requests come, so that something moves however fast
 /// they come; a full one that was thought to be quick gets the time it was thought to take.
-void ViewWorker::renderNow(const Request& request, vtkHogelViewFilter& filter) {
+void ViewWorker::renderNow(const ViewRequest& request, vtkHogelViewFilter& filter) {
   const CameraState& state = request.state;
   check(state, state.camera.name.empty() ? "state" : state.camera.name);
   const int scale = m_pace.firstScale();
@@ -159,14 +159,17 @@ void ViewWorker::renderNow(const Request& request, vtkHogelViewFilter& filter) {
   if (handRests()) renderAt(1, 0, request, filter);
 }
 
-void ViewWorker::renderAt(int scale, double patience, const Request& request,
+void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request,
                           vtkHogelViewFilter& filter) {
   const auto elapsed = [this] { return double(m_timer.nsecsElapsed()) * 1e-6; };
   m_patience = patience;
   m_timer.start();
   Image other;
   Image image;
-  const View view = viewOf(*m_scene, request.state, request.method, scale);
+  Scene scene = *m_scene;
+  scene.display = resolved(request.display, scene.lightField->size());
+  scene.sampling = request.sampling;
+  const View view = viewOf(scene, request.state, request.method, scale);
   try {
     if (request.other) {
       filter.SetView(viewOf(*request.other, request.state, request.method, scale));
@@ -184,10 +187,10 @@ void ViewWorker::renderAt(int scale, double patience, const Request& request,
                    scale, planOf(filter.GetChoice().view)});
 }
 
-void ViewWorker::certifyNow(const CameraState& state) {
-  const LensKey key = lensKeyOf(state, m_scene->sampling);
+void ViewWorker::certifyNow(const ViewRequest& request) {
+  const LensKey key = lensKeyOf(request.state, request.sampling);
   if (key == m_lens) return;
-  Q_EMIT certified(certify(key, parallelRows));
+  Q_EMIT certified(certify(key, parallelRows), lensGrid(key));
   m_lens = key;
 }
 

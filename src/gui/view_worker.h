@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/lens_certificate.h"
+#include "core/lens_grid.h"
 #include "core/session.h"
 #include "gui/view_pace.h"
 #include "io/light_field_file.h"
@@ -31,6 +32,15 @@ struct RenderedView {
   QString plan;             ///< how, in one line
 };
 
+/// What is to be seen.
+struct ViewRequest {
+  CameraState state;
+  DisplayParams display;
+  SamplingParams sampling;
+  std::optional<NamedMethod> method;  ///< none: the session's own
+  std::optional<Scene> other;         ///< the second light field
+};
+
 class ViewWorker : public QObject {
   Q_OBJECT
 
@@ -43,11 +53,10 @@ class ViewWorker : public QObject {
   void load(const Session& session);
   /// There is no light field then until the next load().
   void stopReading();
-  /// Renders once the light field is there, by the session's own method if none is given, and from
-  /// the other light field too; an older rendering stops. Where that takes long a smaller picture
-  /// comes first, and the full one when no newer request has come for a moment.
-  void render(const CameraState& state, const std::optional<NamedMethod>& method,
-              const std::optional<Scene>& other);
+  /// Renders once the light field is there, and not at all where it could not be read; an older
+  /// rendering stops. Where it takes long a smaller picture comes first, and the full one when no
+  /// newer request has come for a moment.
+  void render(const ViewRequest& request);
 
  Q_SIGNALS:
   void reading(double done);  ///< 0 … 1
@@ -55,21 +64,15 @@ class ViewWorker : public QObject {
   void readingStopped();  ///< because it was asked for
   void rendered(const hogelscope::RenderedView& view);
   /// After the picture, where its lens is another one than before.
-  void certified(const hogelscope::LensCertificate& certificate);
+  void certified(const hogelscope::LensCertificate& certificate, const hogelscope::LensGrid& grid);
   void failed(const QString& line);
 
  private:
-  struct Request {
-    CameraState state;
-    std::optional<NamedMethod> method;
-    std::optional<Scene> other;
-  };
-
   void run();
   void loadNow(const Session& session);
-  void renderNow(const Request& request, vtkHogelViewFilter& filter);
-  void renderAt(int scale, double patience, const Request& request, vtkHogelViewFilter& filter);
-  void certifyNow(const CameraState& state);
+  void renderNow(const ViewRequest& request, vtkHogelViewFilter& filter);
+  void renderAt(int scale, double patience, const ViewRequest& request, vtkHogelViewFilter& filter);
+  void certifyNow(const ViewRequest& request);
   [[nodiscard]] bool hasNewer(bool isLoading);
   [[nodiscard]] bool mustStop();
   [[nodiscard]] bool handRests();
@@ -77,7 +80,7 @@ class ViewWorker : public QObject {
   std::mutex m_mutex;  ///< guards the next five
   std::condition_variable m_wake;
   std::optional<Session> m_toLoad;
-  std::optional<Request> m_toRender;
+  std::optional<ViewRequest> m_toRender;
   bool m_isReadingStopped = false;
   bool m_ends = false;
 

@@ -63,6 +63,11 @@ class HogelImage : public LightFieldFile {
       : m_params(params),
         m_image(params.file),
         m_size{display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]} {
+    if (m_size.nx < 1 || m_size.ny < 1 || m_size.du < 1 || m_size.dv < 1)
+      throw InputError(params.file, "size",
+                       "is " + pixels(m_image.width(), m_image.height()) +
+                           " px; how many of them are hogels and directions it does not say: give "
+                           "display.hogels and display.directions");
     if (m_image.width() != m_size.width() || m_image.height() != m_size.height())
       throw InputError(params.file, "size",
                        "is " + pixels(m_image.width(), m_image.height()) + " px, but " +
@@ -191,6 +196,23 @@ std::array<int, 2> quiltTilesFromName(const std::string& file) {
   return {std::stoi(groups[1]), std::stoi(groups[2])};
 }
 
+LightFieldParams lightFieldOf(const std::string& file) {
+  LightFieldParams params;
+  params.file = file;
+  if (fs::is_directory(file))
+    params.layout = Layout::views;
+  else if (quiltTilesFromName(file)[0] > 0)
+    params.layout = Layout::quilt;
+  return params;
+}
+
+LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
+  if (fs::is_directory(file) != (params.layout == Layout::views)) return lightFieldOf(file);
+  LightFieldParams result = params;
+  result.file = file;
+  return result;
+}
+
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display) {
   switch (params.layout) {
@@ -201,6 +223,11 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
     default:
       return std::make_unique<HogelImage>(params, display);
   }
+}
+
+bool readTheSame(const Session& a, const Session& b) {
+  return a.lightField == b.lightField && a.display.hogels == b.display.hogels &&
+         a.display.directions == b.display.directions;
 }
 
 Scene loadScene(const Session& session, const Progress& progress) {

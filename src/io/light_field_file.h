@@ -41,6 +41,15 @@ struct Scene {
 /// Reads the session's light field. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress);
 
+/// Do both sessions have the same light field in memory? Their displays may be otherwise different.
+bool readTheSame(const Session& a, const Session& b);
+
+/// A folder of views, a quilt by its name, or a hogel image.
+LightFieldParams lightFieldOf(const std::string& file);
+
+/// Another file with the layout of `params`, unless one is a folder and the other is not.
+LightFieldParams withFile(const LightFieldParams& params, const std::string& file);
+
 /// Columns and rows that a quilt's name says (…_qs8x6a0.75.png); 0 where it does not.
 std::array<int, 2> quiltTilesFromName(const std::string& file);
 

@@ -7,7 +7,9 @@
 #include "core/error.h"
 #include "core/states.h"
 #include "io/atomic_file.h"
+#include "io/image_file.h"
 #include "io/json_parameters.h"
+#include "io/light_field_file.h"
 
 namespace hogelscope {
 
@@ -220,6 +222,24 @@ bool isSessionFile(const fs::path& file) {
   return extension == ".json";
 }
 
+Session sessionAround(const std::string& file) {
+  Session session;
+  session.lightField = lightFieldOf(file);
+  const auto shape = [&](double width, double height) {
+    const double longest = std::max(width, height) / 0.5;
+    session.display.size = {width / longest, height / longest};
+  };
+  if (session.lightField.layout == Layout::hogels) {
+    const ImageFile image{fs::path(file)};
+    shape(double(image.width()), double(image.height()));
+  } else {
+    const LightFieldSize size = openLightField(session.lightField, {})->size();
+    shape(size.nx, size.ny);
+  }
+  addState(session, inFrontOf(session.display));
+  return session;
+}
+
 Session withLightField(const Session& session, const std::string& file) {
   Session result = session;
   if (isSessionFile(file)) {
@@ -227,12 +247,7 @@ Session withLightField(const Session& session, const std::string& file) {
     result.display = other.display;
     result.lightField = other.lightField;
   } else {
-    const bool isFolder = fs::is_directory(file);
-    if (isFolder != (session.lightField.layout == Layout::views)) {
-      result.lightField = {};  // the session's own layout says nothing about it
-      result.lightField.layout = isFolder ? Layout::views : Layout::hogels;
-    }
-    result.lightField.file = file;
+    result.lightField = withFile(session.lightField, file);
     check(result);
   }
   return result;

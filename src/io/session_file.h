@@ -33,6 +33,11 @@ std::vector<CameraState> loadStates(const std::filesystem::path& file);
 /// file is replaced at once. Throws InputError.
 void appendStates(const std::filesystem::path& file, const std::vector<CameraState>& states);
 
+/// A new session around a light field: an image, a quilt by its name, or a folder of views. The
+/// display has its shape; one state is in front of it. A hogel image leaves the hogels and
+/// directions to be given. Throws InputError.
+Session sessionAround(const std::string& file);
+
 /// Is it a session document, by its name?
 bool isSessionFile(const std::filesystem::path& file);
 

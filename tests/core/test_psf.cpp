@@ -74,6 +74,30 @@ class TestPsf : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Each weight against exp(-(x² + y²) / (2σ²)), all of them adding up to 1.
+  void theKernelIsTheGaussianWindow() {
+    const PsfParams params{1.3, 5};
+    const std::vector<double> weights = kernel(params);
+    QCOMPARE(weights.size(), std::size_t(25));
+    double sum = 0;
+    for (int y = -2; y <= 2; ++y)
+      for (int x = -2; x <= 2; ++x) sum += std::exp(-(x * x + y * y) / (2 * 1.3 * 1.3));
+    for (int k = 0; k < 25; ++k) {
+      const int x = k % 5 - 2;
+      const int y = k / 5 - 2;
+      QVERIFY(std::abs(weights[std::size_t(k)] -
+                       std::exp(-(x * x + y * y) / (2 * 1.3 * 1.3)) / sum) < 1e-15);
+    }
+    QVERIFY(kernel({0, 1}) == std::vector{1.0});
+  }
+
+  /// erf(3.5 / (2√2))² = 0.846 of σ = 2 in 7×7; σ = 1 in 7×7 keeps erf(3.5/√2)² = 0.99907.
+  void aWindowThatCutsMoreThanOnePerCentIsTold() {
+    QVERIFY(cutsTooMuch({2, 7}));
+    QVERIFY(!cutsTooMuch({1, 7}));
+    QVERIFY(!cutsTooMuch({2, 1}));
+  }
+
   void isTheFormula_data();
   void isTheFormula();
   void windowOfOneIsTheTexel();

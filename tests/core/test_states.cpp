@@ -3,7 +3,9 @@
 #include "core/states.h"
 
 #include <QTest>
+#include <cmath>
 
+#include "core/changed_field.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -72,14 +74,67 @@ class TestStates : public QObject {
     QTEST(namesOf(session), "names");
   }
 
-  void theLastOneStays() {
+  void removingLeavesOne() {
     Session session = abc();
-    removeState(session, 1);
+    removeStates(session, {1});
     QCOMPARE(namesOf(session), QString("a|c"));
-    removeState(session, 0);
-    QCOMPARE(errorOf([&] { removeState(session, 0); }),
-             QString("cameras: has one state only, and a session needs one"));
+    QCOMPARE(errorOf([&] {
+               removeStates(session, {1, 0});
+             }),
+             QString("cameras: would have no state left, and a session needs one"));
+    QCOMPARE(namesOf(session), QString("a|c"));
+    removeStates(session, {0, 0});
     QCOMPARE(namesOf(session), QString("c"));
+  }
+
+  void removingSeveral() {
+    Session session = abc();
+    session.cameras.push_back(named("d"));
+    removeStates(session, {3, 0});
+    QCOMPARE(namesOf(session), QString("b|c"));
+  }
+
+  /// The panel's corners are in the picture, its middle in the picture's middle, its top on top.
+  void aNewStateSeesTheWholePanel() {
+    DisplayParams display;
+    display.position = {3, -2, 5};
+    display.orientation = {20, 140, -35};
+    display.size = {0.4, 0.9};
+    const CameraParams camera = inFrontOf(display).camera;
+    const RigidTransform world = transformFromPose(display.position, display.orientation);
+    const RigidTransform cameraFromWorld = Camera(camera).worldFromCamera().inverse();
+    QVERIFY(length(camera.lookat - display.position) < 1e-12);
+    const double half = std::tan(radians(camera.fov) / 2);
+    for (const double x : {-0.2, 0.2})
+      for (const double y : {-0.45, 0.45}) {
+        const Vec3 corner = cameraFromWorld.point(world.point({x, y, 0}));
+        QVERIFY(corner.z > 0);
+        QVERIFY(std::abs(corner.x) < half * corner.z && std::abs(corner.y) < half * corner.z);
+        QVERIFY((corner.x > 0) == (x > 0));
+        QVERIFY((corner.y < 0) == (y > 0));  // +y is down
+        QVERIFY(std::abs(corner.y) > 0.7 * half * corner.z);
+      }
+  }
+
+  void anEditIsNamedAfterItsField() {
+    const Session before = abc();
+    Session after = before;
+    QCOMPARE(changedField(before, after), std::string());
+    after.sampling.tolerance = 1;
+    QCOMPARE(changedField(before, after), std::string("tolerance"));
+    after.lightField.layout = Layout::views;
+    after.lightField.shear = {1, 0};
+    QCOMPARE(changedField(before, after), std::string("layout"));
+    after.display.size[1] = 1;
+    QCOMPARE(changedField(before, after), std::string("size"));
+    CameraState state = before.cameras[0];
+    state.psf.sigma = 2;
+    QCOMPARE(changedField(before.cameras[0], state), std::string("sigma"));
+    Session views = before;
+    views.lightField.layout = Layout::views;
+    Session more = views;
+    more.lightField.shear = {0, 1};
+    QCOMPARE(changedField(views, more), std::string("shear"));
   }
 
   void renaming() {

@@ -205,7 +205,7 @@ class TestMainWindow : public QObject {
     auto* commands = m_window->findChild<StateCommands*>();
     const QString other = m_folder.filePath("other.json");
     QVERIFY(m_window->saveSession(other));
-    QVERIFY(commands->appendStateTo(other));
+    QVERIFY(commands->appendStatesTo(other));
     QCOMPARE(loadSession(other.toStdString()).cameras.back().camera.name, std::string("Fig 1 2 2"));
     QVERIFY(commands->mergeStatesOf(sampleFile));
     QCOMPARE(box->count(), 13);

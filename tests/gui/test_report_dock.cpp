@@ -227,6 +227,8 @@ void TestReportDock::stopsAndGoesOn() {
 void TestReportDock::errors() {
   writeGrey("small.png", 8, 8);
   open();
+  // The picture's line would take the place of the error's.
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), 30000);
   m_dock->addTest("small.png");
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(

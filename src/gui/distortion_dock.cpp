@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The lens distortion dock.
+#include "gui/distortion_dock.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/lens_view.h"
+#include "gui/session_forms.h"
+
+namespace hogelscope {
+
+DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent)
+    : QWidget(parent), m_lens(new LensView), m_certificate(new QLabel) {
+  m_certificate->setObjectName("certificateLabel");
+  m_certificate->setWordWrap(true);
+  m_certificate->setMargin(9);
+  m_certificate->setToolTip(tr("How far the lens can be trusted"));
+  auto* importButton = new QToolButton;
+  importButton->setObjectName("importButton");
+  importButton->setDefaultAction(importAction);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stateForm(model, &CameraState::distortion));
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(layout->spacing() + 3, 0, 0, 0);
+  buttons->addWidget(importButton);
+  buttons->addStretch();
+  layout->addLayout(buttons);
+  layout->addWidget(m_certificate);
+  layout->addWidget(m_lens, 1);
+}
+
+void DistortionDock::showLens(const LensCertificate& certificate, const LensGrid& grid) {
+  m_lens->setLens(grid);
+  const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
+  const QString warning =
+      certificate.withoutRay == 0
+          ? QString()
+          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
+                .arg(share, 0, 'f', 1);
+  m_certificate->setText(
+      warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forms over the session's parts, which follow the model: what the docks are made of.
+#pragma once
+
+#include <vector>
+
+#include "core/session.h"
+#include "gui/parameter_form.h"
+#include "gui/session_model.h"
+
+namespace hogelscope {
+
+/// Shows again what the model says, whatever changes in it.
+void follow(const SessionModel* model, ParameterForm* form);
+
+/// One below the other, with nothing between them; the column takes them.
+QWidget* stacked(const std::vector<QWidget*>& widgets);
+
+/// A part of the current state.
+template <class Part>
+ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
+  auto* form = new ParameterForm([model, part](ParameterVisitor& visitor) {
+    CameraState state = model->current();
+    describe(visitor, state.*part);
+    model->setCurrent(state);
+  });
+  follow(model, form);
+  return form;
+}
+
+/// The display, the light field or the sampling.
+template <class Part>
+ParameterForm* contentForm(SessionModel* model, Part Session::*part) {
+  auto* form = new ParameterForm([model, part](ParameterVisitor& visitor) {
+    Session content = model->session();
+    describe(visitor, content.*part);
+    model->setContent(content);
+  });
+  follow(model, form);
+  return form;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the new session that a light field opens with.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/light_field_file.h"
+#include "io/session_file.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+class TestSessionAround : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+  QString file(const char* name) const { return m_folder.filePath(name); }
+
+ private Q_SLOTS:
+  void aFolderOfViewsIsWhole() {
+    for (const char* name : {"views/000_000.png", "views/000_001.png", "views/000_002.png",
+                             "views/001_000.png", "views/001_001.png", "views/001_002.png"})
+      writeGrey(file(name), 40, 10);
+    const Session session = sessionAround(file("views").toStdString());
+    check(session);
+    QVERIFY(session.lightField.layout == Layout::views);
+    QVERIFY((session.display.size == std::array{0.5, 0.125}));  // as wide and high as a view
+    QCOMPARE(session.cameras.size(), std::size_t(1));
+    const Scene scene = loadScene(session, {});
+    QVERIFY((scene.lightField->size() == LightFieldSize{40, 10, 3, 2}));
+    const Image image = simulate(scene.view(session.cameras[0]));
+    QVERIFY(image.seen[std::size_t(300) * 600 + 300] > 0);
+  }
+
+  void aQuiltSaysItsViews() {
+    writeGrey(file("q_qs4x3a0.5.png"), 80, 90);
+    const Session session = sessionAround(file("q_qs4x3a0.5.png").toStdString());
+    check(session);
+    QVERIFY((loadScene(session, {}).lightField->size() == LightFieldSize{20, 30, 12, 1}));
+    QCOMPARE(session.display.size[1], 0.5);
+  }
+
+  void aHogelImageNeedsItsHogels() {
+    writeGrey(file("hogels.png"), 80, 40);
+    Session session = sessionAround(file("hogels.png").toStdString());
+    QVERIFY(session.lightField.layout == Layout::hogels);
+    QVERIFY((session.display.size == std::array{0.5, 0.25}));
+    const QString error = errorOf([&] { (void)loadScene(session, {}); });
+    QVERIFY2(error.contains("is 80×40 px; how many of them are hogels"), qPrintable(error));
+    session.display.hogels = {8, 4};
+    session.display.directions = {10, 10};
+    check(session);
+    (void)loadScene(session, {});
+    session.display.directions = {10, 0};
+    QVERIFY(errorOf([&] { check(session); }).startsWith("display.directions: has one number"));
+  }
+
+  void whatIsNoPictureIsTold() {
+    QVERIFY(
+        errorOf([&] { (void)sessionAround(file("none.png").toStdString()); }).contains("none.png"));
+    QDir(m_folder.path()).mkdir("empty");
+    QVERIFY(errorOf([&] { (void)sessionAround(file("empty").toStdString()); }).contains("empty"));
+  }
+
+  void onlySomeEditsNeedReading() {
+    Session a;
+    a.display.hogels = {8, 4};
+    Session b = a;
+    b.display.position = {1, 2, 3};
+    b.display.size = {1, 2};
+    b.display.fov = {20, 30};
+    b.display.lens = HogelLens::equiangular;
+    b.sampling.samplesPerPixel = 3;
+    b.cameras.resize(4);
+    QVERIFY(readTheSame(a, b));
+    Session c = b;
+    c.display.hogels = {8, 5};
+    QVERIFY(!readTheSame(a, c));
+    c = b;
+    c.display.directions = {3, 3};
+    QVERIFY(!readTheSame(a, c));
+    c = b;
+    c.lightField.incoming = true;
+    QVERIFY(!readTheSame(a, c));
+  }
+
+  void anotherFileKeepsTheLayout() {
+    writeGrey(file("views2/000_000.png"), 4, 4);
+    LightFieldParams quilt;
+    quilt.layout = Layout::quilt;
+    quilt.quiltColumns = 7;
+    const LightFieldParams other = withFile(quilt, "other.png");
+    QVERIFY(other.layout == Layout::quilt && other.quiltColumns == 7);
+    const LightFieldParams folder = withFile(quilt, file("views2").toStdString());
+    QVERIFY(folder.layout == Layout::views && folder.quiltColumns == 0);
+    QVERIFY(withFile(folder, "other.png").layout == Layout::hogels);
+    QVERIFY(withFile(folder, "a_qs2x2a1.png").layout == Layout::quilt);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestSessionAround)
+#include "test_session_around.moc"
