@@ -14,7 +14,7 @@ class TestChangedField : public QObject {
   void eachKindOfField_data();
   void eachKindOfField();
 
-  void nothingChanged() { QCOMPARE(changedField({}, {}), std::string()); }
+  void nothingChanged() { QCOMPARE(changedField(CameraState{}, CameraState{}), std::string()); }
 
   void theFirstOfSeveral() {
     CameraState after;
