@@ -166,6 +166,7 @@ void MainWindow::addEditing() {
 void MainWindow::connectWorker() {
   connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
+  connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // of an older reading
   connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
   connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);

@@ -69,6 +69,7 @@ void Messages::say(const QString& line) {
 
 void Messages::fail(const QString& line) {
   m_error = line;
+  m_line.clear();  // such as "Reading …"
   const QString time = QTime::currentTime().toString("HH:mm:ss");
   m_list->appendPlainText(tr("%1  %2").arg(time, line));
   m_button->setText(tr("⚠ Errors: %1").arg(++m_count));

@@ -13,7 +13,7 @@
 namespace hogelscope {
 
 TradeoffChartWidget::TradeoffChartWidget(QWidget* parent) : QWidget(parent), m_chart({}, "") {
-  setMinimumSize(500, 380);
+  setMinimumSize(420, 260);
   setObjectName("tradeoffChart");
 }
 

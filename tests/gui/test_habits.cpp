@@ -303,20 +303,20 @@ class TestHabits : public QObject {
     QVERIFY(!dock->isVisible());
     dock->show();
     m_window->addDockWidget(Qt::LeftDockWidgetArea, camera);
-    m_window->resize(1111, 777);
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 777), patience);
+    m_window->resize(1111, 850);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 850), patience);
     QVERIFY(m_window->close());
     makeWindow({});
     dock = m_window->findChild<QDockWidget*>("tradeoffDock");
     camera = m_window->findChild<QDockWidget*>("cameraDock");
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 777), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 850), patience);
     QVERIFY(dock->isVisible());
     QCOMPARE(m_window->dockWidgetArea(camera), Qt::LeftDockWidgetArea);
     action("resetLayoutAction")->trigger();
     QVERIFY(!dock->isVisible());
     QVERIFY(camera->isVisible());
     QCOMPARE(m_window->dockWidgetArea(camera), Qt::RightDockWidgetArea);
-    QCOMPARE(m_window->size(), QSize(1111, 777));
+    QCOMPARE(m_window->size(), QSize(1111, 850));
   }
 
   void dropsOpenImportAndCompare() {

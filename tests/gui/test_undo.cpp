@@ -118,12 +118,7 @@ void TestUndo::eachStatesCommandComesBack_data() {
   row(
       "rename",
       [](MainWindow& window) {
-        QTimer::singleShot(0, [] {
-          auto* line = QApplication::activeModalWidget()->findChild<QLineEdit*>();
-          line->setText("new");
-          QTest::keyClick(line, Qt::Key_Return);
-        });
-        window.findChild<QAction*>("renameAction")->trigger();
+        window.findChild<StateCommands*>()->rename(1, "new");
       },
       "a|new|c", "Rename state");
 }
