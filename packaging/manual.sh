@@ -3,6 +3,7 @@
 set -eu
 here=$(dirname "$0")
 "$here/build.sh" hogelscope
+cmake --build --preset release --target screenshots
 cd "$here/.."
 
 program=build/release/bin/hogelscope
@@ -16,3 +17,6 @@ cp "$output/display/tradeoff.png" resources/manual/tradeoff_display.png
 cp "$output/ideal/tradeoff.png" resources/manual/tradeoff_ideal.png
 cp "$output/stability/stability.png" resources/manual/stability.png
 "$program" --help parameters > resources/manual/parameters.md
+"$program" --generate scene --session data/table1.json --degrade jpeg:10 --output "$output/jpeg10.png"
+xvfb-run -a -s "-screen 0 2560x1440x24" \
+  build/release/bin/screenshots resources/manual 1280x800 "$output/jpeg10.png"

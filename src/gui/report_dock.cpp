@@ -67,6 +67,7 @@ ReportDock::ReportDock(QWidget* parent)
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
   m_rows->setObjectName("reportTable");
+  m_rows->setMinimumWidth(260);
   m_rows->setModel(m_sorted);
   m_rows->setSortingEnabled(true);
   m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as the report has them
@@ -274,6 +275,7 @@ void ReportDock::start() {
   m_request.reference = m_reference;
   if (m_request.reference) m_request.reference->sampling.tolerance = 0;
   m_table->begin(m_request.session.cameras.size() * m_tests.size());
+  m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
   m_test = 0;
   tellPsnr();
   m_isAtWork = true;

@@ -3,6 +3,7 @@
 #include "gui/window_layout.h"
 
 #include <QMainWindow>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 
@@ -32,7 +33,15 @@ void WindowLayout::save() const {
 
 void WindowLayout::restore() {
   const QSettings settings;
-  if (settings.value("window/version").toInt() != version) return;
+  if (settings.value("window/version").toInt() != version) {
+    // Once it is shown: docks let a window grow while they are laid out for the first time.
+    const auto fit = [this] {
+      m_window->resize(m_window->size().boundedTo(m_window->screen()->availableSize()));
+    };
+    fit();
+    QMetaObject::invokeMethod(m_window, fit, Qt::QueuedConnection);
+    return;
+  }
   m_window->restoreGeometry(settings.value("window/geometry").toByteArray());
   m_window->restoreState(settings.value("window/docks").toByteArray(), version);
   m_splitter->restoreState(settings.value("window/splitter").toByteArray());

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes the manual's pictures of the window, so that they stay true: packaging/manual.sh.
+// screenshots FOLDER WIDTHxHEIGHT TEST drives the real window on the sample session; TEST is a
+// light field to compare with.
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "gui/key_window.h"
+#include "gui/main_window.h"
+#include "gui/picture_commands.h"
+#include "gui/picture_view.h"
+#include "gui/report_dock.h"
+#include "gui/vtk_widget.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr int patience = 60000;
+const QString sample = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+
+class Shooting {
+ public:
+  Shooting(const QString& folder, const QSize& size, const QString& test)
+      : m_folder(folder), m_size(size), m_test(test) {}
+
+  void run() {
+    m_window.resize(m_size);
+    m_window.show();
+    QApplication::setActiveWindow(&m_window);
+    QTest::qWait(300);
+    m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
+    QTest::qWait(300);
+    shoot("start");
+    m_window.openSession(sample);
+    wait([this] { return !view()->image().isNull(); });
+    shoot("sample");
+    lens();
+    wipe();
+    report();
+    keys();
+    dark();
+  }
+
+ private:
+  template <class Condition>
+  void wait(Condition condition) {
+    if (!QTest::qWaitFor(condition, patience)) qFatal("waited in vain");
+    QTest::qWait(1500);  // the scene and the full picture follow
+  }
+  PictureView* view() const { return m_window.findChild<PictureView*>("pictureView"); }
+  void trigger(const char* action) {
+    m_window.findChild<QAction*>(action)->trigger();
+    QTest::qWait(300);
+  }
+  void raise(const char* dock) {
+    m_window.findChild<QDockWidget*>(dock)->show();
+    m_window.findChild<QDockWidget*>(dock)->raise();
+    QTest::qWait(300);
+  }
+  /// OpenGL's part of the window is not in a widget's own picture.
+  void shoot(const QString& name) {
+    QImage picture = m_window.grab().toImage();
+    auto* scene = m_window.findChild<VtkWidget*>("sceneWidget");
+    QPainter(&picture).drawImage(scene->mapTo(&m_window, QPoint()), scene->grabFramebuffer());
+    picture.save(m_folder + "/window_" + name + ".png");
+  }
+
+  /// The paper's Fig. 2: its lens folds within the picture.
+  void lens() {
+    raise("distortionDock");
+    m_window.findChild<QComboBox*>("stateBox")->setCurrentIndex(1);
+    wait([this] { return m_window.findChild<QLabel*>("certificateLabel")->text().contains("⚠"); });
+    shoot("lens");
+    m_window.findChild<QComboBox*>("stateBox")->setCurrentIndex(3);
+    raise("cameraDock");
+  }
+
+  void wipe() {
+    m_window.findChild<PictureCommands*>()->compareWith(m_test);
+    wait([this] { return !view()->otherImage().isNull(); });
+    trigger("wipeAction");
+    shoot("wipe");
+    trigger("stopComparingAction");
+  }
+
+  void report() {
+    trigger("reportDockAction");
+    auto* dock = m_window.findChild<ReportDock*>();
+    dock->addTest(m_test);
+    dock->setFolder(m_temporary.path() + "/report");
+    QTest::mouseClick(m_window.findChild<QPushButton*>("makeReportButton"), Qt::LeftButton);
+    wait([this] { return m_window.findChild<QLabel*>("reportNote")->text().contains("mean"); });
+    m_window.findChild<QTableView*>("reportTable")->selectRow(2);
+    trigger("sceneTopAction");
+    QTest::qWait(1000);
+    shoot("report");
+    trigger("reportDockAction");
+    trigger("fitAction");
+  }
+
+  void keys() {
+    trigger("keysAction");
+    auto* window = m_window.findChild<KeyWindow*>();
+    window->grab().save(m_folder + "/window_keys.png");
+    window->close();
+  }
+
+  void dark() {
+    trigger("darkColours");
+    QTest::qWait(1000);
+    shoot("dark");
+  }
+
+  QString m_folder;
+  QSize m_size;
+  QString m_test;
+  QTemporaryDir m_temporary;
+  MainWindow m_window;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
+  QApplication application(argc, argv);
+  QStandardPaths::setTestModeEnabled(true);
+  const QTemporaryDir settings;  // not the user's own
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  const QStringList arguments = application.arguments();
+  const QStringList size = arguments.value(2).split('x');
+  if (size.size() != 2 || arguments.size() != 4 || !QDir(arguments.value(1)).exists()) {
+    qCritical("usage: screenshots FOLDER WIDTHxHEIGHT TEST");
+    return 2;
+  }
+  Shooting(arguments[1], {size[0].toInt(), size[1].toInt()}, arguments[3]).run();
+  return 0;
+}
