@@ -67,7 +67,7 @@ ReportDock::ReportDock(QWidget* parent)
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
   m_rows->setObjectName("reportTable");
-  m_rows->setMinimumWidth(260);
+  m_rows->setMinimumWidth(210);
   m_rows->setModel(m_sorted);
   m_rows->setSortingEnabled(true);
   m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as the report has them
@@ -141,7 +141,7 @@ QWidget* ReportDock::makePictures() {
     auto* view = new PictureView;
     view->setObjectName(name);
     view->setHint(title);
-    view->setMinimumSize(120, 120);
+    view->setMinimumSize(90, 90);
     auto* column = new QVBoxLayout;
     column->addWidget(new QLabel(title));
     column->addWidget(view, 1);

@@ -41,7 +41,6 @@ class Shooting {
     QTest::qWait(300);
     m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
     QTest::qWait(300);
-    shoot("start");
     m_window.openSession(sample);
     wait([this] { return !view()->image().isNull(); });
     shoot("sample");
