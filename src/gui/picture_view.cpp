@@ -278,6 +278,10 @@ void PictureView::mouseReleaseEvent(QMouseEvent* event) {
     Q_EMIT pixelPicked(pixel->x(), pixel->y());
 }
 
+void PictureView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) fit();
+}
+
 void PictureView::leaveEvent(QEvent*) {
   m_pointer.reset();
   update();

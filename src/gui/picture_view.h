@@ -59,6 +59,7 @@ class PictureView : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;  ///< fits
   void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 

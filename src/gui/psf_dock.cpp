@@ -32,7 +32,9 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
 void PsfDock::showKernel() {
   const PsfParams psf = m_model->current().psf;
   m_kernel->setParams(psf);
-  if (psf.windowSize > 1 && !(psf.sigma > 0))
+  if (psf.windowSize == 1)
+    return m_energy->setText(tr("A window of 1: no light leaks, and sigma is not used."));
+  if (!(psf.sigma > 0))
     return m_energy->setText(tr("<b>⚠ A sigma of 0 needs a windowSize of 1.</b>"));
   const double outside = 1 - energyInWindow(psf);
   const QString line =

@@ -20,6 +20,7 @@
 #include <QTableView>
 #include <QUrl>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/summary_page.h"
@@ -63,6 +64,7 @@ ReportDock::ReportDock(QWidget* parent)
           button("openPageButton", tr("&Open page"), tr("Shows report.html in the web browser"))),
       m_progress(new QProgressBar),
       m_note(new QLabel),
+      m_stale(new QLabel(tr("The session has been edited since this report was made."))),
       m_rows(new QTableView) {
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
@@ -94,9 +96,13 @@ QWidget* ReportDock::makeSettings() {
   m_testList->setToolTip(tr("The light fields that are compared with the session's own"));
   m_testList->setMaximumHeight(90);
   m_folder->setObjectName("reportFolder");
-  m_folder->setToolTip(tr("Where report.html, report.csv and the pictures go"));
+  m_folder->setToolTip(
+      tr("Where report.html, report.csv and the pictures go; an older report there is replaced"));
   m_note->setObjectName("reportNote");
   m_note->setWordWrap(true);
+  m_stale->setObjectName("reportStale");
+  m_stale->setWordWrap(true);
+  m_stale->hide();
   m_progress->setObjectName("reportProgress");
   m_progress->setRange(0, 1000);
   auto* addFile = button("addTestButton", tr("&Add…"), tr("An image or a session"));
@@ -120,6 +126,7 @@ QWidget* ReportDock::makeSettings() {
   layout->addWidget(beside({m_folder, choose}));
   layout->addWidget(beside({m_makeButton, m_pageButton}));
   layout->addWidget(m_progress);
+  layout->addWidget(m_stale);
   layout->addWidget(m_note);
   layout->addStretch();
   auto* area = new QScrollArea;
@@ -143,7 +150,9 @@ QWidget* ReportDock::makePictures() {
     view->setHint(title);
     view->setMinimumSize(90, 90);
     auto* column = new QVBoxLayout;
-    column->addWidget(new QLabel(title));
+    auto* caption = new QLabel(title);
+    m_captions[std::size_t(layout->count())] = caption;
+    column->addWidget(caption);
     column->addWidget(view, 1);
     layout->addLayout(column, 1);
     return view;
@@ -168,6 +177,7 @@ void ReportDock::connectAll() {
     showIdle();
     m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
     m_pageButton->setEnabled(true);
+    if (!chosenRow()) chooseState(m_model->currentIndex());
   });
   connect(m_worker, &ReportWorker::stopped, this, [this] {
     showIdle();
@@ -199,9 +209,9 @@ void ReportDock::forget() {
   if (m_isAtWork) stop();
   m_table->begin(0);
   m_note->clear();
+  m_stale->hide();
   m_pageButton->setEnabled(false);
-  for (PictureView* view : {m_referencePicture, m_testPicture, m_differencePicture})
-    view->setImages({});
+  clearPictures();
   tellPsnr();
   if (!m_isAtWork) showIdle();
 }
@@ -212,7 +222,9 @@ void ReportDock::noteEdits() {
   if (!std::ranges::equal(m_request.session.cameras, m_model->session().cameras, {}, nameOf,
                           nameOf))
     return forget();
-  if (!m_isAtWork) m_note->setText(tr("The session has been edited since this report was made."));
+  Session reported = m_request.session;
+  reported.sampling.tolerance = m_model->session().sampling.tolerance;
+  m_stale->setVisible(reported != m_model->session());
 }
 
 void ReportDock::setReference(const std::optional<Scene>& scene) {
@@ -250,8 +262,9 @@ void ReportDock::setFolder(const QString& folder) {
 }
 
 void ReportDock::openPage() {
-  QDesktopServices::openUrl(
-      QUrl::fromLocalFile(QString::fromStdString(m_request.output) + "/report.html"));
+  const QString page = QString::fromStdString(m_request.output) + "/report.html";
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+    Q_EMIT failed(tr("%1: no web browser could be started for it").arg(page));
 }
 
 void ReportDock::makeOrStop() {
@@ -276,10 +289,12 @@ void ReportDock::start() {
   if (m_request.reference) m_request.reference->sampling.tolerance = 0;
   m_table->begin(m_request.session.cameras.size() * m_tests.size());
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
+  clearPictures();
   m_test = 0;
   tellPsnr();
   m_isAtWork = true;
   m_note->clear();
+  m_stale->hide();
   m_pageButton->setEnabled(false);
   m_makeButton->setText(tr("&Stop"));
   m_progress->setVisible(true);
@@ -322,6 +337,7 @@ void ReportDock::tellPsnr() {
       if (const auto& row = m_table->row(state * m_tests.size() + m_test); row)
         dB[state] = psnr(row->metrics.mse);
   }
+  if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
   Q_EMIT psnrChanged(dB);
 }
 
@@ -342,6 +358,19 @@ void ReportDock::showChosen() {
   m_model->setCurrentIndex(*row / m_tests.size());
 }
 
+void ReportDock::clearPictures() {
+  for (PictureView* view : {m_referencePicture, m_testPicture, m_differencePicture})
+    view->setImages({});
+  showCaptions({});
+}
+
+/// Which state's pictures they are; "" for none.
+void ReportDock::showCaptions(const QString& state) {
+  const std::array titles{tr("Reference"), tr("Test"), tr("Difference")};
+  for (std::size_t k = 0; k < titles.size(); ++k)
+    m_captions[k]->setText(state.isEmpty() ? titles[k] : titles[k] + ": " + state);
+}
+
 void ReportDock::showPictures(std::size_t index) {
   const std::optional<ReportRow>& row = m_table->row(index);
   QImage reference;
@@ -352,6 +381,7 @@ void ReportDock::showPictures(std::size_t index) {
     reference.load(folder + "/reference" + name);
     test.load(folder + "/test" + QString::number(index % m_tests.size() + 1) + name);
   }
+  showCaptions(row ? QString::fromStdString(row->state) : QString());
   m_referencePicture->setImages(reference);
   m_testPicture->setImages(test);
   m_differencePicture->setImages(reference, test);

@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
+#include <array>
 
 #include "report/report_run.h"
 
@@ -37,6 +38,7 @@ class ReportDock : public QWidget {
 
  Q_SIGNALS:
   /// Of every state under the test of the chosen row, dB; not a number where there is none (yet).
+  /// Empty while there is none at all.
   void psnrChanged(const std::vector<double>& dB);
   void failed(const QString& line);
 
@@ -59,6 +61,8 @@ class ReportDock : public QWidget {
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
   void showPictures(std::size_t index);
+  void clearPictures();
+  void showCaptions(const QString& state);
   void tellPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
 
@@ -76,7 +80,9 @@ class ReportDock : public QWidget {
   QPushButton* m_pageButton;
   QProgressBar* m_progress;
   QLabel* m_note;
+  QLabel* m_stale;  ///< shown while the session is not what the rows are of
   QTableView* m_rows;
+  std::array<QLabel*, 3> m_captions{};
   PictureView* m_referencePicture;
   PictureView* m_testPicture;
   PictureView* m_differencePicture;

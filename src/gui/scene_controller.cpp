@@ -26,6 +26,7 @@ SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model
   connectModel();
   connectScene();
   showText();
+  m_scene->fit();
 }
 
 SceneController::~SceneController() = default;

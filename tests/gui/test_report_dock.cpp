@@ -244,7 +244,11 @@ void TestReportDock::editsAreNoted() {
       ->widget()
       ->findChild<QDoubleSpinBox*>("eye.0")
       ->setValue(0.05);
-  QVERIFY(child<QLabel>("reportNote")->text().contains("edited"));
+  auto* stale = child<QLabel>("reportStale");
+  QVERIFY(stale->isVisible() && stale->text().contains("edited"));
+  QVERIFY(child<QLabel>("reportNote")->text().contains("mean of the finite"));
+  QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);  // as it was
+  QVERIFY(!stale->isVisible());
   QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
   QTest::keyClick(m_window.get(), Qt::Key_D, Qt::ControlModifier);  // duplicate
   QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 0);
