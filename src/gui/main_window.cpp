@@ -325,11 +325,13 @@ void MainWindow::showTitle() {
   setWindowTitle(tr("%1[*] – Hogelscope").arg(name));
   setWindowModified(m_model->isModified());
   setWindowFilePath(m_model->file());
-  m_ui->saveAction->setEnabled(!m_model->session().cameras.empty());
-  m_ui->saveAsAction->setEnabled(!m_model->session().cameras.empty());
-  m_ui->importAction->setEnabled(!m_model->session().cameras.empty());
-  m_ui->cameraMenu->setEnabled(!m_model->session().cameras.empty());
-  m_ui->statesMenu->setEnabled(!m_model->session().cameras.empty());
+  const bool isOpen = !m_model->session().cameras.empty();
+  for (QAction* action : {m_ui->saveAction, m_ui->saveAsAction, m_ui->importAction})
+    action->setEnabled(isOpen);
+  for (QWidget* part : std::initializer_list<QWidget*>{
+           m_ui->cameraMenu, m_ui->statesMenu, m_ui->displayArea, m_ui->cameraArea,
+           m_ui->distortionArea, m_ui->psfArea, m_ui->statesDock->widget()})
+    part->setEnabled(isOpen);
 }
 
 }  // namespace hogelscope
