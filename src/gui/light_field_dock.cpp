@@ -14,17 +14,6 @@
 
 namespace hogelscope {
 
-namespace {
-
-QPushButton* button(const char* name, const QString& text, const QString& help) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(name);
-  made->setToolTip(help);
-  return made;
-}
-
-}  // namespace
-
 LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
     : QWidget(parent), m_model(model), m_contents(new QLabel) {
   m_contents->setObjectName("contentsLabel");

@@ -27,18 +27,12 @@
 #include "gui/picture_view.h"
 #include "gui/report_table.h"
 #include "gui/report_worker.h"
+#include "gui/session_forms.h"
 #include "gui/session_model.h"
 
 namespace hogelscope {
 
 namespace {
-
-QPushButton* button(const char* name, const QString& text, const QString& help) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(name);
-  made->setToolTip(help);
-  return made;
-}
 
 QWidget* beside(std::initializer_list<QWidget*> widgets) {
   auto* row = new QWidget;

@@ -2,6 +2,7 @@
 // Forms over the session's parts.
 #include "gui/session_forms.h"
 
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace hogelscope {
@@ -20,6 +21,13 @@ QWidget* stacked(const std::vector<QWidget*>& widgets) {
   for (QWidget* widget : widgets) layout->addWidget(widget);
   layout->addStretch();
   return column;
+}
+
+QPushButton* button(const char* name, const QString& text, const QString& help) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(name);
+  made->setToolTip(help);
+  return made;
 }
 
 }  // namespace hogelscope

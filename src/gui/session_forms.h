@@ -8,6 +8,8 @@
 #include "gui/parameter_form.h"
 #include "gui/session_model.h"
 
+class QPushButton;
+
 namespace hogelscope {
 
 /// Shows again what the model says, whatever changes in it.
@@ -15,6 +17,9 @@ void follow(const SessionModel* model, ParameterForm* form);
 
 /// One below the other, with nothing between them; the column takes them.
 QWidget* stacked(const std::vector<QWidget*>& widgets);
+
+/// A button with its object name and tooltip; who takes it owns it.
+QPushButton* button(const char* name, const QString& text, const QString& help);
 
 /// A part of the current state.
 template <class Part>

@@ -22,9 +22,10 @@ Degradation parseDegradation(const std::string& text);
 
 /// `band` is the j-th row of hogels: dv rows of 3·nx·du values.
 /// jpeg: coded and decoded by OpenCV (4:2:0), each row of hogels as a picture of its own, in pieces
-/// of at most 65 488 columns; the same as the whole picture's where dv is a multiple of 16.
-/// noise: Gaussian, independent for each value, depending on its place and the seed alone.
-/// blur: Gaussian within each hogel, its edge repeated.
+/// of at most 65 488 columns; where dv is a multiple of 16 the same as the whole picture's, but for
+/// the colour of the rows beside its border, which decoders smooth across blocks. noise: Gaussian,
+/// independent for each value, depending on its place and the seed alone. blur: Gaussian within
+/// each hogel, its edge repeated.
 void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
              std::span<std::uint8_t> band);
 
