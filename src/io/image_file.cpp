@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/png_rows.h"
 
 namespace hogelscope {
 
@@ -174,23 +175,43 @@ std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
   return values;
 }
 
-void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
+template <class T>
+void ImageFile::readAs(const Band& band, const Progress& progress) {
   constexpr std::size_t bandPixels = std::size_t{1} << 20;
   const auto tileRows = std::size_t(std::max(m_input->spec.tile_height, 1));
   const std::size_t rows = (bandPixels / width() / tileRows + 1) * tileRows;
   for (std::size_t first = 0; first < height(); first += rows) {
     advance(progress, double(first) / double(height()));
     const std::size_t count = std::min(rows, height() - first);
-    switch (type) {
-      case StoredType::uint8:
-        band(first, count, readRows<std::uint8_t>(first, count));
-        break;
-      case StoredType::uint16:
-        band(first, count, readRows<std::uint16_t>(first, count));
-        break;
-      default:
-        band(first, count, readRows<float>(first, count));
-    }
+    band(first, count, StoredRows(readRows<T>(first, count).data()));
+  }
+}
+
+namespace {
+
+void readPlainPng(PngRows& png, std::size_t width, std::size_t height, const ImageFile::Band& band,
+                  const Progress& progress) {
+  std::vector<std::uint8_t> row(3 * width);
+  for (std::size_t y = 0; y < height; ++y) {
+    advance(progress, double(y) / double(height));
+    png.next(row);
+    band(y, 1, row.data());
+  }
+}
+
+}  // namespace
+
+void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
+  if (type == StoredType::uint8)
+    if (const auto png = PngRows::open(m_file))
+      return readPlainPng(*png, width(), height(), band, progress);
+  switch (type) {
+    case StoredType::uint8:
+      return readAs<std::uint8_t>(band, progress);
+    case StoredType::uint16:
+      return readAs<std::uint16_t>(band, progress);
+    default:
+      return readAs<float>(band, progress);
   }
 }
 

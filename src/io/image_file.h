@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/image.h"
@@ -15,6 +16,9 @@
 #include "core/progress.h"
 
 namespace hogelscope {
+
+/// The first value of pixels that somebody else holds.
+using StoredRows = std::variant<const std::uint8_t*, const std::uint16_t*, const float*>;
 
 /// An opened picture file; every error names it. Grey becomes RGB, alpha is light over black.
 class ImageFile {
@@ -30,14 +34,16 @@ class ImageFile {
   [[nodiscard]] StoredType type() const;
   [[nodiscard]] std::string format() const;  ///< such as "png"
 
-  /// Hears rows [first, first + rows) as `type`, three values a pixel.
-  using Band = std::function<void(std::size_t first, std::size_t rows, const LightField::Values&)>;
+  /// Hears rows [first, first + rows), three values a pixel; they are gone afterwards.
+  using Band = std::function<void(std::size_t first, std::size_t rows, const StoredRows&)>;
   /// Reads all pixels from the top, some rows at a time. Throws InputError: damaged, not a number.
   void read(StoredType type, const Band& band, const Progress& progress);
 
   [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
 
  private:
+  template <class T>
+  void readAs(const Band& band, const Progress& progress);
   template <class T>
   std::vector<T> readRows(std::size_t first, std::size_t rows);
 

@@ -46,15 +46,25 @@ void place(ImageFile& image, StoredType type, LightField& lightField, bool incom
   };
   image.read(
       type,
-      [&](std::size_t first, std::size_t rows, const LightField::Values& values) {
+      [&](std::size_t first, std::size_t rows, const StoredRows& values) {
         std::visit(
-            [&](const auto& list) {
+            [&](const auto* rgb) {
               for (std::size_t row = 0; row < rows; ++row)
-                putRow(int(first + row), list.data() + 3 * row * image.width());
+                putRow(int(first + row), rgb + 3 * row * image.width());
             },
             values);
       },
       progress);
+}
+
+/// Directions that were recorded looking into the scene, as they leave: each hogel's row backwards.
+template <class T>
+void turnHogels(const LightFieldSize& size, const T* rgb, std::vector<T>& turned) {
+  turned.resize(3 * size.width());
+  for (int i = 0; i < size.nx; ++i)
+    for (int u = 0; u < size.du; ++u)
+      std::copy_n(rgb + std::ptrdiff_t(3) * (i * size.du + u), 3,
+                  &turned[std::size_t(3) * std::size_t((i + 1) * size.du - 1 - u)]);
 }
 
 class HogelImage : public LightFieldFile {
@@ -76,6 +86,7 @@ class HogelImage : public LightFieldFile {
                            " directions need " + pixels(m_size.width(), m_size.height()));
   }
 
+  [[nodiscard]] StoredType type() const override { return m_image.type(); }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
@@ -88,7 +99,30 @@ class HogelImage : public LightFieldFile {
     return lightField;
   }
 
+  [[nodiscard]] bool isStream() const override { return true; }
+  void stream(const HogelRow& row, const Progress& progress) override {
+    m_image.read(
+        m_image.type(),
+        [&](std::size_t first, std::size_t rows, const StoredRows& values) {
+          std::visit(
+              [&](const auto* rgb) {
+                for (std::size_t k = 0; k < rows; ++k)
+                  hand(int(first + k), rgb + 3 * k * m_size.width(), row);
+              },
+              values);
+        },
+        progress);
+  }
+
  private:
+  template <class T>
+  void hand(int y, const T* rgb, const HogelRow& row) const {
+    if (!m_params.incoming) return row(y / m_size.dv, y % m_size.dv, rgb);
+    std::vector<T> turned;
+    turnHogels(m_size, rgb, turned);
+    row(y / m_size.dv, m_size.dv - 1 - y % m_size.dv, turned.data());
+  }
+
   LightFieldParams m_params;
   ImageFile m_image;
   LightFieldSize m_size;
@@ -103,6 +137,7 @@ class ViewsFolder : public LightFieldFile {
     m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
   }
 
+  [[nodiscard]] StoredType type() const override { return m_type; }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override { return m_views.files; }
 
@@ -164,6 +199,7 @@ class QuiltImage : public LightFieldFile {
     m_size = {int(m_image.width() / tilesX), int(m_image.height() / tilesY), m_columns * m_rows, 1};
   }
 
+  [[nodiscard]] StoredType type() const override { return m_image.type(); }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
@@ -187,6 +223,26 @@ class QuiltImage : public LightFieldFile {
 };
 
 }  // namespace
+
+void LightFieldFile::stream(const HogelRow& row, const Progress& progress) {
+  const LightField whole = read(progress);
+  const auto [nx, ny, du, dv] = size();
+  std::visit(
+      [&, nx = nx, ny = ny, du = du, dv = dv](const auto& texels) {
+        std::vector<std::decay_t<decltype(texels[0].r)>> rgb(3 * size().width());
+        for (int j = 0; j < ny; ++j)
+          for (int v = 0; v < dv; ++v) {
+            for (int x = 0; x < nx * du; ++x) {
+              const auto& [r, g, b, unused] =
+                  texels[whole.layout().address({x / du, j, x % du, v})];
+              const std::array values{r, g, b};
+              std::copy(values.begin(), values.end(), &rgb[std::size_t(3) * std::size_t(x)]);
+            }
+            row(j, v, rgb.data());
+          }
+      },
+      whole.texels());
+}
 
 std::array<int, 2> quiltTilesFromName(const std::string& file) {
   static const std::regex suffix(R"(.*_qs(\d{1,4})x(\d{1,4})a[0-9.]+)");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/light_field.h"
 #include "core/progress.h"
 #include "core/simulate.h"
+#include "io/image_file.h"
 
 namespace hogelscope {
 
@@ -19,8 +21,17 @@ class LightFieldFile {
   virtual ~LightFieldFile() = default;
   [[nodiscard]] virtual LightFieldSize size() const = 0;
   [[nodiscard]] virtual std::vector<std::filesystem::path> files() const = 0;
+  [[nodiscard]] virtual StoredType type() const = 0;
   /// Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
+
+  /// Hears the directions (·, v) of the hogels (·, j): three values each, in the order of i·du + u.
+  using HogelRow = std::function<void(int j, int v, const StoredRows& rgb)>;
+  /// Can the file be gone through in bounded memory, row of hogels by row of hogels?
+  [[nodiscard]] virtual bool isStream() const { return false; }
+  /// Goes through the file once, hogel row after hogel row from the top; a hogel row's v in any
+  /// order. Throws InputError, or Cancelled.
+  virtual void stream(const HogelRow& row, const Progress& progress);
 };
 
 /// Throws InputError that names the file: missing, damaged, or not the display's size.

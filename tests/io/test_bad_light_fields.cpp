@@ -133,7 +133,7 @@ void TestBadLightFields::pictures_data() {
   refused("PNG damaged",
           text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
                 .lightField = R"({"file": "damaged.png"})"}),
-          "damaged.png: is damaged: PNG read error: IDAT: invalid distance too far back");
+          "damaged.png: row 0: is damaged: IDAT stream error");
   refused("JPEG cut in half",
           text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
                 .lightField = R"({"file": "cut.jpg"})"}),
