@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/light_field.h"
+#include "core/slice_layout.h"
 
 namespace hogelscope {
 
@@ -34,6 +35,13 @@ BlockLayout::BlockLayout(const LightFieldSize& size,
       throw std::length_error("more than 2^32 directional pixels in memory");
   }
   texels = std::uint32_t(stride);
+}
+
+BlockLayout::BlockLayout(const SliceLayout& slice) : texels(slice.texels) {
+  i.list = slice.columnStart.data();
+  j.list = slice.rowStart.data();
+  u.blockStride = 1;
+  v.blockStride = slice.width;
 }
 
 std::uint32_t BlockLayout::address(const TexelIndex& at) const {

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <mutex>
 
 #include "core/error.h"
+#include "core/footprint.h"
 
 namespace hogelscope {
 
@@ -52,7 +54,7 @@ struct FastSimulation::Scratch {
 };
 
 FastSimulation::FastSimulation(const View& view, LensTables& tables,
-                               const ParallelRows& parallelRows)
+                               const ParallelRows& parallelRows, const Progress& progress)
     : m_view(view) {
   const Simulation valid(view);  // throws what is wrong
   m_plan = hogelscope::plan(view);
@@ -61,12 +63,27 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
   m_map = hitMapOf(view.display, display, Camera(view.state.camera, view.state.intrinsics));
   m_map.isSingle = view.method.isSingle;
   m_seesNothing = !(display.displayFromWorld().point(view.state.camera.eye).z > 0);
-  m_unseen = view.lightField->layout().texels;
   for (int x = 0; x < view.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
   if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
   if (!m_lens) m_rays.emplace(m_lensKey);
-  m_taps.emplace(view, m_plan);
+  if (view.lightField->store() != nullptr) fetch(parallelRows, progress);
+  m_unseen = m_view.lightField->layout().texels;
+  m_taps.emplace(m_view, m_plan);
+}
+
+void FastSimulation::fetch(const ParallelRows& parallelRows, const Progress& progress) {
+  const auto [width, height] = m_view.state.camera.res;
+  Footprint all = m_view.lightField->slice()->footprint;
+  std::mutex mutex;
+  parallelRows(height, [&, width = width](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const Footprint ofRow = footprint(*this, m_view, y, 0, width);
+      const std::lock_guard lock(mutex);
+      all.include(ofRow);
+    }
+  });
+  m_view.lightField = m_view.lightField->store()->slice(all, progress);
 }
 
 /// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
@@ -90,9 +107,9 @@ std::array<int, 2> FastSimulation::seenPart(int y, int x0, int x1) const {
   int last = std::min(x1, static_cast<int>(std::floor(column(part[1]))) + 2);
   // The ends are decided by the ray itself, not by the rounding of the division above.
   const auto isUnseen = [&](int x) {
-    std::uint32_t address = 0;
-    addresses(m_map, m_view.lightField->layout(), &m_x[std::size_t(x)], &py, 1, m_unseen, &address);
-    return address == m_unseen;
+    CellBatch batch;
+    hogelscope::cells(m_map, &m_x[std::size_t(x)], &py, 1, batch);
+    return batch.seen[0] == 0;
   };
   while (first < last && isUnseen(first)) ++first;
   while (first < last && isUnseen(last - 1)) --last;
@@ -266,7 +283,7 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
 
 Image simulateFast(const View& view, LensTables& tables, const ParallelRows& parallelRows,
                    const Progress& progress) {
-  const FastSimulation simulation(view, tables, parallelRows);
+  const FastSimulation simulation(view, tables, parallelRows, progress);
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
   std::atomic<bool> stops = false;  // what runs in parallel must not throw

@@ -20,8 +20,10 @@ namespace hogelscope {
 
 class FastSimulation {
  public:
-  /// Throws InputError, as Simulation does. `tables` keeps lens tables from view to view.
-  FastSimulation(const View& view, LensTables& tables, const ParallelRows& parallelRows);
+  /// `tables` keeps lens tables from view to view. What the view needs of a light field in a store
+  /// is fetched, `progress` hears of that. Throws InputError, as Simulation does, or Cancelled.
+  FastSimulation(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                 const Progress& progress = {});
 
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   /// Null for a plain lens.
@@ -41,6 +43,7 @@ class FastSimulation {
  private:
   struct Scratch;
 
+  void fetch(const ParallelRows& parallelRows, const Progress& progress);
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;

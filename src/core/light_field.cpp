@@ -87,6 +87,34 @@ LightField::LightField(LightFieldSize size, const Values& values)
       values);
 }
 
+LightField::LightField(LightFieldSize size, StoredType type, SliceLayout slice)
+    : m_size(size),
+      m_slice(std::make_shared<const SliceLayout>(std::move(slice))),
+      m_layout(*m_slice),
+      m_texels(blackTexels(std::size_t(m_layout.texels) + 1, type)) {}
+
+LightField::LightField(LightFieldSize size, StoredType type, std::shared_ptr<TexelStore> store)
+    : LightField(size, type,
+                 sliceLayout({std::vector<CellRange>(std::size_t(size.nx)),
+                              std::vector<CellRange>(std::size_t(size.ny))})) {
+  m_store = std::move(store);
+}
+
+template <class T>
+void LightField::takeRow(int j, int v, const T* rgb) {
+  auto* to = &std::get<TexelArray<T>>(
+      m_texels)[m_layout.j(std::uint32_t(j)) + m_layout.v(std::uint32_t(v))];
+  for (const SliceLayout::Run& run : m_slice->runs) {
+    const T* from = rgb + 3 * (std::ptrdiff_t(run.i) * m_size.du + run.u.first);
+    for (int u = run.u.first; u <= run.u.last; ++u, from += 3)
+      *to++ = {from[0], from[1], from[2], T{}};
+  }
+}
+
+template void LightField::takeRow(int, int, const std::uint8_t*);
+template void LightField::takeRow(int, int, const std::uint16_t*);
+template void LightField::takeRow(int, int, const float*);
+
 std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
   constexpr std::array<std::size_t, 3> texelBytes{4, 8, 16};
   const BlockLayout layout(size, standardBlock);
@@ -94,6 +122,12 @@ std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
 }
 
 Rgb LightField::texel(const TexelIndex& at) const {
+  if (m_store) {
+    Footprint one = m_slice->footprint;
+    one.u[std::size_t(at.i)] = {at.u, at.u};
+    one.v[std::size_t(at.j)] = {at.v, at.v};
+    return m_store->slice(one, {})->texel(at);
+  }
   return std::visit(
       [address = m_layout.address(at)](const auto& list) {
         const auto& stored = list[address];

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "core/block_layout.h"
 #include "core/huge_pages.h"
 #include "core/parameters.h"
+#include "core/progress.h"
+#include "core/slice_layout.h"
 
 namespace hogelscope {
 
@@ -87,6 +90,22 @@ struct Texel {
 template <class T>
 using TexelArray = std::vector<Texel<T>, HugePageAllocator<Texel<T>>>;
 
+class LightField;
+
+/// Where the texels of a light field are that memory cannot hold.
+class TexelStore {
+ public:
+  TexelStore() = default;
+  TexelStore(const TexelStore&) = delete;
+  TexelStore& operator=(const TexelStore&) = delete;
+  virtual ~TexelStore() = default;
+
+  /// The footprint's texels at least. May be called from several threads. Throws InputError
+  /// (damaged file), Cancelled.
+  virtual std::shared_ptr<const LightField> slice(const Footprint& footprint,
+                                                  const Progress& progress) = 0;
+};
+
 /// Stored values: 16-bit ones are /257 code values, floating ones ·255. In memory the texels lie in
 /// 4-D blocks, and one black texel follows them: what a ray that sees nothing can read.
 class LightField {
@@ -106,6 +125,10 @@ class LightField {
              const std::array<std::uint32_t, 4>& block = standardBlock);
   /// From a hogel image. Throws std::invalid_argument unless there are 3·width·height values.
   LightField(LightFieldSize size, const Values& values);
+  /// Black, and only a slice in memory: no other texel may be asked for.
+  LightField(LightFieldSize size, StoredType type, SliceLayout slice);
+  /// Nothing in memory; views take slices of it. A null store serves where no texel is asked for.
+  LightField(LightFieldSize size, StoredType type, std::shared_ptr<TexelStore> store);
 
   /// Bytes that a light field of this size takes in memory.
   static std::size_t bytes(const LightFieldSize& size, StoredType type);
@@ -113,6 +136,10 @@ class LightField {
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const BlockLayout& layout() const { return m_layout; }
   [[nodiscard]] const Texels& texels() const { return m_texels; }
+  [[nodiscard]] StoredType type() const { return static_cast<StoredType>(m_texels.index()); }
+  /// Null for a light field that is all in memory.
+  [[nodiscard]] const SliceLayout* slice() const { return m_slice.get(); }
+  [[nodiscard]] TexelStore* store() const { return m_store.get(); }
   /// The index must lie in the light field.
   [[nodiscard]] Rgb texel(const TexelIndex& at) const;
   /// T must be the stored type.
@@ -120,9 +147,15 @@ class LightField {
   void set(const TexelIndex& at, const T* rgb) {
     std::get<TexelArray<T>>(m_texels)[m_layout.address(at)] = {rgb[0], rgb[1], rgb[2], T{}};
   }
+  /// Takes what a slice has of directions (·, v) of hogels (·, j) from the hogel image's row. T
+  /// must be the stored type, v in the slice.
+  template <class T>
+  void takeRow(int j, int v, const T* rgb);
 
  private:
   LightFieldSize m_size;
+  std::shared_ptr<const SliceLayout> m_slice;
+  std::shared_ptr<TexelStore> m_store;
   BlockLayout m_layout;
   Texels m_texels;
 };

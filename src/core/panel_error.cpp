@@ -25,6 +25,9 @@ std::size_t product(int a, int b) {
 View raysThroughCentres(View view) {
   view.sampling.samplesPerPixel = 1;
   view.method = {};
+  // Nothing is to be fetched.
+  view.lightField = std::make_shared<const LightField>(view.lightField->size(), StoredType::uint8,
+                                                       std::shared_ptr<TexelStore>());
   return view;
 }
 

@@ -107,8 +107,8 @@ void decideLight(const View& view, Plan& plan) {
   const bool isSum = plan.psfReach > 0 || sampling.samplesPerPixel > 1 ||
                      sampling.reconstruction != Reconstruction::nearest;
   plan.sumsLinear = isSum && view.state.psf.light == LightModel::linear;
-  const bool isByte = std::holds_alternative<TexelArray<std::uint8_t>>(view.lightField->texels());
-  plan.copiesTexels = !isSum && isByte;
+  const bool isByte = view.lightField->type() == StoredType::uint8;
+  plan.copiesTexels = !isSum && isByte && view.lightField->slice() == nullptr;
   if (plan.copiesTexels)
     plan.decisions.push_back(
         {"texels are copied", "nothing is summed and they have 8 bits", "all arithmetic on light"});

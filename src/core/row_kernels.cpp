@@ -92,8 +92,9 @@ inline __attribute__((always_inline)) void addressesOfHitsIn(const HitMap& map,
   const BlockLayout l = layout;
   for (int k = 0; k < count; ++k) {
     const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y));
-    address[k] = l.i(cellWithin(h.i, m.count[0])) + l.j(cellWithin(h.j, m.count[1])) +
-                 l.u(cellWithin(h.u, m.count[2])) + l.v(cellWithin(h.v, m.count[3]));
+    address[k] =
+        l.i.inBlocks(cellWithin(h.i, m.count[0])) + l.j.inBlocks(cellWithin(h.j, m.count[1])) +
+        l.u.inBlocks(cellWithin(h.u, m.count[2])) + l.v.inBlocks(cellWithin(h.v, m.count[3]));
   }
 }
 
@@ -107,8 +108,9 @@ inline __attribute__((always_inline)) void addressesIn(const HitMap& map, const 
   for (int k = 0; k < count; ++k) {
     const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
     const bool seen = isSeen(m, h);
-    const std::uint32_t found = l.i(cellOf(seen ? h.i : 0)) + l.j(cellOf(seen ? h.j : 0)) +
-                                l.u(cellOf(seen ? h.u : 0)) + l.v(cellOf(seen ? h.v : 0));
+    const std::uint32_t found =
+        l.i.inBlocks(cellOf(seen ? h.i : 0)) + l.j.inBlocks(cellOf(seen ? h.j : 0)) +
+        l.u.inBlocks(cellOf(seen ? h.u : 0)) + l.v.inBlocks(cellOf(seen ? h.v : 0));
     address[k] = seen ? found : unseen;
   }
 }

@@ -36,12 +36,12 @@ struct CellBatch {
   std::array<std::uint8_t, batchSize> seen;
 };
 
-/// Rays that are known to hit: only addresses. A coordinate that rounding put on a border is
-/// taken back to the last cell.
+/// Rays that are known to hit: only addresses, of a light field that is all in memory. A coordinate
+/// that rounding put on a border is taken back to the last cell.
 void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
                      int count, std::uint32_t* address);
 
-/// Any rays; those that see nothing get `unseen`.
+/// Any rays, the same; those that see nothing get `unseen`.
 void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
                int count, std::uint32_t unseen, std::uint32_t* address);
 

@@ -136,8 +136,15 @@ int vtkHogelViewFilter::RequestData(
   output->GetPointData()->AddArray(seen);
   try
   {
-    this->Fill(
-      hogelscope::FastSimulation(this->Rendered, this->Tables, hogelscope::parallelRows), output);
+    const auto fetching = [this](double)
+    { return !this->Progress || this->Progress(0); }; // only to stop it
+    this->Fill(hogelscope::FastSimulation(
+                 this->Rendered, this->Tables, hogelscope::parallelRows, fetching),
+      output);
+  }
+  catch (const hogelscope::Cancelled&)
+  {
+    this->Stopped = true;
   }
   catch (const std::exception& error)
   {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which directional pixels a view may read. All rays of a camera meet in its eye, so that each
+// column of hogels shows it a narrow range of u, and each row of hogels one of v: of the paper's
+// light field a view needs some 50 MB.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace hogelscope {
+
+class FastSimulation;
+struct View;
+
+/// Cells [first, last]; empty where last < first.
+struct CellRange {
+  int first = 0;
+  int last = -1;
+
+  [[nodiscard]] bool isEmpty() const { return last < first; }
+  [[nodiscard]] std::size_t size() const { return isEmpty() ? 0 : std::size_t(last - first) + 1; }
+  [[nodiscard]] bool covers(const CellRange& other) const {
+    return other.isEmpty() || (first <= other.first && other.last <= last);
+  }
+  /// Grows to hold the other one.
+  void include(const CellRange& other);
+  bool operator==(const CellRange&) const = default;
+};
+
+struct Footprint {
+  std::vector<CellRange> u;  ///< of each column of hogels i
+  std::vector<CellRange> v;  ///< of each row of hogels j
+
+  /// In directional pixels.
+  [[nodiscard]] std::size_t texels() const;
+  [[nodiscard]] bool covers(const Footprint& other) const;
+  void include(const Footprint& other);
+  bool operator==(const Footprint&) const = default;
+};
+
+/// Of pixels [x0, x1) of row y: their rays, interpolation and leakage. `view` is the simulation's.
+Footprint footprint(const FastSimulation& simulation, const View& view, int y, int x0, int x1);
+
+}  // namespace hogelscope

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture of a light field that passes by once, hogel row after hogel row (DESIGN §6 "One pass"):
+// of the rows that have come only what the pixels still to be made need is kept.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/fast_simulation.h"
+
+namespace hogelscope {
+
+class PassingView {
+ public:
+  /// Casts all rays, but keeps no texels yet. The view's light field has nothing in memory. Throws
+  /// InputError, as Simulation does, and std::length_error for a slice beyond 2^32 texels.
+  PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows);
+
+  /// Of the texels that are kept at a time, and of the rays of a lens.
+  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] const LensTable* lens() const { return m_rays.lens(); }
+  [[nodiscard]] const Footprint& footprint() const { return m_slice.footprint; }
+
+  /// Takes the memory; then rows can come.
+  void begin(LensTables& tables, const ParallelRows& parallelRows);
+  /// Directions (·, v) of hogels (·, j): a row of the hogel image, T the stored type. Rows of
+  /// hogels come from the top.
+  template <class T>
+  void take(int j, int v, const T* rgb) {
+    const CellRange& needed = m_slice.footprint.v[std::size_t(j)];
+    if (needed.first <= v && v <= needed.last) m_texels->takeRow(j, v, rgb);
+  }
+  /// All of hogel row j has come: makes the pixels that waited for it.
+  void finish(int j);
+  /// After the last row; the memory is free again.
+  [[nodiscard]] Image takeImage();
+
+ private:
+  /// Pixels [x0, x1) of row y.
+  struct Piece {
+    int y = 0;
+    int x0 = 0;
+    int x1 = 0;
+  };
+
+  View m_view;
+  FastSimulation m_rays;
+  SliceLayout m_slice;
+  std::vector<std::vector<Piece>> m_due;  ///< when hogel row j has come
+  std::shared_ptr<LightField> m_texels;
+  std::optional<FastSimulation> m_simulation;
+  Image m_image;
+};
+
+}  // namespace hogelscope

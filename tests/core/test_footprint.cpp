@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A view from a slice of the light field, fetched or kept while the light field passes, is the view
+// from all of it, over random scenes with all options.
+#include "core/footprint.h"
+
+#include <QTest>
+#include <algorithm>
+
+#include "core/passing_view.h"
+#include "tests/core/random_scene.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Displays with enough rows of hogels for some to be given up while others come.
+RandomScene sceneOf(std::uint64_t seed) {
+  Random random(seed);
+  RandomScene scene = randomScene(random);
+  scene.view.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
+  scene.view.sampling.samplesPerPixel = random.integer(0, 3) == 0 ? 2 : 1;
+  auto& display = scene.view.display;
+  display.hogels = {random.integer(1, 30), random.integer(1, 60)};
+  scene.content = {};
+  scene.content.size = {display.hogels[0], display.hogels[1], display.directions[0],
+                        display.directions[1]};
+  fillWithNoise(random, scene);
+  scene.view.state.camera.res = {random.integer(20, 300), random.integer(10, 40)};
+  return scene;
+}
+
+/// The rows of the hogel image in their order, each to `row(j, v, values)`.
+template <class Row>
+void pass(const LightField& lightField, Row row) {
+  const auto [nx, ny, du, dv] = lightField.size();
+  std::visit(
+      [&, nx = nx, ny = ny, du = du, dv = dv](const auto& texels) {
+        using T = std::decay_t<decltype(texels[0].r)>;
+        for (int y = 0; y < ny * dv; ++y) {
+          std::vector<T> values;
+          for (int x = 0; x < nx * du; ++x) {
+            const auto& t = texels[lightField.layout().address({x / du, y / dv, x % du, y % dv})];
+            values.insert(values.end(), {t.r, t.g, t.b});
+          }
+          row(y / dv, y % dv, values.data());
+        }
+      },
+      lightField.texels());
+}
+
+/// Hands out slices with exactly the texels that are asked for.
+class Cutter : public TexelStore {
+ public:
+  explicit Cutter(std::shared_ptr<const LightField> whole) : m_whole(std::move(whole)) {}
+
+  std::shared_ptr<const LightField> slice(const Footprint& footprint, const Progress&) override {
+    auto slice =
+        std::make_shared<LightField>(m_whole->size(), m_whole->type(), sliceLayout(footprint));
+    pass(*m_whole, [&](int j, int v, const auto* rgb) {
+      const CellRange& needed = footprint.v[std::size_t(j)];
+      if (needed.first <= v && v <= needed.last) slice->takeRow(j, v, rgb);
+    });
+    texels += footprint.texels();
+    return slice;
+  }
+
+  std::size_t texels = 0;
+
+ private:
+  std::shared_ptr<const LightField> m_whole;
+};
+
+View stored(View view, std::shared_ptr<TexelStore> store) {
+  view.lightField = std::make_shared<const LightField>(view.lightField->size(),
+                                                       view.lightField->type(), std::move(store));
+  return view;
+}
+
+}  // namespace
+
+class TestFootprint : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void aFetchedViewIsTheView();
+  void aPassingViewIsTheView();
+  void aViewNeedsLittle();
+  void placesAreTakenAgainOnlyWhenTheyAreFree();
+  void singleTexelsAreFetched();
+};
+
+void TestFootprint::aFetchedViewIsTheView() {
+  int seen = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const RandomScene scene = sceneOf(seed);
+    const Image whole = simulateFast(scene.view);
+    const View view = stored(scene.view, std::make_shared<Cutter>(scene.view.lightField));
+    QVERIFY2(simulateFast(view) == whole, qPrintable(QString("scene %1").arg(seed)));
+    seen += int(std::count(whole.seen.begin(), whole.seen.end(), 255));
+  }
+  QVERIFY2(seen > 5000, qPrintable(QString::number(seen)));
+}
+
+void TestFootprint::aPassingViewIsTheView() {
+  std::size_t kept = 0;
+  std::size_t all = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const RandomScene scene = sceneOf(seed);
+    LensTables tables;
+    PassingView passing(stored(scene.view, nullptr), tables, serialRows);
+    passing.begin(tables, serialRows);
+    pass(*scene.view.lightField, [&](int j, int v, const auto* rgb) {
+      if (v == 0 && j > 0) passing.finish(j - 1);
+      passing.take(j, v, rgb);
+    });
+    passing.finish(scene.view.lightField->size().ny - 1);
+    constexpr std::array<std::size_t, 3> texelBytes{4, 8, 16};
+    all += passing.footprint().texels() * texelBytes[scene.view.lightField->texels().index()];
+    kept += passing.bytes();
+    QVERIFY2(passing.takeImage() == simulateFast(scene.view),
+             qPrintable(QString("scene %1").arg(seed)));
+  }
+  QVERIFY2(kept < all, qPrintable(QString("%1 of %2 bytes").arg(kept).arg(all)));
+}
+
+/// Before an upright camera each column of hogels shows the same few u in all its rows, and a row
+/// of pixels meets one or two rows of hogels.
+void TestFootprint::aViewNeedsLittle() {
+  Random random(1);
+  RandomScene scene;
+  scene.view.display.hogels = {60, 50};
+  scene.view.display.directions = {60, 50};
+  scene.view.display.fov = {90, 90};
+  scene.view.display.size = {0.6, 0.5};
+  scene.view.state.camera.eye = {0, 0, 1};
+  scene.view.state.camera.fov = 60;
+  scene.view.state.camera.res = {400, 400};
+  scene.view.state.psf.windowSize = 1;
+  scene.content.size = {60, 50, 60, 50};
+  fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
+  const auto cutter = std::make_shared<Cutter>(scene.view.lightField);
+  QVERIFY(simulateFast(stored(scene.view, cutter)) == simulateFast(scene.view));
+  // u changes by 0.01·60/2 = 0.3 from column to column: at most two a column, 77 or so in all.
+  const PassingView passing = [&] {
+    LensTables tables;
+    return PassingView(stored(scene.view, nullptr), tables, serialRows);
+  }();
+  QVERIFY2(passing.bytes() < 4 * cutter->texels / 10,
+           qPrintable(QString("%1 of %2 bytes").arg(passing.bytes()).arg(4 * cutter->texels)));
+  QVERIFY2(cutter->texels < 2 * 60 * 2 * 50 && cutter->texels >= 60 * 50,
+           qPrintable(QString::number(cutter->texels)));
+}
+
+/// Brute force: at each row's coming its places are free, and they stay its own until its last use.
+void TestFootprint::placesAreTakenAgainOnlyWhenTheyAreFree() {
+  Random random(7);
+  for (int k = 0; k < 300; ++k) {
+    const int ny = random.integer(1, 40);
+    Footprint footprint{{{0, 0}}, {}};
+    std::vector<int> lastUse;
+    for (int j = 0; j < ny; ++j) {
+      const int first = random.integer(0, 9);
+      footprint.v.push_back({first, first + random.integer(-1, 6)});
+      lastUse.push_back(std::min(j + random.integer(0, random.integer(0, 9)), ny - 1));
+    }
+    const SliceLayout layout = rollingLayout(footprint, lastUse);
+    std::vector<int> ownedUntil(layout.texels, -1);
+    for (int j = 0; j < ny; ++j) {
+      const auto [first, last] = footprint.v[std::size_t(j)];
+      const int until = *std::max_element(lastUse.begin(), lastUse.begin() + j + 1);
+      for (int v = first; v <= last; ++v) {
+        const std::uint32_t at =
+            layout.columnStart[0] + layout.rowStart[std::size_t(j)] + std::uint32_t(v);
+        QVERIFY(at < layout.texels);
+        QVERIFY(ownedUntil[at] < j);
+        ownedUntil[at] = until;
+      }
+    }
+  }
+}
+
+void TestFootprint::singleTexelsAreFetched() {
+  const RandomScene scene = sceneOf(3);
+  const View view = stored(scene.view, std::make_shared<Cutter>(scene.view.lightField));
+  const auto [nx, ny, du, dv] = view.lightField->size();
+  const TexelIndex last{nx - 1, ny - 1, du - 1, dv - 1};
+  QVERIFY(view.lightField->texel(last) == scene.view.lightField->texel(last));
+  QVERIFY(hogelPicture(*view.lightField, 0, 0) == hogelPicture(*scene.view.lightField, 0, 0));
+}
+
+QTEST_APPLESS_MAIN(TestFootprint)
+#include "test_footprint.moc"
