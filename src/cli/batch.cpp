@@ -21,6 +21,8 @@
 #include "io/image_file.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
+#include "report/passing_pictures.h"
+#include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
@@ -29,31 +31,76 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int render(const Options& options) {
-  const Session session = loadSelected(options);
-  (void)openLightField(session.lightField, session.display);  // a bad one leaves no folder behind
-  makeFolder(options.output);
-  ProgressBar bar("rendering", options.quiet);
-  const Scene scene = loadScene(session, part(bar.progress(), 0, 0.5));
+class Pictures {
+ public:
+  explicit Pictures(const Options& options) : m_options(options) {}
+
+  void write(const CameraState& state, const Image& image) const {
+    if (m_options.format == "png")
+      writeImage(file(state, m_options.format), image.width, image.height, image.rgb);
+    if (m_options.masks) writeMask(file(state, "mask.png"), image.width, image.height, image.seen);
+  }
+  void write(const CameraState& state, const std::vector<float>& codeValues) const {
+    const auto [width, height] = state.camera.res;
+    writeImage(file(state, m_options.format), width, height, codeValues);
+  }
+
+ private:
+  [[nodiscard]] fs::path file(const CameraState& state, const std::string& ending) const {
+    return fs::path(m_options.output) / (state.camera.name + "." + ending);
+  }
+
+  const Options& m_options;
+};
+
+/// From a light field in memory or in a store.
+void renderLoaded(const Session& session, const Options& options, const Progress& progress) {
+  const Scene scene = loadScene(session, part(progress, 0, 0.5), memoryOf(options));
   if (options.explain) std::cout << explanations(scene, session);
+  const Pictures pictures(options);
   const vtkNew<vtkHogelViewFilter> filter;
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k) {
     const CameraState& state = session.cameras[k];
     filter->SetProgress(
-        part(bar.progress(), 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count));
+        part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count));
     filter->SetView(scene.view(state));
-    const fs::path file = fs::path(options.output) / (state.camera.name + "." + options.format);
-    const auto [width, height] = state.camera.res;
-    if (options.format != "png") writeImage(file, width, height, filter->GetCodeValues());
-    if (options.format == "png" || options.masks) {
-      const Image image = filter->GetImage();
-      if (options.format == "png") writeImage(file, width, height, image.rgb);
-      if (options.masks)
-        writeMask(fs::path(options.output) / (state.camera.name + ".mask.png"), width, height,
-                  image.seen);
-    }
+    if (options.format != "png") pictures.write(state, filter->GetCodeValues());
+    if (options.format == "png" || options.masks) pictures.write(state, filter->GetImage());
   }
+}
+
+void renderPassing(LightFieldFile& file, const Session& session, const Options& options,
+                   const Progress& progress) {
+  if (options.format != "png")
+    throw InputError("--format " + options.format,
+                     "needs the light field in memory or in a store: give it more --memory, or "
+                     "--pack it first");
+  const Scene scene = unloadedScene(session, file);
+  if (options.explain) std::cout << explanations(scene, session);
+  std::vector<View> views;
+  for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
+  const std::vector<StatePicture> made =
+      picturesInPassing(file, views, memoryOf(options), parallelRows, progress);
+  const Pictures pictures(options);
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    if (!made[k].problem.empty()) throw InputError(session.cameras[k].camera.name, made[k].problem);
+    pictures.write(session.cameras[k], made[k].image);
+  }
+}
+
+int render(const Options& options) {
+  const Session session = loadSelected(options);
+  // A bad one leaves no folder behind.
+  const auto file = openLightField(session.lightField, session.display);
+  makeFolder(options.output);
+  const bool isPassing = mustPass(*file, memoryOf(options));
+  announcePassing(session, memoryOf(options), options);
+  ProgressBar bar("rendering", options.quiet);
+  if (isPassing)
+    renderPassing(*file, session, options, bar.progress());
+  else
+    renderLoaded(session, options, bar.progress());
   bar.done();
   if (!options.quiet)
     std::cout << session.cameras.size() << " picture(s) in " << options.output << "\n";

@@ -4,10 +4,13 @@
 
 #include <fnmatch.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "core/error.h"
+#include "core/report.h"
 #include "io/session_file.h"
+#include "report/passing_pictures.h"
 
 namespace hogelscope {
 
@@ -39,6 +42,26 @@ Session loadSelected(const Options& options) {
     for (const std::string& line : warnings(session))
       std::cerr << "hogelscope: " << options.session << ": warning: " << line << "\n";
   return session;
+}
+
+std::size_t memoryOf(const Options& options) {
+  return options.memory.value_or(standardMemory());
+}
+
+void announcePassing(const Session& session, std::size_t memory, const Options& options) {
+  const auto file = openLightField(session.lightField, session.display);
+  if (options.quiet || !mustPass(*file, memory)) return;
+  const LightFieldSize size = file->size();
+  const std::size_t values = 3 * size.width() * size.height();
+  const std::size_t bytes = file->type() == StoredType::uint8 ? values : 2 * values;
+  std::cerr << "hogelscope: " << session.lightField.file << ": has " << bytesText(bytes)
+            << " of pixels, " << bytesText(memory)
+            << " are allowed: read from the top, all pictures made on the way";
+  // Of a plain PNG on one core, measured: ARCHITECTURE.md.
+  constexpr double bytesPerMinute = 60 * 1.5e9;
+  if (const double minutes = double(bytes) / bytesPerMinute; minutes > 0.2)
+    std::cerr << ", about " << std::ceil(minutes) << " min";
+  std::cerr << "\n";
 }
 
 }  // namespace hogelscope

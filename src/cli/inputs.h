@@ -2,6 +2,8 @@
 // What the jobs of the command line begin with.
 #pragma once
 
+#include <cstddef>
+
 #include "cli/options.h"
 #include "core/session.h"
 
@@ -10,5 +12,12 @@ namespace hogelscope {
 /// The session with --calibration, --set and only the --states asked for; warnings go to stderr.
 /// Throws InputError.
 Session loadSelected(const Options& options);
+
+/// Bytes for light fields: --memory, or a quarter of the machine's.
+std::size_t memoryOf(const Options& options);
+
+/// Tells before the wait, unless --quiet, that a light field is too large for `memory` and will be
+/// read from the top, and about how long that takes.
+void announcePassing(const Session& session, std::size_t memory, const Options& options);
 
 }  // namespace hogelscope

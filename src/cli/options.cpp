@@ -165,6 +165,13 @@ const std::vector<Flag>& settings() {
        [](Options& o, const std::string&) { o.explain = true; }},
       {"fail-below", "DB", "--report: exit status 1 if any PSNR is below.",
        [](Options& o, const std::string& v) { o.failBelow = number(v, "--fail-below", 0.0); }},
+      {"memory", "MB",
+       "Megabytes for light fields, a quarter of the machine's by default. --render, --report: a "
+       "light field that needs more is read from the top once, and all pictures are made on the "
+       "way.",
+       [](Options& o, const std::string& v) {
+         o.memory = std::size_t(1e6 * number(v, "--memory", 0.0));
+       }},
       {"threads", "N", "Threads to work with; all by default.",
        [](Options& o, const std::string& v) { o.threads = number(v, "--threads", 1); }},
       {"quiet", "", "Only errors.", [](Options& o, const std::string&) { o.quiet = true; }},

@@ -2,6 +2,7 @@
 // The command line (DESIGN §5), as a value.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,8 @@ struct Options {
   std::string format = "png";
   std::optional<double> failBelow;  ///< dB
   std::optional<int> seed;
-  int threads = 0;  ///< 0: all
+  int threads = 0;                    ///< 0: all
+  std::optional<std::size_t> memory;  ///< bytes for light fields
   bool masks = false;
   bool images = false;
   bool explain = false;

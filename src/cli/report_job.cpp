@@ -90,6 +90,10 @@ int reportJob(const Options& options) {
   request.output = options.output;
   request.command = options.commandLine;
   request.images = options.images;
+  request.memory = memoryOf(options);
+  announcePassing(request.session, request.memory / 2, options);
+  for (const ReportTest& test : request.tests)
+    announcePassing(test.session, request.memory / 2, options);
   const Report report = made(request, options);
   if (!options.quiet) {
     const fs::path folder = options.output;

@@ -23,15 +23,15 @@ CellRange hogelRows(const Footprint& footprint) {
 }  // namespace
 
 PassingView::PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows)
-    : m_view(view),
-      m_rays(view, tables, parallelRows),
-      m_due(std::size_t(view.lightField->size().ny)) {
+    : m_view(view), m_due(std::size_t(view.lightField->size().ny)) {
+  const FastSimulation rays(view, tables, parallelRows);
+  if (rays.lens() != nullptr) m_lens = lensKeyOf(view.state, view.sampling, view.method);
   const auto [width, height] = view.state.camera.res;
   Footprint all = view.lightField->slice()->footprint;
   std::vector<int> lastUse(m_due.size());
   std::mutex mutex;
   const auto add = [&](const Piece& piece) {
-    const Footprint read = hogelscope::footprint(m_rays, view, piece.y, piece.x0, piece.x1);
+    const Footprint read = hogelscope::footprint(rays, view, piece.y, piece.x0, piece.x1);
     const CellRange rows = hogelRows(read);
     if (rows.isEmpty()) return;
     const std::lock_guard lock(mutex);

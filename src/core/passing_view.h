@@ -16,9 +16,10 @@ class PassingView {
   /// InputError, as Simulation does, and std::length_error for a slice beyond 2^32 texels.
   PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows);
 
-  /// Of the texels that are kept at a time, and of the rays of a lens.
+  /// Of the texels that are kept at a time.
   [[nodiscard]] std::size_t bytes() const;
-  [[nodiscard]] const LensTable* lens() const { return m_rays.lens(); }
+  /// Whose table of rays is kept as well; none for a plain lens.
+  [[nodiscard]] const std::optional<LensKey>& lens() const { return m_lens; }
   [[nodiscard]] const Footprint& footprint() const { return m_slice.footprint; }
 
   /// Takes the memory; then rows can come.
@@ -44,7 +45,7 @@ class PassingView {
   };
 
   View m_view;
-  FastSimulation m_rays;
+  std::optional<LensKey> m_lens;
   SliceLayout m_slice;
   std::vector<std::vector<Piece>> m_due;  ///< when hogel row j has come
   std::shared_ptr<LightField> m_texels;

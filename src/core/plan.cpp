@@ -27,10 +27,6 @@ int neededReach(const PsfParams& psf, double dropped) {
   return reach;
 }
 
-std::string megabytes(std::size_t bytes) {
-  return numberText(std::round(double(bytes) / 1e5) / 10) + " MB";
-}
-
 std::string raysOf(const View& view) {
   const auto [width, height] = view.state.camera.res;
   const int n = view.sampling.samplesPerPixel;
@@ -54,7 +50,7 @@ std::string lensWords(const View& view) {
 
 void decideLens(const View& view, Plan& plan) {
   const std::string table =
-      megabytes(LensTable::bytes(lensKeyOf(view.state, view.sampling, view.method)));
+      bytesText(LensTable::bytes(lensKeyOf(view.state, view.sampling, view.method)));
   plan.hasLens = !Distortion(view.state.distortion).isIdentity();
   if (!plan.hasLens) {
     plan.decisions.push_back({"no lens model", "all coefficients are 0", "a table of " + table});
@@ -70,7 +66,7 @@ void decideLens(const View& view, Plan& plan) {
   else
     plan.decisions.push_back({what,
                               "its table of rays would be larger than " +
-                                  megabytes(LensTables::largestBytes) +
+                                  bytesText(LensTables::largestBytes) +
                                   ", so they are made row by row for each picture",
                               table});
 }

@@ -66,6 +66,12 @@ std::string numberText(double value) {
   return {text.data(), end};
 }
 
+std::string bytesText(std::size_t bytes) {
+  const bool isLarge = bytes >= 1000000000;
+  return numberText(std::round(double(bytes) / (isLarge ? 1e8 : 1e5)) / 10) +
+         (isLarge ? " GB" : " MB");
+}
+
 std::string csv(const std::vector<ReportRow>& rows) {
   std::string text = "state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x,eye_y,eye_z\n";
   for (const ReportRow& row : rows) {

@@ -51,6 +51,8 @@ ReportSummary summarise(const std::vector<ReportRow>& rows);
 
 /// The shortest text that reads back as the same number; "inf", "nan".
 std::string numberText(double value);
+/// "19.7 MB", "2.7 GB".
+std::string bytesText(std::size_t bytes);
 
 /// A text as a cell of a CSV file (RFC 4180).
 std::string csvCell(const std::string& text);

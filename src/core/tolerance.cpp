@@ -226,6 +226,7 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
               const Progress& progress) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
+  if (view.lightField->slice() != nullptr && view.lightField->store() == nullptr) return choice;
   const std::vector<View> candidates = cheaper(view);
   if (candidates.empty()) return choice;
   const Probe probe(view, tables, parallelRows);

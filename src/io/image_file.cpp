@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/report.h"
 #include "io/atomic_file.h"
 #include "io/png_rows.h"
 
@@ -74,20 +75,17 @@ void refuseNotANumber(std::span<const float> values, std::size_t width, std::siz
                    std::isnan(*bad) ? "is not a number" : "is infinite");
 }
 
-std::string gigabytes(double bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f GB", bytes / 1e9);
-  return text.data();
-}
-
 }  // namespace
 
+std::size_t machineMemory() {
+  return std::size_t(::sysconf(_SC_PHYS_PAGES)) * std::size_t(::sysconf(_SC_PAGESIZE));
+}
+
 void checkFits(std::size_t bytes, const fs::path& file) {
-  const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE));
-  if (double(bytes) > 0.9 * memory)
+  if (double(bytes) > 0.9 * double(machineMemory()))
     throw InputError(
         file.string(), "size",
-        "needs " + gigabytes(double(bytes)) + " of memory, this machine has " + gigabytes(memory));
+        "needs " + bytesText(bytes) + " of memory, this machine has " + bytesText(machineMemory()));
 }
 
 struct ImageFile::Input {

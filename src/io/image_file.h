@@ -52,6 +52,8 @@ class ImageFile {
   std::unique_ptr<Input> m_input;
 };
 
+/// Bytes.
+std::size_t machineMemory();
 /// Throws InputError where `bytes` are more than this machine's memory.
 void checkFits(std::size_t bytes, const std::filesystem::path& file);
 

@@ -286,10 +286,19 @@ bool readTheSame(const Session& a, const Session& b) {
          a.display.directions == b.display.directions;
 }
 
-Scene loadScene(const Session& session, const Progress& progress) {
+std::size_t standardMemory() noexcept {
+  return machineMemory() / 4;
+}
+
+Scene unloadedScene(const Session& session, const LightFieldFile& file) {
+  return {
+      std::make_shared<const LightField>(file.size(), file.type(), std::shared_ptr<TexelStore>()),
+      resolved(session.display, file.size()), session.sampling};
+}
+
+Scene loadScene(const Session& session, const Progress& progress, std::size_t /*memory*/) {
   const auto file = openLightField(session.lightField, session.display);
-  Scene scene{nullptr, {}, session.sampling};
-  scene.display = resolved(session.display, file->size());
+  Scene scene = unloadedScene(session, *file);
   scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;
 }

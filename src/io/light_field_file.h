@@ -49,8 +49,15 @@ struct Scene {
   }
 };
 
-/// Reads the session's light field. Throws InputError, or Cancelled.
-Scene loadScene(const Session& session, const Progress& progress);
+/// A quarter of this machine's memory, in bytes.
+std::size_t standardMemory() noexcept;
+
+/// Reads the session's light field. `memory` bytes are for what is kept of a store. Throws
+/// InputError, or Cancelled.
+Scene loadScene(const Session& session, const Progress& progress,
+                std::size_t memory = standardMemory());
+/// With nothing of the light field in memory.
+Scene unloadedScene(const Session& session, const LightFieldFile& file);
 
 /// Do both sessions have the same light field in memory? Their displays may be otherwise different.
 bool readTheSame(const Session& a, const Session& b);

@@ -61,7 +61,11 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std:
 
 ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair) {
   const DifferencePicture difference = differencePicture(pair.reference, pair.test);
-  return {row, which, pngOf(pair.reference), pngOf(pair.test), pngOf(difference.image),
+  return {row,
+          which,
+          pngOf(pair.reference),
+          pngOf(pair.test),
+          pngOf(difference.image),
           difference.gain};
 }
 

@@ -112,7 +112,7 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_journal(m_folder, m_facts.key),
       m_workers(workersFor(request)),
       m_pairs(request.session, m_workers, m_workers == 1 ? parallelRows : serialRows,
-              request.tests.size() > 1),
+              request.tests.size() > 1, request.memory),
       m_hasRow(states() * request.tests.size()) {
   m_report.rows.resize(m_hasRow.size());
   m_report.replacedAnother = m_journal.replacedAnother();
@@ -209,13 +209,14 @@ std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
 }
 
 void ReportRun::readLightFields(std::size_t test) {
-  const auto heard = [&](const Scene& scene) {
-    m_progress.finish(readingSteps());
-    if (m_listener.loaded) m_listener.loaded(scene);
-  };
-  if (test == 0 && m_request.reference) m_pairs.takeReference(*m_request.reference);
-  else if (test == 0) heard(m_pairs.readReference(m_progress.of(readingSteps())));
-  heard(m_pairs.readTest(m_request.tests[test].session, m_progress.of(readingSteps())));
+  const bool isFirst = test == 0;
+  if (isFirst && m_request.reference) m_pairs.takeReference(*m_request.reference);
+  const double steps = (isFirst && !m_request.reference ? 2 : 1) * readingSteps();
+  m_pairs.read(m_request.tests[test].session, m_progress.of(steps));
+  m_progress.finish(steps);
+  if (!m_listener.loaded) return;
+  if (isFirst && !m_request.reference) m_listener.loaded(m_pairs.reference());
+  m_listener.loaded(m_pairs.test());
 }
 
 void ReportRun::runTest(std::size_t test) {
@@ -250,7 +251,7 @@ void ReportRun::writeAll() {
   m_report.summaries = summariseTests(m_report.rows, m_request.groups);
   m_report.comparisons = bdRows(m_report.summaries, m_request.groups);
   writeTables(m_folder, m_report);
-  const DisplayParams& display = m_pairs.display();
+  const DisplayParams& display = m_pairs.reference().display;
   ReportPage page{m_request.sessionFile,
                   m_facts.lines,
                   display,

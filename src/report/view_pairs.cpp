@@ -2,38 +2,105 @@
 // The pictures that a report compares.
 #include "report/view_pairs.h"
 
+#include <array>
+#include <atomic>
+#include <future>
 #include <new>
 
 namespace hogelscope {
 
 ViewPairs::ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin,
-                     bool keepsReferences)
+                     bool keepsReferences, std::size_t memory)
     : m_session(std::move(session)),
       m_rowsWithin(std::move(rowsWithin)),
+      m_memory(memory / 2),
       m_references(keepsReferences ? m_session.cameras.size() : 0),
       m_tables(workers) {}
 
-const Scene& ViewPairs::readReference(const Progress& progress) {
-  return m_reference.emplace(loadScene(m_session, progress));
+bool ViewPairs::passes(const Session& session) const {
+  return mustPass(*openLightField(session.lightField, session.display), m_memory);
 }
 
-const Scene& ViewPairs::readTest(const Session& test, const Progress& progress) {
+ViewPairs::Source ViewPairs::readSource(const Session& of, const Progress& progress) const {
+  if (!passes(of)) return {loadScene(of, progress, m_memory), {}};
+  const auto file = openLightField(of.lightField, of.display);
+  Source source{unloadedScene(of, *file), {}};
+  std::vector<View> views;
+  for (const CameraState& state : m_session.cameras) views.push_back(source.scene.view(state));
+  source.pictures = picturesInPassing(*file, views, m_memory, serialRows, progress);
+  return source;
+}
+
+namespace {
+
+/// What two threads have done together; where one fails the other stops.
+class Halves {
+ public:
+  explicit Halves(const Progress& whole) : m_whole(whole) {}
+
+  template <class Work>
+  auto run(std::size_t half, Work work) {
+    try {
+      return work([this, half](double done) {
+        m_done[half] = done;
+        return !m_stops && (!m_whole || m_whole((m_done[0] + m_done[1]) / 2));
+      });
+    } catch (...) {
+      m_stops = true;
+      throw;
+    }
+  }
+
+ private:
+  const Progress& m_whole;
+  std::array<std::atomic<double>, 2> m_done{};
+  std::atomic<bool> m_stops = false;
+};
+
+}  // namespace
+
+void ViewPairs::readSideBySide(const Session& test, const Progress& progress) {
+  Halves halves(progress);
+  auto reading = std::async(std::launch::async, [&] {
+    return halves.run(0, [&](const Progress& half) { return readSource(m_session, half); });
+  });
+  try {
+    m_test = halves.run(1, [&](const Progress& half) { return readSource(test, half); });
+  } catch (const Cancelled&) {
+    reading.get();  // may have stopped for a better reason
+    throw;
+  }
+  m_reference = reading.get();
+}
+
+void ViewPairs::read(const Session& test, const Progress& progress) {
   m_test.reset();
-  return m_test.emplace(loadScene(test, progress));
+  if (!m_reference && passes(m_session) && passes(test)) return readSideBySide(test, progress);
+  const bool isFirst = !m_reference;
+  if (isFirst) m_reference = readSource(m_session, part(progress, 0, 0.5));
+  m_test = readSource(test, part(progress, isFirst ? 0.5 : 0, 1));
 }
 
 View ViewPairs::view(std::size_t state) const {
-  return m_reference->view(m_session.cameras[state]);
+  return m_reference->scene.view(m_session.cameras[state]);
+}
+
+Image ViewPairs::picture(const Source& source, std::size_t state, std::size_t worker,
+                         const Progress& progress) {
+  if (source.pictures.empty())
+    return simulateFast(source.scene.view(m_session.cameras[state]), m_tables[worker], m_rowsWithin,
+                        progress);
+  const auto& [image, problem] = source.pictures[state];
+  if (!problem.empty()) throw InputError(problem, "");
+  return image;
 }
 
 ViewPair ViewPairs::render(std::size_t state, std::size_t worker, const Progress& progress) {
-  const auto rendered = [&](const Scene& scene) {
-    return simulateFast(scene.view(m_session.cameras[state]), m_tables[worker], m_rowsWithin,
-                        progress);
-  };
   const bool isKept = !m_references.empty() && !m_references[state].seen.empty();
   try {
-    ViewPair pair{isKept ? m_references[state] : rendered(*m_reference), rendered(*m_test), {}};
+    ViewPair pair{isKept ? m_references[state] : picture(*m_reference, state, worker, progress),
+                  picture(*m_test, state, worker, progress),
+                  {}};
     if (!m_references.empty()) m_references[state] = pair.reference;
     return pair;
   } catch (const InputError& error) {

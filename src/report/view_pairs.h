@@ -8,6 +8,7 @@
 
 #include "core/fast_simulation.h"
 #include "io/light_field_file.h"
+#include "report/passing_pictures.h"
 
 namespace hogelscope {
 
@@ -18,30 +19,47 @@ struct ViewPair {
   std::string problem;
 };
 
-/// Two light fields are in memory at a time, each read once. Different states may be rendered by
+/// Two light fields are in memory at a time, each read once; of one that is too large and can only
+/// be read from the top all pictures are made while it is read. Different states may be rendered by
 /// different workers at the same time.
 class ViewPairs {
  public:
-  /// `rowsWithin` is how the rows of one picture are shared out.
-  ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin, bool keepsReferences);
+  /// `rowsWithin` is how the rows of one picture are shared out. `memory` bytes are for light
+  /// fields.
+  ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin, bool keepsReferences,
+            std::size_t memory);
 
-  const Scene& readReference(const Progress& progress);
-  void takeReference(const Scene& scene) { m_reference = scene; }
-  /// The last test's memory is free before the next one is read.
-  const Scene& readTest(const Session& test, const Progress& progress);
+  void takeReference(const Scene& scene) { m_reference.emplace().scene = scene; }
+  /// Reads the session's light field, the first time, and a test's, side by side where both pass
+  /// by. The last test's memory is free before the next one is read.
+  void read(const Session& test, const Progress& progress);
 
   /// `progress` may be called from several threads. Throws Cancelled.
   ViewPair render(std::size_t state, std::size_t worker, const Progress& progress);
   [[nodiscard]] View view(std::size_t state) const;
-  [[nodiscard]] const DisplayParams& display() const { return m_reference->display; }
+  [[nodiscard]] const Scene& reference() const { return m_reference->scene; }
+  [[nodiscard]] const Scene& test() const { return m_test->scene; }
   [[nodiscard]] LensTables& tables(std::size_t worker) { return m_tables[worker]; }
   [[nodiscard]] const ParallelRows& rowsWithin() const { return m_rowsWithin; }
 
  private:
+  /// A light field in memory, or the pictures of all states.
+  struct Source {
+    Scene scene;
+    std::vector<StatePicture> pictures;
+  };
+
+  [[nodiscard]] bool passes(const Session& session) const;
+  void readSideBySide(const Session& test, const Progress& progress);
+  [[nodiscard]] Source readSource(const Session& of, const Progress& progress) const;
+  [[nodiscard]] Image picture(const Source& source, std::size_t state, std::size_t worker,
+                              const Progress& progress);
+
   Session m_session;
   ParallelRows m_rowsWithin;
-  std::optional<Scene> m_reference;
-  std::optional<Scene> m_test;
+  std::size_t m_memory;  ///< of each of the two
+  std::optional<Source> m_reference;
+  std::optional<Source> m_test;
   std::vector<Image> m_references;  ///< of the states rendered, if they are kept for more tests
   std::vector<LensTables> m_tables;
 };

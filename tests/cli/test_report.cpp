@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests --report: its numbers, its page, its gate, and what may be compared.
+#include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -62,6 +63,7 @@ class TestReport : public QObject {
   void page();
   void summary();
   void toleranceIsLeftAside();
+  void lightFieldsThatPassBy();
   void gate_data();
   void gate();
   void badTestsAreToldFirst_data();
@@ -236,6 +238,28 @@ void TestReport::toleranceIsLeftAside() {
   const QByteArray expected = contentOf("out/report.csv");
   QCOMPARE(report({"--test", "b.png", "--set", "sampling.tolerance=60"}).status, 0);
   QCOMPARE(contentOf("out/report.csv"), expected);
+}
+
+/// Too large for the memory allowed: every file of the report is the same, and it is told.
+void TestReport::lightFieldsThatPassBy() {
+  const QStringList tests{"--test", "b.png", "--test", "a.png", "--images"};
+  QCOMPARE(report(tests).status, 0);
+  QVERIFY(QDir().rename("out", "loaded"));
+  const Outcome outcome = report(tests + QStringList{"--memory", "0.12"});
+  QCOMPARE(outcome.status, 0);
+  for (const QByteArray name : {"a.png", "b.png"})
+    QVERIFY2(outcome.err.contains(name + ": has 0 MB of pixels, 0.1 MB are allowed: read from the "
+                                         "top, all pictures made on the way\n"),
+             outcome.err);
+  int compared = 0;
+  QDirIterator files("loaded", QDir::Files, QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    const QString file = files.next();
+    if (file.endsWith("report.html")) continue;  // has its command
+    QVERIFY2(contentOf(file) == contentOf("out" + file.mid(6)), qPrintable(file));
+    ++compared;
+  }
+  QVERIFY(compared >= 12);
 }
 
 void TestReport::gate_data() {

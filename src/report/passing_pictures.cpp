@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a light field that is read from the top.
+#include "report/passing_pictures.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/passing_view.h"
+#include "core/report.h"
+
+namespace hogelscope {
+
+namespace {
+
+InputError tooLarge(std::size_t bytes, std::size_t memory) {
+  return {"--memory", "needs " + bytesText(bytes) + " of the light field at a time, " +
+                          bytesText(memory) + " are allowed"};
+}
+
+struct Passenger {
+  std::size_t state;
+  std::unique_ptr<PassingView> view;
+};
+
+/// Views whose slices fit in memory together.
+class Group {
+ public:
+  explicit Group(std::size_t memory) : m_memory(memory) {}
+
+  /// False where there is no room for it beside the others.
+  bool add(Passenger& passenger) {
+    const PassingView& view = *passenger.view;
+    const auto& lens = view.lens();
+    const bool isNew = lens && std::find(m_lenses.begin(), m_lenses.end(), *lens) == m_lenses.end();
+    const std::size_t bytes = view.bytes() + (isNew ? LensTable::bytes(*lens) : 0);
+    if (m_bytes + bytes > m_memory) {
+      if (m_passengers.empty()) throw tooLarge(bytes, m_memory);
+      return false;
+    }
+    if (isNew) m_lenses.push_back(*lens);
+    m_bytes += bytes;
+    m_passengers.push_back(std::move(passenger));
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Passenger>& passengers() { return m_passengers; }
+
+ private:
+  std::size_t m_memory;
+  std::size_t m_bytes = 0;
+  std::vector<LensKey> m_lenses;
+  std::vector<Passenger> m_passengers;
+};
+
+/// Each state in the first group after the last one that has room.
+std::vector<Group> grouped(const std::vector<View>& views, std::size_t memory, LensTables& tables,
+                           const ParallelRows& parallelRows, std::vector<StatePicture>& pictures,
+                           const Progress& progress) {
+  std::vector<Group> groups;
+  groups.emplace_back(memory);
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    hogelscope::advance(progress, 0);
+    try {
+      Passenger next{k, std::make_unique<PassingView>(views[k], tables, parallelRows)};
+      if (!groups.back().add(next)) groups.emplace_back(memory).add(next);
+    } catch (const InputError& error) {
+      pictures[k].problem = error.what();
+    } catch (const std::length_error& error) {
+      pictures[k].problem = error.what();
+    }
+  }
+  return groups;
+}
+
+void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progress& progress) {
+  int current = 0;
+  const auto finish = [&] {
+    for (const Passenger& passenger : passengers) passenger.view->finish(current);
+  };
+  file.stream(
+      [&](int j, int v, const StoredRows& rgb) {
+        if (j != current) finish();
+        current = j;
+        std::visit(
+            [&](const auto* values) {
+              for (const Passenger& passenger : passengers) passenger.view->take(j, v, values);
+            },
+            rgb);
+      },
+      progress);
+  finish();
+}
+
+}  // namespace
+
+bool mustPass(const LightFieldFile& file, std::size_t memory) {
+  if (!file.isStream()) return false;
+  try {
+    return LightField::bytes(file.size(), file.type()) > memory;
+  } catch (const std::length_error&) {
+    return true;
+  }
+}
+
+std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,
+                                            std::size_t memory, const ParallelRows& parallelRows,
+                                            const Progress& progress) {
+  std::vector<StatePicture> pictures(views.size());
+  LensTables tables;
+  std::vector<Group> groups = grouped(views, memory, tables, parallelRows, pictures, progress);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (const Passenger& passenger : groups[g].passengers())
+      passenger.view->begin(tables, parallelRows);
+    const auto count = double(groups.size());
+    pass(file, groups[g].passengers(), part(progress, double(g) / count, double(g + 1) / count));
+    for (const Passenger& passenger : groups[g].passengers())
+      pictures[passenger.state].image = passenger.view->takeImage();
+    groups[g].passengers().clear();
+  }
+  return pictures;
+}
+
+}  // namespace hogelscope

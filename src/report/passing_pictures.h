@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pictures of many states from a light field that memory cannot hold and that can only be read
+// from the top: read once, as long as what the states need of it fits in memory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/fast_simulation.h"
+#include "io/light_field_file.h"
+
+namespace hogelscope {
+
+/// A state's picture, or why there is none.
+struct StatePicture {
+  Image image;
+  std::string problem;
+};
+
+/// Must the file be passed: is it too large for `memory` bytes, and can it be gone through?
+bool mustPass(const LightFieldFile& file, std::size_t memory);
+
+/// The views' light field has nothing in memory. At most `memory` bytes are taken besides the
+/// pictures and one hogel row of the file; where that is too little for all views the file is read
+/// more than once. Throws InputError (damaged file, one view alone needs more), Cancelled.
+std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,
+                                            std::size_t memory, const ParallelRows& parallelRows,
+                                            const Progress& progress);
+
+}  // namespace hogelscope

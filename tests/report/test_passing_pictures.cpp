@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a light field that is read from the top: the same pixels, each row read once, in the
+// memory that was allowed.
+#include "report/passing_pictures.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/session_file.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Counts what is read of a real file.
+class CountedFile : public LightFieldFile {
+ public:
+  explicit CountedFile(std::unique_ptr<LightFieldFile> file) : m_file(std::move(file)) {}
+
+  [[nodiscard]] StoredType type() const override { return m_file->type(); }
+  [[nodiscard]] LightFieldSize size() const override { return m_file->size(); }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return m_file->files();
+  }
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    return m_file->read(progress);
+  }
+  [[nodiscard]] bool isStream() const override { return m_file->isStream(); }
+  void stream(const HogelRow& row, const Progress& progress) override {
+    m_file->stream(
+        [&](int j, int v, const StoredRows& rgb) {
+          ++rows;
+          row(j, v, rgb);
+        },
+        progress);
+  }
+
+  int rows = 0;
+
+ private:
+  std::unique_ptr<LightFieldFile> m_file;
+};
+
+/// 20×24 hogels of 9×8.
+Session sessionOf(const QByteArray& file, const QByteArray& more = {}) {
+  writeFile("s.json", R"({"hogelscope": 1, "display": {"hogels": [20, 24], "directions": [9, 8],
+    "size": [0.4, 0.4], "fov": [60, 60]}, "lightField": {"file": ")" +
+                          file + "\"" + more + R"(}, "cameras": [
+    {"name": "a", "eye": [0, 0, 0.8], "fov": 50, "res": [150, 120]},
+    {"name": "b", "eye": [0.1, 0.05, 0.7], "up": [0.7, 0.7, 0], "fov": 40, "res": [60, 200],
+     "psf": {"sigma": 0.7, "windowSize": 5}},
+    {"name": "c", "eye": [0, 0.1, 0.6], "fov": 50, "res": [150, 120],
+     "distortion": {"k1": 0.2}, "psf": {"sigma": 0.7, "windowSize": 3}},
+    {"name": "looks nowhere"},
+    {"name": "behind", "eye": [0, 0, -1], "res": [50, 50]}]})");
+  Session session = loadSession("s.json");
+  session.cameras[3].camera.lookat = session.cameras[3].camera.eye;  // files are not let do that
+  return session;
+}
+
+std::vector<View> viewsOf(const Session& session, const Scene& scene) {
+  std::vector<View> views;
+  for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
+  return views;
+}
+
+float noise(int x, int y, int channel) {
+  const auto mixed = std::uint32_t(x * 7919 + y * 104729 + channel * 1299709) * 2654435761U;
+  return float((mixed ^ mixed >> 13U) % 251U) / 250.0F;
+}
+
+constexpr std::size_t plenty = std::size_t{1} << 30;
+
+}  // namespace
+
+class TestPassingPictures : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void samePictures_data();
+  void samePictures();
+  void readOnce();
+  void readTwiceWhereMemoryIsShort();
+  void tooLittleForOneView();
+  void onlyLargeStreamsPass();
+  void damagedRow();
+  void stops();
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+void TestPassingPictures::initTestCase() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  for (const char* name : {"bytes.png", "bytes.tif", "bytes.jpg"})
+    writePicture(name, 180, 192, noise);
+  writePicture("words.png", 180, 192, noise, {OIIO::TypeDesc::UINT16});
+  writePicture("reals.exr", 180, 192, noise, {OIIO::TypeDesc::FLOAT});
+}
+
+void TestPassingPictures::samePictures_data() {
+  QTest::addColumn<QByteArray>("file");
+  QTest::addColumn<QByteArray>("more");
+  for (const char* name : {"bytes.png", "bytes.tif", "bytes.jpg", "words.png", "reals.exr"})
+    QTest::newRow(name) << QByteArray(name) << QByteArray();
+  QTest::newRow("incoming") << QByteArray("bytes.png") << QByteArray(", \"incoming\": true");
+  QTest::newRow("incoming words") << QByteArray("words.png") << QByteArray(", \"incoming\": true");
+}
+
+void TestPassingPictures::samePictures() {
+  QFETCH(QByteArray, file);
+  QFETCH(QByteArray, more);
+  const Session session = sessionOf(file, more);
+  const auto input = openLightField(session.lightField, session.display);
+  const auto made = picturesInPassing(*input, viewsOf(session, unloadedScene(session, *input)),
+                                      plenty, serialRows, {});
+  const std::vector<View> views = viewsOf(session, loadScene(session, {}));
+  QCOMPARE(made.size(), views.size());
+  for (const std::size_t k : {0U, 1U, 2U, 4U}) {
+    QCOMPARE(QString::fromStdString(made[k].problem), QString());
+    QVERIFY(made[k].image == simulateFast(views[k]));
+  }
+  QVERIFY(made[3].problem.find("eye") != std::string::npos);
+}
+
+void TestPassingPictures::readOnce() {
+  const Session session = sessionOf("bytes.png");
+  CountedFile file(openLightField(session.lightField, session.display));
+  const std::vector<View> views = viewsOf(session, unloadedScene(session, file));
+  (void)picturesInPassing(file, views, plenty, serialRows, {});
+  QCOMPARE(file.rows, 192);
+}
+
+void TestPassingPictures::readTwiceWhereMemoryIsShort() {
+  const Session session = sessionOf("bytes.png");
+  CountedFile file(openLightField(session.lightField, session.display));
+  const std::vector<View> views = viewsOf(session, unloadedScene(session, file));
+  const auto whole = picturesInPassing(file, views, plenty, serialRows, {});
+  file.rows = 0;
+  // The lens of "c" alone takes 150·120·16 = 288 000 bytes.
+  const auto made = picturesInPassing(file, views, 300000, serialRows, {});
+  QCOMPARE(file.rows, 2 * 192);
+  for (std::size_t k = 0; k < views.size(); ++k) QVERIFY(made[k].image == whole[k].image);
+}
+
+void TestPassingPictures::tooLittleForOneView() {
+  const Session session = sessionOf("bytes.png");
+  CountedFile file(openLightField(session.lightField, session.display));
+  const auto made = picturesInPassing(file, viewsOf(session, unloadedScene(session, file)), 100000,
+                                      serialRows, {});
+  QVERIFY(made[0].problem.empty());
+  QCOMPARE(QString::fromStdString(made[2].problem).left(30),
+           QString("--memory: needs 0.3 MB of the "));
+}
+
+void TestPassingPictures::onlyLargeStreamsPass() {
+  const Session session = sessionOf("bytes.png");
+  const auto file = openLightField(session.lightField, session.display);
+  const std::size_t bytes = LightField::bytes({20, 24, 9, 8}, StoredType::uint8);
+  QVERIFY(!mustPass(*file, bytes));
+  QVERIFY(mustPass(*file, bytes - 1));
+  writePicture("lf_qs4x2a1.png", 40, 20, noise);
+  QVERIFY(!mustPass(*openLightField(lightFieldOf("lf_qs4x2a1.png"), {}), 1));
+}
+
+void TestPassingPictures::damagedRow() {
+  const QByteArray bytes = contentOf("bytes.png");
+  writeFile("cut.png", bytes.left(bytes.size() * 3 / 4));
+  const Session session = sessionOf("cut.png");
+  const auto file = openLightField(session.lightField, session.display);
+  try {
+    (void)picturesInPassing(*file, viewsOf(session, unloadedScene(session, *file)), plenty,
+                            serialRows, {});
+    QFAIL("a file that is cut was read");
+  } catch (const InputError& error) {
+    const QString line = error.what();
+    QVERIFY2(line.startsWith("cut.png: row 1") && line.contains("is damaged"), qPrintable(line));
+  }
+}
+
+void TestPassingPictures::stops() {
+  const Session session = sessionOf("bytes.png");
+  const auto file = openLightField(session.lightField, session.display);
+  const auto tillHalf = [](double done) { return done < 0.5; };
+  QVERIFY_THROWS_EXCEPTION(
+      Cancelled, (void)picturesInPassing(*file, viewsOf(session, unloadedScene(session, *file)),
+                                         plenty, serialRows, tillHalf));
+}
+
+QTEST_APPLESS_MAIN(TestPassingPictures)
+#include "test_passing_pictures.moc"
