@@ -104,6 +104,9 @@ class TexelStore {
   /// (damaged file), Cancelled.
   virtual std::shared_ptr<const LightField> slice(const Footprint& footprint,
                                                   const Progress& progress) = 0;
+  /// A small light field of the same panel for a first look: fewer hogels and directions, evenly
+  /// spread. All in memory.
+  [[nodiscard]] virtual std::shared_ptr<const LightField> overview() const = 0;
 };
 
 /// Stored values: 16-bit ones are /257 code values, floating ones ·255. In memory the texels lie in

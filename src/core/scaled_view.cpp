@@ -21,6 +21,18 @@ View reduced(const View& view) {
   return small;
 }
 
+View overview(const View& view) {
+  const TexelStore* store = view.lightField->store();
+  if (store == nullptr) return view;
+  View coarse = view;
+  coarse.lightField = store->overview();
+  const LightFieldSize& size = coarse.lightField->size();
+  coarse.display.hogels = {size.nx, size.ny};
+  coarse.display.directions = {size.du, size.dv};
+  coarse.state.psf.windowSize = 1;
+  return coarse;
+}
+
 namespace {
 
 /// The two small pixels around a pixel of an axis, and the second one's share in parts of

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of fewer pixels, and their way back to full size: what a moving window shows.
+// Pictures of fewer pixels, and their way back to full size, or of fewer hogels and directions: what
+// a moving window shows.
 #pragma once
 
 #include "core/simulate.h"
@@ -9,6 +10,10 @@ namespace hogelscope {
 /// The view with one pixel for each method.scale × method.scale of them, at their middle, and with
 /// method.scale 1; the last ones may reach beyond the picture.
 View reduced(const View& view);
+
+/// A first look at a view of a light field in a store: that of its overview, whose directions are
+/// too wide to leak into each other. Any other view stays as it is.
+View overview(const View& view);
 
 /// A reduced picture at full size: colours bilinear between its pixels, seen as the nearest one.
 Image enlarged(const Image& image, int scale, const std::array<int, 2>& res);
