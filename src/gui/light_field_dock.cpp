@@ -44,18 +44,22 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
   if (!scene) return m_contents->setText(tr("Nothing is in memory."));
   const LightFieldSize& size = scene->lightField->size();
   const std::array<QString, 3> types{tr("8 bit"), tr("16 bit"), tr("floating point")};
-  const std::size_t type = scene->lightField->texels().index();
-  const auto bytes = LightField::bytes(size, StoredType(type));
+  const LightField& lightField = *scene->lightField;
+  const QString where = lightField.store() != nullptr
+                            ? tr("in a store, of which each view reads what it needs")
+                            : tr("%1 in memory")
+                                  .arg(locale().formattedDataSize(
+                                      qint64(LightField::bytes(size, lightField.type()))));
   m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"
-                         "as one hogel image: %6×%7 px; %8 in memory")
+                         "as one hogel image: %6×%7 px; %8")
                           .arg(size.nx)
                           .arg(size.ny)
                           .arg(size.du)
                           .arg(size.dv)
-                          .arg(types[type])
+                          .arg(types[std::size_t(lightField.type())])
                           .arg(size.width())
                           .arg(size.height())
-                          .arg(locale().formattedDataSize(qint64(bytes))));
+                          .arg(where));
 }
 
 void LightFieldDock::choose(const QString& file) {

@@ -188,7 +188,10 @@ void MainWindow::showView(const RenderedView& view) {
                      .arg(view.milliseconds, 0, 'f', 1)
                      .arg(1000 * views / view.milliseconds, 0, 'f', 0)
                      .arg(view.plan);
-  if (view.scale > 1) line += tr(", resolution 1/%1").arg(view.scale);
+  if (view.isOverview)
+    line += tr(", overview: the rest is being fetched");
+  else if (view.scale > 1)
+    line += tr(", resolution 1/%1").arg(view.scale);
   if (m_method) line += tr(", method: %1").arg(QString::fromStdString(m_method->name));
   m_messages->say(line);
 }

@@ -31,12 +31,19 @@ QImage maskOf(const Image& image) {
   return view.copy();
 }
 
+/// Of a light field in a store the coarse picture has not fewer pixels, but fewer hogels and
+/// directions: what takes long there is to fetch them.
 View viewOf(const Scene& scene, const CameraState& state, const std::optional<NamedMethod>& method,
             int scale) {
+  if (scale > 1 && scene.lightField->store() != nullptr)
+    return overview(viewOf(scene, state, method, 1));
   View view = method ? with(*method, scene.view(state)) : scene.view(state);
   view.method.scale = std::max(view.method.scale, scale);
   return view;
 }
+
+/// Milliseconds: what the first view of a store is thought to take.
+constexpr double firstFetch = 1000;
 
 QString planOf(const View& view) {
   const View made = reduced(view);
@@ -145,6 +152,7 @@ void ViewWorker::loadNow(const Session& session) {
     if (m_isReadingStopped && !m_toLoad) Q_EMIT readingStopped();
     return;
   }
+  if (m_scene->lightField->store() != nullptr) m_pace.stopped(firstFetch);
   Q_EMIT loaded(*m_scene);
 }
 
@@ -183,8 +191,9 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   }
   const double milliseconds = elapsed();
   m_pace.rendered(scale, milliseconds);
+  const bool isOverview = view.lightField != scene.lightField;
   Q_EMIT rendered({toQImage(image), maskOf(image), toQImage(other), maskOf(other), milliseconds,
-                   scale, planOf(filter.GetChoice().view)});
+                   scale, isOverview, planOf(filter.GetChoice().view)});
 }
 
 void ViewWorker::certifyNow(const ViewRequest& request) {

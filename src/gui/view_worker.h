@@ -28,7 +28,8 @@ struct RenderedView {
   QImage otherImage;
   QImage otherSeen;
   double milliseconds = 0;  ///< of both
-  int scale = 1;            ///< one pixel in scale × scale was rendered, because the hand moves
+  int scale = 1;            ///< above 1: a coarse picture, because the hand moves:
+  bool isOverview = false;  ///< of fewer hogels and directions, or one pixel in scale × scale
   QString plan;             ///< how, in one line
 };
 
@@ -54,7 +55,7 @@ class ViewWorker : public QObject {
   /// There is no light field then until the next load().
   void stopReading();
   /// Renders once the light field is there, and not at all where it could not be read; an older
-  /// rendering stops. Where it takes long a smaller picture comes first, and the full one when no
+  /// rendering stops. Where it takes long a coarse picture comes first, and the full one when no
   /// newer request has come for a moment.
   void render(const ViewRequest& request);
 
