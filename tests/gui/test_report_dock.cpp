@@ -213,7 +213,7 @@ void TestReportDock::stopsAndGoesOn() {
   open("[800, 600]", R"({"samplesPerPixel": 8})");
   m_dock->addTest("b.png");
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 2).isEmpty(), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 2).isEmpty(), 120000);
   QCOMPARE(child<QPushButton>("makeReportButton")->text(), QString("&Stop"));
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().startsWith("Stopped"), 30000);
