@@ -4,9 +4,9 @@
 
 #include <QActionGroup>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 
+#include "gui/file_dialogs.h"
 #include "gui/reading_bar.h"
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
@@ -129,23 +129,21 @@ void PictureCommands::copy() {
 }
 
 void PictureCommands::askFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      m_ui.pictureView, tr("Compare with light field"), m_model->file(),
+  const QString file = chooseFile(
+      m_ui.pictureView, tr("Compare with light field"),
       tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.json);;All files (*)"));
   if (!file.isEmpty()) compareWith(file);
 }
 
 void PictureCommands::askFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(
-      m_ui.pictureView, tr("Compare with folder of views"), m_model->file());
+  const QString folder = chooseFolder(m_ui.pictureView, tr("Compare with folder of views"));
   if (!folder.isEmpty()) compareWith(folder);
 }
 
 void PictureCommands::askPicture() {
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file = QFileDialog::getSaveFileName(m_ui.pictureView, tr("Save picture"),
-                                                    QFileInfo(m_model->file()).dir().filePath(name),
-                                                    tr("Pictures (*.png *.tif *.jpg)"));
+  const QString file =
+      chooseNewFile(m_ui.pictureView, tr("Save picture"), name, tr("Pictures (*.png *.tif *.jpg)"));
   if (!file.isEmpty()) savePicture(file);
 }
 

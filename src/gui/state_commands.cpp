@@ -2,10 +2,11 @@
 // The States menu.
 #include "gui/state_commands.h"
 
-#include <QFileDialog>
+#include <QFileInfo>
 #include <algorithm>
 
 #include "core/states.h"
+#include "gui/file_dialogs.h"
 #include "gui/session_model.h"
 #include "io/session_file.h"
 
@@ -132,8 +133,7 @@ bool StateCommands::rename(std::size_t index, const QString& name) {
 }
 
 void StateCommands::askStates() {
-  const QString file = QFileDialog::getOpenFileName(m_menu, tr("Load states"), m_model->file(),
-                                                    tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_menu, tr("Load states"), tr("Sessions (*.json)"));
   if (!file.isEmpty()) mergeStatesOf(file);
 }
 
@@ -149,8 +149,7 @@ bool StateCommands::mergeStatesOf(const QString& file) {
 }
 
 void StateCommands::askFile() {
-  const QString file = QFileDialog::getOpenFileName(m_menu, tr("Add states to session"),
-                                                    m_model->file(), tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_menu, tr("Add states to session"), tr("Sessions (*.json)"));
   if (!file.isEmpty()) appendStatesTo(file);
 }
 
@@ -162,8 +161,9 @@ bool StateCommands::appendStatesTo(const QString& file) {
 }
 
 void StateCommands::askNewFile() {
-  const QString file = QFileDialog::getSaveFileName(m_menu, tr("Save states to new session"),
-                                                    m_model->file(), tr("Sessions (*.json)"));
+  const QString file =
+      chooseNewFile(m_menu, tr("Save states to new session"), QFileInfo(m_model->file()).fileName(),
+                    tr("Sessions (*.json)"));
   if (!file.isEmpty()) saveStatesAs(file);
 }
 
