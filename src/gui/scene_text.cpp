@@ -37,7 +37,7 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
     text += tr(" · colour %1 %2 %3 (of 255)")
                 .arg(number(trace.colour->r, 1), number(trace.colour->g, 1),
                      number(trace.colour->b, 1));
-  if (trace.taps > 0) text += tr(" · leakage taps: %1").arg(trace.taps);
+  if (trace.taps > 0) text += tr(" · %n leakage taps", "", trace.taps);
   if (!trace.place) return text;
   const Hit& at = *trace.place;
   if (trace.end != RayEnd::misses)

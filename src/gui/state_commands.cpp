@@ -115,7 +115,8 @@ void StateCommands::change(const QString& name, std::size_t (*action)(Session&, 
 
 void StateCommands::remove() {
   guarded([&] {
-    m_model->changeStates(tr("Delete state"), [this](Session& session) {
+    const auto count = int(marked().size());
+    m_model->changeStates(tr("Delete %n states", "", count), [this](Session& session) {
       const std::size_t first = marked().front();
       removeStates(session, marked());
       return std::min(first, session.cameras.size() - 1);
@@ -155,8 +156,9 @@ void StateCommands::askFile() {
 
 bool StateCommands::appendStatesTo(const QString& file) {
   return guarded([&] {
-    appendStates(file.toStdString(), markedStates());
-    Q_EMIT done(tr("Added to %1").arg(file));
+    const std::vector<CameraState> states = markedStates();
+    appendStates(file.toStdString(), states);
+    Q_EMIT done(tr("Added %n states to %1", "", int(states.size())).arg(file));
   });
 }
 

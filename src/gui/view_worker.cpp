@@ -41,8 +41,7 @@ View viewOf(const Scene& scene, const CameraState& state, const std::optional<Na
 QString planOf(const View& view) {
   const View made = reduced(view);
   const QString how = QString::fromStdString(oneLine(made, plan(made)));
-  const int count = threadCount();
-  return how + (count == 1 ? QObject::tr(", 1 thread") : QObject::tr(", %1 threads").arg(count));
+  return how + ViewWorker::tr(", %n threads", "", threadCount());
 }
 
 }  // namespace

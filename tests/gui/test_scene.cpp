@@ -336,7 +336,7 @@ class TestScene : public QObject {
     QVERIFY(std::abs(x - 300 - 60) <= 3 && std::abs(y - 300 - 600 / 7) <= 3);
     const PixelTrace traced = trace(m_loaded.view(m_session.cameras[0]), x, y);
     QVERIFY2(lines[1].contains(QString::number(traced.colour->g, 'f', 1)), qPrintable(lines[1]));
-    QVERIFY(lines[1].endsWith("leakage taps: 25"));
+    QVERIFY(lines[1].endsWith("25 leakage taps"));
     QVERIFY2(lines[2].startsWith(QString("hogel i %1, j %2 · direction u %3, v %4")
                                      .arg(int(traced.place->i))
                                      .arg(int(traced.place->j))
