@@ -133,6 +133,18 @@ bool StateCommands::rename(std::size_t index, const QString& name) {
   });
 }
 
+bool StateCommands::move(const std::vector<std::size_t>& indices, std::size_t before) {
+  return guarded([&] {
+    m_model->changeStates(tr("Move %n states", "", int(indices.size())), [&](Session& session) {
+      const std::string current = session.cameras.at(m_model->currentIndex()).camera.name;
+      moveStates(session, indices, before);
+      const auto found = std::ranges::find(
+          session.cameras, current, [](const CameraState& state) { return state.camera.name; });
+      return std::size_t(found - session.cameras.begin());
+    });
+  });
+}
+
 void StateCommands::askStates() {
   const QString file = chooseFile(m_menu, tr("Load states"), tr("Sessions (*.json)"));
   if (!file.isEmpty()) mergeStatesOf(file);
