@@ -48,8 +48,7 @@ QString planOf(const View& view) {
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
   qRegisterMetaType<Scene>("hogelscope::Scene");
-  qRegisterMetaType<LensCertificate>("hogelscope::LensCertificate");
-  qRegisterMetaType<LensGrid>("hogelscope::LensGrid");
+  qRegisterMetaType<CertifiedLens>("hogelscope::CertifiedLens");
   qRegisterMetaType<RenderedView>("hogelscope::RenderedView");
   m_thread = std::thread([this] { run(); });
 }
@@ -189,7 +188,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
 void ViewWorker::certifyNow(const ViewRequest& request) {
   const LensKey key = lensKeyOf(request.state, request.sampling);
   if (key == m_lens) return;
-  Q_EMIT certified(certify(key, parallelRows), lensGrid(key));
+  Q_EMIT certified({key, certify(key, parallelRows), lensGrid(key)});
   m_lens = key;
 }
 

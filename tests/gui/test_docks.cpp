@@ -354,6 +354,35 @@ class TestDocks : public QObject {
     lens->grab();
   }
 
+  /// Grey from the edit on, until what is said is of this lens.
+  void aStaleCertificateIsGrey() {
+    openSmall();
+    child<QDockWidget>("distortionDock")->raise();
+    auto* certificate = child<QLabel>("certificateLabel");
+    auto* lens = m_window->findChild<LensView*>();
+    const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    const QString before = certificate->text();
+    const int blue = count(lens, QColor(52, 94, 150));
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.2);
+    QVERIFY(isGrey());
+    QCOMPARE(certificate->text(), before);
+    QVERIFY(count(lens, QColor(52, 94, 150)) < blue / 10);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    QVERIFY(certificate->text() != before);
+    editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.01);  // the lens stays
+    QVERIFY(!isGrey());
+    // Another one and back before anything could be worked out.
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.3);
+    model()->undoStack()->undo();
+    QVERIFY(!isGrey());
+    child<QComboBox>("stateBox")->setCurrentIndex(3);
+    QVERIFY(isGrey());
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), 20000);
+    editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0);  // the look-at: no camera
+    QVERIFY(!certificate->text().isEmpty());
+  }
+
   void statesAreListedAndChosen() {
     openSmall();
     QCOMPARE(list()->count(), 6);
