@@ -52,6 +52,10 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
                          number(trace.slopes.x, 4), number(trace.slopes.y, 4));
 }
 
+QString SceneText::hogelName(int i, int j) {
+  return tr("hogel %1, %2").arg(i).arg(j);
+}
+
 QString SceneText::hogel(const DisplayParams& display, int i, int j) {
   const Vec2 middle = Display(display).position(i + 0.5, j + 0.5);
   return tr("Hogel i %1, j %2 at x %3 m, y %4 m: %5 × %6 directions over %7° × %8°")
