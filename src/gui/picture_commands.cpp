@@ -29,6 +29,8 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
   connectAction(m_ui.stopComparingAction, &PictureCommands::stopComparing);
   connectAction(m_ui.savePictureAction, &PictureCommands::askPicture);
   connectAction(m_ui.copyPictureAction, &PictureCommands::copy);
+  connect(m_ui.fitViewAction, &QAction::triggered, m_ui.pictureView, &PictureView::fit);
+  connect(m_ui.oneToOneViewAction, &QAction::triggered, m_ui.pictureView, &PictureView::oneToOne);
   connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &PictureView::showMask);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::otherChanged);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::showComparison);
@@ -77,8 +79,9 @@ void PictureCommands::showComparison() {
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasPicture);
   m_ui.compareFolderAction->setEnabled(hasPicture);
-  m_ui.savePictureAction->setEnabled(hasPicture);
-  m_ui.copyPictureAction->setEnabled(hasPicture);
+  for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction, m_ui.fitViewAction,
+                          m_ui.oneToOneViewAction})
+    action->setEnabled(hasPicture);
   const std::string& own = m_model->session().lightField.file;
   m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
                               m_comparison->name());
