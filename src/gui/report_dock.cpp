@@ -69,7 +69,9 @@ ReportDock::ReportDock(QWidget* parent)
   m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as the report has them
   m_rows->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_rows->verticalHeader()->hide();
+  m_rows->horizontalHeader()->setSortIndicatorClearable(true);  // by a third click
+  m_rows->verticalHeader()->setMaximumWidth(fontMetrics().averageCharWidth() * 20);
+  m_rows->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_rows->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   m_rows->horizontalHeader()->setDefaultSectionSize(
       fontMetrics().horizontalAdvance("PSNR seen, dB ") + 16);
