@@ -173,6 +173,7 @@ class TestDocks : public QObject {
     m_window->resize(1280, 800);
     QTRY_COMPARE(m_window->size(), QSize(1280, 800));
     QVERIFY(child<PictureView>("pictureView")->width() > 300);
+    QVERIFY(list()->viewport()->height() >= 6 * list()->visualItemRect(list()->item(0)).height());
     // Each dock is a tab that can be moved and closed.
     for (const char* name : {"statesDock", "lightFieldDock", "displayDock", "cameraDock",
                              "distortionDock", "psfDock"}) {
