@@ -23,20 +23,20 @@ void rememberFolderOf(const QString& file) {
 }
 
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter) {
-  const QString file = QFileDialog::getOpenFileName(parent, title, lastFolder(), filter);
+  QString file = QFileDialog::getOpenFileName(parent, title, lastFolder(), filter);
   rememberFolderOf(file);
   return file;
 }
 
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter) {
-  const QStringList files = QFileDialog::getOpenFileNames(parent, title, lastFolder(), filter);
+  QStringList files = QFileDialog::getOpenFileNames(parent, title, lastFolder(), filter);
   rememberFolderOf(files.value(0));
   return files;
 }
 
 /// The folder around the one that is chosen: the next one is likely to lie beside it.
 QString chooseFolder(QWidget* parent, const QString& title) {
-  const QString folder = QFileDialog::getExistingDirectory(parent, title, lastFolder());
+  QString folder = QFileDialog::getExistingDirectory(parent, title, lastFolder());
   rememberFolderOf(folder);
   return folder;
 }

@@ -76,13 +76,14 @@ QVariant ReportTable::headerData(int section, Qt::Orientation orientation, int r
   const char* const titles[] = {QT_TR_NOOP("Test"), QT_TR_NOOP("PSNR, dB"),
                                 QT_TR_NOOP("PSNR seen, dB"), QT_TR_NOOP("SSIM"),
                                 QT_TR_NOOP("Seen, %")};
+  const char* const seenHelp = QT_TR_NOOP(
+      "Share of the picture's pixels that see the display in both pictures; how much of the panel "
+      "lights the eye, under the 3-D scene, is another figure");
   const char* const helps[] = {
       QT_TR_NOOP("The test light field"),
       QT_TR_NOOP("Over the whole picture; higher is closer to the reference"),
       QT_TR_NOOP("Over the pixels that see the display in both pictures"),
-      QT_TR_NOOP("Structural similarity of the luma, 1 for identical pictures"),
-      QT_TR_NOOP("Share of the picture's pixels that see the display in both pictures; how much of "
-                 "the panel lights the eye, under the 3-D scene, is another figure")};
+      QT_TR_NOOP("Structural similarity of the luma, 1 for identical pictures"), seenHelp};
   if (role == Qt::DisplayRole) return tr(titles[section]);
   if (role == Qt::ToolTipRole) return tr(helps[section]);
   return {};
