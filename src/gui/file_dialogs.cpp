@@ -43,7 +43,7 @@ QString chooseFolder(QWidget* parent, const QString& title) {
 
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
                       const QString& filter) {
-  const QString file =
+  QString file =
       QFileDialog::getSaveFileName(parent, title, QDir(lastFolder()).filePath(name), filter);
   rememberFolderOf(file);
   return file;
