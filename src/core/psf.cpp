@@ -19,7 +19,8 @@ void describe(ParameterVisitor& v, PsfParams& p) {
   v.group("psf", "Light leakage between the directional pixels of a hogel: a Gaussian window.");
   v.field("sigma", sigma, {0, 20, 0.01}, "px",
           "Standard deviation; above 0 unless windowSize is 1.");
-  v.field("windowSize", windowSize, {1, 99, 2}, "px", "Full width of the window; 1 is no leakage.");
+  v.field("windowSize", windowSize, {1, 99, 2}, "px",
+          "Full width of the window, odd: 1, 3, 5, …; 1 is no leakage.");
   v.field("border", border, borderNames,
           "At the hogel's edge: weigh what is inside, repeat the edge pixel, or lose the light.");
   v.field("light", light, lightNames,

@@ -67,6 +67,19 @@ void moveState(Session& session, std::size_t from, std::size_t to) {
     std::rotate(target, at, at + 1);
 }
 
+void moveStates(Session& session, const std::vector<std::size_t>& indices, std::size_t before) {
+  std::vector<CameraState> moved;
+  std::vector<CameraState> above;
+  std::vector<CameraState> below;
+  for (std::size_t k = 0; k < session.cameras.size(); ++k) {
+    const bool isMoved = std::ranges::find(indices, k) != indices.end();
+    (isMoved ? moved : k < before ? above : below).push_back(session.cameras[k]);
+  }
+  above.insert(above.end(), moved.begin(), moved.end());
+  above.insert(above.end(), below.begin(), below.end());
+  session.cameras = std::move(above);
+}
+
 void renameState(Session& session, std::size_t index, const std::string& name) {
   CameraState state = session.cameras.at(index);
   if (state.camera.name == name) return;

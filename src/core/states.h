@@ -20,6 +20,9 @@ std::size_t duplicateState(Session& session, std::size_t index);
 void removeStates(Session& session, const std::vector<std::size_t>& indices);
 /// `to` is its index afterwards.
 void moveState(Session& session, std::size_t from, std::size_t to);
+/// Those at `indices` come to stand together, in their order, before the one that is at `before`
+/// now; their number is the end.
+void moveStates(Session& session, const std::vector<std::size_t>& indices, std::size_t before);
 /// Throws InputError: taken, or not a file's name.
 void renameState(Session& session, std::size_t index, const std::string& name);
 /// All of them, in their order, with free names.

@@ -3,13 +3,12 @@
 #include "gui/application.h"
 
 #include <QApplication>
-#include <QLocale>
 #include <QSurfaceFormat>
-#include <QTranslator>
 #include <cstdlib>
 
 #include "core/error.h"
 #include "gui/main_window.h"
+#include "gui/translations.h"
 #include "gui/vtk_widget.h"
 
 namespace hogelscope {
@@ -24,9 +23,7 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
   QApplication::setApplicationName("Hogelscope");
   QApplication::setApplicationVersion(HOGELSCOPE_VERSION);
   QApplication::setOrganizationName("Hogelscope");
-  QTranslator translator;
-  if (translator.load(QLocale(), "hogelscope", "_", QApplication::applicationDirPath()))
-    QApplication::installTranslator(&translator);
+  installTranslations();
   MainWindow window;
   QStringList names;
   for (const std::string& file : files) names.append(QString::fromStdString(file));

@@ -2,11 +2,11 @@
 // The camera set dock.
 #include "gui/camera_set_view.h"
 
-#include <QFileDialog>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "gui/file_dialogs.h"
 #include "gui/parameter_form.h"
 #include "gui/session_model.h"
 #include "io/camera_set_file.h"
@@ -73,9 +73,8 @@ bool CameraSetView::addFromFile(const QString& file) {
 }
 
 void CameraSetView::askFile() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Add states from a camera set"), m_model->file(),
-                                   tr("Camera sets and traces (*.json *.csv)"));
+  const QString file = chooseFile(this, tr("Add states from a camera set"),
+                                  tr("Camera sets and traces (*.json *.csv)"));
   if (!file.isEmpty()) addFromFile(file);
 }
 

@@ -106,6 +106,7 @@ void DisplayScene::look(const Vec3& target, const Vec3& from, const Vec3& up) {
 
 /// Goes back or forth until all of it fills the window.
 void DisplayScene::fitDistance() {
+  m_handles.setSceneEye(eye().eye);
   m_renderer->GetActiveCamera()->SetViewAngle(30);
   m_renderer->ResetCamera();
   m_renderer->GetActiveCamera()->Dolly(1.2);  // ResetCamera leaves room for the corners of a sphere
@@ -113,16 +114,18 @@ void DisplayScene::fitDistance() {
 }
 
 void DisplayScene::fit() {
-  look({0, 0, 0}, {0.6, 0.4, 1.3}, {0, 1, 0});
+  const double size = std::max(m_display.size[0], m_display.size[1]);
+  look(m_display.position, m_display.position + size * Vec3{1.2, 0.8, 2.6}, {0, 1, 0});
   fitDistance();
 }
 
 void DisplayScene::lookFrom(SceneSide side) {
   const auto [right, up, front, centre] =
       transformFromPose(m_display.position, m_display.orientation);
-  if (side == SceneSide::front) look(centre, centre + front, up);
-  if (side == SceneSide::top) look(centre, centre + up, -1.0 * front);
-  if (side == SceneSide::side) look(centre, centre + right, up);
+  const double far = 2 * std::max(m_display.size[0], m_display.size[1]);
+  if (side == SceneSide::front) look(centre, centre + far * front, up);
+  if (side == SceneSide::top) look(centre, centre + far * up, -1.0 * front);
+  if (side == SceneSide::side) look(centre, centre + far * right, up);
   fitDistance();
 }
 

@@ -7,17 +7,21 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/error.h"
+#include "core/plan.h"
 #include "gui/lens_view.h"
 #include "gui/session_forms.h"
+#include "gui/view_worker.h"
 
 namespace hogelscope {
 
 DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent)
-    : QWidget(parent), m_lens(new LensView), m_certificate(new QLabel) {
+    : QWidget(parent), m_model(model), m_lens(new LensView), m_certificate(new QLabel) {
   m_certificate->setObjectName("certificateLabel");
   m_certificate->setWordWrap(true);
   m_certificate->setMargin(9);
-  m_certificate->setToolTip(tr("How far the lens can be trusted"));
+  m_certificate->setToolTip(
+      tr("How far the lens can be trusted; grey while it is worked out for another lens"));
   auto* importButton = new QToolButton;
   importButton->setObjectName("importButton");
   importButton->setDefaultAction(importAction);
@@ -31,10 +35,16 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
   layout->addLayout(buttons);
   layout->addWidget(m_certificate);
   layout->addWidget(m_lens, 1);
+  for (const auto change :
+       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
+        &SessionModel::statesChanged, &SessionModel::contentChanged})
+    connect(model, change, this, &DistortionDock::noteEdits);
 }
 
-void DistortionDock::showLens(const LensCertificate& certificate, const LensGrid& grid) {
-  m_lens->setLens(grid);
+void DistortionDock::showLens(const CertifiedLens& lens) {
+  m_shown = lens.key;
+  m_lens->setLens(lens.grid);
+  const LensCertificate& certificate = lens.certificate;
   const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
   const QString warning =
       certificate.withoutRay == 0
@@ -43,6 +53,18 @@ void DistortionDock::showLens(const LensCertificate& certificate, const LensGrid
                 .arg(share, 0, 'f', 1);
   m_certificate->setText(
       warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
+  noteEdits();
+}
+
+void DistortionDock::noteEdits() {
+  bool isShown = false;
+  try {
+    isShown = m_shown == lensKeyOf(m_model->current(), m_model->session().sampling);
+  } catch (const InputError&) {
+    // a camera without a frame has no lens: the simulated view says why
+  }
+  m_certificate->setEnabled(isShown);
+  m_lens->setEnabled(isShown);
 }
 
 }  // namespace hogelscope

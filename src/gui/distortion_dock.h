@@ -4,9 +4,9 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
-#include "core/lens_certificate.h"
-#include "core/lens_grid.h"
+#include "core/lens_rays.h"
 
 class QAction;
 class QLabel;
@@ -15,6 +15,7 @@ namespace hogelscope {
 
 class LensView;
 class SessionModel;
+struct CertifiedLens;
 
 class DistortionDock : public QWidget {
   Q_OBJECT
@@ -22,9 +23,14 @@ class DistortionDock : public QWidget {
  public:
   DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent = nullptr);
 
-  void showLens(const LensCertificate& certificate, const LensGrid& grid);
+  /// Grey from the moment when the current state has another lens.
+  void showLens(const CertifiedLens& lens);
 
  private:
+  void noteEdits();
+
+  SessionModel* m_model;
+  std::optional<LensKey> m_shown;
   LensView* m_lens;
   QLabel* m_certificate;
 };

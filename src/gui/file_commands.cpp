@@ -3,11 +3,11 @@
 #include "gui/file_commands.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "gui/autosave.h"
+#include "gui/file_dialogs.h"
 #include "gui/file_drop.h"
 #include "gui/questions.h"
 #include "gui/recent_files.h"
@@ -52,9 +52,13 @@ bool FileCommands::guarded(Action action) {
 
 bool FileCommands::open(const QString& file) {
   return guarded([&] {
-    if (!isSessionFile(file.toStdString())) return m_model->openLightField(file);
-    m_model->open(file);
-    m_recent->add(file);
+    if (isSessionFile(file.toStdString())) {
+      m_model->open(file);
+      m_recent->add(file);
+    } else {
+      m_model->openLightField(file);
+    }
+    rememberFolderOf(file);
   });
 }
 
@@ -62,6 +66,7 @@ bool FileCommands::save(const QString& file) {
   return guarded([&] {
     m_model->save(file);
     m_recent->add(file);
+    rememberFolderOf(file);
     Q_EMIT done(tr("Saved %1").arg(file));
   });
 }
@@ -118,34 +123,32 @@ bool FileCommands::saveOrAsk() {
 }
 
 bool FileCommands::askSaveAs() {
-  const QString file = QFileDialog::getSaveFileName(m_window, tr("Save session as"),
-                                                    m_model->file(), tr("Sessions (*.json)"));
+  const QString file =
+      chooseNewFile(m_window, tr("Save session as"), QFileInfo(m_model->file()).fileName(),
+                    tr("Sessions (*.json)"));
   return !file.isEmpty() && save(file);
 }
 
 void FileCommands::askOpen() {
-  const QString file = QFileDialog::getOpenFileName(m_window, tr("Open session"), m_model->file(),
-                                                    tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_window, tr("Open session"), tr("Sessions (*.json)"));
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 
 void FileCommands::askLightField() {
-  const QString file = QFileDialog::getOpenFileName(
-      m_window, tr("Open light field"), m_model->file(),
-      tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+  const QString file =
+      chooseFile(m_window, tr("Open light field"),
+                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 
 void FileCommands::askFolder() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(m_window, tr("Open folder of views"), m_model->file());
+  const QString folder = chooseFolder(m_window, tr("Open folder of views"));
   if (!folder.isEmpty() && mayLeave()) open(folder);
 }
 
 void FileCommands::askImport() {
-  const QString file =
-      QFileDialog::getOpenFileName(m_window, tr("Import OpenCV calibration"), m_model->file(),
-                                   tr("Calibrations (*.yml *.yaml *.json)"));
+  const QString file = chooseFile(m_window, tr("Import OpenCV calibration"),
+                                  tr("Calibrations (*.yml *.yaml *.json)"));
   if (!file.isEmpty()) importCalibration(file);
 }
 

@@ -64,6 +64,7 @@ void LensView::paintEvent(QPaintEvent*) {
   if (m_grid.res[0] < 1 || m_grid.res[1] < 1) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  if (!isEnabled()) painter.setOpacity(0.35);
   const QTransform transform = widgetFromPicture();
   const QRectF frame = transform.mapRect(border());
   painter.fillRect(frame, paper);

@@ -10,6 +10,7 @@ class QPainterPath;
 
 namespace hogelscope {
 
+/// Pale while it is disabled.
 class LensView : public QWidget {
   Q_OBJECT
 

@@ -2,14 +2,14 @@
 // The light field dock.
 #include "gui/light_field_dock.h"
 
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <array>
 
+#include "gui/file_dialogs.h"
 #include "gui/session_forms.h"
 
 namespace hogelscope {
@@ -69,16 +69,14 @@ void LightFieldDock::choose(const QString& file) {
 }
 
 void LightFieldDock::askFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Choose light field"), QString::fromStdString(m_model->session().lightField.file),
-      tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+  const QString file =
+      chooseFile(this, tr("Choose light field"),
+                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
   if (!file.isEmpty()) choose(file);
 }
 
 void LightFieldDock::askFolder() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Choose folder of views"),
-                                        QString::fromStdString(m_model->session().lightField.file));
+  const QString folder = chooseFolder(this, tr("Choose folder of views"));
   if (!folder.isEmpty()) choose(folder);
 }
 

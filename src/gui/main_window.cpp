@@ -102,7 +102,8 @@ void MainWindow::arrangeDocks() {
   for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     dock->hide();
   m_ui->cameraDock->raise();
-  resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {200, 600}, Qt::Vertical);
+  const int states = m_ui->statesDock->sizeHint().height();  // a few rows
+  resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {states, 800 - states}, Qt::Vertical);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }

@@ -72,7 +72,7 @@ void Messages::fail(const QString& line) {
   m_line.clear();  // such as "Reading …"
   const QString time = QTime::currentTime().toString("HH:mm:ss");
   m_list->appendPlainText(tr("%1  %2").arg(time, line));
-  m_button->setText(tr("⚠ Errors: %1").arg(++m_count));
+  m_button->setText(tr("⚠ %n errors", "", ++m_count));
   m_button->show();
   show();
 }

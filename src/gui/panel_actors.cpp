@@ -9,7 +9,6 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <vtkTexture.h>
 
 #include <QString>
@@ -21,18 +20,6 @@
 #include "vtk/vtkScaleBarSource.h"
 
 namespace hogelscope {
-
-namespace {
-
-void plain(vtkTextProperty* text, int size) {
-  text->SetFontSize(size);
-  text->SetColor(0.85, 0.85, 0.85);
-  text->ItalicOff();
-  text->BoldOff();
-  text->ShadowOff();
-}
-
-}  // namespace
 
 PanelActors::PanelActors(vtkRenderer* renderer) {
   addToScene(renderer, m_panel, m_source->GetOutputPort(0), {1, 1, 1}, SceneLevel::panel);
@@ -55,7 +42,7 @@ void PanelActors::addAxes(vtkRenderer* renderer) {
        {m_axes->GetXAxisCaptionActor2D(), m_axes->GetYAxisCaptionActor2D(),
         m_axes->GetZAxisCaptionActor2D()}) {
     letter->GetTextActor()->SetTextScaleModeToNone();
-    plain(letter->GetCaptionTextProperty(), 14);
+    makePlain(letter->GetCaptionTextProperty());
   }
   renderer->AddActor(m_axes);
 }
@@ -63,13 +50,7 @@ void PanelActors::addAxes(vtkRenderer* renderer) {
 void PanelActors::addScaleBar(vtkRenderer* renderer) {
   addToScene(renderer, m_bar, m_barSource->GetOutputPort(), {0.85, 0.85, 0.85},
              SceneLevel::onPanel);
-  plain(m_barLabel->GetTextProperty(), 14);
-  m_barLabel->GetTextProperty()->SetJustificationToCentered();
-  m_barLabel->GetTextProperty()->SetVerticalJustificationToTop();
-  // Not vtkBillboardTextActor3D: its translucency takes a pass over the whole picture, 9 ms a
-  // frame.
-  m_barLabel->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-  renderer->AddViewProp(m_barLabel);
+  addLabel(renderer, m_barLabel);
 }
 
 void PanelActors::setDisplay(const DisplayParams& display) {

@@ -3,14 +3,18 @@
 #include "gui/pick_actors.h"
 
 #include <vtkCellArray.h>
+#include <vtkCoordinate.h>
 #include <vtkImageData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <vtkTexture.h>
 #include <vtkTrivialProducer.h>
 
 #include "gui/scene_actor.h"
+#include "gui/scene_text.h"
 #include "vtk/vtkHogelFieldSource.h"
 
 namespace hogelscope {
@@ -24,6 +28,9 @@ PickActors::PickActors(vtkRenderer* renderer) {
   addToScene(renderer, m_ray, line->GetOutputPort(), {1.00, 0.25, 0.45}, SceneLevel::onPanel);
   m_ray->GetProperty()->SetLineWidth(2);
   m_ray->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
+  addLabel(renderer, m_label);
+  m_label->GetTextProperty()->SetBackgroundColor(0, 0, 0);
+  m_label->GetTextProperty()->SetBackgroundOpacity(0.6);
   hideHogel();
   hideRay();
 }
@@ -33,6 +40,10 @@ PickActors::~PickActors() = default;
 void PickActors::showHogel(const DisplayParams& display, int i, int j, vtkImageData* picture) {
   m_field->SetHogel(display, i, j);
   m_picture->SetInputData(picture);
+  const Vec3 below = m_field->GetLabelPosition();
+  m_label->GetPositionCoordinate()->SetValue(below.x, below.y, below.z);
+  m_label->SetInput(SceneText::hogelName(i, j).toUtf8().constData());
+  m_label->VisibilityOn();
   m_rays->VisibilityOn();
   m_end->VisibilityOn();
 }
@@ -51,6 +62,7 @@ void PickActors::showRay(const Vec3& from, const Vec3& to) {
 void PickActors::hideHogel() {
   m_rays->VisibilityOff();
   m_end->VisibilityOff();
+  m_label->VisibilityOff();
 }
 
 void PickActors::hideRay() {
@@ -59,6 +71,10 @@ void PickActors::hideRay() {
 
 bool PickActors::hasHogel() const {
   return m_end->GetVisibility() != 0;
+}
+
+std::string PickActors::label() const {
+  return m_label->GetVisibility() != 0 ? m_label->GetInput() : "";
 }
 
 bool PickActors::hasRay() const {

@@ -4,6 +4,8 @@
 
 #include <vtkNew.h>
 
+#include <string>
+
 #include "core/display.h"
 
 class vtkActor;
@@ -11,6 +13,7 @@ class vtkHogelFieldSource;
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderer;
+class vtkTextActor;
 class vtkTexture;
 
 namespace hogelscope {
@@ -22,7 +25,7 @@ class PickActors {
   PickActors(const PickActors&) = delete;
   PickActors& operator=(const PickActors&) = delete;
 
-  /// `picture` has a pixel for each of the hogel's directions.
+  /// With its indices below it; `picture` has a pixel for each of the hogel's directions.
   void showHogel(const DisplayParams& display, int i, int j, vtkImageData* picture);
   /// In the world, metres.
   void showRay(const Vec3& from, const Vec3& to);
@@ -30,12 +33,15 @@ class PickActors {
   void hideRay();
   [[nodiscard]] bool hasHogel() const;
   [[nodiscard]] bool hasRay() const;
+  /// Of the hogel; "" where there is none.
+  [[nodiscard]] std::string label() const;
 
  private:
   vtkNew<vtkHogelFieldSource> m_field;
   vtkNew<vtkActor> m_rays;
   vtkNew<vtkActor> m_end;
   vtkNew<vtkTexture> m_picture;
+  vtkNew<vtkTextActor> m_label;
   vtkNew<vtkPolyData> m_line;
   vtkNew<vtkActor> m_ray;
 };

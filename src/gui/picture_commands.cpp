@@ -4,9 +4,9 @@
 
 #include <QActionGroup>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 
+#include "gui/file_dialogs.h"
 #include "gui/reading_bar.h"
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
@@ -29,6 +29,8 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
   connectAction(m_ui.stopComparingAction, &PictureCommands::stopComparing);
   connectAction(m_ui.savePictureAction, &PictureCommands::askPicture);
   connectAction(m_ui.copyPictureAction, &PictureCommands::copy);
+  connect(m_ui.fitViewAction, &QAction::triggered, m_ui.pictureView, &PictureView::fit);
+  connect(m_ui.oneToOneViewAction, &QAction::triggered, m_ui.pictureView, &PictureView::oneToOne);
   connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &PictureView::showMask);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::otherChanged);
   connect(m_comparison, &Comparison::changed, this, &PictureCommands::showComparison);
@@ -77,8 +79,9 @@ void PictureCommands::showComparison() {
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasPicture);
   m_ui.compareFolderAction->setEnabled(hasPicture);
-  m_ui.savePictureAction->setEnabled(hasPicture);
-  m_ui.copyPictureAction->setEnabled(hasPicture);
+  for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction, m_ui.fitViewAction,
+                          m_ui.oneToOneViewAction})
+    action->setEnabled(hasPicture);
   const std::string& own = m_model->session().lightField.file;
   m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
                               m_comparison->name());
@@ -129,23 +132,21 @@ void PictureCommands::copy() {
 }
 
 void PictureCommands::askFile() {
-  const QString file = QFileDialog::getOpenFileName(
-      m_ui.pictureView, tr("Compare with light field"), m_model->file(),
+  const QString file = chooseFile(
+      m_ui.pictureView, tr("Compare with light field"),
       tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.json);;All files (*)"));
   if (!file.isEmpty()) compareWith(file);
 }
 
 void PictureCommands::askFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(
-      m_ui.pictureView, tr("Compare with folder of views"), m_model->file());
+  const QString folder = chooseFolder(m_ui.pictureView, tr("Compare with folder of views"));
   if (!folder.isEmpty()) compareWith(folder);
 }
 
 void PictureCommands::askPicture() {
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file = QFileDialog::getSaveFileName(m_ui.pictureView, tr("Save picture"),
-                                                    QFileInfo(m_model->file()).dir().filePath(name),
-                                                    tr("Pictures (*.png *.tif *.jpg)"));
+  const QString file =
+      chooseNewFile(m_ui.pictureView, tr("Save picture"), name, tr("Pictures (*.png *.tif *.jpg)"));
   if (!file.isEmpty()) savePicture(file);
 }
 

@@ -38,6 +38,10 @@ class PictureView : public QWidget {
   void setViewport(const Viewport& viewport);
   /// From now on both show the same part at the same zoom: first the other's.
   void linkTo(PictureView& other);
+  /// The whole picture.
+  void fit();
+  /// One pixel of the picture on one of the screen.
+  void oneToOne();
 
   [[nodiscard]] const QImage& image() const { return m_pictures[0].image.image(); }
   [[nodiscard]] const QImage& otherImage() const { return m_pictures[1].image.image(); }
@@ -79,8 +83,6 @@ class PictureView : public QWidget {
   void showActions();
   void zoomIn();
   void zoomOut();
-  void fit();
-  void oneToOne();
   void pan(int x, int y);
   void panLeft();
   void panRight();

@@ -3,7 +3,6 @@
 #include "gui/report_dock.h"
 
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -24,6 +23,7 @@
 #include <limits>
 
 #include "core/summary_page.h"
+#include "gui/file_dialogs.h"
 #include "gui/picture_view.h"
 #include "gui/report_table.h"
 #include "gui/report_worker.h"
@@ -69,7 +69,9 @@ ReportDock::ReportDock(QWidget* parent)
   m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as the report has them
   m_rows->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_rows->verticalHeader()->hide();
+  m_rows->horizontalHeader()->setSortIndicatorClearable(true);  // by a third click
+  m_rows->verticalHeader()->setMaximumWidth(fontMetrics().averageCharWidth() * 20);
+  m_rows->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_rows->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   m_rows->horizontalHeader()->setDefaultSectionSize(
       fontMetrics().horizontalAdvance("PSNR seen, dB ") + 16);
@@ -227,15 +229,14 @@ void ReportDock::setReference(const std::optional<Scene>& scene) {
 
 void ReportDock::askTest() {
   const QStringList files =
-      QFileDialog::getOpenFileNames(this, tr("Add test light fields"), m_model->file(),
-                                    tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff "
-                                       "*.exr *.json);;All files (*)"));
+      chooseFiles(this, tr("Add test light fields"),
+                  tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff "
+                     "*.exr *.json);;All files (*)"));
   for (const QString& file : files) addTest(file);
 }
 
 void ReportDock::askTestFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Add a folder of views"),
-                                                           QFileInfo(m_model->file()).path());
+  const QString folder = chooseFolder(this, tr("Add a folder of views"));
   if (!folder.isEmpty()) addTest(folder);
 }
 
@@ -246,8 +247,7 @@ void ReportDock::addTest(const QString& file) {
 }
 
 void ReportDock::askFolder() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(this, tr("Folder of the report"), m_folder->text());
+  const QString folder = chooseFolder(this, tr("Folder of the report"));
   if (!folder.isEmpty()) setFolder(folder);
 }
 

@@ -23,7 +23,6 @@ double number(const ReportRow& row, int column) {
 }
 
 QString shown(const ReportRow& row, int column) {
-  if (column == ReportTable::state) return QString::fromStdString(row.state);
   if (column == ReportTable::test) return QString::fromStdString(row.test);
   if (column == ReportTable::psnrColumn && !row.problem.empty())
     return QString::fromStdString(row.problem);
@@ -47,6 +46,7 @@ void ReportTable::begin(std::size_t rows) {
 void ReportTable::set(std::size_t index, const ReportRow& row) {
   if (index >= m_rows.size()) return;
   m_rows[index] = row;
+  Q_EMIT headerDataChanged(Qt::Vertical, int(index), int(index));
   Q_EMIT dataChanged(this->index(int(index), 0), this->index(int(index), columns - 1));
 }
 
@@ -60,7 +60,7 @@ int ReportTable::columnCount(const QModelIndex& parent) const {
 
 QVariant ReportTable::data(const QModelIndex& index, int role) const {
   const std::optional<ReportRow>& row = m_rows[std::size_t(index.row())];
-  const bool isText = index.column() <= test;
+  const bool isText = index.column() == test;
   if (role == Qt::TextAlignmentRole && !isText) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (!row) return {};
   if (role == Qt::ToolTipRole) return QString::fromStdString(row->problem);
@@ -71,20 +71,28 @@ QVariant ReportTable::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ReportTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation == Qt::Vertical || section < 0 || section >= columns) return {};
-  const char* const titles[] = {QT_TR_NOOP("State"),    QT_TR_NOOP("Test"),
-                                QT_TR_NOOP("PSNR, dB"), QT_TR_NOOP("PSNR seen, dB"),
-                                QT_TR_NOOP("SSIM"),     QT_TR_NOOP("Seen, %")};
+  if (orientation == Qt::Vertical) return rowHeader(section, role);
+  if (section < 0 || section >= columns) return {};
+  const char* const titles[] = {QT_TR_NOOP("Test"), QT_TR_NOOP("PSNR, dB"),
+                                QT_TR_NOOP("PSNR seen, dB"), QT_TR_NOOP("SSIM"),
+                                QT_TR_NOOP("Seen, %")};
+  const char* const seenHelp = QT_TR_NOOP(
+      "Share of the picture's pixels that see the display in both pictures; how much of the panel "
+      "lights the eye, under the 3-D scene, is another figure");
   const char* const helps[] = {
-      QT_TR_NOOP("The camera state"),
       QT_TR_NOOP("The test light field"),
       QT_TR_NOOP("Over the whole picture; higher is closer to the reference"),
       QT_TR_NOOP("Over the pixels that see the display in both pictures"),
-      QT_TR_NOOP("Structural similarity of the luma, 1 for identical pictures"),
-      QT_TR_NOOP("Share of the pixels that see the display in both pictures")};
+      QT_TR_NOOP("Structural similarity of the luma, 1 for identical pictures"), seenHelp};
   if (role == Qt::DisplayRole) return tr(titles[section]);
   if (role == Qt::ToolTipRole) return tr(helps[section]);
   return {};
+}
+
+QVariant ReportTable::rowHeader(int section, int role) const {
+  if (section < 0 || section >= rowCount() || !m_rows[std::size_t(section)]) return {};
+  if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
+  return QString::fromStdString(m_rows[std::size_t(section)]->state);
 }
 
 }  // namespace hogelscope

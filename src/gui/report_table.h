@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report's rows as a table, filled while the report is made.
+// A report's rows as a table, filled while the report is made. The states' names head the rows.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -14,7 +14,7 @@ class ReportTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { state, test, psnrColumn, psnrSeenColumn, ssimColumn, seenColumn, columns };
+  enum Column { test, psnrColumn, psnrSeenColumn, ssimColumn, seenColumn, columns };
   /// By which a column is sorted: numbers as numbers.
   static constexpr int sortRole = Qt::UserRole;
 
@@ -34,6 +34,8 @@ class ReportTable : public QAbstractTableModel {
                                     int role) const override;
 
  private:
+  [[nodiscard]] QVariant rowHeader(int section, int role) const;
+
   std::vector<std::optional<ReportRow>> m_rows;
 };
 

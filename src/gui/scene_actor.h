@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of the 3-D scene that is drawn as it is, unlit.
+// A part of the 3-D scene that is drawn as it is, unlit; labels.
 #pragma once
 
 #include <vtkActor.h>
@@ -7,6 +7,9 @@
 #include <vtkRenderer.h>
 
 #include <array>
+
+class vtkTextActor;
+class vtkTextProperty;
 
 namespace hogelscope {
 
@@ -16,5 +19,11 @@ enum class SceneLevel { panel, onPanel };
 /// Puts a source's output into the scene, in one colour unless its cells have their own.
 void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
                 const std::array<double, 3>& colour, SceneLevel level);
+
+/// Light, upright, without a shadow.
+void makePlain(vtkTextProperty* text);
+
+/// A text that hangs below a point of the world, of the same size wherever that is.
+void addLabel(vtkRenderer* renderer, vtkTextActor* label);
 
 }  // namespace hogelscope

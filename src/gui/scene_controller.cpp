@@ -51,6 +51,7 @@ void SceneController::connectActions() {
   onScene(m_form.sceneDownAction, [this] { m_scene->turn(0, -step); });
   onScene(m_form.sceneNearerAction, [this] { m_scene->approach(1.1); });
   onScene(m_form.sceneFartherAction, [this] { m_scene->approach(1 / 1.1); });
+  on(m_form.sceneForgetAction, [this] { removePicks(); });
   on(m_form.sceneLookThroughAction, [this] { m_scene->lookThrough(m_model->current()); });
   on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
   on(m_form.scenePanelPictureAction, [this] { renderPanel(); });
@@ -197,6 +198,12 @@ void SceneController::forgetPicks() {
   m_scene->picked().hideRay();
 }
 
+void SceneController::removePicks() {
+  forgetPicks();
+  showText();
+  m_scene->redraw();
+}
+
 void SceneController::showHogel(int i, int j) {
   forgetPicks();
   if (!m_loaded) return;
@@ -238,6 +245,7 @@ void SceneController::tracePixel() {
 }
 
 void SceneController::showText() {
+  m_form.sceneForgetAction->setEnabled(!m_pickText.isEmpty());
   if (m_model->session().cameras.empty()) return m_form.sceneReadout->clear();
   const QString hint = tr("Click a frustum, a hogel, or a pixel of the simulated view.");
   m_form.sceneReadout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +

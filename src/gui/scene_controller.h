@@ -47,6 +47,7 @@ class SceneController : public QObject {
   void connectScene();
   void refresh();
   void forgetPicks();
+  void removePicks();
   void pickAt(int x, int y);
   void nameAt(int x, int y);
   void showHogel(int i, int j);

@@ -80,6 +80,7 @@ void SceneHandles::update() {
     const bool isShown = m_isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
     handle->ball->Modified();  // else it keeps its size in metres, not in pixels
     if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
+    if (isShown) handle->ball->BuildRepresentation();  // its bounds count when the scene is fitted
   }
 }
 

@@ -37,7 +37,7 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
     text += tr(" · colour %1 %2 %3 (of 255)")
                 .arg(number(trace.colour->r, 1), number(trace.colour->g, 1),
                      number(trace.colour->b, 1));
-  if (trace.taps > 0) text += tr(" · leakage taps: %1").arg(trace.taps);
+  if (trace.taps > 0) text += tr(" · %n leakage taps", "", trace.taps);
   if (!trace.place) return text;
   const Hit& at = *trace.place;
   if (trace.end != RayEnd::misses)
@@ -50,6 +50,10 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
   return text + tr("\npanel x %1 m, y %2 m · slopes dx/dz %3, dy/dz %4")
                     .arg(number(trace.position.x, 4), number(trace.position.y, 4),
                          number(trace.slopes.x, 4), number(trace.slopes.y, 4));
+}
+
+QString SceneText::hogelName(int i, int j) {
+  return tr("hogel %1, %2").arg(i).arg(j);
 }
 
 QString SceneText::hogel(const DisplayParams& display, int i, int j) {

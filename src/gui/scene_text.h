@@ -17,6 +17,8 @@ class SceneText {
   static QString eye(const CameraState& state, const DisplayParams& display);
   /// A picked pixel, its ray and what that meets.
   static QString pixel(int x, int y, const PixelTrace& trace);
+  /// A hogel's indices, short enough for the scene.
+  static QString hogelName(int i, int j);
   /// A picked hogel.
   static QString hogel(const DisplayParams& display, int i, int j);
 };

@@ -2,10 +2,11 @@
 // The States menu.
 #include "gui/state_commands.h"
 
-#include <QFileDialog>
+#include <QFileInfo>
 #include <algorithm>
 
 #include "core/states.h"
+#include "gui/file_dialogs.h"
 #include "gui/session_model.h"
 #include "io/session_file.h"
 
@@ -114,7 +115,8 @@ void StateCommands::change(const QString& name, std::size_t (*action)(Session&, 
 
 void StateCommands::remove() {
   guarded([&] {
-    m_model->changeStates(tr("Delete state"), [this](Session& session) {
+    const auto count = int(marked().size());
+    m_model->changeStates(tr("Delete %n states", "", count), [this](Session& session) {
       const std::size_t first = marked().front();
       removeStates(session, marked());
       return std::min(first, session.cameras.size() - 1);
@@ -131,9 +133,20 @@ bool StateCommands::rename(std::size_t index, const QString& name) {
   });
 }
 
+bool StateCommands::move(const std::vector<std::size_t>& indices, std::size_t before) {
+  return guarded([&] {
+    m_model->changeStates(tr("Move %n states", "", int(indices.size())), [&](Session& session) {
+      const std::string current = session.cameras.at(m_model->currentIndex()).camera.name;
+      moveStates(session, indices, before);
+      const auto found = std::ranges::find(
+          session.cameras, current, [](const CameraState& state) { return state.camera.name; });
+      return std::size_t(found - session.cameras.begin());
+    });
+  });
+}
+
 void StateCommands::askStates() {
-  const QString file = QFileDialog::getOpenFileName(m_menu, tr("Load states"), m_model->file(),
-                                                    tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_menu, tr("Load states"), tr("Sessions (*.json)"));
   if (!file.isEmpty()) mergeStatesOf(file);
 }
 
@@ -149,21 +162,22 @@ bool StateCommands::mergeStatesOf(const QString& file) {
 }
 
 void StateCommands::askFile() {
-  const QString file = QFileDialog::getOpenFileName(m_menu, tr("Add states to session"),
-                                                    m_model->file(), tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_menu, tr("Add states to session"), tr("Sessions (*.json)"));
   if (!file.isEmpty()) appendStatesTo(file);
 }
 
 bool StateCommands::appendStatesTo(const QString& file) {
   return guarded([&] {
-    appendStates(file.toStdString(), markedStates());
-    Q_EMIT done(tr("Added to %1").arg(file));
+    const std::vector<CameraState> states = markedStates();
+    appendStates(file.toStdString(), states);
+    Q_EMIT done(tr("Added %n states to %1", "", int(states.size())).arg(file));
   });
 }
 
 void StateCommands::askNewFile() {
-  const QString file = QFileDialog::getSaveFileName(m_menu, tr("Save states to new session"),
-                                                    m_model->file(), tr("Sessions (*.json)"));
+  const QString file =
+      chooseNewFile(m_menu, tr("Save states to new session"), QFileInfo(m_model->file()).fileName(),
+                    tr("Sessions (*.json)"));
   if (!file.isEmpty()) saveStatesAs(file);
 }
 

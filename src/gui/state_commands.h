@@ -26,6 +26,8 @@ class StateCommands : public QObject {
 
   /// True if that went well.
   bool rename(std::size_t index, const QString& name);
+  /// Those at `indices`, to before the one that is at `before` now; the current one stays current.
+  bool move(const std::vector<std::size_t>& indices, std::size_t before);
   /// Loads a file's states behind the session's own.
   bool mergeStatesOf(const QString& file);
   /// Adds the marked states to another document.

@@ -5,7 +5,6 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QGridLayout>
-#include <QListWidget>
 #include <QMimeData>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -13,18 +12,16 @@
 
 #include "gui/session_model.h"
 #include "gui/state_commands.h"
+#include "gui/state_list.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
 
 StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* parent)
-    : QWidget(parent), m_model(model), m_commands(commands), m_list(new QListWidget) {
+    : QWidget(parent), m_model(model), m_commands(commands), m_list(new StateList) {
   setAcceptDrops(true);
-  m_list->setObjectName("stateList");
-  m_list->setToolTip(tr("The camera states; Ctrl or Shift marks several, for deleting and saving"));
-  m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
-  m_list->setUniformItemSizes(true);
+  m_list->setToolTip(
+      tr("The camera states; Ctrl or Shift marks several, for deleting, saving and dragging"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_list, 1);
   layout->addWidget(makeButtons());
@@ -32,6 +29,7 @@ StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* pare
           [this](int row) { m_model->setCurrentIndex(std::size_t(row)); });
   connect(m_list, &QListWidget::itemSelectionChanged, this, &StateDock::tellSelection);
   connect(m_list, &QListWidget::itemChanged, this, &StateDock::rename);
+  connect(m_list, &StateList::rowsDropped, m_commands, &StateCommands::move);
   connect(m_model, &SessionModel::opened, this, &StateDock::fill);
   connect(m_model, &SessionModel::statesChanged, this, &StateDock::fill);
   connect(m_model, &SessionModel::edited, this, &StateDock::showCurrent);

@@ -4,15 +4,16 @@
 
 #include <QWidget>
 
-class QListWidget;
 class QListWidgetItem;
 
 namespace hogelscope {
 
 class SessionModel;
 class StateCommands;
+class StateList;
 
-/// Session documents that are dropped onto it give it their states.
+/// Session documents that are dropped onto it give it their states; its own rows are dragged to
+/// another place.
 class StateDock : public QWidget {
   Q_OBJECT
 
@@ -35,7 +36,7 @@ class StateDock : public QWidget {
 
   SessionModel* m_model;
   StateCommands* m_commands;
-  QListWidget* m_list;
+  StateList* m_list;
 };
 
 }  // namespace hogelscope

@@ -48,16 +48,14 @@ constexpr double firstFetch = 1000;
 QString planOf(const View& view) {
   const View made = reduced(view);
   const QString how = QString::fromStdString(oneLine(made, plan(made)));
-  const int count = threadCount();
-  return how + (count == 1 ? QObject::tr(", 1 thread") : QObject::tr(", %1 threads").arg(count));
+  return how + ViewWorker::tr(", %n threads", "", threadCount());
 }
 
 }  // namespace
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
   qRegisterMetaType<Scene>("hogelscope::Scene");
-  qRegisterMetaType<LensCertificate>("hogelscope::LensCertificate");
-  qRegisterMetaType<LensGrid>("hogelscope::LensGrid");
+  qRegisterMetaType<CertifiedLens>("hogelscope::CertifiedLens");
   qRegisterMetaType<RenderedView>("hogelscope::RenderedView");
   m_thread = std::thread([this] { run(); });
 }
@@ -199,7 +197,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
 void ViewWorker::certifyNow(const ViewRequest& request) {
   const LensKey key = lensKeyOf(request.state, request.sampling);
   if (key == m_lens) return;
-  Q_EMIT certified(certify(key, parallelRows), lensGrid(key));
+  Q_EMIT certified({key, certify(key, parallelRows), lensGrid(key)});
   m_lens = key;
 }
 

@@ -33,6 +33,13 @@ struct RenderedView {
   QString plan;             ///< how, in one line
 };
 
+/// How far a lens can be trusted, and its drawing.
+struct CertifiedLens {
+  LensKey key;
+  LensCertificate certificate;
+  LensGrid grid;
+};
+
 /// What is to be seen.
 struct ViewRequest {
   CameraState state;
@@ -65,7 +72,7 @@ class ViewWorker : public QObject {
   void readingStopped();  ///< because it was asked for
   void rendered(const hogelscope::RenderedView& view);
   /// After the picture, where its lens is another one than before.
-  void certified(const hogelscope::LensCertificate& certificate, const hogelscope::LensGrid& grid);
+  void certified(const hogelscope::CertifiedLens& lens);
   void failed(const QString& line);
 
  private:

@@ -35,7 +35,8 @@ public:
     constexpr int parts = 4; // rays to each side's quarters
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
-    const vtkIdType apex = this->Insert(points, this->Middle, 0);
+    const vtkIdType apex =
+      Field::Insert(points, this->WorldFromDisplay.point({ this->Middle.x, this->Middle.y, 0 }));
     vtkIdType last = -1;
     for (int k = 0; k <= 4 * parts; ++k)
     {
@@ -53,6 +54,8 @@ public:
     output->SetPoints(points);
     output->SetLines(lines);
   }
+
+  hogelscope::Vec3 LowerMiddle() const { return this->ToWorld(0.5, 1); }
 
   /// A mesh, since an equiangular lens' directions are not evenly spread on a plane.
   void AddEnd(vtkPolyData* output) const
@@ -99,15 +102,19 @@ private:
         return { 0, 1 - along };
     }
   }
-  vtkIdType AtDirection(vtkPoints* points, double s, double t) const
+  /// On the end, at shares of u and v.
+  hogelscope::Vec3 ToWorld(double s, double t) const
   {
     const auto [a, b] = this->Display.slopes(s * this->Size.du, t * this->Size.dv);
-    return this->Insert(points,
-      { this->Middle.x + this->Length * a, this->Middle.y + this->Length * b }, this->Length);
+    return this->WorldFromDisplay.point(
+      { this->Middle.x + this->Length * a, this->Middle.y + this->Length * b, this->Length });
   }
-  vtkIdType Insert(vtkPoints* points, const hogelscope::Vec2& p, double z) const
+  vtkIdType AtDirection(vtkPoints* points, double s, double t) const
   {
-    const hogelscope::Vec3 world = this->WorldFromDisplay.point({ p.x, p.y, z });
+    return Field::Insert(points, this->ToWorld(s, t));
+  }
+  static vtkIdType Insert(vtkPoints* points, const hogelscope::Vec3& world)
+  {
     return points->InsertNextPoint(world.x, world.y, world.z);
   }
 
@@ -142,6 +149,11 @@ double vtkHogelFieldSource::GetLength() const
   const double size = std::max(this->Display.size[0], this->Display.size[1]);
   const double fov = std::max(this->Display.fov[0], this->Display.fov[1]);
   return size * std::min(1.0, 0.25 / std::tan(hogelscope::radians(fov) / 2));
+}
+
+hogelscope::Vec3 vtkHogelFieldSource::GetLabelPosition() const
+{
+  return Field(this->Display, this->I, this->J, this->GetLength()).LowerMiddle();
 }
 
 int vtkHogelFieldSource::RequestData(

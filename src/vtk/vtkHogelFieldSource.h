@@ -33,6 +33,11 @@ public:
    */
   double GetLength() const;
 
+  /**
+   * The middle of the end's lower edge, in the world: a label hangs below it.
+   */
+  hogelscope::Vec3 GetLabelPosition() const;
+
 protected:
   vtkHogelFieldSource();
   ~vtkHogelFieldSource() override = default;

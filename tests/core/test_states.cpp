@@ -74,6 +74,31 @@ class TestStates : public QObject {
     QTEST(namesOf(session), "names");
   }
 
+  void movingSeveral_data() {
+    QTest::addColumn<std::vector<std::size_t>>("indices");
+    QTest::addColumn<int>("before");
+    QTest::addColumn<QString>("names");
+    using Indices = std::vector<std::size_t>;
+    QTest::newRow("down") << Indices{0} << 2 << "b|a|c|d";
+    QTest::newRow("to the end") << Indices{0} << 4 << "b|c|d|a";
+    QTest::newRow("up") << Indices{2} << 0 << "c|a|b|d";
+    QTest::newRow("above itself") << Indices{1} << 1 << "a|b|c|d";
+    QTest::newRow("below itself") << Indices{1} << 2 << "a|b|c|d";
+    QTest::newRow("two that are apart") << Indices{0, 3} << 2 << "b|a|d|c";
+    QTest::newRow("two, in their own order") << Indices{3, 1} << 0 << "b|d|a|c";
+    QTest::newRow("all") << Indices{0, 1, 2, 3} << 2 << "a|b|c|d";
+    QTest::newRow("none") << Indices{} << 2 << "a|b|c|d";
+  }
+
+  void movingSeveral() {
+    QFETCH(const std::vector<std::size_t>, indices);
+    QFETCH(const int, before);
+    Session session = abc();
+    addState(session, named("d"));
+    moveStates(session, indices, std::size_t(before));
+    QTEST(namesOf(session), "names");
+  }
+
   void removingLeavesOne() {
     Session session = abc();
     removeStates(session, {1});

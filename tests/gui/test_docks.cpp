@@ -130,6 +130,25 @@ class TestDocks : public QObject {
         return QTest::mouseClick(button, Qt::LeftButton);
     QFAIL("no such button");
   }
+  /// By the pointer of the window system, from a row's middle to so far into another one.
+  void dragRow(int from, int to, double share) {
+    QWindow* window = m_window->windowHandle();
+    const auto at = [&](int row, double part) {
+      const QRect box = list()->visualItemRect(list()->item(row));
+      const QPoint point(box.center().x(), box.top() + qRound(part * box.height()));
+      return list()->viewport()->mapTo(m_window.get(), point);
+    };
+    const QPoint start = at(from, 0.5);
+    const QPoint end = at(to, share);
+    QTest::mousePress(window, Qt::LeftButton, {}, start);
+    // The first move starts a loop of its own, which the release ends.
+    QTimer::singleShot(100, window, [=] { QTest::mouseMove(window, (start + end) / 2); });
+    QTimer::singleShot(200, window, [=] { QTest::mouseMove(window, end); });
+    QTimer::singleShot(300, window, [=] { QTest::mouseMove(window, end); });
+    QTimer::singleShot(400, window, [=] { QTest::mouseRelease(window, Qt::LeftButton, {}, end); });
+    QTest::mouseMove(window, start + QPoint(0, 2 * QApplication::startDragDistance()));
+    QTest::qWait(600);
+  }
   void drop(const QString& file) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
@@ -154,6 +173,7 @@ class TestDocks : public QObject {
     m_window->resize(1280, 800);
     QTRY_COMPARE(m_window->size(), QSize(1280, 800));
     QVERIFY(child<PictureView>("pictureView")->width() > 300);
+    QVERIFY(list()->viewport()->height() >= 6 * list()->visualItemRect(list()->item(0)).height());
     // Each dock is a tab that can be moved and closed.
     for (const char* name : {"statesDock", "lightFieldDock", "displayDock", "cameraDock",
                              "distortionDock", "psfDock"}) {
@@ -335,6 +355,35 @@ class TestDocks : public QObject {
     lens->grab();
   }
 
+  /// Grey from the edit on, until what is said is of this lens.
+  void aStaleCertificateIsGrey() {
+    openSmall();
+    child<QDockWidget>("distortionDock")->raise();
+    auto* certificate = child<QLabel>("certificateLabel");
+    auto* lens = m_window->findChild<LensView*>();
+    const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    const QString before = certificate->text();
+    const int blue = count(lens, QColor(52, 94, 150));
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.2);
+    QVERIFY(isGrey());
+    QCOMPARE(certificate->text(), before);
+    QVERIFY(count(lens, QColor(52, 94, 150)) < blue / 10);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    QVERIFY(certificate->text() != before);
+    editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.01);  // the lens stays
+    QVERIFY(!isGrey());
+    // Another one and back before anything could be worked out.
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.3);
+    model()->undoStack()->undo();
+    QVERIFY(!isGrey());
+    child<QComboBox>("stateBox")->setCurrentIndex(3);
+    QVERIFY(isGrey());
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), 20000);
+    editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0);  // the look-at: no camera
+    QVERIFY(!certificate->text().isEmpty());
+  }
+
   void statesAreListedAndChosen() {
     openSmall();
     QCOMPARE(list()->count(), 6);
@@ -376,6 +425,34 @@ class TestDocks : public QObject {
     type("a/b");
     QVERIFY(message().startsWith("Error"));
     QCOMPARE(names().front(), QString("wide"));
+  }
+
+  void statesAreDragged() {
+    openSmall();
+    clickRow(2);
+    dragRow(2, 0, 0.2);
+    QCOMPARE(names(), QStringList({"Fig 3", "Fig 1", "Fig 2", "Fig 4", "Fig 5", "Fig 6"}));
+    QCOMPARE(model()->currentIndex(), std::size_t(0));  // still Fig 3
+    QCOMPARE(list()->currentRow(), 0);
+    QCOMPARE(model()->undoStack()->count(), 1);
+    QVERIFY(model()->undoStack()->undoText().startsWith("Move "));
+    model()->undoStack()->undo();
+    QCOMPARE(names().front(), QString("Fig 1"));
+    QCOMPARE(model()->current().camera.name, std::string("Fig 3"));
+    // Several; the current one is none of them.
+    clickRow(0);
+    clickRow(1, Qt::ControlModifier);
+    QTest::qWait(1100);  // else it is one edit with the next
+    dragRow(1, 4, 0.8);
+    QCOMPARE(names(), QStringList({"Fig 3", "Fig 4", "Fig 5", "Fig 1", "Fig 2", "Fig 6"}));
+    QCOMPARE(model()->current().camera.name, std::string("Fig 2"));
+    QCOMPARE(list()->count(), 6);
+    // To where it is: nothing happens.
+    const int steps = model()->undoStack()->count();
+    clickRow(3);
+    dragRow(3, 3, 0.9);
+    QCOMPARE(model()->undoStack()->count(), steps);
+    QCOMPARE(names()[3], QString("Fig 1"));
   }
 
   void severalStatesAreDeletedAndSaved() {

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -61,6 +62,29 @@ class BoxAnswer : public QObject {
   QTimer m_timer;
 };
 
+/// Looks at the next file dialog, then chooses in it.
+class DialogAnswer : public QObject {
+ public:
+  explicit DialogAnswer(const QString& choice) {
+    connect(&m_timer, &QTimer::timeout, this, [this, choice] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || !dialog->isVisible()) return;
+      m_timer.stop();
+      folder = dialog->directory().absolutePath();
+      name = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
+      dialog->selectFile(choice);
+      static_cast<QDialog*>(dialog)->accept();
+      if (dialog->isVisible()) dialog->reject();
+    });
+    m_timer.start(20);
+  }
+  QString folder;  ///< empty while no dialog came
+  QString name;    ///< that it proposed
+
+ private:
+  QTimer m_timer;
+};
+
 }  // namespace
 
 class TestHabits : public QObject {
@@ -101,9 +125,8 @@ class TestHabits : public QObject {
   void choose(const char* name) {
     QTimer::singleShot(0, this, [this, name] {
       action(name)->trigger();
-      (void)QTest::qWaitFor([this] {
-        return m_window->palette().window() == QApplication::palette().window();
-      });
+      (void)QTest::qWaitFor(
+          [this] { return m_window->palette().window() == QApplication::palette().window(); });
       QCoreApplication::exit();
     });
     QApplication::exec();
@@ -295,6 +318,42 @@ class TestHabits : public QObject {
       QVERIFY(m_window->saveSession(m_folder->filePath(QString("%1.json").arg(k))));
     Q_EMIT menu->aboutToShow();
     QCOMPARE(menu->actions().size(), 10);
+  }
+
+  /// Over runs of the program too; only saving proposes a name.
+  void dialogsOpenInTheLastFolder() {
+    QVERIFY(QDir(m_folder->path()).mkpath("far/views"));
+    const QString far = m_folder->filePath("far");
+    {
+      const DialogAnswer saveAs(far + "/kept.json");
+      action("saveAsAction")->trigger();
+      QCOMPARE(saveAs.folder, m_folder->path());
+      QCOMPARE(saveAs.name, QString("mine.json"));
+      QCOMPARE(model().file(), far + "/kept.json");
+    }
+    QVERIFY(m_window->close());
+    makeWindow({});
+    {
+      const DialogAnswer open(far + "/kept.json");
+      action("openAction")->trigger();
+      QCOMPARE(open.folder, far);
+      QCOMPARE(open.name, QString());
+      QCOMPARE(model().file(), far + "/kept.json");
+    }
+    QVERIFY(m_window->openSession(m_session));  // without a dialog
+    QTRY_VERIFY_WITH_TIMEOUT(action("compareAction")->isEnabled(), patience);
+    for (const char* name : {"loadStatesAction", "compareAction", "importAction"}) {
+      const DialogAnswer dialog({});
+      action(name)->trigger();
+      QCOMPARE(dialog.folder, m_folder->path());
+      QCOMPARE(dialog.name, QString());
+    }
+    const DialogAnswer folder(far + "/views");
+    action("compareFolderAction")->trigger();
+    QCOMPARE(folder.folder, m_folder->path());
+    const DialogAnswer next({});
+    action("openLightFieldAction")->trigger();
+    QCOMPARE(next.folder, far);
   }
 
   void layoutPersistsAndResets() {
@@ -507,6 +566,7 @@ int editAndDie(const QString& file) {
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QCoreApplication::setOrganizationName("Hogelscope");
   QCoreApplication::setApplicationName("test_habits");
   QStandardPaths::setTestModeEnabled(true);

@@ -19,8 +19,8 @@
 #include "core/panel_view.h"
 #include "core/pixel_trace.h"
 #include "gui/display_scene.h"
-#include "gui/picture_view.h"
 #include "gui/main_window.h"
+#include "gui/picture_view.h"
 #include "gui/scene_controller.h"
 #include "gui/vtk_widget.h"
 #include "io/light_field_file.h"
@@ -256,6 +256,39 @@ class TestScene : public QObject {
     QVERIFY2(2 * after > before, qPrintable(QString::number(after)));  // the lines at it do shrink
   }
 
+  /// A display of another size, all lengths with it, fills the window as this one did.
+  void anotherSizeIsFitted_data() {
+    QTest::addColumn<double>("factor");
+    QTest::newRow("a watch") << 0.01;
+    QTest::newRow("a wall") << 100.0;
+  }
+  void anotherSizeIsFitted() {
+    QFETCH(const double, factor);
+    const auto ball = [this] {
+      QTest::qWait(50);
+      const QColor orange(255, 166, 38);
+      const QPoint eye = onScreen(edited("eye"));
+      return count(drawn().copy(QRect(eye - QPoint(12, 12), QSize(25, 25))), orange);
+    };
+    const std::vector<Vec3> corners{{-0.25, -0.25, 0}, {0.25, 0.25, 0}, edited("eye")};
+    std::vector<QPoint> before;
+    for (const Vec3& corner : corners) before.push_back(onScreen(corner));
+    const int ballBefore = ball();
+    QVERIFY(ballBefore > 20);
+    Session other = m_session;
+    for (double& side : other.display.size) side *= factor;
+    for (CameraState& state : other.cameras) {
+      state.camera.eye = factor * state.camera.eye;
+      state.camera.lookat = factor * state.camera.lookat;
+    }
+    open(other);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const QPoint way = onScreen(factor * corners[k]) - before[k];
+      QVERIFY2(way.manhattanLength() <= 4, qPrintable(QString::number(way.manhattanLength())));
+    }
+    QVERIFY(std::abs(ball() - ballBefore) <= ballBefore / 4);
+  }
+
   void draggingTheSceneTurnsIt() {
     const Vec3 before = scene().eye().eye;
     drag(QPoint(20, 20), QPoint(90, 60));
@@ -336,7 +369,7 @@ class TestScene : public QObject {
     QVERIFY(std::abs(x - 300 - 60) <= 3 && std::abs(y - 300 - 600 / 7) <= 3);
     const PixelTrace traced = trace(m_loaded.view(m_session.cameras[0]), x, y);
     QVERIFY2(lines[1].contains(QString::number(traced.colour->g, 'f', 1)), qPrintable(lines[1]));
-    QVERIFY(lines[1].endsWith("leakage taps: 25"));
+    QVERIFY(lines[1].endsWith("25 leakage taps"));
     QVERIFY2(lines[2].startsWith(QString("hogel i %1, j %2 · direction u %3, v %4")
                                      .arg(int(traced.place->i))
                                      .arg(int(traced.place->j))
@@ -370,6 +403,31 @@ class TestScene : public QObject {
     QVERIFY2(readout().contains("Hogel i 100, j 20 at x "), qPrintable(readout()));
     QVERIFY(readout().endsWith("20 × 20 directions over 60° × 60°"));
     QVERIFY(scene().picked().hasHogel() && !scene().picked().hasRay());
+    QCOMPARE(scene().picked().label(), std::string("hogel 100, 20"));
+    press(Qt::Key_0, Qt::ControlModifier);
+    drawn().save(QCoreApplication::applicationDirPath() + "/picked_hogel.png");
+  }
+
+  void whatIsPickedIsRemoved() {
+    press(Qt::Key_F7);
+    auto* remove = find<QAction>("sceneForgetAction");
+    QVERIFY(!remove->isEnabled());
+    controller()->showPixel(300, 300);
+    QVERIFY(remove->isEnabled());
+    QVERIFY(scene().picked().hasRay() && !scene().picked().label().empty());
+    press(Qt::Key_Escape);
+    QVERIFY(!scene().picked().hasRay() && !scene().picked().hasHogel());
+    QCOMPARE(scene().picked().label(), std::string());
+    QVERIFY(readout().contains("Click a frustum") && !remove->isEnabled());
+    QCOMPARE(count(drawn(), rayColour), 0);
+    edit("eye.1", 0.05);  // it does not come back
+    QVERIFY(!scene().picked().hasRay());
+    press(Qt::Key_F5);
+    const Vec2 middle = hogelscope::Display(m_loaded.display).position(100.5, 20.5);
+    click(onScreen({middle.x, middle.y, 0}));
+    QVERIFY(scene().picked().hasHogel());
+    remove->trigger();
+    QVERIFY(!scene().picked().hasHogel());
   }
 
   void psnrColoursTheFrusta() {

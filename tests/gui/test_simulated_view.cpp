@@ -134,6 +134,22 @@ class TestSimulatedView : public QObject {
     QCOMPARE(view()->shownPicture().copy(600, 0, 600, 600), other);
   }
 
+  /// From the View menu, wherever the focus is.
+  void fitsAndShowsOneToOne() {
+    auto* view = m_window->findChild<PictureView*>("pictureView");
+    auto* one = m_window->findChild<QAction*>("oneToOneViewAction");
+    QVERIFY(!one->isEnabled());
+    openSample();
+    QVERIFY(view->viewport().fits);
+    QTest::keyClick(m_window.get(), Qt::Key_6, Qt::ControlModifier);
+    QVERIFY(!view->viewport().fits);
+    QCOMPARE(view->viewport().zoom, 1.0);
+    QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier);
+    QVERIFY(view->viewport().fits);
+    one->trigger();
+    QCOMPARE(view->viewport().zoom, 1.0);
+  }
+
   void theOtherLightFieldIsFreedWhenComparingStops() {
     openSample();
     for (const bool isBySession : {false, true}) {

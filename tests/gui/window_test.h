@@ -9,6 +9,7 @@
 
 #include "gui/main_window.h"
 #include "gui/session_model.h"
+#include "gui/translations.h"
 #include "gui/vtk_widget.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
@@ -68,6 +69,7 @@ int runWindowTest(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
   QSurfaceFormat::setDefaultFormat(hogelscope::VtkWidget::surfaceFormat());
   const QApplication application(argc, argv);
+  hogelscope::installTranslations();
   Test test;
   return QTest::qExec(&test, argc, argv);
 }

@@ -158,6 +158,10 @@ class TestSources : public QObject {
         QVERIFY(std::abs(place->u - 7 * texture[0]) < 1e-4);
         QVERIFY(std::abs(place->v - 40 * (1 - texture[1])) < 1e-4);
       }
+      const Vec3 label = core.displayFromWorld().point(source->GetLabelPosition());
+      const Vec2 from = core.position(2.5, 3.5);
+      const auto below = core.place(label, Vec3{from.x, from.y, 0} - label);
+      QVERIFY(std::abs(below->u - 3.5) < 1e-9 && std::abs(below->v - 40) < 1e-9);
       QVERIFY(isNear(core.displayFromWorld().point(point(source->GetOutput(0), 0)),
                      {-0.2 + 2.5 * 0.05, 0.1 - 3.5 * 0.05, 0}));
     }

@@ -1,0 +1,58 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US">
+<context>
+    <name>SceneText</name>
+    <message numerus="yes">
+        <source> · %n leakage taps</source>
+        <translation>
+            <numerusform> · %n leakage tap</numerusform>
+            <numerusform> · %n leakage taps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>hogelscope::Messages</name>
+    <message numerus="yes">
+        <source>⚠ %n errors</source>
+        <translation>
+            <numerusform>⚠ %n error</numerusform>
+            <numerusform>⚠ %n errors</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>hogelscope::StateCommands</name>
+    <message numerus="yes">
+        <source>Delete %n states</source>
+        <translation>
+            <numerusform>Delete state</numerusform>
+            <numerusform>Delete %n states</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n states</source>
+        <translation>
+            <numerusform>Move state</numerusform>
+            <numerusform>Move %n states</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Added %n states to %1</source>
+        <translation>
+            <numerusform>Added %n state to %1</numerusform>
+            <numerusform>Added %n states to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>hogelscope::ViewWorker</name>
+    <message numerus="yes">
+        <source>, %n threads</source>
+        <translation>
+            <numerusform>, %n thread</numerusform>
+            <numerusform>, %n threads</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The dialogs that ask for files and folders; they open in the folder that was used last, also in
+// another run of the program.
+#pragma once
+
+#include <QStringList>
+
+class QWidget;
+
+namespace hogelscope {
+
+/// All of them return nothing where the user does not choose. `filter` is as QFileDialog's.
+QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
+QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter);
+QString chooseFolder(QWidget* parent, const QString& title);
+/// `name` is proposed: of a file in the folder that was used last.
+QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
+                      const QString& filter);
+
+/// The folder of a file that was opened or saved without a dialog is used too.
+void rememberFolderOf(const QString& file);
+
+}  // namespace hogelscope
