@@ -16,6 +16,20 @@
 
 namespace hogelscope {
 
+namespace {
+
+/// Of a store the overview's: to fetch all directions of one hogel takes longer than a click
+/// should.
+VtkPicture hogelPictureOf(const LightField& lightField, int i, int j) {
+  if (lightField.store() == nullptr) return vtkPicture(hogelPicture(lightField, i, j), {0, 0, 0});
+  const auto small = lightField.store()->overview();
+  const int smallI = i * small->size().nx / lightField.size().nx;
+  const int smallJ = j * small->size().ny / lightField.size().ny;
+  return vtkPicture(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
+}
+
+}  // namespace
+
 SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent)
     : QObject(parent),
       m_form(form),
@@ -207,8 +221,7 @@ void SceneController::removePicks() {
 void SceneController::showHogel(int i, int j) {
   forgetPicks();
   if (!m_loaded) return;
-  m_scene->picked().showHogel(m_display, i, j,
-                              vtkPicture(hogelPicture(*m_loaded->lightField, i, j), {0, 0, 0}));
+  m_scene->picked().showHogel(m_display, i, j, hogelPictureOf(*m_loaded->lightField, i, j));
   m_pickText = SceneText::hogel(m_display, i, j);
   showText();
   m_scene->redraw();
@@ -237,8 +250,7 @@ void SceneController::tracePixel() {
     if (traced.end == RayEnd::misses) return;
     const int i = int(traced.place->i);
     const int j = int(traced.place->j);
-    m_scene->picked().showHogel(m_display, i, j,
-                                vtkPicture(hogelPicture(*m_loaded->lightField, i, j), {0, 0, 0}));
+    m_scene->picked().showHogel(m_display, i, j, hogelPictureOf(*m_loaded->lightField, i, j));
   } catch (const InputError&) {
     // a camera without a frame: the simulated view says so
   }
