@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pages of a BigTIFF that we write: tiles of 64×64 RGB pixels, each compressed with zstd. Any
-// reader that knows zstd (libtiff, GDAL, OpenImageIO) reads them; a tile that is not there is
-// black. Ours reads the tiles' index where it lies, row by row: a whole one can be 280 MB.
+// reader that knows zstd (libtiff, GDAL, OpenImageIO) reads them. Ours reads the tiles' index where
+// it lies, row by row: a whole one can be 280 MB.
 #pragma once
 
 #include <string>
@@ -15,6 +15,19 @@ inline constexpr std::uint32_t tileSide = 64;  ///< px
 
 /// Bytes of one pixel.
 std::size_t texelBytes(StoredType type);
+
+/// Calls work(T{}) with the type of its values.
+template <class Work>
+void withStoredType(StoredType type, Work work) {
+  switch (type) {
+    case StoredType::uint8:
+      return work(std::uint8_t{});
+    case StoredType::uint16:
+      return work(std::uint16_t{});
+    default:
+      return work(float{});
+  }
+}
 
 struct TiffPage {
   std::uint32_t tilesAcross = 0;

@@ -61,16 +61,12 @@ class LightFieldStore::Reader {
  public:
   explicit Reader(const PositionedFile& file) : m_file(file) {}
 
-  /// Decodes the tile; "" or what is wrong. A black one is all 0.
+  /// Decodes the tile; "" or what is wrong.
   std::string read(const TiffPage& page, std::uint32_t column, std::uint32_t row,
                    std::span<std::byte> tile) {
     loadRow(page, row);
     const std::uint64_t at = m_offsets[column];
     const std::uint32_t count = m_counts[column];
-    if (count == 0) {
-      std::fill(tile.begin(), tile.end(), std::byte{0});
-      return {};
-    }
     if (at > m_file.size() || count > m_file.size() - at) return "it lies beyond the file's end";
     return m_decompressor.decompress(bytesAt(at, count), tile);
   }

@@ -14,7 +14,7 @@ namespace hogelscope {
 
 class BlockCache;
 
-class LightFieldStore : public LightFieldFile {
+class LightFieldStore : public LightFieldFile, public TexelStore {
  public:
   /// Reads the pages' directories, not their indices. `cacheBytes`: decoded blocks that are kept.
   /// `threads`: 0 = all. Throws InputError: not a store, not complete, damaged.
@@ -38,6 +38,10 @@ class LightFieldStore : public LightFieldFile {
   [[nodiscard]] bool isStream() const override { return true; }
   void stream(const HogelRow& row, const Progress& progress) override;
 
+  /// Exactly the footprint's texels; what is decoded is kept in the cache.
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const Footprint& footprint,
+                                                        const Progress& progress) override;
+
   /// A small one of the whole: hogels and directions picked at even distances. Throws InputError.
   [[nodiscard]] LightField overview() const;
 
@@ -53,6 +57,9 @@ class LightFieldStore : public LightFieldFile {
   void openPages();
   void checkPage(int number, const TiffPage& page) const;
   void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
+  [[nodiscard]] Footprint stored(const Footprint& footprint) const;
+  void placeSlice(const BlockIndex& block, std::span<const std::byte> texels,
+                  const Footprint& footprint, LightField& target) const;
   void placeOverview(int x0, int y0, std::span<const std::byte> texels, LightField& target) const;
 
   PositionedFile m_file;

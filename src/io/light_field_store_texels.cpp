@@ -12,19 +12,6 @@ namespace hogelscope {
 
 namespace {
 
-/// Calls work(T{}) with the stored type.
-template <class Work>
-void withType(StoredType type, Work work) {
-  switch (type) {
-    case StoredType::uint8:
-      return work(std::uint8_t{});
-    case StoredType::uint16:
-      return work(std::uint16_t{});
-    default:
-      return work(float{});
-  }
-}
-
 /// Calls use(texel's index, its values' place in the tile) for the part of a block that lies in the
 /// light field.
 template <class Use>
@@ -55,7 +42,7 @@ std::vector<BlockIndex> blocksOfPage(const BlockIndex& counts, int page) {
 
 void LightFieldStore::place(const BlockIndex& block, std::span<const std::byte> texels,
                             LightField& target) const {
-  withType(m_header.type, [&](auto zero) {
+  withStoredType(m_header.type, [&](auto zero) {
     using T = decltype(zero);
     const auto* values = reinterpret_cast<const T*>(texels.data());
     forEachTexel(m_header, block, [&](TexelIndex at, std::size_t texel) {
@@ -70,7 +57,7 @@ void LightFieldStore::placeOverview(int x0, int y0, std::span<const std::byte> t
   const LightFieldSize& size = m_header.overview;
   const int columns = std::min(int(tileSide), int(size.width()) - x0);
   const int rows = std::min(int(tileSide), int(size.height()) - y0);
-  withType(m_header.type, [&](auto zero) {
+  withStoredType(m_header.type, [&](auto zero) {
     const auto* values = reinterpret_cast<const decltype(zero)*>(texels.data());
     for (int y = y0; y < y0 + rows; ++y)
       for (int x = x0; x < x0 + columns; ++x) {
@@ -98,7 +85,7 @@ void LightFieldStore::stream(const HogelRow& row, const Progress& progress) {
   const auto& [nx, ny, du, dv] = m_header.size;
   const BlockIndex counts = m_header.blocks();
   const std::size_t width = m_header.size.width();
-  withType(m_header.type, [&, ny = ny, du = du, dv = dv](auto zero) {
+  withStoredType(m_header.type, [&, ny = ny, du = du, dv = dv](auto zero) {
     using T = decltype(zero);
     std::vector<T> band(3 * width * std::size_t(dv) * std::size_t(m_header.block.j));
     for (int page = 0; page < counts.j; ++page) {

@@ -101,10 +101,14 @@ void StoreOutput::sync() const {
 }
 
 void StoreOutput::add(const TileBytes& tiles) {
+  if (!tiles.black.empty() && m_blackAt == 0) {
+    m_blackAt = m_end;
+    append(tiles.black.data(), tiles.black.size());
+  }
   std::uint64_t at = m_end;
   for (const std::uint32_t count : tiles.counts) {
-    m_offsets.push_back(count == 0 ? 0 : at);
-    m_counts.push_back(count);
+    m_offsets.push_back(count == 0 ? m_blackAt : at);
+    m_counts.push_back(count == 0 ? std::uint32_t(tiles.black.size()) : count);
     at += count;
   }
   append(tiles.bytes.data(), tiles.bytes.size());
@@ -121,6 +125,7 @@ void StoreOutput::finishPage(const TiffPage& page) {
   m_linkAt = m_end - sizeof(std::uint64_t);
   m_offsets.clear();
   m_counts.clear();
+  m_blackAt = 0;
   ++m_pages;
 }
 

@@ -14,7 +14,8 @@ namespace hogelscope {
 /// Compressed tiles, one after the other.
 struct TileBytes {
   std::vector<std::byte> bytes;
-  std::vector<std::uint32_t> counts;  ///< of each; 0 = it is black and not written
+  std::vector<std::uint32_t> counts;  ///< of each; 0 = it is black
+  std::vector<std::byte> black;       ///< a black one, if there is any
 };
 
 class StoreOutput {
@@ -51,6 +52,7 @@ class StoreOutput {
   int m_pages = 0;
   std::vector<std::uint64_t> m_offsets;
   std::vector<std::uint32_t> m_counts;
+  std::uint64_t m_blackAt = 0;  ///< where the page's black tile is, of which one is enough; 0: none
 };
 
 }  // namespace hogelscope

@@ -70,12 +70,14 @@ class OverviewTaker {
   explicit OverviewTaker(const StoreHeader& header)
       : m_header(header),
         m_texel(texelBytes(header.type)),
+        m_rowOf(placesOf(header.overview.ny, header.size.ny)),
+        m_directionOf(placesOf(header.overview.dv, header.size.dv)),
         m_picture(header.overview.width() * header.overview.height() * m_texel) {}
 
   void take(int j, int v, const std::byte* row) {
     const LightFieldSize& shown = m_header.overview;
-    const int y = placeOf(j, shown.ny, m_header.size.ny);
-    const int q = placeOf(v, shown.dv, m_header.size.dv);
+    const int y = m_rowOf[std::size_t(j)];
+    const int q = m_directionOf[std::size_t(v)];
     if (y < 0 || q < 0) return;
     std::byte* to = &m_picture[std::size_t(y * shown.dv + q) * shown.width() * m_texel];
     for (int x = 0; x < shown.nx; ++x)
@@ -104,10 +106,11 @@ class OverviewTaker {
   }
 
  private:
-  /// Which place of the overview shows the cell; -1: none.
-  static int placeOf(int cell, int shown, int cells) {
-    const int k = int(std::int64_t(cell) * shown / cells);
-    return overviewCell(k, shown, cells) == cell ? k : -1;
+  /// At which place of the overview each cell is; -1: at none.
+  static std::vector<int> placesOf(int shown, int cells) {
+    std::vector<int> places(std::size_t(cells), -1);
+    for (int k = 0; k < shown; ++k) places[std::size_t(overviewCell(k, shown, cells))] = k;
+    return places;
   }
 
   [[nodiscard]] std::vector<std::byte> tile(std::size_t x, std::size_t y) const {
@@ -123,6 +126,8 @@ class OverviewTaker {
 
   StoreHeader m_header;
   std::size_t m_texel;
+  std::vector<int> m_rowOf;
+  std::vector<int> m_directionOf;
   std::vector<std::byte> m_picture;
 };
 

@@ -83,13 +83,16 @@ void TileCompressor::add(std::span<const std::byte> tile, TileBytes& out) {
     return put(m_compressed);
   }
   const auto colour = tile.first(m_texelBytes);
-  if (isBlack(colour)) return out.counts.push_back(0);
+  const bool isBlackTile = isBlack(colour);
+  if (isBlackTile && !out.black.empty()) return out.counts.push_back(0);
   if (!std::equal(colour.begin(), colour.end(), m_uniform.begin(), m_uniform.end())) {
     m_uniform.assign(colour.begin(), colour.end());
     compress(tile);
     m_ofUniform = m_compressed;
   }
-  put(m_ofUniform);
+  if (!isBlackTile) return put(m_ofUniform);
+  out.black = m_ofUniform;
+  out.counts.push_back(0);
 }
 
 TileDecompressor::TileDecompressor() : m_context(ZSTD_createDCtx(), &ZSTD_freeDCtx) {

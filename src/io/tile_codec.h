@@ -31,7 +31,7 @@ void gatherBlock(const StoreHeader& header, const BlockCut& cut,
 class TileCompressor {
  public:
   explicit TileCompressor(StoredType type);
-  /// Adds it to `out`; a black one as nothing.
+  /// Adds it to `out`; black ones are written once.
   void add(std::span<const std::byte> tile, TileBytes& out);
 
  private:

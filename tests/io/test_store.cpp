@@ -94,12 +94,14 @@ class TestStore : public QObject {
   void views();
   void quilt();
   void incoming();
-  void blackTilesAreAbsent();
+  void blackTilesTakeNoRoom();
   void blocksOfAnyOrderAndCache();
   void littleMemoryMakesLowerBlocks();
   void anotherReader_data();
   void anotherReader();
   void overview();
+  void slices_data();
+  void slices();
   void displayIsKept();
   void recognised();
 
@@ -148,7 +150,9 @@ void TestStore::views() {
   for (int v = 0; v < size.dv; ++v)
     for (int u = 0; u < size.du; ++u)
       writePicture(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
-                   size.nx, size.ny, [&](int x, int y, int c) { return valueAt({x, y, u, v}, c); });
+                   size.nx, size.ny, [&](int x, int y, int c) {
+                     return valueAt({x, y, u, v}, c);
+                   });
   const LightField source = packed(paramsOf("views", Layout::views), {});
   QVERIFY(source.size() == size);
   QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), source), QString());
@@ -176,7 +180,7 @@ void TestStore::incoming() {
   QCOMPARE(firstDifference(streamed(store), turned), QString());
 }
 
-void TestStore::blackTilesAreAbsent() {
+void TestStore::blackTilesTakeNoRoom() {
   constexpr LightFieldSize size{64, 16, 32, 16};
   const auto black = [](int, int, int) { return 0.0F; };
   writePicture("a.png", int(size.width()), int(size.height()), black);
@@ -198,25 +202,25 @@ void TestStore::blocksOfAnyOrderAndCache() {
     for (int k = 0; k < 400; ++k)  // twice or more
       wanted.push_back({k * 7 % 3, k * 5 % 3, k * 11 % 3, k % 2});
     std::vector<int> wrong(wanted.size(), -1);
-    store.blocks(
-        wanted,
-        [&](std::size_t k, std::span<const std::byte> texels) {
-          const auto [I, J, U, V] = wanted[k];
-          wrong[k] = 0;
-          for (int y = 0; y < 64; ++y)
-            for (int x = 0; x < 64; ++x) {
-              const TexelIndex at{I * block.i + x / block.u, J * block.j + y / block.v,
-                                  U * block.u + x % block.u, V * block.v + y % block.v};
-              const bool isIn =
-                  at.i < size.nx && at.j < size.ny && at.u < size.du && at.v < size.dv;
-              const Rgb should = isIn ? source.texel(at) : Rgb{};
-              const auto value = [&, x = x, y = y](int c) {
-                return double(texels[std::size_t(3 * (64 * y + x) + c)]);
-              };
-              if (value(0) != should.r || value(1) != should.g || value(2) != should.b) ++wrong[k];
-            }
-        },
-        {});
+    store.blocks(wanted,
+                 [&](std::size_t k, std::span<const std::byte> texels) {
+                   const auto [I, J, U, V] = wanted[k];
+                   wrong[k] = 0;
+                   for (int y = 0; y < 64; ++y)
+                     for (int x = 0; x < 64; ++x) {
+                       const TexelIndex at{I * block.i + x / block.u, J * block.j + y / block.v,
+                                           U * block.u + x % block.u, V * block.v + y % block.v};
+                       const bool isIn =
+                           at.i < size.nx && at.j < size.ny && at.u < size.du && at.v < size.dv;
+                       const Rgb should = isIn ? source.texel(at) : Rgb{};
+                       const auto value = [&, x = x, y = y](int c) {
+                         return double(texels[std::size_t(3 * (64 * y + x) + c)]);
+                       };
+                       if (value(0) != should.r || value(1) != should.g || value(2) != should.b)
+                         ++wrong[k];
+                     }
+                 },
+                 {});
     QCOMPARE(wrong, std::vector<int>(wanted.size(), 0));
   }
 }
@@ -284,20 +288,67 @@ void TestStore::overview() {
   const LightFieldSize& shown = small.size();
   QCOMPARE(shown.du, 32);
   QCOMPARE(shown.dv, 32);
-  const double share = double(shown.width() * shown.height()) / double(size.width() * size.height());
+  const double share =
+      double(shown.width() * shown.height()) / double(size.width() * size.height());
   QVERIFY2(share > 0.1 && share <= 0.125, qPrintable(QString::number(share)));
   const auto middle = [](int k, int cells, int all) { return int((k + 0.5) * all / cells); };
   QCOMPARE(firstWrong(small,
                       [&](const TexelIndex& at) {
-                        return source.texel({middle(at.i, shown.nx, size.nx),
-                                             middle(at.j, shown.ny, size.ny),
-                                             middle(at.u, shown.du, size.du),
-                                             middle(at.v, shown.dv, size.dv)});
+                        return source.texel(
+                            {middle(at.i, shown.nx, size.nx), middle(at.j, shown.ny, size.ny),
+                             middle(at.u, shown.du, size.du), middle(at.v, shown.dv, size.dv)});
                       }),
            QString());
   const LightFieldSize paper = overviewSize({512, 512, 600, 600}, StoredType::uint8);
   QVERIFY(paper.width() * paper.height() * 4 <= 64000000);
   QVERIFY(paper.width() * paper.height() * 4 > 60000000);
+}
+
+void TestStore::slices_data() {
+  QTest::addColumn<bool>("incoming");
+  QTest::addColumn<int>("type");
+  QTest::newRow("8 bit") << false << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("16 bit") << false << int(OIIO::TypeDesc::UINT16);
+  QTest::newRow("float, incoming") << true << int(OIIO::TypeDesc::FLOAT);
+}
+
+void TestStore::slices() {
+  QFETCH(bool, incoming);
+  QFETCH(int, type);
+  constexpr LightFieldSize size{19, 17, 20, 19};
+  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+               {OIIO::TypeDesc::BASETYPE(type)});
+  (void)packed(paramsOf("a.tif"), displayOf(size));
+  const LightField source =
+      openLightField(paramsOf("a.tif", Layout::hogels, incoming), displayOf(size))->read({});
+  const auto store = std::make_shared<LightFieldStore>("store.tif", incoming, std::size_t{1} << 20);
+  const LightField onDisk(size, store->type(), store);
+  for (int width : {1, 3, 19}) {
+    Footprint wanted;
+    for (int i = 0; i < size.nx; ++i)
+      wanted.u.push_back(i % 5 == 4 ? CellRange{}
+                                    : CellRange{i % (21 - width), i % (21 - width) + width - 1});
+    for (int j = 0; j < size.ny; ++j)
+      wanted.v.push_back(j % 7 == 6 ? CellRange{}
+                                    : CellRange{j % (20 - width), j % (20 - width) + width - 1});
+    const auto slice = onDisk.store()->slice(wanted, {});
+    QVERIFY(slice->slice()->footprint == wanted);
+    std::size_t seen = 0;
+    for (int j = 0; j < size.ny; ++j)
+      for (int i = 0; i < size.nx; ++i)
+        for (int v = wanted.v[std::size_t(j)].first; v <= wanted.v[std::size_t(j)].last; ++v)
+          for (int u = wanted.u[std::size_t(i)].first; u <= wanted.u[std::size_t(i)].last; ++u) {
+            QVERIFY2(slice->texel({i, j, u, v}) == source.texel({i, j, u, v}),
+                     qPrintable(QString("%1 %2 %3 %4").arg(i).arg(j).arg(u).arg(v)));
+            ++seen;
+          }
+    QCOMPARE(seen, wanted.texels());
+  }
+  QVERIFY(onDisk.texel({18, 16, 7, 3}) == source.texel({18, 16, 7, 3}));
+  QVERIFY_EXCEPTION_THROWN(
+      (void)store->slice({std::vector<CellRange>(19, {0, 19}), std::vector<CellRange>(17, {0, 18})},
+                         [](double) { return false; }),
+      Cancelled);
 }
 
 void TestStore::displayIsKept() {
