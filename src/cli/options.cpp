@@ -103,7 +103,8 @@ const std::vector<Flag>& jobs() {
        "Where methods fail: which ways to invert a lens find the right ray, which a wrong one or "
        "none, and the other unstable places: DIR/stability.csv, DIR/stability.png.",
        [](Options& o, const std::string&) { choose(o, Command::stability); }},
-      {"info", "FILE", "Says what a session, a light field's image or a folder of views is.",
+      {"info", "FILE",
+       "Says what a session, a light field's image, a folder of views or a store is.",
        [](Options& o, const std::string& v) {
          choose(o, Command::info);
          o.infoFile = v;
@@ -178,7 +179,7 @@ const std::vector<Flag>& settings() {
       {"memory", "MB",
        "Megabytes for light fields, a quarter of the machine's by default. --render, --report: a "
        "light field that needs more is read from the top once, and all pictures are made on the "
-       "way.",
+       "way; so much of a store is kept in memory. --pack: for the rows of the hogel image.",
        [](Options& o, const std::string& v) {
          o.memory = std::size_t(1e6 * number(v, "--memory", 0.0));
        }},

@@ -2,13 +2,12 @@
 // --pack: a light field becomes a store.
 #include "cli/pack_job.h"
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 
+#include "cli/inputs.h"
 #include "cli/progress_bar.h"
+#include "core/report.h"
 #include "io/atomic_file.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
@@ -18,18 +17,6 @@ namespace hogelscope {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Of this machine; what the others need of it is theirs.
-std::size_t quarterOfMemory() {
-  return std::size_t(::sysconf(_SC_PHYS_PAGES)) * std::size_t(::sysconf(_SC_PAGESIZE)) / 4;
-}
-
-std::string megabytes(double bytes) {
-  constexpr double mega = 1e6;
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f MB", bytes < mega ? 3 : 0, bytes / mega);
-  return text.data();
-}
 
 /// A display that nobody gave is not kept in the store.
 struct Content {
@@ -58,17 +45,17 @@ int packJob(const Options& options) {
   const auto file = openLightField(session.lightField, session.display);
   const PackPlan plan =
       planPack(session.lightField, *file,
-               isDisplayGiven ? std::optional(session.display) : std::nullopt, quarterOfMemory());
+               isDisplayGiven ? std::optional(session.display) : std::nullopt, memoryOf(options));
   if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);
   if (!options.quiet)
-    std::cout << shapeText(plan.header) << "; rows in memory " << megabytes(double(plan.memory))
-              << ", on the disk about " << megabytes(double(plan.sourceBytes)) << std::endl;
+    std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
+              << ", on the disk about " << bytesText(plan.sourceBytes) << std::endl;
   ProgressBar bar("packing", options.quiet);
   pack(*file, plan, options.output, options.threads, bar.progress());
   bar.done();
   if (!options.quiet)
-    std::cout << options.output << ": " << megabytes(double(fs::file_size(options.output))) << "\n";
+    std::cout << options.output << ": " << bytesText(fs::file_size(options.output)) << "\n";
   return 0;
 }
 

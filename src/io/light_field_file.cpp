@@ -309,10 +309,24 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file) {
       resolved(session.display, file.size()), session.sampling};
 }
 
-Scene loadScene(const Session& session, const Progress& progress, std::size_t /*memory*/) {
+bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
+  try {
+    return LightField::bytes(file.size(), file.type()) <= memory;
+  } catch (const std::length_error&) {
+    return false;
+  }
+}
+
+Scene loadScene(const Session& session, const Progress& progress, std::size_t memory) {
   const auto file = openLightField(session.lightField, session.display);
   Scene scene = unloadedScene(session, *file);
-  scene.lightField = std::make_shared<const LightField>(file->read(progress));
+  if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
+    scene.lightField = std::make_shared<const LightField>(
+        file->size(), file->type(),
+        std::make_shared<LightFieldStore>(session.lightField.file, session.lightField.incoming,
+                                          memory));
+  else
+    scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;
 }
 

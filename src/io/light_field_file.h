@@ -57,8 +57,11 @@ struct Scene {
 /// A quarter of this machine's memory, in bytes.
 std::size_t standardMemory() noexcept;
 
-/// Reads the session's light field. `memory` bytes are for what is kept of a store. Throws
-/// InputError, or Cancelled.
+/// Would all of it take at most `memory` bytes?
+bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
+
+/// Reads the session's light field. Of a store that is larger than `memory` bytes the views read
+/// what they need; so many bytes of it are kept. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress,
                 std::size_t memory = standardMemory());
 /// With nothing of the light field in memory.

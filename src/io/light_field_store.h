@@ -34,8 +34,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
 
   /// The whole light field in memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
-  /// A row of blocks of hogels is in memory at a time.
-  [[nodiscard]] bool isStream() const override { return true; }
+  /// A row of blocks of hogels is in memory at a time. No stream by isStream(): views need not wait
+  /// for what they want.
   void stream(const HogelRow& row, const Progress& progress) override;
 
   /// Exactly the footprint's texels; what is decoded is kept in the cache.

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/report.h"
 #include "io/band_packer.h"
 #include "io/json_parameters.h"
 
@@ -41,12 +42,6 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   return fs::path(params.file).filename().string() + " " + hash.data();
 }
 
-std::string gigabytes(double bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GB", bytes / 1e9);
-  return text.data();
-}
-
 /// A store is about as large as its source.
 void checkRoom(const fs::path& output, std::uint64_t needed) {
   fs::path folder = output.parent_path();
@@ -60,8 +55,8 @@ void checkRoom(const fs::path& output, std::uint64_t needed) {
   const double room = double(disk.f_bavail) * double(disk.f_frsize) + double(done);
   if (room < double(needed))
     throw InputError(output.string(), "cannot be written",
-                     "it needs about " + gigabytes(double(needed)) + ", the disk has " +
-                         gigabytes(room) + " left");
+                     "it needs about " + bytesText(needed) + ", the disk has " +
+                         bytesText(std::size_t(room)) + " left");
 }
 
 /// Picks the overview's texels out of the rows that pass.
@@ -147,8 +142,8 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   const std::size_t fitting = memory / hogelRowBytes;
   if (fitting == 0)
     throw InputError(params.file, "size",
-                     "one row of hogels needs " + gigabytes(double(hogelRowBytes)) +
-                         " of memory, " + gigabytes(double(memory)) + " are allowed");
+                     "one row of hogels needs " + bytesText(hogelRowBytes) + " of memory, " +
+                         bytesText(memory) + " are allowed");
   // One row of hogels more than a block's, so that reading goes on while the last band is packed.
   header.block = blockFor(header.size, int(std::min<std::size_t>(fitting - 1, tileSide)));
   const std::size_t band = BandPacker::bandRows(header);
