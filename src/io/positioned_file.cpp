@@ -40,7 +40,7 @@ std::size_t PositionedFile::readSome(std::uint64_t at, std::span<std::byte> byte
 }
 
 void PositionedFile::read(std::uint64_t at, std::span<std::byte> bytes) const {
-  if (readSome(at, bytes) < bytes.size())
+  if (at > m_size || bytes.size() > m_size - at || readSome(at, bytes) < bytes.size())
     throw InputError(m_path.string(), "is damaged", "it ends too early");
 }
 
