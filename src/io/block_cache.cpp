@@ -16,10 +16,8 @@ BlockTexels BlockCache::find(std::uint64_t key) {
 void BlockCache::put(std::uint64_t key, const BlockTexels& texels) {
   Part& part = partOf(key);
   const std::lock_guard lock(part.mutex);
-  if (texels->size() > m_partBytes || part.places.contains(key)) return;
-  part.bytes += texels->size();
-  while (part.bytes > m_partBytes) {
-    part.bytes -= part.entries.back().texels->size();
+  if (m_partBlocks == 0 || part.places.contains(key)) return;
+  if (part.entries.size() == m_partBlocks) {
     part.places.erase(part.entries.back().key);
     part.entries.pop_back();
   }

@@ -12,12 +12,14 @@
 
 namespace hogelscope {
 
-using BlockTexels = std::shared_ptr<const std::vector<std::byte>>;
+using BlockTexels = std::shared_ptr<std::byte[]>;
 
-/// Used by several threads at once: parts with a lock each.
+/// Used by several threads at once: parts with a lock each. What it hands out must not be changed.
 class BlockCache {
  public:
-  explicit BlockCache(std::size_t bytes) : m_partBytes(bytes / parts) {}
+  /// For blocks of `blockBytes`, all of one size.
+  BlockCache(std::size_t bytes, std::size_t blockBytes)
+      : m_partBlocks(bytes / blockBytes / parts) {}
 
   /// Null where it is not there.
   BlockTexels find(std::uint64_t key);
@@ -33,11 +35,10 @@ class BlockCache {
     std::mutex mutex;
     std::list<Entry> entries;  ///< the last used first
     std::unordered_map<std::uint64_t, std::list<Entry>::iterator> places;
-    std::size_t bytes = 0;
   };
   Part& partOf(std::uint64_t key) { return m_parts[key % parts]; }
 
-  std::size_t m_partBytes;
+  std::size_t m_partBlocks;
   std::vector<Part> m_parts = std::vector<Part>(parts);
 };
 

@@ -61,6 +61,8 @@ class LightFieldStore::Reader {
  public:
   explicit Reader(const PositionedFile& file) : m_file(file) {}
 
+  BlockTexels own;  ///< the last block that it decoded
+
   /// Decodes the tile; "" or what is wrong.
   std::string read(const TiffPage& page, std::uint32_t column, std::uint32_t row,
                    std::span<std::byte> tile) {
@@ -110,10 +112,11 @@ LightFieldStore::LightFieldStore(const fs::path& file, bool incoming, std::size_
                                  int threads)
     : m_file(file),
       m_incoming(incoming),
-      m_threads(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()))),
-      m_cache(cacheBytes > 0 ? std::make_unique<BlockCache>(cacheBytes) : nullptr) {
+      m_threads(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()))) {
   try {
     openPages();
+    if (cacheBytes > 0)
+      m_cache = std::make_unique<BlockCache>(cacheBytes, m_pages.front().tileBytes());
   } catch (const InputError& error) {
     throw error.in(file.string());
   }
@@ -163,36 +166,50 @@ void LightFieldStore::checkPage(int number, const TiffPage& page) const {
     throw InputError("page " + std::to_string(number), "is not as the store's description says");
 }
 
+void LightFieldStore::decode(Reader& reader, const BlockIndex& at,
+                             std::span<std::byte> texels) const {
+  const auto column = std::uint32_t(at.i * m_header.blocks().u + at.u);
+  const std::string wrong =
+      reader.read(m_pages[std::size_t(at.j)], column, std::uint32_t(at.v), texels);
+  if (!wrong.empty())
+    throw InputError(m_file.path().string(),
+                     "page " + std::to_string(at.j) + ", tile (" + std::to_string(column) + ", " +
+                         std::to_string(at.v) + ")",
+                     "is damaged: " + wrong);
+}
+
 void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse& use,
                              const Progress& progress) const {
   const BlockIndex counts = m_header.blocks();
-  const auto decoded = [&](Reader& reader, const BlockIndex& at) -> BlockTexels {
-    const auto column = std::uint32_t(at.i * counts.u + at.u);
-    const std::uint64_t key =
-        (std::uint64_t(at.j) * std::uint64_t(counts.v) + std::uint64_t(at.v)) *
-            m_pages[std::size_t(at.j)].tilesAcross +
-        column;
+  const std::size_t bytes = m_pages.front().tileBytes();
+  const auto keyOf = [&](const BlockIndex& at) {
+    const auto row = std::uint64_t(at.j) * std::uint64_t(counts.v) + std::uint64_t(at.v);
+    const auto column = std::uint64_t(at.i) * std::uint64_t(counts.u) + std::uint64_t(at.u);
+    return row * m_pages.front().tilesAcross + column;
+  };
+  const auto decoded = [&](Reader& reader, const BlockIndex& at) {
+    const std::uint64_t key = keyOf(at);
     if (m_cache)
       if (BlockTexels found = m_cache->find(key)) return found;
-    const TiffPage& page = m_pages[std::size_t(at.j)];
-    auto texels = std::make_shared<std::vector<std::byte>>(page.tileBytes());
-    const std::string wrong = reader.read(page, column, std::uint32_t(at.v), *texels);
-    if (!wrong.empty())
-      throw InputError(m_file.path().string(),
-                       "page " + std::to_string(at.j) + ", tile (" + std::to_string(column) + ", " +
-                           std::to_string(at.v) + ")",
-                       "is damaged: " + wrong);
-    if (m_cache) m_cache->put(key, texels);
-    return texels;
+    if (m_cache || !reader.own) reader.own = std::make_shared_for_overwrite<std::byte[]>(bytes);
+    decode(reader, at, {reader.own.get(), bytes});
+    if (m_cache) m_cache->put(key, reader.own);
+    return reader.own;
   };
   inPieces(wanted.size(), piecesOf(wanted.size(), m_threads), m_threads, progress, [&] {
     return [&, reader = Reader(m_file)](std::size_t begin, std::size_t end) mutable {
-      for (std::size_t k = begin; k < end; ++k) use(k, *decoded(reader, wanted[k]));
+      for (std::size_t k = begin; k < end; ++k) use(k, {decoded(reader, wanted[k]).get(), bytes});
     };
   });
 }
 
-LightField LightFieldStore::overview() const {
+std::shared_ptr<const LightField> LightFieldStore::overview() const {
+  std::call_once(m_overviewIsRead,
+                 [this] { m_overview = std::make_shared<const LightField>(readOverview()); });
+  return m_overview;
+}
+
+LightField LightFieldStore::readOverview() const {
   const LightFieldSize& size = m_header.overview;
   const TiffPage& page = m_pages.back();
   LightField target(size, m_header.type);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 
 #include "io/big_tiff.h"
@@ -42,8 +43,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   [[nodiscard]] std::shared_ptr<const LightField> slice(const Footprint& footprint,
                                                         const Progress& progress) override;
 
-  /// A small one of the whole: hogels and directions picked at even distances. Throws InputError.
-  [[nodiscard]] LightField overview() const;
+  /// Hogels and directions picked at even distances, read the first time. Throws InputError.
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
 
   /// Hears block k of `wanted`: 64×64 texels of three values of type(), as store_header.h says. On
   /// several threads, each block once. Fastest where wanted blocks follow each other along u, then
@@ -54,7 +55,9 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
 
  private:
   class Reader;
+  [[nodiscard]] LightField readOverview() const;
   void openPages();
+  void decode(Reader& reader, const BlockIndex& at, std::span<std::byte> texels) const;
   void checkPage(int number, const TiffPage& page) const;
   void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
   [[nodiscard]] Footprint stored(const Footprint& footprint) const;
@@ -68,6 +71,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   StoreHeader m_header;
   std::vector<TiffPage> m_pages;  ///< the overview's is the last
   std::unique_ptr<BlockCache> m_cache;
+  mutable std::once_flag m_overviewIsRead;
+  mutable std::shared_ptr<const LightField> m_overview;
 };
 
 }  // namespace hogelscope

@@ -284,7 +284,8 @@ void TestStore::overview() {
   constexpr LightFieldSize size{40, 30, 45, 33};
   writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
   const LightField source = packed(paramsOf("a.png"), displayOf(size));
-  const LightField small = LightFieldStore("store.tif").overview();
+  const auto shared = LightFieldStore("store.tif").overview();
+  const LightField& small = *shared;
   const LightFieldSize& shown = small.size();
   QCOMPARE(shown.du, 32);
   QCOMPARE(shown.dv, 32);
