@@ -105,13 +105,13 @@ void BandPacker::work() {
 
 /// The rows of each row of the strip's tiles; null beyond the light field's edge.
 std::vector<std::byte*> BandPacker::rowsOf(const Strip& strip) const {
-  const auto [bi, bj, bu, bv] = m_header.block;
-  const int dv = m_header.size.dv;
+  const auto bv = std::size_t(m_header.block.v);
+  const auto dv = std::size_t(m_header.size.dv);
+  const std::size_t first = std::size_t(strip.v) * bv;
   std::vector<std::byte*> rows(tileSide, nullptr);
-  const int hogels = int(strip.band->rows.size()) / dv;
-  for (int j = 0; j < hogels; ++j)
-    for (int v = 0; v < bv && strip.v * bv + v < dv; ++v)
-      rows[std::size_t(j * bv + v)] = strip.band->rows[std::size_t(j * dv + strip.v * bv + v)];
+  for (std::size_t j = 0; j < strip.band->rows.size() / dv; ++j)
+    for (std::size_t v = 0; v < std::min(bv, dv - first); ++v)
+      rows[j * bv + v] = strip.band->rows[j * dv + first + v];
   return rows;
 }
 

@@ -28,8 +28,9 @@ std::vector<int> neededBlocks(const std::vector<CellRange>& ranges, int cell, in
 std::vector<BlockIndex> blocksOf(const StoreHeader& header, const Footprint& footprint) {
   const BlockIndex counts = header.blocks();
   const auto& [bi, bj, bu, bv] = header.block;
-  std::vector<std::vector<int>> ofColumn;
-  for (int i = 0; i < counts.i; ++i) ofColumn.push_back(neededBlocks(footprint.u, i * bi, bi, bu));
+  std::vector<std::vector<int>> ofColumn(std::size_t(counts.i));
+  for (int i = 0; i < counts.i; ++i)
+    ofColumn[std::size_t(i)] = neededBlocks(footprint.u, i * bi, bi, bu);
   std::vector<BlockIndex> blocks;
   for (int j = 0; j < counts.j; ++j)
     for (const int v : neededBlocks(footprint.v, j * bj, bj, bv))
