@@ -12,6 +12,7 @@
 #include "cli/generate_job.h"
 #include "cli/info.h"
 #include "cli/inputs.h"
+#include "cli/pack_job.h"
 #include "cli/progress_bar.h"
 #include "cli/report_job.h"
 #include "cli/stability_job.h"
@@ -119,6 +120,8 @@ int runJob(const Options& options) {
       return makeCameras(options);
     case Command::generate:
       return generateJob(options);
+    case Command::pack:
+      return packJob(options);
     case Command::tradeoff:
       return tradeoff(options);
     case Command::stability:

@@ -8,6 +8,7 @@
 #include "core/report.h"
 #include "io/image_file.h"
 #include "io/light_field_file.h"
+#include "io/light_field_store.h"
 #include "io/session_file.h"
 #include "io/view_files.h"
 
@@ -61,6 +62,20 @@ void printFolder(std::ostream& out, const std::string& folder) {
   printSize(out, openLightField(params, {})->size());
 }
 
+void printStore(std::ostream& out, const std::string& file) {
+  const LightFieldStore store{fs::path(file)};
+  const auto& [size, type, block, overview, source, display] = store.header();
+  out << "layout      pack: a store, " << typeName(type) << ", blocks of " << block.i << "×"
+      << block.j << " hogels × " << block.u << "×" << block.v << " directions\n"
+      << "overview    " << overview.nx << "×" << overview.ny << " hogels of " << overview.du << "×"
+      << overview.dv << " directions\n"
+      << "made of     " << source.substr(0, source.rfind(' ')) << "\n";
+  if (display)
+    out << "display     " << numberText(display->size[0]) << "×" << numberText(display->size[1])
+        << " m, fov " << numberText(display->fov[0]) << "×" << numberText(display->fov[1]) << "°\n";
+  printSize(out, size);
+}
+
 void printSession(std::ostream& out, const std::string& file) {
   const Session session = loadSession(file);
   out << "session     " << session.cameras.size() << " camera state(s)\n"
@@ -87,6 +102,8 @@ std::string infoText(const std::string& file) {
     printSession(out, file);
   else if (fs::is_directory(file))
     printFolder(out, file);
+  else if (LightFieldStore::isStore(file))
+    printStore(out, file);
   else
     printPicture(out, file);
   return out.str();

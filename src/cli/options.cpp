@@ -28,7 +28,7 @@ void choose(Options& options, Command command) {
   if (options.command != Command::window && options.command != command)
     throw InputError("command line",
                      "asks for two jobs at once; give one of --render, --report, "
-                     "--make-cameras, --generate, --tradeoff, --stability, --info");
+                     "--make-cameras, --generate, --pack, --tradeoff, --stability, --info");
   options.command = command;
 }
 
@@ -84,6 +84,15 @@ const std::vector<Flag>& jobs() {
          for (const PatternName& pattern : patternNames()) names.push_back(pattern.name);
          o.pattern = oneOf(v, "--generate", names);
        }},
+      {"pack", "LF",
+       "Writes a light field (an image, a quilt, a folder of views) as a store, --output FILE: a "
+       "tiled TIFF of which a view reads only what it sees, so that it need not fit into memory. "
+       "Run it again after a stop: it goes on. --session says what an image of hogels does not: "
+       "display.hogels and display.directions.",
+       [](Options& o, const std::string& v) {
+         choose(o, Command::pack);
+         o.packed = v;
+       }},
       {"tradeoff", "",
        "Speed against accuracy of every method on the session's own states: DIR/tradeoff.csv, "
        ".png, "
@@ -94,7 +103,8 @@ const std::vector<Flag>& jobs() {
        "Where methods fail: which ways to invert a lens find the right ray, which a wrong one or "
        "none, and the other unstable places: DIR/stability.csv, DIR/stability.png.",
        [](Options& o, const std::string&) { choose(o, Command::stability); }},
-      {"info", "FILE", "Says what a session, a light field's image or a folder of views is.",
+      {"info", "FILE",
+       "Says what a session, a light field's image, a folder of views or a store is.",
        [](Options& o, const std::string& v) {
          choose(o, Command::info);
          o.infoFile = v;
@@ -112,7 +122,8 @@ const std::vector<Flag>& settings() {
       {"session", "FILE", "The session document.",
        [](Options& o, const std::string& v) { o.session = v; }},
       {"output", "PATH",
-       "The folder to write, for --generate and --make-cameras the file; it is made if missing.",
+       "The folder to write, for --generate, --pack and --make-cameras the file; it is made if "
+       "missing.",
        [](Options& o, const std::string& v) { o.output = v; }},
       {"test", "LF",
        "--report: a light field to compare: an image, a folder or a session (its "
@@ -168,7 +179,7 @@ const std::vector<Flag>& settings() {
       {"memory", "MB",
        "Megabytes for light fields, a quarter of the machine's by default. --render, --report: a "
        "light field that needs more is read from the top once, and all pictures are made on the "
-       "way.",
+       "way; so much of a store is kept in memory. --pack: for the rows of the hogel image.",
        [](Options& o, const std::string& v) {
          o.memory = std::size_t(1e6 * number(v, "--memory", 0.0));
        }},
@@ -201,7 +212,8 @@ void refuseMissing(const Options& options) {
       options.command == Command::render || options.command == Command::report ||
       options.command == Command::makeCameras || options.command == Command::generate ||
       options.command == Command::tradeoff;
-  const bool isJob = hasSession || options.command == Command::stability;
+  const bool isJob =
+      hasSession || options.command == Command::stability || options.command == Command::pack;
   if (isJob || options.command == Command::info) {
     if (!options.files.empty())
       throw InputError(options.files.front(),
@@ -211,10 +223,10 @@ void refuseMissing(const Options& options) {
   if (options.command == Command::window &&
       !(options.session.empty() && options.output.empty() && options.calibration.empty() &&
         options.calibrations.empty()))
-    throw InputError(
-        "command line",
-        "has settings but no job; give one of --render, --report, "
-        "--make-cameras, --generate, --tradeoff, --stability, or only a session to open it");
+    throw InputError("command line",
+                     "has settings but no job; give one of --render, --report, "
+                     "--make-cameras, --generate, --pack, --tradeoff, --stability, or only a "
+                     "session to open it");
   for (const std::string& text : options.overrides)
     if (isOfCameraSet(text) && options.command != Command::makeCameras)
       throw InputError("--set " + text, "belongs to --make-cameras SET");

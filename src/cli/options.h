@@ -15,6 +15,7 @@ enum class Command {
   report,
   makeCameras,
   generate,
+  pack,
   tradeoff,
   stability,
   info,
@@ -31,6 +32,7 @@ struct Options {
   std::string calibrations;        ///< --stability
   std::string cameras;             ///< --make-cameras: a distribution or a file
   std::string pattern;             ///< --generate
+  std::string packed;              ///< --pack: a light field
   std::string degrade;             ///< --generate: "jpeg:60"
   std::string infoFile;            ///< --info
   std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help

@@ -8,7 +8,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> layoutNames{"hogels", "views", "quilt"};
+constexpr std::array<std::string_view, 4> layoutNames{"hogels", "views", "quilt", "pack"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
 
@@ -27,11 +27,14 @@ double codeValue(float stored) {
 void describe(ParameterVisitor& v, LightFieldParams& p) {
   auto& [file, layout, incoming, rows, columns, pattern, shear, quiltColumns, quiltRows] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
-  v.field("file", file,
-          "Image (hogels, quilt), folder or %-pattern of images (views); relative to the session.");
+  v.field(
+      "file", file,
+      "Image (hogels, quilt), folder or %-pattern of images (views), store (pack); relative to the "
+      "session.");
   v.field(
       "layout", layout, layoutNames,
-      "One image of hogel tiles, a folder of views (sub-aperture images), or a quilt of views.");
+      "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, or a "
+      "store of blocks (--pack).");
   v.field("incoming", incoming,
           "Directions were recorded looking into the scene: both u and v are flipped.");
   if (layout == Layout::views) {

@@ -19,7 +19,7 @@
 
 namespace hogelscope {
 
-enum class Layout { hogels, views, quilt };
+enum class Layout { hogels, views, quilt, pack };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
 

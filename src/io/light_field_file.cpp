@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "io/image_file.h"
+#include "io/light_field_store.h"
 #include "io/view_files.h"
 
 namespace hogelscope {
@@ -18,16 +19,6 @@ namespace {
 
 std::string pixels(std::size_t width, std::size_t height) {
   return std::to_string(width) + "×" + std::to_string(height);
-}
-
-/// A black light field of the type; refused where the machine's memory is too small.
-LightField blank(const LightFieldSize& size, StoredType type, const fs::path& file) {
-  try {
-    checkFits(LightField::bytes(size, type), file);
-    return {size, type};
-  } catch (const std::length_error&) {
-    throw InputError(file.string(), "size", "is more than 2^32 directional pixels in memory");
-  }
 }
 
 /// Reads a picture into the light field; `target(x, y)` says which texel pixel (x, y) is, or none.
@@ -91,7 +82,7 @@ class HogelImage : public LightFieldFile {
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField lightField = blank(m_size, m_image.type(), m_params.file);
+    LightField lightField = blankLightField(m_size, m_image.type(), m_params.file);
     const auto target = [this](int x, int y) {
       return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
     };
@@ -142,7 +133,7 @@ class ViewsFolder : public LightFieldFile {
   [[nodiscard]] std::vector<fs::path> files() const override { return m_views.files; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField lightField = blank(m_size, m_type, m_params.file);
+    LightField lightField = blankLightField(m_size, m_type, m_params.file);
     const std::size_t count = m_views.files.size();
     for (std::size_t k = 0; k < count; ++k) {
       advance(progress, double(k) / double(count));
@@ -204,7 +195,7 @@ class QuiltImage : public LightFieldFile {
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField lightField = blank(m_size, m_image.type(), m_params.file);
+    LightField lightField = blankLightField(m_size, m_image.type(), m_params.file);
     const auto target = [this](int x, int y) {
       const int rowFromBottom = m_rows - 1 - y / m_size.ny;
       return std::optional(
@@ -222,7 +213,23 @@ class QuiltImage : public LightFieldFile {
   LightFieldSize m_size;
 };
 
+std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
+                                          const DisplayParams& display) {
+  auto store = std::make_unique<LightFieldStore>(params.file, params.incoming);
+  (void)resolved(display, store->size());  // both say the size: they must agree
+  return store;
+}
+
 }  // namespace
+
+LightField blankLightField(const LightFieldSize& size, StoredType type, const fs::path& file) {
+  try {
+    checkFits(LightField::bytes(size, type), file);
+    return {size, type};
+  } catch (const std::length_error&) {
+    throw InputError(file.string(), "size", "is more than 2^32 directional pixels in memory");
+  }
+}
 
 void LightFieldFile::stream(const HogelRow& row, const Progress& progress) {
   const LightField whole = read(progress);
@@ -257,13 +264,17 @@ LightFieldParams lightFieldOf(const std::string& file) {
   params.file = file;
   if (fs::is_directory(file))
     params.layout = Layout::views;
+  else if (LightFieldStore::isStore(file))
+    params.layout = Layout::pack;
   else if (quiltTilesFromName(file)[0] > 0)
     params.layout = Layout::quilt;
   return params;
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  if (fs::is_directory(file) != (params.layout == Layout::views)) return lightFieldOf(file);
+  const bool isAnotherKind = fs::is_directory(file) != (params.layout == Layout::views) ||
+                             LightFieldStore::isStore(file) != (params.layout == Layout::pack);
+  if (isAnotherKind) return lightFieldOf(file);
   LightFieldParams result = params;
   result.file = file;
   return result;
@@ -276,6 +287,8 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
       return std::make_unique<ViewsFolder>(params, display);
     case Layout::quilt:
       return std::make_unique<QuiltImage>(params);
+    case Layout::pack:
+      return openStore(params, display);
     default:
       return std::make_unique<HogelImage>(params, display);
   }
@@ -296,10 +309,24 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file) {
       resolved(session.display, file.size()), session.sampling};
 }
 
-Scene loadScene(const Session& session, const Progress& progress, std::size_t /*memory*/) {
+bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
+  try {
+    return LightField::bytes(file.size(), file.type()) <= memory;
+  } catch (const std::length_error&) {
+    return false;
+  }
+}
+
+Scene loadScene(const Session& session, const Progress& progress, std::size_t memory) {
   const auto file = openLightField(session.lightField, session.display);
   Scene scene = unloadedScene(session, *file);
-  scene.lightField = std::make_shared<const LightField>(file->read(progress));
+  if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
+    scene.lightField = std::make_shared<const LightField>(
+        file->size(), file->type(),
+        std::make_shared<LightFieldStore>(session.lightField.file, session.lightField.incoming,
+                                          memory));
+  else
+    scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;
 }
 

@@ -34,6 +34,11 @@ class LightFieldFile {
   virtual void stream(const HogelRow& row, const Progress& progress);
 };
 
+/// A black one, to be filled. Throws InputError that names the file where the machine's memory is
+/// too small.
+LightField blankLightField(const LightFieldSize& size, StoredType type,
+                           const std::filesystem::path& file);
+
 /// Throws InputError that names the file: missing, damaged, or not the display's size.
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display);
@@ -52,8 +57,11 @@ struct Scene {
 /// A quarter of this machine's memory, in bytes.
 std::size_t standardMemory() noexcept;
 
-/// Reads the session's light field. `memory` bytes are for what is kept of a store. Throws
-/// InputError, or Cancelled.
+/// Would all of it take at most `memory` bytes?
+bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
+
+/// Reads the session's light field. Of a store that is larger than `memory` bytes the views read
+/// what they need; so many bytes of it are kept. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress,
                 std::size_t memory = standardMemory());
 /// With nothing of the light field in memory.
@@ -62,10 +70,11 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file);
 /// Do both sessions have the same light field in memory? Their displays may be otherwise different.
 bool readTheSame(const Session& a, const Session& b);
 
-/// A folder of views, a quilt by its name, or a hogel image.
+/// A folder of views, a store, a quilt by its name, or a hogel image.
 LightFieldParams lightFieldOf(const std::string& file);
 
-/// Another file with the layout of `params`, unless one is a folder and the other is not.
+/// Another file with the layout of `params`, unless one is a folder or a store and the other is
+/// not.
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file);
 
 /// Columns and rows that a quilt's name says (…_qs8x6a0.75.png); 0 where it does not.

@@ -10,6 +10,7 @@
 #include "io/image_file.h"
 #include "io/json_parameters.h"
 #include "io/light_field_file.h"
+#include "io/light_field_store.h"
 
 namespace hogelscope {
 
@@ -139,6 +140,11 @@ std::string relativeTo(const fs::path& document, const std::string& file) {
   return relative.empty() ? target.string() : relative.string();
 }
 
+std::optional<DisplayParams> displayOfStore(const LightFieldParams& params) {
+  if (params.layout != Layout::pack) return std::nullopt;
+  return LightFieldStore(params.file).header().display;
+}
+
 }  // namespace
 
 Session loadSession(const fs::path& file, const std::vector<std::string>& overrides,
@@ -222,7 +228,7 @@ bool isSessionFile(const fs::path& file) {
   return extension == ".json";
 }
 
-Session sessionAround(const std::string& file) {
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides) {
   Session session;
   session.lightField = lightFieldOf(file);
   const auto shape = [&](double width, double height) {
@@ -232,12 +238,21 @@ Session sessionAround(const std::string& file) {
   if (session.lightField.layout == Layout::hogels) {
     const ImageFile image{fs::path(file)};
     shape(double(image.width()), double(image.height()));
+  } else if (const auto known = displayOfStore(session.lightField)) {
+    session.display = *known;
   } else {
     const LightFieldSize size = openLightField(session.lightField, {})->size();
     shape(size.nx, size.ny);
   }
   addState(session, inFrontOf(session.display));
-  return session;
+  if (overrides.empty()) return session;
+  try {
+    Json document = parseJson(textOf(session));
+    for (const std::string& text : overrides) applyOverride(document, text);
+    return readSession(document);
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
 }
 
 Session withLightField(const Session& session, const std::string& file) {

@@ -35,8 +35,8 @@ void appendStates(const std::filesystem::path& file, const std::vector<CameraSta
 
 /// A new session around a light field: an image, a quilt by its name, or a folder of views. The
 /// display has its shape; one state is in front of it. A hogel image leaves the hogels and
-/// directions to be given. Throws InputError.
-Session sessionAround(const std::string& file);
+/// directions to be given; a store has its display. `overrides` as above. Throws InputError.
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {});
 
 /// Is it a session document, by its name?
 bool isSessionFile(const std::filesystem::path& file);

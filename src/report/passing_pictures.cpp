@@ -94,12 +94,7 @@ void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progre
 }  // namespace
 
 bool mustPass(const LightFieldFile& file, std::size_t memory) {
-  if (!file.isStream()) return false;
-  try {
-    return LightField::bytes(file.size(), file.type()) > memory;
-  } catch (const std::length_error&) {
-    return true;
-  }
+  return file.isStream() && !fitsInMemory(file, memory);
 }
 
 std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,

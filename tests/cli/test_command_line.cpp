@@ -143,15 +143,15 @@ void TestCommandLine::mistakes_data() {
   row("a value too many, setting", {"--quiet=yes"}, "--quiet: takes no value");
   row("two jobs", {"--render", "--report"},
       "command line: asks for two jobs at once; give one of --render, --report, "
-      "--make-cameras, --generate, --tradeoff, --stability, --info");
+      "--make-cameras, --generate, --pack, --tradeoff, --stability, --info");
   row("two jobs, info", {"--info", "s.json", "--generate", "scene"},
       "command line: asks for two jobs at once; give one of --render, --report, "
-      "--make-cameras, --generate, --tradeoff, --stability, --info");
+      "--make-cameras, --generate, --pack, --tradeoff, --stability, --info");
   row("a file alone", render + QStringList{"more.json"},
       "more.json: stands alone on the command line; a session is given as --session FILE");
   row("settings without a job", {"--session", "s.json", "--output", "out"},
       "command line: has settings but no job; give one of --render, --report, "
-      "--make-cameras, --generate, --tradeoff, --stability, or only a session to open it");
+      "--make-cameras, --generate, --pack, --tradeoff, --stability, or only a session to open it");
   row("no threads", render + QStringList{"--threads", "0"},
       "--threads: \"0\" is not a number from 1 on");
   row("half a thread", {"--threads", "1.5"}, "--threads: \"1.5\" is not a number from 1 on");

@@ -81,7 +81,7 @@ void TestStabilityJob::mistakes_data() {
       << stability({"--render"})
       << QByteArray(
              "command line: asks for two jobs at once; give one of --render, "
-             "--report, --make-cameras, --generate, --tradeoff, --stability, --info");
+             "--report, --make-cameras, --generate, --pack, --tradeoff, --stability, --info");
   QTest::newRow("a file alone")
       << stability({"s.json"})
       << QByteArray(
@@ -93,11 +93,12 @@ void TestStabilityJob::mistakes_data() {
                                  << QByteArray(
                                         "--calibrations: belongs to --stability; the cameras of "
                                         "other jobs change by --calibration FILE");
-  QTest::newRow("no job") << QStringList{"--calibrations", "l.json"}
-                          << QByteArray(
-                                 "command line: has settings but no job; give one of --render, "
-                                 "--report, --make-cameras, --generate, --tradeoff, --stability, "
-                                 "or only a session to open it");
+  QTest::newRow("no job")
+      << QStringList{"--calibrations", "l.json"}
+      << QByteArray(
+             "command line: has settings but no job; give one of --render, "
+             "--report, --make-cameras, --generate, --pack, --tradeoff, --stability, "
+             "or only a session to open it");
   for (const QStringList& flag :
        {QStringList{"--set", "psf.sigma=1"}, {"--states", "a"}, {"--calibration", "k.yml"}})
     QTest::newRow(qPrintable("not for it: " + flag[0]))

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --pack: a light field becomes a store.
+#include "cli/pack_job.h"
+
+#include <filesystem>
+#include <iostream>
+
+#include "cli/inputs.h"
+#include "cli/progress_bar.h"
+#include "core/report.h"
+#include "io/atomic_file.h"
+#include "io/session_file.h"
+#include "io/store_writer.h"
+
+namespace hogelscope {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A display that nobody gave is not kept in the store.
+struct Content {
+  Session session;
+  bool isDisplayGiven = false;
+};
+
+Content contentOf(const Options& options) {
+  if (options.session.empty() && !isSessionFile(options.packed))
+    return {sessionAround(options.packed, options.overrides), false};
+  if (options.session.empty()) return {loadSession(options.packed, options.overrides), true};
+  return {withLightField(loadSession(options.session, options.overrides), options.packed), true};
+}
+
+std::string shapeText(const StoreHeader& header) {
+  const auto by = [](int a, int b) { return std::to_string(a) + "×" + std::to_string(b); };
+  const auto& [size, type, block, overview, source, display] = header;
+  return by(size.nx, size.ny) + " hogels of " + by(size.du, size.dv) + " directions in blocks of " +
+         by(block.i, block.j) + " × " + by(block.u, block.v);
+}
+
+}  // namespace
+
+int packJob(const Options& options) {
+  const auto [session, isDisplayGiven] = contentOf(options);
+  const auto file = openLightField(session.lightField, session.display);
+  const PackPlan plan =
+      planPack(session.lightField, *file,
+               isDisplayGiven ? std::optional(session.display) : std::nullopt, memoryOf(options));
+  if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
+    makeFolder(folder);
+  if (!options.quiet)
+    std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
+              << ", on the disk about " << bytesText(plan.sourceBytes) << std::endl;
+  ProgressBar bar("packing", options.quiet);
+  pack(*file, plan, options.output, options.threads, bar.progress());
+  bar.done();
+  if (!options.quiet)
+    std::cout << options.output << ": " << bytesText(fs::file_size(options.output)) << "\n";
+  return 0;
+}
+
+}  // namespace hogelscope

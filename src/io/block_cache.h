@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decoded blocks of a store, within a number of bytes; the least recently used ones go first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+namespace hogelscope {
+
+using BlockTexels = std::shared_ptr<std::byte[]>;
+
+/// Used by several threads at once: parts with a lock each. What it hands out must not be changed.
+class BlockCache {
+ public:
+  /// For blocks of `blockBytes`, all of one size.
+  BlockCache(std::size_t bytes, std::size_t blockBytes)
+      : m_partBlocks(bytes / blockBytes / parts) {}
+
+  /// Null where it is not there.
+  BlockTexels find(std::uint64_t key);
+  void put(std::uint64_t key, const BlockTexels& texels);
+
+ private:
+  static constexpr std::size_t parts = 16;
+  struct Entry {
+    std::uint64_t key = 0;
+    BlockTexels texels;
+  };
+  struct Part {
+    std::mutex mutex;
+    std::list<Entry> entries;  ///< the last used first
+    std::unordered_map<std::uint64_t, std::list<Entry>::iterator> places;
+  };
+  Part& partOf(std::uint64_t key) { return m_parts[key % parts]; }
+
+  std::size_t m_partBlocks;
+  std::vector<Part> m_parts = std::vector<Part>(parts);
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file that is read at any place, by several threads at once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace hogelscope {
+
+/// A file descriptor that is closed again.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : m_fd(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+  [[nodiscard]] int get() const { return m_fd; }
+
+ private:
+  int m_fd;
+};
+
+class PositionedFile {
+ public:
+  /// Throws InputError: missing, not a file, unreadable.
+  explicit PositionedFile(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+  [[nodiscard]] std::uint64_t size() const { return m_size; }
+
+  /// Fills `bytes` from the position `at`. Throws InputError where the file ends before.
+  void read(std::uint64_t at, std::span<std::byte> bytes) const;
+  /// As many of them as there are.
+  std::size_t readSome(std::uint64_t at, std::span<std::byte> bytes) const;
+
+ private:
+  std::filesystem::path m_path;
+  Descriptor m_descriptor;
+  std::uint64_t m_size = 0;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that a store holds every texel of the light field that it was packed from, for ours and for
+// another reader.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/light_field_store.h"
+#include "io/session_file.h"
+#include "io/store_writer.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+#include "tests/io/texels.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr std::size_t plenty = std::size_t{1} << 30;
+
+/// Differs in each index and channel; black in some blocks, of one colour in others.
+float valueAt(const TexelIndex& at, int channel) {
+  if (at.i < 8 && at.u < 8) return 0;
+  if (at.i < 8) return 0.5F;
+  const int mixed = at.i * 131 + at.j * 37 + at.u * 11 + at.v * 71 + channel * 53;
+  return float(mixed % 255) / 255;
+}
+
+PictureValue hogelImage(const LightFieldSize& size) {
+  return [size](int x, int y, int channel) {
+    return valueAt({x / size.du, y / size.dv, x % size.du, y % size.dv}, channel);
+  };
+}
+
+DisplayParams displayOf(const LightFieldSize& size) {
+  DisplayParams display;
+  display.hogels = {size.nx, size.ny};
+  display.directions = {size.du, size.dv};
+  return display;
+}
+
+LightFieldParams paramsOf(const std::string& file, Layout layout = Layout::hogels,
+                          bool incoming = false) {
+  LightFieldParams params;
+  params.file = file;
+  params.layout = layout;
+  params.incoming = incoming;
+  return params;
+}
+
+/// Packs it as store.tif and returns the light field that it was.
+LightField packed(const LightFieldParams& params, const DisplayParams& display,
+                  std::size_t memory = plenty) {
+  const auto file = openLightField(params, display);
+  const PackPlan plan = planPack(params, *file, display, memory);
+  pack(*file, plan, "store.tif", 3, {});
+  return openLightField(params, display)->read({});
+}
+
+QString firstDifference(const LightField& is, const LightField& should) {
+  if (is.size() != should.size()) return "the size";
+  if (is.texels().index() != should.texels().index()) return "the type";
+  return firstWrong(is, [&](const TexelIndex& at) { return should.texel(at); });
+}
+
+/// What streaming hands out, as a light field.
+LightField streamed(LightFieldFile& file) {
+  LightField result(file.size(), file.type());
+  const int du = file.size().du;
+  int last = 0;
+  file.stream(
+      [&](int j, int v, const StoredRows& rgb) {
+        QVERIFY(j >= last);
+        last = j;
+        std::visit(
+            [&](const auto* values) {
+              for (int x = 0; x < int(file.size().width()); ++x, values += 3)
+                result.set({x / du, j, x % du, v}, values);
+            },
+            rgb);
+      },
+      {});
+  return result;
+}
+
+}  // namespace
+
+class TestStore : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void everyTexel_data();
+  void everyTexel();
+  void views();
+  void quilt();
+  void incoming();
+  void blackTilesTakeNoRoom();
+  void blocksOfAnyOrderAndCache();
+  void littleMemoryMakesLowerBlocks();
+  void anotherReader_data();
+  void anotherReader();
+  void overview();
+  void slices_data();
+  void slices();
+  void displayIsKept();
+  void recognised();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestStore::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestStore::everyTexel_data() {
+  QTest::addColumn<QList<int>>("cells");
+  QTest::addColumn<int>("type");
+  const QList<int> even{16, 16, 16, 8};
+  const QList<int> odd{19, 11, 13, 9};
+  QTest::newRow("8 bit") << even << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("8 bit, odd") << odd << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("16 bit") << even << int(OIIO::TypeDesc::UINT16);
+  QTest::newRow("16 bit, odd") << odd << int(OIIO::TypeDesc::UINT16);
+  QTest::newRow("float, odd") << odd << int(OIIO::TypeDesc::FLOAT);
+  QTest::newRow("float") << even << int(OIIO::TypeDesc::FLOAT);
+  QTest::newRow("one hogel") << QList<int>{1, 1, 70, 65} << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("one direction") << QList<int>{70, 65, 1, 1} << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("one row") << QList<int>{33, 1, 17, 1} << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("few directions") << QList<int>{20, 21, 3, 5} << int(OIIO::TypeDesc::UINT8);
+}
+
+void TestStore::everyTexel() {
+  QFETCH(QList<int>, cells);
+  QFETCH(int, type);
+  const LightFieldSize size{cells[0], cells[1], cells[2], cells[3]};
+  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+               {OIIO::TypeDesc::BASETYPE(type)});
+  const LightField source = packed(paramsOf("a.tif"), displayOf(size));
+  LightFieldStore store("store.tif");
+  QVERIFY(store.size() == size);
+  QCOMPARE(firstDifference(store.read({}), source), QString());
+  QCOMPARE(firstDifference(streamed(store), source), QString());
+  QCOMPARE(namesIn("."), (QStringList{"a.tif", "store.tif"}));
+}
+
+void TestStore::views() {
+  constexpr LightFieldSize size{21, 18, 5, 3};
+  for (int v = 0; v < size.dv; ++v)
+    for (int u = 0; u < size.du; ++u)
+      writePicture(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
+                   size.nx, size.ny, [&](int x, int y, int c) {
+                     return valueAt({x, y, u, v}, c);
+                   });
+  const LightField source = packed(paramsOf("views", Layout::views), {});
+  QVERIFY(source.size() == size);
+  QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), source), QString());
+}
+
+void TestStore::quilt() {
+  writePicture("a_qs3x2a1.png", 60, 40, [](int x, int y, int c) {
+    return valueAt({x % 20, y % 20, x / 20, y / 20}, c);
+  });
+  const LightField source = packed(paramsOf("a_qs3x2a1.png", Layout::quilt), {});
+  QVERIFY((source.size() == LightFieldSize{20, 20, 6, 1}));
+  QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), source), QString());
+}
+
+/// Turned while it is packed, or while the store is read.
+void TestStore::incoming() {
+  constexpr LightFieldSize size{10, 9, 11, 7};
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  const LightField turned = packed(paramsOf("a.png", Layout::hogels, true), displayOf(size));
+  QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), turned), QString());
+  const LightField plain = packed(paramsOf("a.png"), displayOf(size));
+  QVERIFY(!firstDifference(plain, turned).isEmpty());
+  LightFieldStore store("store.tif", true);
+  QCOMPARE(firstDifference(store.read({}), turned), QString());
+  QCOMPARE(firstDifference(streamed(store), turned), QString());
+}
+
+void TestStore::blackTilesTakeNoRoom() {
+  constexpr LightFieldSize size{64, 16, 32, 16};
+  const auto black = [](int, int, int) { return 0.0F; };
+  writePicture("a.png", int(size.width()), int(size.height()), black);
+  const LightField source = packed(paramsOf("a.png"), displayOf(size));
+  // 2 pages of 64 tiles: an entry of the index has 12 bytes, nothing else grows with their number.
+  QVERIFY(QFileInfo("store.tif").size() < 4 * 64 * 12);
+  QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), source), QString());
+}
+
+void TestStore::blocksOfAnyOrderAndCache() {
+  constexpr LightFieldSize size{19, 17, 20, 9};
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  const LightField source = packed(paramsOf("a.png"), displayOf(size));
+  constexpr std::size_t blockBytes = 64 * 64 * 3;
+  for (const std::size_t cache : {std::size_t{0}, 16 * 2 * blockBytes, plenty}) {
+    const LightFieldStore store("store.tif", false, cache, 3);
+    const BlockIndex block = store.header().block;
+    std::vector<BlockIndex> wanted;
+    for (int k = 0; k < 400; ++k)  // twice or more
+      wanted.push_back({k * 7 % 3, k * 5 % 3, k * 11 % 3, k % 2});
+    std::vector<int> wrong(wanted.size(), -1);
+    store.blocks(wanted,
+                 [&](std::size_t k, std::span<const std::byte> texels) {
+                   const auto [I, J, U, V] = wanted[k];
+                   wrong[k] = 0;
+                   for (int y = 0; y < 64; ++y)
+                     for (int x = 0; x < 64; ++x) {
+                       const TexelIndex at{I * block.i + x / block.u, J * block.j + y / block.v,
+                                           U * block.u + x % block.u, V * block.v + y % block.v};
+                       const bool isIn =
+                           at.i < size.nx && at.j < size.ny && at.u < size.du && at.v < size.dv;
+                       const Rgb should = isIn ? source.texel(at) : Rgb{};
+                       const auto value = [&, x = x, y = y](int c) {
+                         return double(texels[std::size_t(3 * (64 * y + x) + c)]);
+                       };
+                       if (value(0) != should.r || value(1) != should.g || value(2) != should.b)
+                         ++wrong[k];
+                     }
+                 },
+                 {});
+    QCOMPARE(wrong, std::vector<int>(wanted.size(), 0));
+  }
+}
+
+void TestStore::littleMemoryMakesLowerBlocks() {
+  constexpr LightFieldSize size{20, 32, 16, 16};
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  constexpr std::size_t hogelRow = 3 * 20 * 16 * 16;
+  for (const auto& [rows, expected] :
+       std::vector<std::pair<std::size_t, int>>{{20, 8}, {9, 8}, {8, 4}, {5, 4}, {2, 1}, {1, 1}}) {
+    const LightField source = packed(paramsOf("a.png"), displayOf(size), rows * hogelRow);
+    LightFieldStore store("store.tif");
+    QCOMPARE(store.header().block.j, expected);
+    QCOMPARE(store.header().block.v, 64 / expected);
+    QCOMPARE(firstDifference(store.read({}), source), QString());
+  }
+  QVERIFY_EXCEPTION_THROWN((void)packed(paramsOf("a.png"), displayOf(size), hogelRow - 1),
+                           InputError);
+}
+
+void TestStore::anotherReader_data() {
+  QTest::addColumn<int>("type");
+  QTest::newRow("8 bit") << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("16 bit") << int(OIIO::TypeDesc::UINT16);
+  QTest::newRow("float") << int(OIIO::TypeDesc::FLOAT);
+}
+
+/// OpenImageIO finds each texel where store_header.h says that it is.
+void TestStore::anotherReader() {
+  QFETCH(int, type);
+  constexpr LightFieldSize size{19, 17, 20, 9};
+  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+               {OIIO::TypeDesc::BASETYPE(type)});
+  const LightField source = packed(paramsOf("a.tif"), displayOf(size));
+  const StoreHeader header = LightFieldStore("store.tif").header();
+  const auto& block = header.block;
+  const auto in = OIIO::ImageInput::open("store.tif");
+  QVERIFY(in);
+  QCOMPARE(int(in->spec().format.basetype), type);
+  for (int page = 0; page < header.blocks().j; ++page) {
+    std::vector<float> values(std::size_t(in->spec_dimensions(page).image_pixels()) * 3);
+    QVERIFY2(in->read_image(page, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data()),
+             in->geterror().c_str());
+    const int width = in->spec_dimensions(page).width;
+    for (int j = page * block.j; j < std::min(size.ny, (page + 1) * block.j); ++j)
+      for (int i = 0; i < size.nx; ++i)
+        for (int v = 0; v < size.dv; ++v)
+          for (int u = 0; u < size.du; ++u) {
+            const int column = i / block.i * header.blocks().u + u / block.u;
+            const int x = 64 * column + i % block.i * block.u + u % block.u;
+            const int y = 64 * (v / block.v) + j % block.j * block.v + v % block.v;
+            const float* rgb = &values[std::size_t(3) * std::size_t(y * width + x)];
+            const Rgb is{rgb[0] * 255.0, rgb[1] * 255.0, rgb[2] * 255.0};
+            QVERIFY2(isNear(is, source.texel({i, j, u, v}), 1e-4),
+                     qPrintable(QString("%1 %2 %3 %4").arg(i).arg(j).arg(u).arg(v)));
+          }
+  }
+}
+
+void TestStore::overview() {
+  constexpr LightFieldSize size{40, 30, 45, 33};
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  const LightField source = packed(paramsOf("a.png"), displayOf(size));
+  const auto shared = LightFieldStore("store.tif").overview();
+  const LightField& small = *shared;
+  const LightFieldSize& shown = small.size();
+  QCOMPARE(shown.du, 32);
+  QCOMPARE(shown.dv, 32);
+  const double share =
+      double(shown.width() * shown.height()) / double(size.width() * size.height());
+  QVERIFY2(share > 0.1 && share <= 0.125, qPrintable(QString::number(share)));
+  const auto middle = [](int k, int cells, int all) { return int((k + 0.5) * all / cells); };
+  QCOMPARE(firstWrong(small,
+                      [&](const TexelIndex& at) {
+                        return source.texel(
+                            {middle(at.i, shown.nx, size.nx), middle(at.j, shown.ny, size.ny),
+                             middle(at.u, shown.du, size.du), middle(at.v, shown.dv, size.dv)});
+                      }),
+           QString());
+  const LightFieldSize paper = overviewSize({512, 512, 600, 600}, StoredType::uint8);
+  QVERIFY(paper.width() * paper.height() * 4 <= 64000000);
+  QVERIFY(paper.width() * paper.height() * 4 > 60000000);
+}
+
+void TestStore::slices_data() {
+  QTest::addColumn<bool>("incoming");
+  QTest::addColumn<int>("type");
+  QTest::newRow("8 bit") << false << int(OIIO::TypeDesc::UINT8);
+  QTest::newRow("16 bit") << false << int(OIIO::TypeDesc::UINT16);
+  QTest::newRow("float, incoming") << true << int(OIIO::TypeDesc::FLOAT);
+}
+
+void TestStore::slices() {
+  QFETCH(bool, incoming);
+  QFETCH(int, type);
+  constexpr LightFieldSize size{19, 17, 20, 19};
+  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+               {OIIO::TypeDesc::BASETYPE(type)});
+  (void)packed(paramsOf("a.tif"), displayOf(size));
+  const LightField source =
+      openLightField(paramsOf("a.tif", Layout::hogels, incoming), displayOf(size))->read({});
+  const auto store = std::make_shared<LightFieldStore>("store.tif", incoming, std::size_t{1} << 20);
+  const LightField onDisk(size, store->type(), store);
+  for (int width : {1, 3, 19}) {
+    Footprint wanted;
+    for (int i = 0; i < size.nx; ++i)
+      wanted.u.push_back(i % 5 == 4 ? CellRange{}
+                                    : CellRange{i % (21 - width), i % (21 - width) + width - 1});
+    for (int j = 0; j < size.ny; ++j)
+      wanted.v.push_back(j % 7 == 6 ? CellRange{}
+                                    : CellRange{j % (20 - width), j % (20 - width) + width - 1});
+    const auto slice = onDisk.store()->slice(wanted, {});
+    QVERIFY(slice->slice()->footprint == wanted);
+    std::size_t seen = 0;
+    for (int j = 0; j < size.ny; ++j)
+      for (int i = 0; i < size.nx; ++i)
+        for (int v = wanted.v[std::size_t(j)].first; v <= wanted.v[std::size_t(j)].last; ++v)
+          for (int u = wanted.u[std::size_t(i)].first; u <= wanted.u[std::size_t(i)].last; ++u) {
+            QVERIFY2(slice->texel({i, j, u, v}) == source.texel({i, j, u, v}),
+                     qPrintable(QString("%1 %2 %3 %4").arg(i).arg(j).arg(u).arg(v)));
+            ++seen;
+          }
+    QCOMPARE(seen, wanted.texels());
+  }
+  QVERIFY(onDisk.texel({18, 16, 7, 3}) == source.texel({18, 16, 7, 3}));
+  QVERIFY_EXCEPTION_THROWN(
+      (void)store->slice({std::vector<CellRange>(19, {0, 19}), std::vector<CellRange>(17, {0, 18})},
+                         [](double) { return false; }),
+      Cancelled);
+}
+
+void TestStore::displayIsKept() {
+  constexpr LightFieldSize size{10, 9, 11, 7};
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  DisplayParams display = displayOf(size);
+  display.fov = {47, 31};
+  display.size = {0.3, 0.2};
+  display.position = {1, 2, 3};
+  display.lens = HogelLens::equiangular;
+  (void)packed(paramsOf("a.png"), display);
+  QVERIFY(LightFieldStore("store.tif").header().display == display);
+  QVERIFY(sessionAround("store.tif").display == display);
+  DisplayParams other;
+  other.hogels = {10, 8};
+  QVERIFY_EXCEPTION_THROWN((void)openLightField(paramsOf("store.tif", Layout::pack), other),
+                           InputError);
+}
+
+void TestStore::recognised() {
+  constexpr LightFieldSize size{10, 9, 11, 7};
+  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size));
+  (void)packed(paramsOf("a.tif"), displayOf(size));
+  QFile::rename("store.tif", "of any name");
+  QVERIFY(lightFieldOf("of any name").layout == Layout::pack);
+  QVERIFY(lightFieldOf("a.tif").layout == Layout::hogels);
+  QVERIFY(withFile(paramsOf("a.tif"), "of any name").layout == Layout::pack);
+  QVERIFY(withFile(paramsOf("of any name", Layout::pack), "a.tif").layout == Layout::hogels);
+}
+
+QTEST_APPLESS_MAIN(TestStore)
+#include "test_store.moc"
