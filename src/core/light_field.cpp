@@ -105,13 +105,8 @@ LightField::LightField(LightFieldSize size, StoredType type, std::shared_ptr<Tex
 
 template <class T>
 void LightField::takeRow(int j, int v, const T* rgb) {
-  auto* to = &std::get<TexelArray<T>>(
-      m_texels)[m_layout.j(std::uint32_t(j)) + m_layout.v(std::uint32_t(v))];
-  for (const SliceLayout::Run& run : m_slice->runs) {
-    const T* from = rgb + 3 * (std::ptrdiff_t(run.i) * m_size.du + run.u.first);
-    for (int u = run.u.first; u <= run.u.last; ++u, from += 3)
-      *to++ = {from[0], from[1], from[2], T{}};
-  }
+  for (const auto& [i, u] : m_slice->runs)
+    setRun({i, j, u.first, v}, int(u.size()), rgb + 3 * (std::ptrdiff_t(i) * m_size.du + u.first));
 }
 
 template void LightField::takeRow(int, int, const std::uint8_t*);

@@ -150,6 +150,12 @@ class LightField {
   void set(const TexelIndex& at, const T* rgb) {
     std::get<TexelArray<T>>(m_texels)[m_layout.address(at)] = {rgb[0], rgb[1], rgb[2], T{}};
   }
+  /// Neighbours along u in a slice, from `first` on; T must be the stored type.
+  template <class T>
+  void setRun(const TexelIndex& first, int count, const T* rgb) {
+    auto* to = &std::get<TexelArray<T>>(m_texels)[m_layout.address(first)];
+    for (int k = 0; k < count; ++k, rgb += 3) to[k] = {rgb[0], rgb[1], rgb[2], T{}};
+  }
   /// Takes what a slice has of directions (·, v) of hogels (·, j) from the hogel image's row. T
   /// must be the stored type, v in the slice.
   template <class T>

@@ -2,6 +2,7 @@
 // Each layout in turn: where its files have direction (u, v) of hogel (i, j).
 #include "io/light_field_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <regex>
@@ -318,13 +319,16 @@ bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
 }
 
 Scene loadScene(const Session& session, const Progress& progress, std::size_t memory) {
+  // Of decoded blocks: two views of the paper's light field. More costs views that have nothing in
+  // common more time than it saves others: new memory is slower than decoding.
+  constexpr std::size_t largestCache = 1000000000;
   const auto file = openLightField(session.lightField, session.display);
   Scene scene = unloadedScene(session, *file);
   if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
     scene.lightField = std::make_shared<const LightField>(
         file->size(), file->type(),
         std::make_shared<LightFieldStore>(session.lightField.file, session.lightField.incoming,
-                                          memory));
+                                          std::min(memory, largestCache)));
   else
     scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;

@@ -39,7 +39,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   /// for what they want.
   void stream(const HogelRow& row, const Progress& progress) override;
 
-  /// Exactly the footprint's texels; what is decoded is kept in the cache.
+  /// What is decoded is kept in the cache, and the last view's slice is handed out again where it
+  /// has all that is asked for.
   [[nodiscard]] std::shared_ptr<const LightField> slice(const Footprint& footprint,
                                                         const Progress& progress) override;
 
@@ -60,6 +61,7 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   void decode(Reader& reader, const BlockIndex& at, std::span<std::byte> texels) const;
   void checkPage(int number, const TiffPage& page) const;
   void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
+  [[nodiscard]] std::shared_ptr<const LightField> lastSlice();
   [[nodiscard]] Footprint stored(const Footprint& footprint) const;
   void placeSlice(const BlockIndex& block, std::span<const std::byte> texels,
                   const Footprint& footprint, LightField& target) const;
@@ -71,6 +73,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   StoreHeader m_header;
   std::vector<TiffPage> m_pages;  ///< the overview's is the last
   std::unique_ptr<BlockCache> m_cache;
+  std::mutex m_sliceMutex;
+  std::shared_ptr<const LightField> m_lastSlice;
   mutable std::once_flag m_overviewIsRead;
   mutable std::shared_ptr<const LightField> m_overview;
 };

@@ -71,6 +71,8 @@ Footprint LightFieldStore::stored(const Footprint& footprint) const {
 
 std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footprint,
                                                          const Progress& progress) {
+  if (const auto last = lastSlice(); last && last->slice()->footprint.covers(footprint))
+    return last;
   auto target = std::make_shared<LightField>(m_header.size, m_header.type, sliceLayout(footprint));
   const Footprint inFile = stored(footprint);
   const std::vector<BlockIndex> wanted = blocksOf(m_header, inFile);
@@ -80,7 +82,18 @@ std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footpr
         placeSlice(wanted[k], texels, inFile, *target);
       },
       progress);
+  // A texel or a hogel that somebody asks about does not replace a view.
+  constexpr std::size_t leastOfView = std::size_t{1} << 20;
+  if (footprint.texels() >= leastOfView) {
+    const std::lock_guard lock(m_sliceMutex);
+    m_lastSlice = target;
+  }
   return target;
+}
+
+std::shared_ptr<const LightField> LightFieldStore::lastSlice() {
+  const std::lock_guard lock(m_sliceMutex);
+  return m_lastSlice;
 }
 
 void LightFieldStore::placeSlice(const BlockIndex& block, std::span<const std::byte> texels,
@@ -90,18 +103,21 @@ void LightFieldStore::placeSlice(const BlockIndex& block, std::span<const std::b
   const int j0 = block.j * bj;
   const std::vector<CellRange> columns = within(footprint.u, i0, bi, block.u, bu);
   const std::vector<CellRange> rows = within(footprint.v, j0, bj, block.v, bv);
-  const auto put = [&, bu = bu, bv = bv](int i, int j, int u, int v, const auto* rgb) {
-    TexelIndex at{i0 + i, j0 + j, block.u * bu + u, block.v * bv + v};
-    if (m_incoming) at = {at.i, at.j, m_header.size.du - 1 - at.u, m_header.size.dv - 1 - at.v};
-    target.set(at, rgb);
+  const auto put = [&, bu = bu, bv = bv](int i, int j, const CellRange& u, int v, const auto* rgb) {
+    TexelIndex at{i0 + i, j0 + j, block.u * bu + u.first, block.v * bv + v};
+    if (!m_incoming) return target.setRun(at, int(u.size()), rgb);
+    at = {at.i, at.j, m_header.size.du - 1 - at.u, m_header.size.dv - 1 - at.v};
+    for (int k = u.first; k <= u.last; ++k, --at.u, rgb += 3) target.set(at, rgb);
   };
   const auto putAll = [&, bu = bu, bv = bv](const auto* values) {
     for (int j = 0; j < int(rows.size()); ++j)
       for (int v = rows[std::size_t(j)].first; v <= rows[std::size_t(j)].last; ++v)
-        for (int i = 0; i < int(columns.size()); ++i)
-          for (int u = columns[std::size_t(i)].first; u <= columns[std::size_t(i)].last; ++u)
-            put(i, j, u, v,
-                values + 3 * (std::size_t(j * bv + v) * tileSide + std::size_t(i * bu + u)));
+        for (int i = 0; i < int(columns.size()); ++i) {
+          const CellRange& u = columns[std::size_t(i)];
+          if (u.isEmpty()) continue;
+          put(i, j, u, v,
+              values + 3 * (std::size_t(j * bv + v) * tileSide + std::size_t(i * bu + u.first)));
+        }
   };
   withStoredType(m_header.type, [&](auto zero) {
     putAll(reinterpret_cast<const decltype(zero)*>(texels.data()));

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long a view of a store takes, first and again: the table "At the paper's size" in
+// ARCHITECTURE.md.
+//   hogelscope-store-views SESSION.json: the first state of a session whose light field is a store
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "core/fast_simulation.h"
+#include "core/scaled_view.h"
+#include "io/light_field_file.h"
+#include "io/session_file.h"
+#include "vtk/parallel_rows.h"
+
+namespace {
+
+using namespace hogelscope;
+
+template <class Work>
+double milliseconds(Work work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+/// Of some views, one after the other, each another one.
+template <class ViewAt>
+void print(const char* what, ViewAt viewAt, LensTables& tables) {
+  constexpr int views = 15;
+  std::vector<double> times;
+  for (int k = 0; k < views; ++k) {
+    const View view = viewAt(k);
+    times.push_back(milliseconds([&] { (void)simulateFast(view, tables, parallelRows); }));
+  }
+  std::sort(times.begin(), times.end());
+  std::printf("%-46s %8.1f ms (%.1f … %.1f)\n", what, times[views / 2], times.front(),
+              times.back());
+}
+
+void measure(const char* file) {
+  const Session session = loadSession(file);
+  std::optional<Scene> scene;
+  std::printf("%-46s %8.1f ms\n", "open",
+              milliseconds([&] { scene = loadScene(session, {}, 1000000000); }));
+  LensTables tables;
+  const View view = scene->view(session.cameras.front());
+  const auto moved = [&view](double x) {
+    View other = view;
+    other.state.camera.eye.x += x;
+    return other;
+  };
+  std::printf("%-46s %8.1f ms\n", "overview, read and rendered",
+              milliseconds([&] { (void)simulateFast(overview(view), tables, parallelRows); }));
+  std::printf("%-46s %8.1f ms\n", "the first view",
+              milliseconds([&] { (void)simulateFast(view, tables, parallelRows); }));
+  print(
+      "the same again", [&](int) { return view; }, tables);
+  print(
+      "the eye moved by 1 mm each", [&](int k) { return moved(0.001 * k); }, tables);
+  print(
+      "the eye moved by 20 mm each", [&](int k) { return moved(0.02 * (k - 7) + 0.01); }, tables);
+  print(
+      "overview, the eye moved by 20 mm each",
+      [&](int k) { return overview(moved(0.02 * (k - 7))); }, tables);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "hogelscope-store-views SESSION.json\n");
+    return 2;
+  }
+  try {
+    measure(arguments[1]);
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "hogelscope-store-views: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}
