@@ -12,6 +12,7 @@
 #include "cli/progress_bar.h"
 #include "core/error.h"
 #include "gui/application.h"
+#include "io/light_field_file.h"
 
 namespace {
 
@@ -19,6 +20,7 @@ enum ExitStatus { done = 0, gateFailed = 1, badInput = 2, internalError = 3 };
 
 int run(int argc, char** argv) {
   const hogelscope::Options options = hogelscope::parseOptions({argv + 1, argv + argc});
+  if (options.memory) hogelscope::allowMemory(*options.memory);
   if (options.command == hogelscope::Command::window)
     return hogelscope::runWindow(argc, argv, options.files);
   hogelscope::catchSignals();

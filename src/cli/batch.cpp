@@ -56,7 +56,7 @@ class Pictures {
 
 /// From a light field in memory or in a store.
 void renderLoaded(const Session& session, const Options& options, const Progress& progress) {
-  const Scene scene = loadScene(session, part(progress, 0, 0.5), memoryOf(options));
+  const Scene scene = loadScene(session, part(progress, 0, 0.5));
   if (options.explain) std::cout << explanations(scene, session);
   const Pictures pictures(options);
   const vtkNew<vtkHogelViewFilter> filter;
@@ -82,7 +82,7 @@ void renderPassing(LightFieldFile& file, const Session& session, const Options& 
   std::vector<View> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
   const std::vector<StatePicture> made =
-      picturesInPassing(file, views, memoryOf(options), parallelRows, progress);
+      picturesInPassing(file, views, allowedMemory(), parallelRows, progress);
   const Pictures pictures(options);
   for (std::size_t k = 0; k < made.size(); ++k) {
     if (!made[k].problem.empty()) throw InputError(session.cameras[k].camera.name, made[k].problem);
@@ -95,8 +95,8 @@ int render(const Options& options) {
   // A bad one leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   makeFolder(options.output);
-  const bool isPassing = mustPass(*file, memoryOf(options));
-  announcePassing(session, memoryOf(options), options);
+  const bool isPassing = mustPass(*file, allowedMemory());
+  announcePassing(session, allowedMemory(), options);
   ProgressBar bar("rendering", options.quiet);
   if (isPassing)
     renderPassing(*file, session, options, bar.progress());

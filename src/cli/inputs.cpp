@@ -44,10 +44,6 @@ Session loadSelected(const Options& options) {
   return session;
 }
 
-std::size_t memoryOf(const Options& options) {
-  return options.memory.value_or(standardMemory());
-}
-
 void announcePassing(const Session& session, std::size_t memory, const Options& options) {
   const auto file = openLightField(session.lightField, session.display);
   if (options.quiet || !mustPass(*file, memory)) return;

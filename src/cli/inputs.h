@@ -13,9 +13,6 @@ namespace hogelscope {
 /// Throws InputError.
 Session loadSelected(const Options& options);
 
-/// Bytes for light fields: --memory, or a quarter of the machine's.
-std::size_t memoryOf(const Options& options);
-
 /// Tells before the wait, unless --quiet, that a light field is too large for `memory` and will be
 /// read from the top, and about how long that takes.
 void announcePassing(const Session& session, std::size_t memory, const Options& options);

@@ -179,9 +179,9 @@ const std::vector<Flag>& settings() {
       {"memory", "MB",
        "Megabytes for light fields, a quarter of the machine's by default. --render, --report: a "
        "light field that needs more is read from the top once, and all pictures are made on the "
-       "way; so much of a store is kept in memory. --pack: for the rows of the hogel image.",
+       "way; of a store each view reads what it needs. --pack: for the rows of the hogel image.",
        [](Options& o, const std::string& v) {
-         o.memory = std::size_t(1e6 * number(v, "--memory", 0.0));
+         o.memory = std::max<std::size_t>(1, std::size_t(1e6 * number(v, "--memory", 0.0)));
        }},
       {"threads", "N", "Threads to work with; all by default.",
        [](Options& o, const std::string& v) { o.threads = number(v, "--threads", 1); }},

@@ -45,7 +45,7 @@ int packJob(const Options& options) {
   const auto file = openLightField(session.lightField, session.display);
   const PackPlan plan =
       planPack(session.lightField, *file,
-               isDisplayGiven ? std::optional(session.display) : std::nullopt, memoryOf(options));
+               isDisplayGiven ? std::optional(session.display) : std::nullopt, allowedMemory());
   if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);
   if (!options.quiet)

@@ -90,7 +90,6 @@ int reportJob(const Options& options) {
   request.output = options.output;
   request.command = options.commandLine;
   request.images = options.images;
-  request.memory = memoryOf(options);
   announcePassing(request.session, request.memory / 2, options);
   for (const ReportTest& test : request.tests)
     announcePassing(test.session, request.memory / 2, options);

@@ -16,6 +16,7 @@ struct Image {
   int height = 0;
   std::vector<std::uint8_t> rgb;   ///< 3·width·height
   std::vector<std::uint8_t> seen;  ///< width·height
+  static constexpr std::size_t bytesPerPixel = 4;
 
   Image() = default;
   Image(int w, int h)

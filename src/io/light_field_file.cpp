@@ -3,6 +3,7 @@
 #include "io/light_field_file.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <regex>
@@ -228,7 +229,9 @@ LightField blankLightField(const LightFieldSize& size, StoredType type, const fs
     checkFits(LightField::bytes(size, type), file);
     return {size, type};
   } catch (const std::length_error&) {
-    throw InputError(file.string(), "size", "is more than 2^32 directional pixels in memory");
+    throw InputError(
+        file.string(), "size",
+        "is more than 2^32 directional pixels in memory: --pack it, and use the store");
   }
 }
 
@@ -300,8 +303,19 @@ bool readTheSame(const Session& a, const Session& b) {
          a.display.directions == b.display.directions;
 }
 
-std::size_t standardMemory() noexcept {
-  return machineMemory() / 4;
+namespace {
+
+std::atomic<std::size_t> theAllowedMemory = 0;
+
+}  // namespace
+
+std::size_t allowedMemory() noexcept {
+  const std::size_t allowed = theAllowedMemory;
+  return allowed > 0 ? allowed : machineMemory() / 4;
+}
+
+void allowMemory(std::size_t bytes) noexcept {
+  theAllowedMemory = bytes;
 }
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
@@ -318,17 +332,15 @@ bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
   }
 }
 
-Scene loadScene(const Session& session, const Progress& progress, std::size_t memory) {
-  // Of decoded blocks: two views of the paper's light field. More costs views that have nothing in
-  // common more time than it saves others: new memory is slower than decoding.
-  constexpr std::size_t largestCache = 1000000000;
+Scene loadScene(const Session& session, const Progress& progress, std::size_t memory,
+                std::size_t cache) {
   const auto file = openLightField(session.lightField, session.display);
   Scene scene = unloadedScene(session, *file);
   if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
     scene.lightField = std::make_shared<const LightField>(
         file->size(), file->type(),
         std::make_shared<LightFieldStore>(session.lightField.file, session.lightField.incoming,
-                                          std::min(memory, largestCache)));
+                                          std::min(memory, cache)));
   else
     scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;

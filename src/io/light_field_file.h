@@ -54,16 +54,23 @@ struct Scene {
   }
 };
 
-/// A quarter of this machine's memory, in bytes.
-std::size_t standardMemory() noexcept;
+/// Bytes for light fields: what allowMemory() said, or a quarter of this machine's.
+std::size_t allowedMemory() noexcept;
+/// From now on, in the whole process.
+void allowMemory(std::size_t bytes) noexcept;
 
 /// Would all of it take at most `memory` bytes?
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
 
+/// Bytes of decoded blocks that a store keeps for a moving eye: two views of the paper's light
+/// field.
+constexpr std::size_t movingCache = 1000000000;
+
 /// Reads the session's light field. Of a store that is larger than `memory` bytes the views read
-/// what they need; so many bytes of it are kept. Throws InputError, or Cancelled.
+/// what they need, and `cache` bytes of it are kept: for views that have nothing in common new
+/// memory takes longer than decoding. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress,
-                std::size_t memory = standardMemory());
+                std::size_t memory = allowedMemory(), std::size_t cache = movingCache);
 /// With nothing of the light field in memory.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
 

@@ -72,6 +72,20 @@ std::vector<Group> grouped(const std::vector<View>& views, std::size_t memory, L
   return groups;
 }
 
+/// All are kept until the last row has come.
+void checkRoom(const std::vector<View>& views) {
+  std::size_t bytes = 0;
+  for (const View& view : views) {
+    const auto [width, height] = view.state.camera.res;
+    bytes += Image::bytesPerPixel * std::size_t(width) * std::size_t(height);
+  }
+  if (bytes > machineMemory() / 2)
+    throw InputError("cameras", "their " + std::to_string(views.size()) + " pictures need " +
+                                    bytesText(bytes) + " of memory, this machine has " +
+                                    bytesText(machineMemory()) +
+                                    ": take fewer with --states, or --pack the light field");
+}
+
 void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progress& progress) {
   int current = 0;
   const auto finish = [&] {
@@ -100,6 +114,7 @@ bool mustPass(const LightFieldFile& file, std::size_t memory) {
 std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,
                                             std::size_t memory, const ParallelRows& parallelRows,
                                             const Progress& progress) {
+  checkRoom(views);
   std::vector<StatePicture> pictures(views.size());
   LensTables tables;
   std::vector<Group> groups = grouped(views, memory, tables, parallelRows, pictures, progress);

@@ -33,7 +33,7 @@ struct ReportRequest {
   std::string output;                     ///< the folder, made if missing
   std::string command;                    ///< how the report was asked for, for its page
   bool images = false;                    ///< keep every picture, too
-  std::size_t memory = standardMemory();  ///< bytes for light fields, besides the pictures
+  std::size_t memory = allowedMemory();  ///< bytes for light fields, besides the pictures
   std::optional<Scene> reference{};       ///< the session's light field, if it is in memory already
 };
 

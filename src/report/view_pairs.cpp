@@ -22,7 +22,7 @@ bool ViewPairs::passes(const Session& session) const {
 }
 
 ViewPairs::Source ViewPairs::readSource(const Session& of, const Progress& progress) const {
-  if (!passes(of)) return {loadScene(of, progress, m_memory), {}};
+  if (!passes(of)) return {loadScene(of, progress, m_memory, 0), {}};
   const auto file = openLightField(of.lightField, of.display);
   Source source{unloadedScene(of, *file), {}};
   std::vector<View> views;
