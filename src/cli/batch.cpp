@@ -56,7 +56,8 @@ class Pictures {
 
 /// From a light field in memory or in a store.
 void renderLoaded(const Session& session, const Options& options, const Progress& progress) {
-  const Scene scene = loadScene(session, part(progress, 0, 0.5));
+  const Scene scene =
+      loadScene(session, part(progress, 0, 0.5), allowedMemory(), {.threads = threadCount()});
   if (options.explain) std::cout << explanations(scene, session);
   const Pictures pictures(options);
   const vtkNew<vtkHogelViewFilter> filter;
@@ -84,10 +85,15 @@ void renderPassing(LightFieldFile& file, const Session& session, const Options& 
   const std::vector<StatePicture> made =
       picturesInPassing(file, views, allowedMemory(), parallelRows, progress);
   const Pictures pictures(options);
+  std::optional<InputError> first;
   for (std::size_t k = 0; k < made.size(); ++k) {
-    if (!made[k].problem.empty()) throw InputError(session.cameras[k].camera.name, made[k].problem);
-    pictures.write(session.cameras[k], made[k].image);
+    const std::string& problem = made[k].problem;
+    if (problem.empty())
+      pictures.write(session.cameras[k], made[k].image);
+    else if (!first)
+      first.emplace(session.cameras[k].camera.name, problem);
   }
+  if (first) throw *first;
 }
 
 int render(const Options& options) {

@@ -48,8 +48,8 @@ void announcePassing(const Session& session, std::size_t memory, const Options& 
   const auto file = openLightField(session.lightField, session.display);
   if (options.quiet || !mustPass(*file, memory)) return;
   const LightFieldSize size = file->size();
-  const std::size_t values = 3 * size.width() * size.height();
-  const std::size_t bytes = file->type() == StoredType::uint8 ? values : 2 * values;
+  const std::size_t valueBytes = memoryBytes(file->type()) / 4;
+  const std::size_t bytes = 3 * valueBytes * size.width() * size.height();
   std::cerr << "hogelscope: " << session.lightField.file << ": has " << bytesText(bytes)
             << " of pixels, " << bytesText(memory)
             << " are allowed: read from the top, all pictures made on the way";

@@ -181,7 +181,8 @@ const std::vector<Flag>& settings() {
        "light field that needs more is read from the top once, and all pictures are made on the "
        "way; of a store each view reads what it needs. --pack: for the rows of the hogel image.",
        [](Options& o, const std::string& v) {
-         o.memory = std::max<std::size_t>(1, std::size_t(1e6 * number(v, "--memory", 0.0)));
+         const double megabytes = std::clamp(number(v, "--memory", 0.0), 1e-6, 1e12);
+         o.memory = std::size_t(1e6 * megabytes);
        }},
       {"threads", "N", "Threads to work with; all by default.",
        [](Options& o, const std::string& v) { o.threads = number(v, "--threads", 1); }},

@@ -7,12 +7,6 @@
 namespace hogelscope {
 
 Image hogelPicture(const LightField& lightField, int i, int j) {
-  if (TexelStore* store = lightField.store()) {
-    Footprint hogel = lightField.slice()->footprint;
-    hogel.u[std::size_t(i)] = {0, lightField.size().du - 1};
-    hogel.v[std::size_t(j)] = {0, lightField.size().dv - 1};
-    return hogelPicture(*store->slice(hogel, {}), i, j);
-  }
   Image image(lightField.size().du, lightField.size().dv);
   auto to = image.rgb.begin();
   for (int v = 0; v < image.height; ++v) {

@@ -114,9 +114,8 @@ template void LightField::takeRow(int, int, const std::uint16_t*);
 template void LightField::takeRow(int, int, const float*);
 
 std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
-  constexpr std::array<std::size_t, 3> texelBytes{4, 8, 16};
   const BlockLayout layout(size, standardBlock);
-  return (std::size_t(layout.texels) + 1) * texelBytes[std::size_t(type)];
+  return (std::size_t(layout.texels) + 1) * memoryBytes(type);
 }
 
 Rgb LightField::texel(const TexelIndex& at) const {

@@ -87,6 +87,11 @@ struct Texel {
   T unused{};
 };
 
+/// Of a texel in memory.
+constexpr std::size_t memoryBytes(StoredType type) {
+  return std::array<std::size_t, 3>{4, 8, 16}[std::size_t(type)];
+}
+
 template <class T>
 using TexelArray = std::vector<Texel<T>, HugePageAllocator<Texel<T>>>;
 

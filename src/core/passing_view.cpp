@@ -48,8 +48,7 @@ PassingView::PassingView(const View& view, LensTables& tables, const ParallelRow
 }
 
 std::size_t PassingView::bytes() const {
-  constexpr std::array<std::size_t, 3> texelBytes{4, 8, 16};
-  return std::size_t(m_slice.texels) * texelBytes[std::size_t(m_view.lightField->type())];
+  return std::size_t(m_slice.texels) * memoryBytes(m_view.lightField->type());
 }
 
 void PassingView::begin(LensTables& tables, const ParallelRows& parallelRows) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of fewer pixels, and their way back to full size, or of fewer hogels and directions: what
-// a moving window shows.
+// Pictures of fewer pixels, and their way back to full size, or of fewer hogels and directions:
+// what a moving window shows.
 #pragma once
 
 #include "core/simulate.h"

@@ -71,22 +71,25 @@ SliceLayout layoutOf(const Footprint& footprint, const Places& places) {
   return layout;
 }
 
+Places allAtOnce(const std::vector<CellRange>& v) {
+  Places places;
+  for (const CellRange& range : v) {
+    places.begin.push_back(places.rows);
+    places.rows += range.size();
+  }
+  return places;
+}
+
 }  // namespace
 
 SliceLayout sliceLayout(const Footprint& footprint) {
-  Places places;
-  for (const CellRange& v : footprint.v) {
-    places.begin.push_back(places.rows);
-    places.rows += v.size();
-  }
-  return layoutOf(footprint, places);
+  return layoutOf(footprint, allAtOnce(footprint.v));
 }
 
 SliceLayout rollingLayout(const Footprint& footprint, const std::vector<int>& lastUse) {
+  const Places whole = allAtOnce(footprint.v);
   const Places places = ring(footprint.v, lastUse);
-  SliceLayout whole = sliceLayout(footprint);
-  if (places.rows * whole.width >= whole.texels) return whole;
-  return layoutOf(footprint, places);
+  return layoutOf(footprint, places.rows < whole.rows ? places : whole);
 }
 
 }  // namespace hogelscope

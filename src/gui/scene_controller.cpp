@@ -22,10 +22,14 @@ namespace {
 /// should.
 VtkPicture hogelPictureOf(const LightField& lightField, int i, int j) {
   if (lightField.store() == nullptr) return vtkPicture(hogelPicture(lightField, i, j), {0, 0, 0});
-  const auto small = lightField.store()->overview();
-  const int smallI = i * small->size().nx / lightField.size().nx;
-  const int smallJ = j * small->size().ny / lightField.size().ny;
-  return vtkPicture(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
+  try {
+    const auto small = lightField.store()->overview();
+    const int smallI = i * small->size().nx / lightField.size().nx;
+    const int smallJ = j * small->size().ny / lightField.size().ny;
+    return vtkPicture(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
+  } catch (const InputError&) {  // it is damaged: the simulated view says so
+    return vtkPicture(Image(1, 1), {0, 0, 0});
+  }
 }
 
 }  // namespace

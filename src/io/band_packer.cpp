@@ -93,8 +93,8 @@ void BandPacker::work() {
     TileCompressor compressor(m_header.type);
     while (const std::optional<Strip> strip = nextStrip()) {
       const TileBytes tiles = compressed(*strip, compressor);
-      release(*strip);
       write(*strip, tiles);
+      release(*strip);  // only now: what waits for its turn is not more than the rows it is made of
     }
   } catch (...) {
     const std::lock_guard lock(m_mutex);

@@ -247,6 +247,8 @@ DecodedPage readPage(const PositionedFile& file, std::uint64_t directoryAt) {
   result.page.countsAt = directory.entry(tileByteCounts, longInt, tiles).valueAt;
   result.description = directory.description();
   result.link = directory.link();
+  // Ours follow each other; a chain that goes back would have no end.
+  if (result.link.next != 0 && result.link.next <= directoryAt) directory.refuse();
   return result;
 }
 

@@ -84,7 +84,8 @@ class HogelImage : public LightFieldFile {
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField lightField = blankLightField(m_size, m_image.type(), m_params.file);
+    LightField lightField =
+        blankLightField(m_size, m_image.type(), m_params.file, ": --pack it, and use the store");
     const auto target = [this](int x, int y) {
       return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
     };
@@ -224,24 +225,25 @@ std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
 
 }  // namespace
 
-LightField blankLightField(const LightFieldSize& size, StoredType type, const fs::path& file) {
+LightField blankLightField(const LightFieldSize& size, StoredType type, const fs::path& file,
+                           const std::string& hint) {
   try {
     checkFits(LightField::bytes(size, type), file);
     return {size, type};
   } catch (const std::length_error&) {
-    throw InputError(
-        file.string(), "size",
-        "is more than 2^32 directional pixels in memory: --pack it, and use the store");
+    throw InputError(file.string(), "size",
+                     "is more than 2^32 directional pixels in memory" + hint);
   }
 }
 
 void LightFieldFile::stream(const HogelRow& row, const Progress& progress) {
-  const LightField whole = read(progress);
+  const LightField whole = read(part(progress, 0, 0.5));
   const auto [nx, ny, du, dv] = size();
   std::visit(
       [&, nx = nx, ny = ny, du = du, dv = dv](const auto& texels) {
         std::vector<std::decay_t<decltype(texels[0].r)>> rgb(3 * size().width());
-        for (int j = 0; j < ny; ++j)
+        for (int j = 0; j < ny; ++j) {
+          advance(progress, 0.5 + 0.5 * j / ny);
           for (int v = 0; v < dv; ++v) {
             for (int x = 0; x < nx * du; ++x) {
               const auto& [r, g, b, unused] =
@@ -251,6 +253,7 @@ void LightFieldFile::stream(const HogelRow& row, const Progress& progress) {
             }
             row(j, v, rgb.data());
           }
+        }
       },
       whole.texels());
 }
@@ -333,14 +336,14 @@ bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
 }
 
 Scene loadScene(const Session& session, const Progress& progress, std::size_t memory,
-                std::size_t cache) {
+                const StoreUse& use) {
   const auto file = openLightField(session.lightField, session.display);
   Scene scene = unloadedScene(session, *file);
   if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
     scene.lightField = std::make_shared<const LightField>(
         file->size(), file->type(),
         std::make_shared<LightFieldStore>(session.lightField.file, session.lightField.incoming,
-                                          std::min(memory, cache)));
+                                          std::min(memory, use.cache), use.threads));
   else
     scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/display.h"
@@ -35,9 +36,9 @@ class LightFieldFile {
 };
 
 /// A black one, to be filled. Throws InputError that names the file where the machine's memory is
-/// too small.
+/// too small; `hint` says what to do then.
 LightField blankLightField(const LightFieldSize& size, StoredType type,
-                           const std::filesystem::path& file);
+                           const std::filesystem::path& file, const std::string& hint = {});
 
 /// Throws InputError that names the file: missing, damaged, or not the display's size.
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
@@ -62,15 +63,18 @@ void allowMemory(std::size_t bytes) noexcept;
 /// Would all of it take at most `memory` bytes?
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
 
-/// Bytes of decoded blocks that a store keeps for a moving eye: two views of the paper's light
-/// field.
-constexpr std::size_t movingCache = 1000000000;
+/// How views fetch what they need of a store.
+struct StoreUse {
+  /// Bytes of decoded blocks that are kept, for an eye that moves: two views of the paper's light
+  /// field. For views that have nothing in common new memory takes longer than decoding.
+  std::size_t cache = 1000000000;
+  int threads = 0;  ///< for each view; 0 = all
+};
 
-/// Reads the session's light field. Of a store that is larger than `memory` bytes the views read
-/// what they need, and `cache` bytes of it are kept: for views that have nothing in common new
-/// memory takes longer than decoding. Throws InputError, or Cancelled.
+/// Reads the session's light field, or opens it where it is a store that is larger than `memory`
+/// bytes. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress,
-                std::size_t memory = allowedMemory(), std::size_t cache = movingCache);
+                std::size_t memory = allowedMemory(), const StoreUse& use = {});
 /// With nothing of the light field in memory.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
 

@@ -95,7 +95,9 @@ class LightFieldStore::Reader {
       m_bytes.resize(m_file.readSome(at, m_bytes));
       m_bytesAt = at;
     }
-    return std::span(m_bytes).subspan(at - m_bytesAt, count);
+    // A file that became shorter meanwhile gives less, which does not decompress.
+    const std::size_t from = std::min<std::size_t>(at - m_bytesAt, m_bytes.size());
+    return std::span(m_bytes).subspan(from, std::min<std::size_t>(count, m_bytes.size() - from));
   }
 
   const PositionedFile& m_file;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a view needs of a store: the blocks that its footprint touches, and their texels.
 #include <algorithm>
+#include <stdexcept>
 
+#include "core/error.h"
+#include "core/report.h"
 #include "io/light_field_store.h"
 #include "io/tile_codec.h"
 
@@ -73,6 +76,11 @@ std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footpr
                                                          const Progress& progress) {
   if (const auto last = lastSlice(); last && last->slice()->footprint.covers(footprint))
     return last;
+  if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
+      bytes > double(allowedMemory()))
+    throw InputError("--memory", "a view needs " + bytesText(std::size_t(bytes)) +
+                                     " of the light field, " + bytesText(allowedMemory()) +
+                                     " are allowed");
   auto target = std::make_shared<LightField>(m_header.size, m_header.type, sliceLayout(footprint));
   const Footprint inFile = stored(footprint);
   const std::vector<BlockIndex> wanted = blocksOf(m_header, inFile);
@@ -82,7 +90,7 @@ std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footpr
         placeSlice(wanted[k], texels, inFile, *target);
       },
       progress);
-  // A texel or a hogel that somebody asks about does not replace a view.
+  // A texel that somebody asks about does not replace a view.
   constexpr std::size_t leastOfView = std::size_t{1} << 20;
   if (footprint.texels() >= leastOfView) {
     const std::lock_guard lock(m_sliceMutex);

@@ -28,6 +28,9 @@ int powerOfTwo(int cells, int most) {
   return std::min(most, int(std::bit_ceil(unsigned(cells))));
 }
 
+/// 64 MB of 8-bit ones.
+constexpr double mostOverviewTexels = 16e6;
+
 std::array<int, 4> listOf(const BlockIndex& block) {
   return {block.i, block.j, block.u, block.v};
 }
@@ -68,6 +71,8 @@ StoreHeader readHeader(const Json& object) {
     throw InputError("block", "is not of 64×64 pixels");
   if (ox > nx || oy > ny || ou > du || ov > dv)
     throw InputError("overview", "is larger than the light field");
+  if (double(header.overview.width()) * double(header.overview.height()) > mostOverviewTexels)
+    throw InputError("overview", "is too large");
   header.type = readType(object);
   header.source = object.at("source").get<std::string>();
   if (object.contains("display")) {
@@ -99,14 +104,13 @@ BlockIndex blockFor(const LightFieldSize& size, int hogelRows) {
 
 LightFieldSize overviewSize(const LightFieldSize& size, StoredType type) {
   constexpr int mostDirections = 32;
-  constexpr double mostBytes = 64e6;
   constexpr double share = 1.0 / 8;
-  constexpr std::array<double, 3> inMemory{4, 8, 16};
   LightFieldSize shown = size;
   shown.du = std::min(size.du, mostDirections);
   shown.dv = std::min(size.dv, mostDirections);
-  const double texels = std::min(mostBytes / inMemory[std::size_t(type)],
-                                 share * double(size.width()) * double(size.height()));
+  const double texels =
+      std::min(mostOverviewTexels * memoryBytes(StoredType::uint8) / double(memoryBytes(type)),
+               share * double(size.width()) * double(size.height()));
   const double wanted = double(shown.width()) * double(shown.height());
   const double scale = std::min(1.0, std::sqrt(texels / wanted));
   shown.nx = std::max(1, int(size.nx * scale));

@@ -156,14 +156,19 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
 
 void pack(LightFieldFile& file, const PackPlan& plan, const fs::path& output, int threads,
           const Progress& progress) {
+  std::error_code none;
+  for (const fs::path& path : file.files())
+    if (fs::equivalent(path, output, none))
+      throw InputError(output.string(), "cannot be written", "it is the light field itself");
   checkRoom(output, plan.sourceBytes);
   StoreOutput store(output, plan.header);
   const int pages = plan.header.blocks().j;
   if (store.pages() <= pages) {
     constexpr double reading = 0.98;  // of the whole; the rest is the last band's packing
     OverviewTaker overview(plan.header);
-    const int workers = threads > 0 ? threads : int(std::thread::hardware_concurrency());
-    BandPacker packer(plan.header, plan.rows, std::max(workers, 1), store);
+    const int cores = std::max(1, int(std::thread::hardware_concurrency()));
+    BandPacker packer(plan.header, plan.rows, threads > 0 ? std::min(threads, cores) : cores,
+                      store);
     const auto take = [&](int j, int v, const auto* rgb) {
       overview.take(j, v, reinterpret_cast<const std::byte*>(rgb));
       packer.take(j, v, rgb);

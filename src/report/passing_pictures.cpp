@@ -118,6 +118,7 @@ std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vec
   std::vector<StatePicture> pictures(views.size());
   LensTables tables;
   std::vector<Group> groups = grouped(views, memory, tables, parallelRows, pictures, progress);
+  std::erase_if(groups, [](Group& group) { return group.passengers().empty(); });
   for (std::size_t g = 0; g < groups.size(); ++g) {
     for (const Passenger& passenger : groups[g].passengers())
       passenger.view->begin(tables, parallelRows);

@@ -22,7 +22,8 @@ bool mustPass(const LightFieldFile& file, std::size_t memory);
 
 /// The views' light field has nothing in memory. At most `memory` bytes are taken besides the
 /// pictures and one hogel row of the file; where that is too little for all views the file is read
-/// more than once. Throws InputError (damaged file, one view alone needs more), Cancelled.
+/// more than once, and a view that alone needs more has a problem. Throws InputError (damaged
+/// file, pictures that the machine's memory cannot hold), Cancelled.
 std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,
                                             std::size_t memory, const ParallelRows& parallelRows,
                                             const Progress& progress);

@@ -30,11 +30,11 @@ struct ReportRequest {
   Session session;  ///< its states are rendered; its tolerance is left aside
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
-  std::string output;                     ///< the folder, made if missing
-  std::string command;                    ///< how the report was asked for, for its page
-  bool images = false;                    ///< keep every picture, too
+  std::string output;                    ///< the folder, made if missing
+  std::string command;                   ///< how the report was asked for, for its page
+  bool images = false;                   ///< keep every picture, too
   std::size_t memory = allowedMemory();  ///< bytes for light fields, besides the pictures
-  std::optional<Scene> reference{};       ///< the session's light field, if it is in memory already
+  std::optional<Scene> reference{};      ///< the session's light field, if it is in memory already
 };
 
 /// Who follows the run. Each may be empty; all are called from several threads, one at a time.

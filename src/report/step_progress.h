@@ -19,7 +19,7 @@ class StepProgress {
   void finish(double steps = 1);
   /// Within steps, which take part in nothing: may be called often, from every thread.
   [[nodiscard]] Progress within();
-  /// Of one step that is done on one thread: moves on while the step does.
+  /// Of one step: moves on while the step does.
   [[nodiscard]] Progress of(double steps);
 
  private:

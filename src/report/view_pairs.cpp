@@ -7,6 +7,8 @@
 #include <future>
 #include <new>
 
+#include "vtk/parallel_rows.h"
+
 namespace hogelscope {
 
 ViewPairs::ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin,
@@ -22,7 +24,8 @@ bool ViewPairs::passes(const Session& session) const {
 }
 
 ViewPairs::Source ViewPairs::readSource(const Session& of, const Progress& progress) const {
-  if (!passes(of)) return {loadScene(of, progress, m_memory, 0), {}};
+  if (!passes(of))
+    return {loadScene(of, progress, m_memory, {0, m_tables.size() > 1 ? 1 : threadCount()}), {}};
   const auto file = openLightField(of.lightField, of.display);
   Source source{unloadedScene(of, *file), {}};
   std::vector<View> views;
