@@ -66,6 +66,7 @@ class TestStoreDamage : public QObject {
   void everyTruncationIsRefused();
   void strangeFiles_data();
   void strangeFiles();
+  void aCircleOfPagesIsRefused();
   void strangeDescriptions_data();
   void strangeDescriptions();
   void anyFlippedByteIsSurvived();
@@ -131,6 +132,24 @@ void TestStoreDamage::strangeFiles() {
   writeFile("s.tif", content);
   QCOMPARE(errorOf([] { LightFieldStore store("s.tif"); }), line);
   QVERIFY(!LightFieldStore::isStore("s.tif"));
+}
+
+/// Neither a reader nor a pack that goes on follows it for ever.
+void TestStoreDamage::aCircleOfPagesIsRefused() {
+  writeFile("s.tif", m_bytes);
+  QByteArray changed = m_bytes;
+  {
+    const PositionedFile file("s.tif");
+    const std::uint64_t first = firstLink(file).next;
+    const TiffLink link = readPage(file, first).link;
+    std::memcpy(changed.data() + link.nextAt, &first, sizeof(first));
+  }
+  writeFile("s.tif", changed);
+  const QString error = errorOf([] { LightFieldStore store("s.tif"); });
+  QCOMPARE(error, "s.tif: is damaged: a page of it is not a store's");
+  writeFile("again.tif.part", changed);
+  packTo("again.tif");
+  QVERIFY(contentOf("again.tif") == m_bytes);
 }
 
 void TestStoreDamage::strangeDescriptions_data() {
