@@ -39,7 +39,7 @@ void inPieces(std::size_t count, std::size_t piece, int threads, const Progress&
       if (!thrown) thrown = std::current_exception();
     }
   };
-  advance(progress, 0);  // the others may leave nothing for this thread
+  advance(progress, 0.0);  // the others may leave nothing for this thread
   const std::size_t useful = (count + piece - 1) / piece;
   std::vector<std::jthread> others;
   for (std::size_t k = 1; k < std::min(useful, std::size_t(threads)); ++k)
