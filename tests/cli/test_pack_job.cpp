@@ -244,12 +244,12 @@ void TestPackJob::refusals_data() {
                      "--set",    "display.hogels=[40,40]",
                      "--set",    "display.directions=[16,16]"}
       << QByteArray(".: cannot be written: it is there, and is not a file");
-  QTest::newRow("onto itself")
-      << QStringList{"--pack",   "a.png",
-                     "--output", "./a.png",
-                     "--set",    "display.hogels=[40,40]",
-                     "--set",    "display.directions=[16,16]"}
-      << QByteArray("./a.png: cannot be written: it is the light field itself");
+  QTest::newRow("onto itself") << QStringList{"--pack",   "a.png",
+                                              "--output", "./a.png",
+                                              "--set",    "display.hogels=[40,40]",
+                                              "--set",    "display.directions=[16,16]"}
+                               << QByteArray(
+                                      "./a.png: cannot be written: it is the light field itself");
 }
 
 void TestPackJob::refusals() {
