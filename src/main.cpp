@@ -12,7 +12,7 @@
 #include "cli/progress_bar.h"
 #include "core/error.h"
 #include "gui/application.h"
-#include "io/light_field_file.h"
+#include "io/machine.h"
 
 namespace {
 

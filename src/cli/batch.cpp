@@ -19,7 +19,7 @@
 #include "cli/tradeoff_job.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/image_file.h"
+#include "io/image_writer.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
 #include "report/passing_pictures.h"
@@ -102,7 +102,7 @@ int render(const Options& options) {
   const auto file = openLightField(session.lightField, session.display);
   makeFolder(options.output);
   const bool isPassing = mustPass(*file, allowedMemory());
-  announcePassing(session, allowedMemory(), options);
+  announcePassing(*file, allowedMemory(), options);
   ProgressBar bar("rendering", options.quiet);
   if (isPassing)
     renderPassing(*file, session, options, bar.progress());

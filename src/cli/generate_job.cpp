@@ -2,6 +2,8 @@
 // --generate: one row of hogels is made while the last one is written.
 #include "cli/generate_job.h"
 
+#include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <future>
 #include <iostream>
@@ -9,9 +11,11 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "core/pattern.h"
+#include "core/report.h"
 #include "io/atomic_file.h"
 #include "io/degradation.h"
-#include "io/image_file.h"
+#include "io/image_writer.h"
+#include "io/machine.h"
 #include "io/pattern_params.h"
 #include "io/session_file.h"
 #include "vtk/parallel_rows.h"
@@ -20,7 +24,13 @@ namespace hogelscope {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Band = std::vector<std::uint8_t>;
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 Band bandOf(const Pattern& pattern, const LightFieldSize& size, int j,
             const Degradation& degradation) {
@@ -37,6 +47,47 @@ Band bandOf(const Pattern& pattern, const LightFieldSize& size, int j,
 void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes) {
   for (std::size_t at = 0; at < band.size(); at += rowBytes)
     writer.write({band.data() + at, rowBytes});
+}
+
+/// Of the whole, by a few rows of hogels.
+struct Cost {
+  double seconds = 0;
+  double bytes = 0;  ///< on the disk
+};
+
+Cost estimate(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
+              const fs::path& file, const Progress& progress) {
+  constexpr int sampled = 4;
+  ImageRowWriter writer(file, size.width(), std::size_t(sampled * size.dv));
+  double making = 0;
+  double writing = 0;
+  for (int k = 0; k < sampled; ++k) {
+    advance(progress, k / double(sampled));
+    Clock::time_point start = Clock::now();
+    const Band band = bandOf(pattern, size, (2 * k + 1) * size.ny / (2 * sampled), degradation);
+    making += secondsSince(start);
+    start = Clock::now();
+    writeBand(writer, band, 3 * size.width());
+    writing += secondsSince(start);
+  }
+  const auto bytes = double(writer.discard());
+  const double whole = double(size.ny) / sampled;
+  return {whole * std::max(writing, making + writing / threadCount()), whole * bytes};
+}
+
+/// Before a long wait: what it will take, unless the disk has not that much.
+void announce(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
+              const Options& options) {
+  constexpr std::size_t largeBytes = 1000000000;
+  if (3 * size.width() * size.height() < largeBytes) return;
+  ProgressBar bar("estimating", options.quiet);
+  const Cost cost = estimate(pattern, size, degradation, options.output, bar.progress());
+  bar.done();
+  checkRoomOnDisk(options.output, std::uint64_t(cost.bytes));
+  if (!options.quiet)
+    std::cout << size.width() << "×" << size.height() << " px, on the disk about "
+              << bytesText(std::size_t(cost.bytes)) << ", " << std::ceil(cost.seconds / 60)
+              << " min" << std::endl;
 }
 
 void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
@@ -68,10 +119,11 @@ int generateJob(const Options& options) {
   Degradation degradation;
   if (!options.degrade.empty()) degradation = parseDegradation(options.degrade);
   if (options.seed) degradation.seed = *options.seed;
-  if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())
+  if (const auto folder = fs::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};
+  announce(*pattern, size, degradation, options);
   ProgressBar bar("generating", options.quiet);
   writeAll(*pattern, size, degradation, options.output, bar.progress());
   bar.done();

@@ -44,13 +44,12 @@ Session loadSelected(const Options& options) {
   return session;
 }
 
-void announcePassing(const Session& session, std::size_t memory, const Options& options) {
-  const auto file = openLightField(session.lightField, session.display);
-  if (options.quiet || !mustPass(*file, memory)) return;
-  const LightFieldSize size = file->size();
-  const std::size_t valueBytes = memoryBytes(file->type()) / 4;
+void announcePassing(const LightFieldFile& file, std::size_t memory, const Options& options) {
+  if (options.quiet || !mustPass(file, memory)) return;
+  const LightFieldSize size = file.size();
+  const std::size_t valueBytes = memoryBytes(file.type()) / 4;
   const std::size_t bytes = 3 * valueBytes * size.width() * size.height();
-  std::cerr << "hogelscope: " << session.lightField.file << ": has " << bytesText(bytes)
+  std::cerr << "hogelscope: " << file.files().front().string() << ": has " << bytesText(bytes)
             << " of pixels, " << bytesText(memory)
             << " are allowed: read from the top, all pictures made on the way";
   // Of a plain PNG on one core, measured: ARCHITECTURE.md.

@@ -6,6 +6,7 @@
 
 #include "cli/options.h"
 #include "core/session.h"
+#include "io/light_field_file.h"
 
 namespace hogelscope {
 
@@ -13,8 +14,8 @@ namespace hogelscope {
 /// Throws InputError.
 Session loadSelected(const Options& options);
 
-/// Tells before the wait, unless --quiet, that a light field is too large for `memory` and will be
+/// Tells before the wait, unless --quiet, where a light field is too large for `memory` and will be
 /// read from the top, and about how long that takes.
-void announcePassing(const Session& session, std::size_t memory, const Options& options);
+void announcePassing(const LightFieldFile& file, std::size_t memory, const Options& options);
 
 }  // namespace hogelscope

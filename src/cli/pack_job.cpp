@@ -9,6 +9,7 @@
 #include "cli/progress_bar.h"
 #include "core/report.h"
 #include "io/atomic_file.h"
+#include "io/machine.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
 
@@ -43,9 +44,10 @@ std::string shapeText(const StoreHeader& header) {
 int packJob(const Options& options) {
   const auto [session, isDisplayGiven] = contentOf(options);
   const auto file = openLightField(session.lightField, session.display);
+  const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // the reader's half
   const PackPlan plan =
       planPack(session.lightField, *file,
-               isDisplayGiven ? std::optional(session.display) : std::nullopt, allowedMemory());
+               isDisplayGiven ? std::optional(session.display) : std::nullopt, memory);
   if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);
   if (!options.quiet)

@@ -90,9 +90,11 @@ int reportJob(const Options& options) {
   request.output = options.output;
   request.command = options.commandLine;
   request.images = options.images;
-  announcePassing(request.session, request.memory / 2, options);
-  for (const ReportTest& test : request.tests)
-    announcePassing(test.session, request.memory / 2, options);
+  const auto announce = [&](const Session& of) {
+    announcePassing(*openLightField(of.lightField, of.display), request.memory / 2, options);
+  };
+  announce(request.session);
+  for (const ReportTest& test : request.tests) announce(test.session);
   const Report report = made(request, options);
   if (!options.quiet) {
     const fs::path folder = options.output;

@@ -44,7 +44,7 @@ std::size_t addState(Session& session, CameraState state) {
 
 std::size_t duplicateState(Session& session, std::size_t index) {
   const std::size_t last = addState(session, session.cameras.at(index));
-  moveState(session, last, index + 1);
+  moveStates(session, {last}, index + 1);
   return index + 1;
 }
 
@@ -55,16 +55,6 @@ void removeStates(Session& session, const std::vector<std::size_t>& indices) {
   if (left.empty())
     throw InputError("cameras", "would have no state left, and a session needs one");
   session.cameras = std::move(left);
-}
-
-void moveState(Session& session, std::size_t from, std::size_t to) {
-  const auto first = session.cameras.begin();
-  const auto at = first + std::ptrdiff_t(from);
-  const auto target = first + std::ptrdiff_t(to);
-  if (from < to)
-    std::rotate(at, at + 1, target + 1);
-  else
-    std::rotate(target, at, at + 1);
 }
 
 void moveStates(Session& session, const std::vector<std::size_t>& indices, std::size_t before) {

@@ -18,8 +18,6 @@ std::size_t addState(Session& session, CameraState state);
 std::size_t duplicateState(Session& session, std::size_t index);
 /// By their indices. Throws InputError for all of them.
 void removeStates(Session& session, const std::vector<std::size_t>& indices);
-/// `to` is its index afterwards.
-void moveState(Session& session, std::size_t from, std::size_t to);
 /// Those at `indices` come to stand together, in their order, before the one that is at `before`
 /// now; their number is the end.
 void moveStates(Session& session, const std::vector<std::size_t>& indices, std::size_t before);

@@ -10,7 +10,7 @@
 #include "gui/reading_bar.h"
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
-#include "io/image_file.h"
+#include "io/image_writer.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {

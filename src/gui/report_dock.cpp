@@ -24,7 +24,7 @@
 
 #include "core/summary_page.h"
 #include "gui/file_dialogs.h"
-#include "gui/picture_view.h"
+#include "gui/report_pictures.h"
 #include "gui/report_table.h"
 #include "gui/report_worker.h"
 #include "gui/session_forms.h"
@@ -59,7 +59,8 @@ ReportDock::ReportDock(QWidget* parent)
       m_progress(new QProgressBar),
       m_note(new QLabel),
       m_stale(new QLabel(tr("The session has been edited since this report was made."))),
-      m_rows(new QTableView) {
+      m_rows(new QTableView),
+      m_pictures(new ReportPictures) {
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
   m_rows->setObjectName("reportTable");
@@ -78,7 +79,7 @@ ReportDock::ReportDock(QWidget* parent)
   auto* parts = new QSplitter;
   parts->addWidget(makeSettings());
   parts->addWidget(m_rows);
-  parts->addWidget(makePictures());
+  parts->addWidget(m_pictures);
   parts->setSizes({280, 420, 800});
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
@@ -135,33 +136,6 @@ QWidget* ReportDock::makeSettings() {
   return area;
 }
 
-/// Zoomed and panned together.
-QWidget* ReportDock::makePictures() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const char* name, const QString& title) {
-    auto* view = new PictureView;
-    view->setObjectName(name);
-    view->setHint(title);
-    view->setMinimumSize(90, 90);
-    auto* column = new QVBoxLayout;
-    auto* caption = new QLabel(title);
-    m_captions[std::size_t(layout->count())] = caption;
-    column->addWidget(caption);
-    column->addWidget(view, 1);
-    layout->addLayout(column, 1);
-    return view;
-  };
-  m_referencePicture = add("reportReference", tr("Reference"));
-  m_testPicture = add("reportTest", tr("Test"));
-  m_differencePicture = add("reportDifference", tr("Difference"));
-  m_differencePicture->setMode(PictureView::Mode::difference);
-  m_testPicture->linkTo(*m_referencePicture);
-  m_differencePicture->linkTo(*m_referencePicture);
-  return row;
-}
-
 void ReportDock::connectAll() {
   connect(m_makeButton, &QPushButton::clicked, this, &ReportDock::makeOrStop);
   connect(m_pageButton, &QPushButton::clicked, this, &ReportDock::openPage);
@@ -207,7 +181,7 @@ void ReportDock::forget() {
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
-  clearPictures();
+  m_pictures->clear();
   tellPsnr();
   if (!m_isAtWork) showIdle();
 }
@@ -283,7 +257,7 @@ void ReportDock::start() {
   if (m_request.reference) m_request.reference->sampling.tolerance = 0;
   m_table->begin(m_request.session.cameras.size() * m_tests.size());
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
-  clearPictures();
+  m_pictures->clear();
   m_test = 0;
   tellPsnr();
   m_isAtWork = true;
@@ -352,33 +326,18 @@ void ReportDock::showChosen() {
   m_model->setCurrentIndex(*row / m_tests.size());
 }
 
-void ReportDock::clearPictures() {
-  for (PictureView* view : {m_referencePicture, m_testPicture, m_differencePicture})
-    view->setImages({});
-  showCaptions({});
-}
-
-/// Which state's pictures they are; "" for none.
-void ReportDock::showCaptions(const QString& state) {
-  const std::array titles{tr("Reference"), tr("Test"), tr("Difference")};
-  for (std::size_t k = 0; k < titles.size(); ++k)
-    m_captions[k]->setText(state.isEmpty() ? titles[k] : titles[k] + ": " + state);
-}
-
 void ReportDock::showPictures(std::size_t index) {
   const std::optional<ReportRow>& row = m_table->row(index);
+  if (!row) return m_pictures->clear();
   QImage reference;
   QImage test;
-  if (row && row->problem.empty()) {
+  if (row->problem.empty()) {
     const QString folder = QString::fromStdString(m_request.output);
     const QString name = "/" + QString::fromStdString(row->state) + ".png";
     reference.load(folder + "/reference" + name);
     test.load(folder + "/test" + QString::number(index % m_tests.size() + 1) + name);
   }
-  showCaptions(row ? QString::fromStdString(row->state) : QString());
-  m_referencePicture->setImages(reference);
-  m_testPicture->setImages(test);
-  m_differencePicture->setImages(reference, test);
+  m_pictures->setPictures(QString::fromStdString(row->state), reference, test);
 }
 
 void ReportDock::chooseState(std::size_t state) {

@@ -5,7 +5,6 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
-#include <array>
 
 #include "report/report_run.h"
 
@@ -19,7 +18,7 @@ class QTableView;
 
 namespace hogelscope {
 
-class PictureView;
+class ReportPictures;
 class ReportTable;
 class ReportWorker;
 class SessionModel;
@@ -47,7 +46,6 @@ class ReportDock : public QWidget {
   void noteEdits();
   void chooseState(std::size_t state);
   QWidget* makeSettings();
-  QWidget* makePictures();
   void connectAll();
   void askTest();
   void askTestFolder();
@@ -61,8 +59,6 @@ class ReportDock : public QWidget {
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
   void showPictures(std::size_t index);
-  void clearPictures();
-  void showCaptions(const QString& state);
   void tellPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
 
@@ -82,10 +78,7 @@ class ReportDock : public QWidget {
   QLabel* m_note;
   QLabel* m_stale;  ///< shown while the session is not what the rows are of
   QTableView* m_rows;
-  std::array<QLabel*, 3> m_captions{};
-  PictureView* m_referencePicture;
-  PictureView* m_testPicture;
-  PictureView* m_differencePicture;
+  ReportPictures* m_pictures;
   QElapsedTimer m_clock;
   bool m_isAtWork = false;
 };

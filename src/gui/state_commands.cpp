@@ -64,7 +64,7 @@ void StateCommands::addListEntries() {
       [this] {
         change(tr("Move state"), [](Session& session, std::size_t index) {
           const std::size_t to = index > 0 ? index - 1 : 0;
-          moveState(session, index, to);
+          moveStates(session, {index}, to);
           return to;
         });
       });
@@ -73,7 +73,7 @@ void StateCommands::addListEntries() {
       [this] {
         change(tr("Move state"), [](Session& session, std::size_t index) {
           const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
-          moveState(session, index, to);
+          moveStates(session, {index}, to + 1);
           return to;
         });
       });

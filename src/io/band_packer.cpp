@@ -17,15 +17,24 @@ BandPacker::BandPacker(const StoreHeader& header, std::size_t rows, int threads,
     : m_header(header),
       m_blocks(header.blocks()),
       m_output(output),
-      m_rowBytes(header.size.width() * texelBytes(header.type)),
+      m_rowBytes(header.size.width() * pixelBytes(header.type)),
       m_firstPage(output.pages()),
       m_memory(std::make_unique_for_overwrite<std::byte[]>(rows * m_rowBytes)),
       m_turn(long(m_firstPage) * m_blocks.v) {
   for (std::size_t k = rows; k-- > 0;) m_free.push_back(&m_memory[k * m_rowBytes]);
-  for (int k = 0; k < threads; ++k) m_threads.emplace_back([this] { work(); });
+  try {
+    for (int k = 0; k < threads; ++k) m_threads.emplace_back([this] { work(); });
+  } catch (...) {
+    stop();  // those that there are would wait for ever
+    throw;
+  }
 }
 
 BandPacker::~BandPacker() {
+  stop();
+}
+
+void BandPacker::stop() {
   {
     const std::lock_guard lock(m_mutex);
     m_isStopped = true;
@@ -118,14 +127,13 @@ std::vector<std::byte*> BandPacker::rowsOf(const Strip& strip) const {
 TileBytes BandPacker::compressed(const Strip& strip, TileCompressor& compressor) const {
   const auto [bi, bj, bu, bv] = m_header.block;
   const std::vector<std::byte*> rows = rowsOf(strip);
-  const std::vector<const std::byte*> constRows(rows.begin(), rows.end());
-  std::vector<std::byte> tile(std::size_t(tileSide) * tileSide * texelBytes(m_header.type));
+  std::vector<std::byte> tile(std::size_t(tileSide) * tileSide * pixelBytes(m_header.type));
   TileBytes tiles;
   for (int i = 0; i < m_header.size.nx; i += bi)
     for (int u = 0; u < m_header.size.du; u += bu) {
       const BlockCut cut{i, std::min(bi, m_header.size.nx - i), u,
                          std::min(bu, m_header.size.du - u)};
-      gatherBlock(m_header, cut, constRows, tile);
+      gatherBlock(m_header, cut, rows, tile);
       compressor.add(tile, tiles);
     }
   return tiles;

@@ -45,6 +45,7 @@ class BandPacker {
     int v = 0;
   };
 
+  void stop();
   void work();
   std::optional<Strip> nextStrip();
   TileBytes compressed(const Strip& strip, TileCompressor& compressor) const;

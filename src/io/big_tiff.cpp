@@ -186,7 +186,7 @@ StoredType typeOf(const DirectoryReader& directory) {
 
 }  // namespace
 
-std::size_t texelBytes(StoredType type) {
+std::size_t pixelBytes(StoredType type) {
   constexpr std::array<std::size_t, 3> bytes{3, 6, 12};
   return bytes[std::size_t(type)];
 }
@@ -204,7 +204,7 @@ EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& 
   DirectoryWriter directory(at);  // tags in ascending order
   directory.add(imageWidth, page.tilesAcross * tileSide);
   directory.add(imageLength, page.tilesDown * tileSide);
-  directory.addForEachChannel(bitsPerSample, std::uint16_t(texelBytes(page.type) * 8 / 3));
+  directory.addForEachChannel(bitsPerSample, std::uint16_t(pixelBytes(page.type) * 8 / 3));
   directory.add(compression, zstdCompression);
   directory.add(photometric, rgbPhotometric);
   if (!description.empty())

@@ -12,9 +12,12 @@
 namespace hogelscope {
 
 inline constexpr std::uint32_t tileSide = 64;  ///< px
+constexpr std::uint32_t tilesAlong(std::size_t pixels) {
+  return std::uint32_t((pixels + tileSide - 1) / tileSide);
+}
 
-/// Bytes of one pixel.
-std::size_t texelBytes(StoredType type);
+/// Bytes of one pixel in the file.
+std::size_t pixelBytes(StoredType type);
 
 /// Calls work(T{}) with the type of its values.
 template <class Work>
@@ -38,7 +41,7 @@ struct TiffPage {
 
   [[nodiscard]] std::uint64_t tiles() const { return std::uint64_t(tilesAcross) * tilesDown; }
   [[nodiscard]] std::size_t tileBytes() const {
-    return std::size_t(tileSide) * tileSide * texelBytes(type);
+    return std::size_t(tileSide) * tileSide * pixelBytes(type);
   }
 };
 

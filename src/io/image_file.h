@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files, through OpenImageIO: reading any, writing ours.
+// Picture files of any format, read from the top.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/image.h"
 #include "core/light_field.h"
 #include "core/progress.h"
 
@@ -50,43 +47,6 @@ class ImageFile {
   struct Input;
   std::filesystem::path m_file;
   std::unique_ptr<Input> m_input;
-};
-
-/// Bytes.
-std::size_t machineMemory();
-/// Throws InputError where `bytes` are more than this machine's memory.
-void checkFits(std::size_t bytes, const std::filesystem::path& file);
-
-/// 8-bit RGB. Format by extension.
-void writeImage(const std::filesystem::path& file, int width, int height,
-                std::span<const std::uint8_t> rgb);
-/// The same as a PNG file's bytes.
-std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb);
-/// Named planes of width·height floats each; EXR.
-void writePlanes(const std::filesystem::path& file, int width, int height,
-                 const std::vector<std::pair<std::string, std::vector<float>>>& planes);
-/// Code values: EXR keeps them as floats /255, TIFF rounds them to 16 bits.
-void writeImage(const std::filesystem::path& file, int width, int height,
-                std::span<const float> rgb);
-/// 8-bit grey.
-void writeMask(const std::filesystem::path& file, int width, int height,
-               std::span<const std::uint8_t> grey);
-
-/// 8-bit RGB of any size, row by row, in bounded memory.
-class ImageRowWriter {
- public:
-  ImageRowWriter(const std::filesystem::path& file, std::size_t width, std::size_t height);
-  ~ImageRowWriter();
-  ImageRowWriter(const ImageRowWriter&) = delete;
-  ImageRowWriter& operator=(const ImageRowWriter&) = delete;
-  /// 3·width values.
-  void write(std::span<const std::uint8_t> row);
-  void finish();
-
-  struct Output;
-
- private:
-  std::unique_ptr<Output> m_output;
 };
 
 }  // namespace hogelscope

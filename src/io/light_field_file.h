@@ -13,6 +13,7 @@
 #include "core/progress.h"
 #include "core/simulate.h"
 #include "io/image_file.h"
+#include "io/machine.h"
 
 namespace hogelscope {
 
@@ -28,11 +29,12 @@ class LightFieldFile {
 
   /// Hears the directions (·, v) of the hogels (·, j): three values each, in the order of i·du + u.
   using HogelRow = std::function<void(int j, int v, const StoredRows& rgb)>;
-  /// Can the file be gone through in bounded memory, row of hogels by row of hogels?
+  /// Can the file be gone through in bounded memory and once, row of hogels by row of hogels?
   [[nodiscard]] virtual bool isStream() const { return false; }
-  /// Goes through the file once, hogel row after hogel row from the top; a hogel row's v in any
-  /// order. Throws InputError, or Cancelled.
-  virtual void stream(const HogelRow& row, const Progress& progress);
+  /// Tells all of it, hogel row after hogel row from the top, a hogel row's v in any order. Where
+  /// isStream() says no it takes half of allowedMemory(), and reads more than once if it must.
+  /// Throws InputError, or Cancelled.
+  virtual void stream(const HogelRow& row, const Progress& progress) = 0;
 };
 
 /// A black one, to be filled. Throws InputError that names the file where the machine's memory is
@@ -54,11 +56,6 @@ struct Scene {
     return {lightField, display, sampling, state};
   }
 };
-
-/// Bytes for light fields: what allowMemory() said, or a quarter of this machine's.
-std::size_t allowedMemory() noexcept;
-/// From now on, in the whole process.
-void allowMemory(std::size_t bytes) noexcept;
 
 /// Would all of it take at most `memory` bytes?
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory);

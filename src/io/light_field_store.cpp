@@ -3,12 +3,11 @@
 #include "io/light_field_store.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
-#include <mutex>
 #include <thread>
 
 #include "core/error.h"
+#include "core/side_by_side.h"
 #include "io/block_cache.h"
 #include "io/tile_codec.h"
 
@@ -18,38 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Calls work(begin, end) for pieces of [0, count) on threads; `work` is made once for each thread.
-/// What a piece throws ends the others, and is thrown here.
-template <class MakeWork>
-void inPieces(std::size_t count, std::size_t piece, int threads, const Progress& progress,
-              MakeWork makeWork) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr thrown;
-  const auto run = [&](bool tells) {
-    try {
-      auto work = makeWork();
-      for (std::size_t at = next.fetch_add(piece); at < count; at = next.fetch_add(piece)) {
-        if (tells) advance(progress, double(at) / double(count));
-        work(at, std::min(at + piece, count));
-      }
-    } catch (...) {
-      next = count;
-      const std::lock_guard lock(mutex);
-      if (!thrown) thrown = std::current_exception();
-    }
-  };
-  advance(progress, 0.0);  // the others may leave nothing for this thread
-  const std::size_t useful = (count + piece - 1) / piece;
-  std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < std::min(useful, std::size_t(threads)); ++k)
-    others.emplace_back(run, false);
-  run(true);
-  others.clear();  // waits
-  if (thrown) std::rethrow_exception(thrown);
-}
-
-std::size_t piecesOf(std::size_t count, int threads) {
+/// Blocks that a thread takes at a time.
+std::size_t pieceOf(std::size_t count, int threads) {
   constexpr std::size_t most = 256;
   return std::clamp<std::size_t>(count / (8 * std::size_t(threads)), 1, most);
 }
@@ -159,12 +128,12 @@ void LightFieldStore::openPages() {
 }
 
 void LightFieldStore::checkPage(int number, const TiffPage& page) const {
-  const auto tiles = [](std::size_t pixels) { return (pixels + tileSide - 1) / tileSide; };
   const BlockIndex blocks = m_header.blocks();
   const bool isOverview = number == blocks.j;
-  const std::size_t across =
-      isOverview ? tiles(m_header.overview.width()) : std::size_t(blocks.i) * std::size_t(blocks.u);
-  const std::size_t down = isOverview ? tiles(m_header.overview.height()) : std::size_t(blocks.v);
+  const std::size_t across = isOverview ? tilesAlong(m_header.overview.width())
+                                        : std::size_t(blocks.i) * std::size_t(blocks.u);
+  const std::size_t down =
+      isOverview ? tilesAlong(m_header.overview.height()) : std::size_t(blocks.v);
   if (page.tilesAcross != across || page.tilesDown != down || page.type != m_header.type)
     throw InputError("page " + std::to_string(number), "is not as the store's description says");
 }
@@ -199,10 +168,17 @@ void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse&
     if (m_cache) m_cache->put(key, reader.own);
     return reader.own;
   };
-  inPieces(wanted.size(), piecesOf(wanted.size(), m_threads), m_threads, progress, [&] {
-    return [&, reader = Reader(m_file)](std::size_t begin, std::size_t end) mutable {
-      for (std::size_t k = begin; k < end; ++k) use(k, {decoded(reader, wanted[k]).get(), bytes});
-    };
+  const std::size_t piece = pieceOf(wanted.size(), m_threads);
+  const std::size_t pieces = (wanted.size() + piece - 1) / piece;
+  std::vector<Reader> readers;
+  while (readers.size() < std::clamp<std::size_t>(pieces, 1, std::size_t(m_threads)))
+    readers.emplace_back(m_file);
+  advance(progress, 0.0);  // the other threads may leave nothing for this one
+  sideBySide(pieces, int(readers.size()), [&](std::size_t k, std::size_t worker) {
+    if (worker == 0) advance(progress, double(k) / double(pieces));
+    const std::size_t end = std::min((k + 1) * piece, wanted.size());
+    for (std::size_t at = k * piece; at < end; ++at)
+      use(at, {decoded(readers[worker], wanted[at]).get(), bytes});
   });
 }
 

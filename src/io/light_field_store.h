@@ -35,8 +35,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
 
   /// The whole light field in memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
-  /// A row of blocks of hogels is in memory at a time. No stream by isStream(): views need not wait
-  /// for what they want.
+  /// A row of blocks of hogels is in memory at a time, less of it where that is more than half of
+  /// allowedMemory(). No stream by isStream(): views need not wait for what they want.
   void stream(const HogelRow& row, const Progress& progress) override;
 
   /// What is decoded is kept in the cache, and the last view's slice is handed out again where it
@@ -61,6 +61,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   void decode(Reader& reader, const BlockIndex& at, std::span<std::byte> texels) const;
   void checkPage(int number, const TiffPage& page) const;
   void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
+  template <class T>
+  void readBand(int begin, int end, std::vector<T>& band, const Progress& progress) const;
   [[nodiscard]] std::shared_ptr<const LightField> lastSlice();
   [[nodiscard]] Footprint stored(const Footprint& footprint) const;
   void placeSlice(const BlockIndex& block, std::span<const std::byte> texels,

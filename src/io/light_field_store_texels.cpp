@@ -13,16 +13,16 @@ namespace hogelscope {
 namespace {
 
 /// Calls use(texel's index, its values' place in the tile) for the part of a block that lies in the
-/// light field.
+/// light field, of its hogel rows [begin, end).
 template <class Use>
-void forEachTexel(const StoreHeader& header, const BlockIndex& block, Use use) {
+void forEachTexel(const StoreHeader& header, const BlockIndex& block, int begin, int end, Use use) {
   const auto& [nx, ny, du, dv] = header.size;
   const auto& [bi, bj, bu, bv] = header.block;
   const int i0 = block.i * bi;
   const int j0 = block.j * bj;
   const int u0 = block.u * bu;
   const int v0 = block.v * bv;
-  for (int j = 0; j < std::min(bj, ny - j0); ++j)
+  for (int j = begin; j < std::min(end, ny - j0); ++j)
     for (int v = 0; v < std::min(bv, dv - v0); ++v)
       for (int i = 0; i < std::min(bi, nx - i0); ++i)
         for (int u = 0; u < std::min(bu, du - u0); ++u)
@@ -45,7 +45,7 @@ void LightFieldStore::place(const BlockIndex& block, std::span<const std::byte> 
   withStoredType(m_header.type, [&](auto zero) {
     using T = decltype(zero);
     const auto* values = reinterpret_cast<const T*>(texels.data());
-    forEachTexel(m_header, block, [&](TexelIndex at, std::size_t texel) {
+    forEachTexel(m_header, block, 0, m_header.block.j, [&](TexelIndex at, std::size_t texel) {
       if (m_incoming) at = {at.i, at.j, m_header.size.du - 1 - at.u, m_header.size.dv - 1 - at.v};
       target.set(at, values + 3 * texel);
     });
@@ -82,34 +82,51 @@ LightField LightFieldStore::read(const Progress& progress) {
 }
 
 void LightFieldStore::stream(const HogelRow& row, const Progress& progress) {
-  const auto& [nx, ny, du, dv] = m_header.size;
-  const BlockIndex counts = m_header.blocks();
-  const std::size_t width = m_header.size.width();
-  withStoredType(m_header.type, [&, ny = ny, du = du, dv = dv](auto zero) {
-    using T = decltype(zero);
-    std::vector<T> band(3 * width * std::size_t(dv) * std::size_t(m_header.block.j));
-    for (int page = 0; page < counts.j; ++page) {
-      const int j0 = page * m_header.block.j;
-      const auto rowOf = [&](int j, int v) {
-        return &band[3 * width * (std::size_t(j - j0) * std::size_t(dv) + std::size_t(v))];
-      };
-      const std::vector<BlockIndex> wanted = blocksOfPage(counts, page);
-      blocks(
-          wanted,
-          [&](std::size_t k, std::span<const std::byte> texels) {
-            forEachTexel(m_header, wanted[k], [&](const TexelIndex& at, std::size_t texel) {
-              const int u = m_incoming ? du - 1 - at.u : at.u;
-              const int v = m_incoming ? dv - 1 - at.v : at.v;
-              std::memcpy(
-                  rowOf(at.j, v) + 3 * (std::size_t(at.i) * std::size_t(du) + std::size_t(u)),
-                  texels.data() + 3 * sizeof(T) * texel, 3 * sizeof(T));
-            });
-          },
-          part(progress, double(page) / counts.j, double(page + 1) / counts.j));
-      for (int j = j0; j < std::min(ny, j0 + m_header.block.j); ++j)
-        for (int v = 0; v < dv; ++v) row(j, v, static_cast<const T*>(rowOf(j, v)));
+  const int ny = m_header.size.ny;
+  const std::size_t hogelRowBytes =
+      m_header.size.width() * std::size_t(m_header.size.dv) * pixelBytes(m_header.type);
+  // Blocks are decoded again for each part of their hogel rows.
+  const int rows = int(std::clamp<std::size_t>(allowedMemory() / 2 / hogelRowBytes, 1,
+                                               std::size_t(m_header.block.j)));
+  withStoredType(m_header.type, [&](auto zero) {
+    std::vector<decltype(zero)> band;
+    for (int j = 0; j < ny;) {
+      const int bandEnd = std::min(ny, (j / m_header.block.j + 1) * m_header.block.j);
+      const int end = std::min(bandEnd, j + rows);
+      readBand(j, end, band, part(progress, double(j) / ny, double(end) / ny));
+      const decltype(zero)* rgb = band.data();
+      for (; j < end; ++j)
+        for (int v = 0; v < m_header.size.dv; ++v, rgb += 3 * m_header.size.width()) row(j, v, rgb);
     }
   });
+}
+
+/// Hogel rows [begin, end) of a row of blocks.
+template <class T>
+void LightFieldStore::readBand(int begin, int end, std::vector<T>& band,
+                               const Progress& progress) const {
+  const auto& [nx, ny, du, dv] = m_header.size;
+  const std::size_t width = m_header.size.width();
+  band.resize(3 * width * std::size_t(dv) * std::size_t(end - begin));
+  const int page = begin / m_header.block.j;
+  const int first = page * m_header.block.j;
+  const std::vector<BlockIndex> wanted = blocksOfPage(m_header.blocks(), page);
+  const auto put = [&, du = du, dv = dv](const TexelIndex& at, const std::byte* values) {
+    const int u = m_incoming ? du - 1 - at.u : at.u;
+    const int v = m_incoming ? dv - 1 - at.v : at.v;
+    const auto y = std::size_t(at.j - begin) * std::size_t(dv) + std::size_t(v);
+    const auto x = std::size_t(at.i) * std::size_t(du) + std::size_t(u);
+    std::memcpy(&band[3 * (y * width + x)], values, 3 * sizeof(T));
+  };
+  blocks(
+      wanted,
+      [&](std::size_t k, std::span<const std::byte> texels) {
+        forEachTexel(m_header, wanted[k], begin - first, end - first,
+                     [&](const TexelIndex& at, std::size_t texel) {
+                       put(at, texels.data() + 3 * sizeof(T) * texel);
+                     });
+      },
+      progress);
 }
 
 }  // namespace hogelscope

@@ -2,8 +2,6 @@
 // Packs a light field of any layout into a store.
 #include "io/store_writer.h"
 
-#include <sys/statvfs.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -12,6 +10,7 @@
 #include "core/report.h"
 #include "io/band_packer.h"
 #include "io/json_parameters.h"
+#include "io/machine.h"
 
 namespace hogelscope {
 
@@ -42,21 +41,13 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   return fs::path(params.file).filename().string() + " " + hash.data();
 }
 
-/// A store is about as large as its source.
-void checkRoom(const fs::path& output, std::uint64_t needed) {
-  fs::path folder = output.parent_path();
-  if (folder.empty()) folder = ".";
-  struct statvfs disk {};
-  if (::statvfs(folder.c_str(), &disk) != 0) return;  // writing tells
+/// A store is about as large as its source; what an unfinished one has is taken over.
+void checkRoom(const fs::path& output, std::uint64_t sourceBytes) {
   fs::path part = output;
   part += ".part";
   std::error_code none;
-  const std::uintmax_t done = fs::is_regular_file(part, none) ? fs::file_size(part, none) : 0;
-  const double room = double(disk.f_bavail) * double(disk.f_frsize) + double(done);
-  if (room < double(needed))
-    throw InputError(output.string(), "cannot be written",
-                     "it needs about " + bytesText(needed) + ", the disk has " +
-                         bytesText(std::size_t(room)) + " left");
+  checkRoomOnDisk(output, sourceBytes,
+                  fs::is_regular_file(part, none) ? fs::file_size(part, none) : 0);
 }
 
 /// Picks the overview's texels out of the rows that pass.
@@ -64,7 +55,7 @@ class OverviewTaker {
  public:
   explicit OverviewTaker(const StoreHeader& header)
       : m_header(header),
-        m_texel(texelBytes(header.type)),
+        m_texel(pixelBytes(header.type)),
         m_rowOf(placesOf(header.overview.ny, header.size.ny)),
         m_directionOf(placesOf(header.overview.dv, header.size.dv)),
         m_picture(header.overview.width() * header.overview.height() * m_texel) {}
@@ -86,11 +77,8 @@ class OverviewTaker {
   }
 
   void write(StoreOutput& output) const {
-    const auto tiles = [](std::size_t pixels) {
-      return std::uint32_t((pixels + tileSide - 1) / tileSide);
-    };
-    const TiffPage page{tiles(m_header.overview.width()), tiles(m_header.overview.height()),
-                        m_header.type};
+    const TiffPage page{tilesAlong(m_header.overview.width()),
+                        tilesAlong(m_header.overview.height()), m_header.type};
     TileCompressor compressor(m_header.type);
     TileBytes bytes;
     for (std::uint32_t y = 0; y < page.tilesDown; ++y)
@@ -137,7 +125,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   header.overview = overviewSize(header.size, header.type);
   header.source = sourceOf(params, file);
   if (display) header.display = resolved(*display, header.size);
-  const std::size_t rowBytes = header.size.width() * texelBytes(header.type);
+  const std::size_t rowBytes = header.size.width() * pixelBytes(header.type);
   const std::size_t hogelRowBytes = rowBytes * std::size_t(header.size.dv);
   const std::size_t fitting = memory / hogelRowBytes;
   if (fitting == 0)

@@ -44,7 +44,7 @@ bool isBlack(std::span<const std::byte> texel) {
 
 void gatherBlock(const StoreHeader& header, const BlockCut& cut,
                  std::span<const std::byte* const> rows, std::span<std::byte> tile) {
-  const std::size_t texel = texelBytes(header.type);
+  const std::size_t texel = pixelBytes(header.type);
   const std::size_t rowBytes = tileSide * texel;
   const std::size_t stride = std::size_t(header.size.du) * texel;
   const bool isWhole = cut.hogels == header.block.i && cut.directions == header.block.u;
@@ -59,7 +59,7 @@ void gatherBlock(const StoreHeader& header, const BlockCut& cut,
 }
 
 TileCompressor::TileCompressor(StoredType type)
-    : m_texelBytes(texelBytes(type)), m_context(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
+    : m_pixelBytes(pixelBytes(type)), m_context(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
   if (!m_context) throw std::bad_alloc();
   ZSTD_CCtx_setParameter(m_context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(m_context.get(), ZSTD_c_checksumFlag, 1);  // damage is found
@@ -78,11 +78,11 @@ void TileCompressor::add(std::span<const std::byte> tile, TileBytes& out) {
     out.bytes.insert(out.bytes.end(), bytes.begin(), bytes.end());
     out.counts.push_back(std::uint32_t(bytes.size()));
   };
-  if (!isUniform(tile, m_texelBytes)) {
+  if (!isUniform(tile, m_pixelBytes)) {
     compress(tile);
     return put(m_compressed);
   }
-  const auto colour = tile.first(m_texelBytes);
+  const auto colour = tile.first(m_pixelBytes);
   const bool isBlackTile = isBlack(colour);
   if (isBlackTile && !out.black.empty()) return out.counts.push_back(0);
   if (!std::equal(colour.begin(), colour.end(), m_uniform.begin(), m_uniform.end())) {

@@ -38,7 +38,7 @@ class TileCompressor {
   using Context = std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)>;
   void compress(std::span<const std::byte> tile);
 
-  std::size_t m_texelBytes;
+  std::size_t m_pixelBytes;
   Context m_context;
   std::vector<std::byte> m_compressed;
   std::vector<std::byte> m_uniform;  ///< the colour that `m_ofUniform` is a tile of

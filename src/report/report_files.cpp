@@ -4,7 +4,7 @@
 
 #include "core/difference.h"
 #include "io/atomic_file.h"
-#include "io/image_file.h"
+#include "io/image_writer.h"
 
 namespace hogelscope {
 

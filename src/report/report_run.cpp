@@ -9,14 +9,14 @@
 #include <mutex>
 #include <numeric>
 
+#include "core/side_by_side.h"
+#include "core/step_progress.h"
 #include "io/atomic_file.h"
 #include "io/report_journal.h"
 #include "io/session_file.h"
 #include "report/panel_projection.h"
 #include "report/report_facts.h"
 #include "report/report_files.h"
-#include "report/side_by_side.h"
-#include "report/step_progress.h"
 #include "report/view_pairs.h"
 #include "vtk/parallel_rows.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests what the command line takes, and what it says where it does not; --help, --info,
-// --generate.
+// Tests what the command line takes, and what it says where it does not; --help, --info.
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cmath>
 
 #include "cli/options.h"
 #include "tests/cli/program.h"
@@ -44,6 +42,7 @@ class TestCommandLine : public QObject {
   void helpFitsTheTerminal();
   void parameterManualIsFresh();
   void version();
+  void memoryInMegabytes();
   void mistakes_data();
   void mistakes();
   void mistakesAtTheProgram_data();
@@ -52,11 +51,6 @@ class TestCommandLine : public QObject {
   void infoOfPictures();
   void infoOfAFolder();
   void infoOfNothing();
-  void generateMakesTheSampleAgain();
-  void generateMakesItsFolder();
-  void generateDegrades();
-  void generateRefuses_data();
-  void generateRefuses();
 
  private:
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -110,6 +104,16 @@ void TestCommandLine::version() {
            qPrintable(line));
 }
 
+void TestCommandLine::memoryInMegabytes() {
+  const auto memory = [](const char* text) {
+    return parseOptions({"--info", "a.png", "--memory", text}).memory;
+  };
+  QVERIFY(memory("2.5") == std::size_t{2500000});
+  QVERIFY(memory("0") == std::size_t{1});
+  QVERIFY(memory("inf") == std::size_t{1000000000000000000});
+  QVERIFY(!parseOptions({"--info", "a.png"}).memory);
+}
+
 void TestCommandLine::mistakes_data() {
   QTest::addColumn<QStringList>("arguments");
   QTest::addColumn<QString>("line");
@@ -157,6 +161,8 @@ void TestCommandLine::mistakes_data() {
   row("half a thread", {"--threads", "1.5"}, "--threads: \"1.5\" is not a number from 1 on");
   row("threads beyond", {"--threads", "99999999999"},
       "--threads: \"99999999999\" is not a number from 1 on");
+  row("memory what", {"--memory", "4GB"}, "--memory: \"4GB\" is not a number from 0 on");
+  row("memory nan", {"--memory", "nan"}, "--memory: \"nan\" is not a number from 0 on");
   row("fail-below what", {"--fail-below", "40dB"},
       "--fail-below: \"40dB\" is not a number from 0 on");
   row("fail-below nan", {"--fail-below", "nan"}, "--fail-below: \"nan\" is not a number from 0 on");
@@ -259,77 +265,6 @@ void TestCommandLine::infoOfNothing() {
   QCOMPARE(outcome.err, QByteArray("hogelscope: none.png: there is no such file\n"));
   QCOMPARE(outcome.out, QByteArray());
   QCOMPARE(outcome.status, 2);
-}
-
-void TestCommandLine::generateMakesTheSampleAgain() {
-  const Outcome outcome =
-      run({"--generate", "scene", "--session", sampleSession, "--output", "scene.png"},
-          m_folder->path(), 60000);
-  QCOMPARE(outcome.err, QByteArray());
-  QCOMPARE(outcome.out, QByteArray("scene.png: 2560×2560 px\n"));
-  QCOMPARE(outcome.status, 0);
-  QCOMPARE(namesIn("."), QStringList{"scene.png"});
-  const auto made = valuesOf<std::uint8_t>("scene.png");
-  QCOMPARE(made.size(), std::size_t(3 * 2560 * 2560));
-  QVERIFY(made == valuesOf<std::uint8_t>(HOGELSCOPE_SOURCE_DIR "/data/scene.png"));
-}
-
-void TestCommandLine::generateMakesItsFolder() {
-  const Outcome outcome = run({"--generate", "scene", "--session", sampleSession, "--output",
-                               "new/deeper/g.tif", "--set", "display.hogels=[2,3]", "--quiet"},
-                              m_folder->path());
-  QCOMPARE(outcome.err + outcome.out, QByteArray());
-  QCOMPARE(namesIn("new/deeper"), QStringList{"g.tif"});
-  QCOMPARE(specOf("new/deeper/g.tif").width, 40);
-  QCOMPARE(specOf("new/deeper/g.tif").height, 60);
-}
-
-/// A copy that differs as much as it was asked to; the same with the same seed.
-void TestCommandLine::generateDegrades() {
-  const auto made = [this](const QString& file, const QStringList& more) {
-    const QStringList arguments{"--generate", "edge",
-                                "--session",  sampleSession,
-                                "--output",   file,
-                                "--set",      "display.hogels=[8,6]",
-                                "--set",      "pattern.depth=0.05",
-                                "--quiet"};
-    const Outcome outcome = run(arguments + more, m_folder->path());
-    return outcome.status == 0 ? valuesOf<std::uint8_t>(file) : std::vector<std::uint8_t>();
-  };
-  const auto plain = made("a.png", {});
-  QCOMPARE(plain.size(), std::size_t(3 * 160 * 120));
-  QVERIFY(plain != made("b.png", {"--set", "pattern.angle=40"}));
-  const auto noisy = made("c.png", {"--degrade", "noise:4"});
-  double squares = 0;
-  for (std::size_t k = 0; k < plain.size(); ++k)
-    squares += std::pow(double(plain[k]) - noisy[k], 2) / double(plain.size());
-  QVERIFY2(std::abs(squares - 16) < 0.5, qPrintable(QString::number(squares)));
-  QVERIFY(noisy == made("d.png", {"--degrade", "noise:4"}));
-  QVERIFY(noisy != made("e.png", {"--degrade", "noise:4", "--seed", "5"}));
-}
-
-void TestCommandLine::generateRefuses_data() {
-  QTest::addColumn<QStringList>("more");
-  QTest::addColumn<QByteArray>("line");
-  QTest::newRow("a field")
-      << QStringList{"--set", "pattern.dept=1"}
-      << QByteArray("--set: pattern.dept: is not known here; did you mean \"depth\"?");
-  QTest::newRow("a range") << QStringList{"--set", "pattern.depth=11"}
-                           << QByteArray("--set: pattern.depth: 11 is out of range: -10 to 10 m");
-  QTest::newRow("a copy") << QStringList{"--degrade", "jpeg:0"}
-                          << QByteArray(
-                                 "--degrade: jpeg:0: needs a number from 1 to 100 after jpeg:");
-}
-
-void TestCommandLine::generateRefuses() {
-  QFETCH(QStringList, more);
-  QFETCH(QByteArray, line);
-  const Outcome outcome =
-      run(QStringList{"--generate", "edge", "--session", sampleSession, "--output", "a.png"} + more,
-          m_folder->path());
-  QCOMPARE(outcome.err, "hogelscope: " + line + "\n");
-  QCOMPARE(outcome.status, 2);
-  QCOMPARE(namesIn("."), QStringList());
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)

@@ -57,24 +57,6 @@ class TestStates : public QObject {
   }
 
   void moving_data() {
-    QTest::addColumn<int>("from");
-    QTest::addColumn<int>("to");
-    QTest::addColumn<QString>("names");
-    QTest::newRow("down") << 0 << 2 << "b|c|a";
-    QTest::newRow("one down") << 0 << 1 << "b|a|c";
-    QTest::newRow("up") << 2 << 0 << "c|a|b";
-    QTest::newRow("nowhere") << 1 << 1 << "a|b|c";
-  }
-
-  void moving() {
-    QFETCH(const int, from);
-    QFETCH(const int, to);
-    Session session = abc();
-    moveState(session, std::size_t(from), std::size_t(to));
-    QTEST(namesOf(session), "names");
-  }
-
-  void movingSeveral_data() {
     QTest::addColumn<std::vector<std::size_t>>("indices");
     QTest::addColumn<int>("before");
     QTest::addColumn<QString>("names");
@@ -90,7 +72,7 @@ class TestStates : public QObject {
     QTest::newRow("none") << Indices{} << 2 << "a|b|c|d";
   }
 
-  void movingSeveral() {
+  void moving() {
     QFETCH(const std::vector<std::size_t>, indices);
     QFETCH(const int, before);
     Session session = abc();
@@ -112,7 +94,7 @@ class TestStates : public QObject {
     QCOMPARE(namesOf(session), QString("c"));
   }
 
-  void removingSeveral() {
+  void removing() {
     Session session = abc();
     session.cameras.push_back(named("d"));
     removeStates(session, {3, 0});

@@ -15,7 +15,7 @@
 #include "gui/main_window.h"
 #include "gui/picture_view.h"
 #include "gui/vtk_widget.h"
-#include "io/image_file.h"
+#include "io/image_writer.h"
 #include "io/session_file.h"
 
 using namespace hogelscope;

@@ -8,44 +8,13 @@
 #include "io/session_file.h"
 #include "io/store_writer.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
-#include "tests/io/texels.h"
+#include "tests/io/light_fields.h"
 
 using namespace hogelscope;
 
 namespace {
 
 constexpr std::size_t plenty = std::size_t{1} << 30;
-
-/// Differs in each index and channel; black in some blocks, of one colour in others.
-float valueAt(const TexelIndex& at, int channel) {
-  if (at.i < 8 && at.u < 8) return 0;
-  if (at.i < 8) return 0.5F;
-  const int mixed = at.i * 131 + at.j * 37 + at.u * 11 + at.v * 71 + channel * 53;
-  return float(mixed % 255) / 255;
-}
-
-PictureValue hogelImage(const LightFieldSize& size) {
-  return [size](int x, int y, int channel) {
-    return valueAt({x / size.du, y / size.dv, x % size.du, y % size.dv}, channel);
-  };
-}
-
-DisplayParams displayOf(const LightFieldSize& size) {
-  DisplayParams display;
-  display.hogels = {size.nx, size.ny};
-  display.directions = {size.du, size.dv};
-  return display;
-}
-
-LightFieldParams paramsOf(const std::string& file, Layout layout = Layout::hogels,
-                          bool incoming = false) {
-  LightFieldParams params;
-  params.file = file;
-  params.layout = layout;
-  params.incoming = incoming;
-  return params;
-}
 
 /// Packs it as store.tif and returns the light field that it was.
 LightField packed(const LightFieldParams& params, const DisplayParams& display,
@@ -54,32 +23,6 @@ LightField packed(const LightFieldParams& params, const DisplayParams& display,
   const PackPlan plan = planPack(params, *file, display, memory);
   pack(*file, plan, "store.tif", 3, {});
   return openLightField(params, display)->read({});
-}
-
-QString firstDifference(const LightField& is, const LightField& should) {
-  if (is.size() != should.size()) return "the size";
-  if (is.texels().index() != should.texels().index()) return "the type";
-  return firstWrong(is, [&](const TexelIndex& at) { return should.texel(at); });
-}
-
-/// What streaming hands out, as a light field.
-LightField streamed(LightFieldFile& file) {
-  LightField result(file.size(), file.type());
-  const int du = file.size().du;
-  int last = 0;
-  file.stream(
-      [&](int j, int v, const StoredRows& rgb) {
-        QVERIFY(j >= last);
-        last = j;
-        std::visit(
-            [&](const auto* values) {
-              for (int x = 0; x < int(file.size().width()); ++x, values += 3)
-                result.set({x / du, j, x % du, v}, values);
-            },
-            rgb);
-      },
-      {});
-  return result;
 }
 
 }  // namespace
@@ -102,6 +45,7 @@ class TestStore : public QObject {
   void overview();
   void slices_data();
   void slices();
+  void sliceBeyondTheMemoryAllowed();
   void displayIsKept();
   void recognised();
 
@@ -352,6 +296,19 @@ void TestStore::slices() {
       Cancelled);
 }
 
+void TestStore::sliceBeyondTheMemoryAllowed() {
+  constexpr LightFieldSize size{10, 9, 11, 7};
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  (void)packed(paramsOf("a.png"), displayOf(size));
+  LightFieldStore store("store.tif");
+  const Footprint all{std::vector<CellRange>(10, {0, 10}), std::vector<CellRange>(9, {0, 6})};
+  allowMemory(1000);
+  const QString error = errorOf([&] { (void)store.slice(all, {}); });
+  allowMemory(0);
+  QCOMPARE(error, QString("--memory: a view needs 0 MB of the light field, 0 MB are allowed"));
+  QCOMPARE((store.slice(all, {})->size() == size), true);
+}
+
 void TestStore::displayIsKept() {
   constexpr LightFieldSize size{10, 9, 11, 7};
   writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
@@ -378,6 +335,9 @@ void TestStore::recognised() {
   QVERIFY(lightFieldOf("a.tif").layout == Layout::hogels);
   QVERIFY(withFile(paramsOf("a.tif"), "of any name").layout == Layout::pack);
   QVERIFY(withFile(paramsOf("of any name", Layout::pack), "a.tif").layout == Layout::hogels);
+  QCOMPARE(errorOf([&] { (void)openLightField(paramsOf("of any name"), displayOf(size)); }),
+           QString("of any name: lightField.layout: is \"hogels\", but the file is a store: give "
+                   "\"pack\""));
 }
 
 QTEST_APPLESS_MAIN(TestStore)

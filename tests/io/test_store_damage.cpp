@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cstring>
+#include <limits>
 
 #include "core/error.h"
 #include "io/light_field_store.h"
@@ -69,6 +70,7 @@ class TestStoreDamage : public QObject {
   void aCircleOfPagesIsRefused();
   void strangeDescriptions_data();
   void strangeDescriptions();
+  void hugeDescriptions();
   void anyFlippedByteIsSurvived();
   void stoppedPackGoesOn_data();
   void stoppedPackGoesOn();
@@ -177,6 +179,21 @@ void TestStoreDamage::strangeDescriptions() {
   writeFile("s.tif", changed.replace(from, to));
   const QString error = errorOf([] { LightFieldStore store("s.tif"); });
   QVERIFY2(error.startsWith("s.tif: "), qPrintable(error));
+}
+
+/// Numbers that fit no file that we could make here.
+void TestStoreDamage::hugeDescriptions() {
+  StoreHeader header;
+  header.size = {5000, 5000, 10, 10};
+  header.block = {8, 8, 8, 8};
+  header.overview = header.size;
+  const auto parsed = [&] { (void)parseStoreHeader(textOf(header)); };
+  QCOMPARE(errorOf(parsed), QString("is damaged: its description's overview: is too large"));
+  header.overview = {5000, 8, 10, 10};
+  QCOMPARE(errorOf(parsed), QString());
+  constexpr int huge = std::numeric_limits<int>::max();
+  header.block = {64, 8, huge, 8};
+  QCOMPARE(errorOf(parsed), QString("is damaged: its description's block: is out of range"));
 }
 
 /// Wherever the byte is: the same texels, other texels or an error, but an end in good order.

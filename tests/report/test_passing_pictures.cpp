@@ -85,6 +85,7 @@ class TestPassingPictures : public QObject {
   void readOnce();
   void readTwiceWhereMemoryIsShort();
   void tooLittleForOneView();
+  void tooManyPictures();
   void onlyLargeStreamsPass();
   void damagedRow();
   void stops();
@@ -154,6 +155,22 @@ void TestPassingPictures::tooLittleForOneView() {
   QVERIFY(made[0].problem.empty());
   QCOMPARE(QString::fromStdString(made[2].problem).left(30),
            QString("--memory: needs 0.3 MB of the "));
+}
+
+/// All are in memory until the last row has come: refused before the first is read.
+void TestPassingPictures::tooManyPictures() {
+  const Session session = sessionOf("bytes.png");
+  CountedFile file(openLightField(session.lightField, session.display));
+  View large = viewsOf(session, unloadedScene(session, file)).front();
+  large.state.camera.res = {16384, 16384};
+  const double most = double(machineMemory()) / (2.0 * Image::bytesPerPixel * 16384 * 16384);
+  const std::vector<View> views(std::size_t(most) + 1, large);
+  const QString error =
+      errorOf([&] { (void)picturesInPassing(file, views, plenty, serialRows, {}); });
+  QVERIFY2(error.startsWith(QString("cameras: their %1 pictures need ").arg(views.size())) &&
+               error.endsWith(": take fewer with --states, or --pack the light field"),
+           qPrintable(error));
+  QCOMPARE(file.rows, 0);
 }
 
 void TestPassingPictures::onlyLargeStreamsPass() {

@@ -7,8 +7,8 @@
 #include <mutex>
 #include <set>
 
-#include "report/side_by_side.h"
-#include "report/step_progress.h"
+#include "core/side_by_side.h"
+#include "core/step_progress.h"
 
 using namespace hogelscope;
 

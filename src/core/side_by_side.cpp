@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pieces of work on several threads.
-#include "report/side_by_side.h"
+#include "core/side_by_side.h"
 
 #include <atomic>
 #include <exception>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Progress of work in steps, done on several threads.
-#include "report/step_progress.h"
+#include "core/step_progress.h"
 
 namespace hogelscope {
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Layouts "views" and "quilt": pictures of the same direction of all hogels.
+#pragma once
+
+#include "io/light_field_file.h"
+
+namespace hogelscope {
+
+/// A folder or %-pattern of pictures. Throws InputError that names the file or the folder.
+std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
+                                          const DisplayParams& display);
+
+/// One picture of a row of views. Throws InputError that names it.
+std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params);
+
+}  // namespace hogelscope

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests --generate as a user runs it: what it writes, and what it refuses before it writes.
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+class TestGenerateJob : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void makesTheSampleAgain();
+  void makesItsFolder();
+  void degrades();
+  void refuses_data();
+  void refuses();
+  void needsRoom();
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestGenerateJob::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+}
+
+void TestGenerateJob::makesTheSampleAgain() {
+  const Outcome outcome =
+      run({"--generate", "scene", "--session", sampleSession, "--output", "scene.png"},
+          m_folder->path(), 60000);
+  QCOMPARE(outcome.err, QByteArray());
+  QCOMPARE(outcome.out, QByteArray("scene.png: 2560×2560 px\n"));
+  QCOMPARE(outcome.status, 0);
+  QCOMPARE(namesIn("."), QStringList{"scene.png"});
+  const auto made = valuesOf<std::uint8_t>("scene.png");
+  QCOMPARE(made.size(), std::size_t(3 * 2560 * 2560));
+  QVERIFY(made == valuesOf<std::uint8_t>(HOGELSCOPE_SOURCE_DIR "/data/scene.png"));
+}
+
+void TestGenerateJob::makesItsFolder() {
+  const Outcome outcome = run({"--generate", "scene", "--session", sampleSession, "--output",
+                               "new/deeper/g.tif", "--set", "display.hogels=[2,3]", "--quiet"},
+                              m_folder->path());
+  QCOMPARE(outcome.err + outcome.out, QByteArray());
+  QCOMPARE(namesIn("new/deeper"), QStringList{"g.tif"});
+  QCOMPARE(specOf("new/deeper/g.tif").width, 40);
+  QCOMPARE(specOf("new/deeper/g.tif").height, 60);
+}
+
+/// A copy that differs as much as it was asked to; the same with the same seed.
+void TestGenerateJob::degrades() {
+  const auto made = [this](const QString& file, const QStringList& more) {
+    const QStringList arguments{"--generate", "edge",
+                                "--session",  sampleSession,
+                                "--output",   file,
+                                "--set",      "display.hogels=[8,6]",
+                                "--set",      "pattern.depth=0.05",
+                                "--quiet"};
+    const Outcome outcome = run(arguments + more, m_folder->path());
+    return outcome.status == 0 ? valuesOf<std::uint8_t>(file) : std::vector<std::uint8_t>();
+  };
+  const auto plain = made("a.png", {});
+  QCOMPARE(plain.size(), std::size_t(3 * 160 * 120));
+  QVERIFY(plain != made("b.png", {"--set", "pattern.angle=40"}));
+  const auto noisy = made("c.png", {"--degrade", "noise:4"});
+  double squares = 0;
+  for (std::size_t k = 0; k < plain.size(); ++k)
+    squares += std::pow(double(plain[k]) - noisy[k], 2) / double(plain.size());
+  QVERIFY2(std::abs(squares - 16) < 0.5, qPrintable(QString::number(squares)));
+  QVERIFY(noisy == made("d.png", {"--degrade", "noise:4"}));
+  QVERIFY(noisy != made("e.png", {"--degrade", "noise:4", "--seed", "5"}));
+}
+
+void TestGenerateJob::refuses_data() {
+  QTest::addColumn<QStringList>("more");
+  QTest::addColumn<QByteArray>("line");
+  QTest::newRow("a field")
+      << QStringList{"--set", "pattern.dept=1"}
+      << QByteArray("--set: pattern.dept: is not known here; did you mean \"depth\"?");
+  QTest::newRow("a range") << QStringList{"--set", "pattern.depth=11"}
+                           << QByteArray("--set: pattern.depth: 11 is out of range: -10 to 10 m");
+  QTest::newRow("more than PNG has")
+      << QStringList{"--set", "display.hogels=[65536,1]", "--set", "display.directions=[16,1]"}
+      << QByteArray("a.png: cannot be written: PNG ends at 1000000 px; use TIFF");
+  QTest::newRow("a copy") << QStringList{"--degrade", "jpeg:0"}
+                          << QByteArray(
+                                 "--degrade: jpeg:0: needs a number from 1 to 100 after jpeg:");
+}
+
+void TestGenerateJob::refuses() {
+  QFETCH(QStringList, more);
+  QFETCH(QByteArray, line);
+  const Outcome outcome =
+      run(QStringList{"--generate", "edge", "--session", sampleSession, "--output", "a.png"} + more,
+          m_folder->path());
+  QCOMPARE(outcome.err, "hogelscope: " + line + "\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn("."), QStringList());
+}
+
+/// 1.4 TB of noise: told by a few rows of it, before anything is there.
+void TestGenerateJob::needsRoom() {
+  const Outcome outcome = run(
+      {"--generate", "edge", "--session", sampleSession, "--output", "a.png", "--degrade",
+       "noise:2", "--set", "display.hogels=[60000,60000]", "--set", "display.directions=[16,8]"},
+      m_folder->path(), 120000);
+  const QRegularExpression line(
+      "^hogelscope: a.png: cannot be written: it needs about [\\d.]+ GB, the disk has [\\d.]+ "
+      "[GM]B "
+      "left\n$");
+  QVERIFY2(line.match(outcome.err).hasMatch(), outcome.err.constData());
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(namesIn("."), QStringList());
+}
+
+QTEST_GUILESS_MAIN(TestGenerateJob)
+#include "test_generate_job.moc"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that light fields of all layouts are told row of hogels by row of hogels, whatever memory
+// there is for it.
+#include <QTemporaryDir>
+
+#include "io/light_field_store.h"
+#include "io/store_writer.h"
+#include "tests/io/light_fields.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr LightFieldSize size{10, 21, 11, 9};
+
+void writeHogels() {
+  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+}
+
+void writeStore() {
+  writeHogels();
+  const auto file = openLightField(paramsOf("a.png"), displayOf(size));
+  pack(*file, planPack(paramsOf("a.png"), *file, {}, allowedMemory()), "store.tif", 2, {});
+}
+
+void writeViews() {
+  for (int v = 0; v < size.dv; ++v)
+    for (int u = 0; u < size.du; ++u)
+      writePicture(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
+                   size.nx, size.ny, [&](int x, int y, int c) {
+                     return valueAt({x, y, u, v}, c);
+                   });
+}
+
+void writeQuilt() {
+  writePicture("a_qs11x9a1.png", size.nx * size.du, size.ny * size.dv, [](int x, int y, int c) {
+    return valueAt({x % size.nx, y % size.ny, x / size.nx, y / size.ny}, c);
+  });
+}
+
+}  // namespace
+
+class TestStreams : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void cleanup() { allowMemory(0); }
+  void anyMemory_data();
+  void anyMemory();
+  void viewsAreReadOnceForEachBand();
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+void TestStreams::initTestCase() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  writeStore();
+  writeViews();
+  writeQuilt();
+}
+
+void TestStreams::anyMemory_data() {
+  QTest::addColumn<LightFieldParams>("params");
+  QTest::addColumn<std::size_t>("memory");
+  LightFieldParams sheared = paramsOf("views", Layout::views);
+  sheared.shear = {1.2, -0.7};
+  LightFieldParams turned = paramsOf("views", Layout::views, true);
+  turned.rows = RowOrder::bottomUp;
+  const std::vector<std::pair<const char*, LightFieldParams>> all{
+      {"hogels", paramsOf("a.png")},
+      {"hogels, incoming", paramsOf("a.png", Layout::hogels, true)},
+      {"store", paramsOf("store.tif", Layout::pack)},
+      {"store, incoming", paramsOf("store.tif", Layout::pack, true)},
+      {"views", paramsOf("views", Layout::views)},
+      {"views, sheared", sheared},
+      {"views, incoming, bottom up", turned},
+      {"quilt", paramsOf("a_qs11x9a1.png", Layout::quilt)}};
+  const std::size_t hogelRow = 4 * size.width() * std::size_t(size.dv);
+  for (const auto& [name, params] : all)
+    for (const std::size_t rows : {1U, 3U, 8U, 20U, 100U})
+      QTest::addRow("%s, %d rows", name, int(rows)) << params << 2 * rows * hogelRow;
+  QTest::newRow("views, too little for a row") << all[4].second << std::size_t{1};
+  QTest::newRow("store, too little for a row") << all[2].second << std::size_t{1};
+}
+
+void TestStreams::anyMemory() {
+  QFETCH(LightFieldParams, params);
+  QFETCH(std::size_t, memory);
+  const auto file =
+      openLightField(params, params.layout == Layout::quilt ? DisplayParams{} : displayOf(size));
+  const LightField whole = file->read({});
+  allowMemory(memory);
+  QCOMPARE(firstDifference(streamed(*file), whole), QString());
+}
+
+/// 21 rows in bands of 8: three times all views, each telling how far it is.
+void TestStreams::viewsAreReadOnceForEachBand() {
+  const auto file = openLightField(paramsOf("views", Layout::views), {});
+  allowMemory(std::size_t{2} * 8 * 4 * size.width() * std::size_t(size.dv));
+  double last = 0;
+  int steps = 0;
+  file->stream([](int, int, const StoredRows&) {},
+               [&](double done) {
+                 ++steps;
+                 const bool isOn = done >= last;
+                 last = done;
+                 return isOn;
+               });
+  QCOMPARE(steps, 3 * size.du * size.dv + size.ny);
+}
+
+QTEST_APPLESS_MAIN(TestStreams)
+#include "test_streams.moc"
