@@ -34,6 +34,14 @@ inline void fillWithNoise(Random& random, RandomScene& scene) {
   }
 }
 
+/// As many hogels and directions of noise as the display has, in place of what was there.
+inline void fillDisplay(Random& random, RandomScene& scene) {
+  const auto& [hogels, directions] =
+      std::pair(scene.view.display.hogels, scene.view.display.directions);
+  scene.content = {{hogels[0], hogels[1], directions[0], directions[1]}, {}};
+  fillWithNoise(random, scene);
+}
+
 inline hogelscope::DisplayParams randomDisplay(Random& random) {
   hogelscope::DisplayParams display;
   display.position = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
@@ -107,9 +115,15 @@ inline RandomScene randomScene(Random& random) {
                       randomPsf(random)};
   scene.view.sampling.mapping =
       random.flip() ? hogelscope::LensMapping::exact : hogelscope::LensMapping::direct;
-  const auto& [hogels, directions] =
-      std::pair(scene.view.display.hogels, scene.view.display.directions);
-  scene.content.size = {hogels[0], hogels[1], directions[0], directions[1]};
-  fillWithNoise(random, scene);
+  fillDisplay(random, scene);
+  return scene;
+}
+
+/// With any reconstruction too, and in one of four scenes with several rays a pixel.
+inline RandomScene randomSampledScene(Random& random) {
+  RandomScene scene = randomScene(random);
+  scene.view.sampling.reconstruction =
+      static_cast<hogelscope::Reconstruction>(random.integer(0, 2));
+  scene.view.sampling.samplesPerPixel = random.integer(0, 3) == 0 ? 2 : 1;
   return scene;
 }

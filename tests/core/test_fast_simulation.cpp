@@ -21,16 +21,10 @@ struct Counts {
 /// hogels are wider than a window.
 RandomScene sceneOf(std::uint64_t seed) {
   Random random(seed);
-  RandomScene scene = randomScene(random);
-  scene.view.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
-  scene.view.sampling.samplesPerPixel = random.integer(0, 3) == 0 ? 2 : 1;
+  RandomScene scene = randomSampledScene(random);
   if (random.flip()) return scene;
-  auto& display = scene.view.display;
-  display.directions = {random.integer(9, 40), random.integer(9, 40)};
-  scene.content = {};
-  scene.content.size = {display.hogels[0], display.hogels[1], display.directions[0],
-                        display.directions[1]};
-  fillWithNoise(random, scene);
+  scene.view.display.directions = {random.integer(9, 40), random.integer(9, 40)};
+  fillDisplay(random, scene);
   scene.view.state.camera.res = {random.integer(130, 200), random.integer(2, 3)};
   return scene;
 }

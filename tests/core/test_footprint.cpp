@@ -17,15 +17,9 @@ namespace {
 /// Displays with enough rows of hogels for some to be given up while others come.
 RandomScene sceneOf(std::uint64_t seed) {
   Random random(seed);
-  RandomScene scene = randomScene(random);
-  scene.view.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
-  scene.view.sampling.samplesPerPixel = random.integer(0, 3) == 0 ? 2 : 1;
-  auto& display = scene.view.display;
-  display.hogels = {random.integer(1, 30), random.integer(1, 60)};
-  scene.content = {};
-  scene.content.size = {display.hogels[0], display.hogels[1], display.directions[0],
-                        display.directions[1]};
-  fillWithNoise(random, scene);
+  RandomScene scene = randomSampledScene(random);
+  scene.view.display.hogels = {random.integer(1, 30), random.integer(1, 60)};
+  fillDisplay(random, scene);
   scene.view.state.camera.res = {random.integer(20, 300), random.integer(10, 40)};
   return scene;
 }

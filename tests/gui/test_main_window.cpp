@@ -21,35 +21,13 @@
 #include "gui/vtk_widget.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
+#include "tests/gui/shown_picture.h"
 
 using namespace hogelscope;
 
 namespace {
 
 const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
-
-/// How many pixels of the scene are nearly of this colour.
-int count(const QImage& image, const QColor& colour) {
-  int found = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor c = image.pixelColor(x, y);
-      const int distance = std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
-                           std::abs(c.blue() - colour.blue());
-      if (distance < 30) ++found;
-    }
-  return found;
-}
-
-bool equals(const QImage& shown, const Image& expected) {
-  if (shown.width() != expected.width || shown.height() != expected.height) return false;
-  const QImage rgb = shown.convertToFormat(QImage::Format_RGB888);
-  for (int y = 0; y < rgb.height(); ++y)
-    if (!std::equal(rgb.constScanLine(y), rgb.constScanLine(y) + 3 * rgb.width(),
-                    expected.rgb.begin() + 3 * std::ptrdiff_t(y) * rgb.width()))
-      return false;
-  return true;
-}
 
 }  // namespace
 

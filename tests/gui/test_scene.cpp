@@ -1,149 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drives the 3-D scene in the real window: clicks frusta and hogels, drags handles, uses each
-// command, and compares what is drawn with the reference engine.
+// What the 3-D scene of the real window shows, compared with the reference engine, and from where.
 #include <vtkCamera.h>
-#include <vtkRenderer.h>
 
 #include <QAction>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QScrollArea>
-#include <QSignalSpy>
-#include <QStatusBar>
-#include <QTemporaryDir>
-#include <QToolTip>
-#include <QtTest>
 
 #include "core/fast_simulation.h"
 #include "core/panel_view.h"
-#include "core/pixel_trace.h"
-#include "gui/display_scene.h"
 #include "gui/main_window.h"
-#include "gui/picture_view.h"
-#include "gui/scene_controller.h"
-#include "gui/vtk_widget.h"
-#include "io/light_field_file.h"
-#include "io/session_file.h"
+#include "tests/gui/scene_test.h"
+#include "tests/gui/shown_picture.h"
 
 using namespace hogelscope;
 
 namespace {
 
-int distance(const QColor& a, const QColor& b) {
-  return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
-         std::abs(a.blue() - b.blue());
-}
-
-/// How many pixels of the scene are nearly of this colour.
-int count(const QImage& image, const QColor& colour) {
-  int found = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (distance(image.pixelColor(x, y), colour) < 30) ++found;
-  return found;
-}
-
-bool isNear(const Vec3& a, const Vec3& b, double tolerance) {
-  return length(a - b) <= tolerance;
-}
-
 const QColor gridColour(128, 148, 179);
-const QColor rayColour(255, 64, 115);
 
 }  // namespace
 
-class TestScene : public QObject {
+class TestScene : public SceneTest {
   Q_OBJECT
 
- private:
-  std::unique_ptr<MainWindow> m_window;
-  Session m_session;
-  Scene m_loaded;
-  QTemporaryDir m_folder;
-
-  template <class T>
-  T* find(const char* name) const {
-    return m_window->findChild<T*>(name);
-  }
-  SceneController* controller() const { return m_window->findChild<SceneController*>(); }
-  DisplayScene& scene() const { return controller()->scene(); }
-  VtkWidget* widget() const { return m_window->findChild<VtkWidget*>(); }
-  QImage drawn() const { return widget()->grabFramebuffer(); }
-  QString readout() const { return find<QLabel>("sceneReadout")->text(); }
-  int current() const { return find<QComboBox>("stateBox")->currentIndex(); }
-  Vec3 edited(const char* name) const {
-    std::array<double, 3> value{};
-    QWidget* form = find<QScrollArea>("cameraArea")->widget();
-    for (int k = 0; k < 3; ++k)
-      value[std::size_t(k)] =
-          form->findChild<QDoubleSpinBox*>(QString("%1.%2").arg(name).arg(k))->value();
-    return {value[0], value[1], value[2]};
-  }
-  void edit(const char* name, double value) {
-    find<QScrollArea>("cameraArea")->widget()->findChild<QDoubleSpinBox*>(name)->setValue(value);
-  }
-  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(m_window.get(), key, modifiers);
-    QTest::qWait(50);
-  }
-
-  /// Where a point of the world is drawn in the widget.
-  QPoint onScreen(const Vec3& p) const {
-    vtkRenderer* renderer = scene().renderer();
-    renderer->SetWorldPoint(p.x, p.y, p.z, 1);
-    renderer->WorldToDisplay();
-    const double* at = renderer->GetDisplayPoint();
-    return {int(at[0]), widget()->height() - 1 - int(at[1])};
-  }
-  void click(const QPoint& at) {
-    QTest::mouseClick(widget(), Qt::LeftButton, {}, at);
-    QTest::qWait(20);
-  }
-  void drag(const QPoint& from, const QPoint& to) {
-    QTest::mouseMove(widget(), from);
-    QTest::mousePress(widget(), Qt::LeftButton, {}, from);
-    // Windows of X tell a moving pointer of its buttons; QTest::mouseMove does not.
-    for (int k = 1; k <= 5; ++k) {
-      const QPoint at = from + (to - from) * k / 5;
-      QMouseEvent move(QEvent::MouseMove, at, widget()->mapToGlobal(at), Qt::NoButton,
-                       Qt::LeftButton, {});
-      QCoreApplication::sendEvent(widget(), &move);
-    }
-    QTest::mouseRelease(widget(), Qt::LeftButton, {}, to);
-    QTest::qWait(50);
-  }
-  /// The lower right corner of a state's near plane.
-  static Vec3 cornerOf(const CameraState& state) {
-    const Camera camera(state.camera, state.intrinsics);
-    const double depth = 0.25 * length(state.camera.lookat - state.camera.eye);
-    const auto [width, height] = state.camera.res;
-    const Vec2 p = camera.normalised(width - 0.5, height - 0.5);
-    return camera.worldFromCamera().point({depth * p.x, depth * p.y, depth});
-  }
-  void open(const Session& session) {
-    const QString file = m_folder.filePath("session.json");
-    saveSession(file.toStdString(), session);
-    m_session = session;
-    m_loaded = loadScene(session, {});
-    QVERIFY(m_window->openSession(file));
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), 60000);
-    QTest::qWait(100);
-  }
-
  private Q_SLOTS:
-  void init() {
-    m_window = std::make_unique<MainWindow>();
-    m_window->resize(1400, 800);
-    m_window->show();
-    m_window->activateWindow();  // shortcuts are the active window's
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    Session session = loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
-    session.lightField.file = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
-    // Some side by side; the others are at one place with the first.
-    for (std::size_t k = 1; k < 4; ++k) session.cameras[k].camera.eye.x = 0.25 * double(k) - 0.3;
-    open(session);
-  }
+  void init() { start(); }
   void cleanup() { m_window.reset(); }
 
   void thePanelShowsWhatTheScenesEyeSees() {
@@ -182,7 +61,7 @@ class TestScene : public QObject {
     press(Qt::Key_F5);
     QTRY_COMPARE(scene().panel().gridLines(), 0);
     press(Qt::Key_G, Qt::ControlModifier);
-    QVERIFY(!find<QAction>("scenePanelPictureAction")->isChecked());
+    QVERIFY(!child<QAction>("scenePanelPictureAction")->isChecked());
     QTRY_VERIFY(count(drawn(), gridColour) > 1000);
     const int far = scene().panel().gridLines();
     QVERIFY2(far <= 2 * 65, qPrintable(QString::number(far)));  // not each of 128
@@ -190,50 +69,6 @@ class TestScene : public QObject {
     QTRY_COMPARE(scene().panel().gridLines(), 2 * 129);
     press(Qt::Key_G, Qt::ControlModifier);
     QTRY_COMPARE(scene().panel().gridLines(), 0);
-  }
-
-  void aClickMakesAStateCurrent() {
-    press(Qt::Key_F6);
-    QSignalSpy picked(controller(), &SceneController::statePicked);
-    click(onScreen(cornerOf(m_session.cameras[2])));
-    QCOMPARE(current(), 2);
-    QCOMPARE(picked.count(), 1);
-    QCOMPARE(picked[0][0].toInt(), 2);
-    click(QPoint(5, 5));  // nothing is there
-    QCOMPARE(current(), 2);
-    // Three states are at one place: the next one each time.
-    const QPoint both = onScreen(cornerOf(m_session.cameras[5]));
-    click(both);
-    QCOMPARE(current(), 4);
-    click(both);
-    QCOMPARE(current(), 5);
-    click(both);
-    QCOMPARE(current(), 0);
-  }
-
-  void namesAppearUnderThePointer() {
-    press(Qt::Key_F6);
-    QTest::mouseMove(widget(), onScreen(cornerOf(m_session.cameras[3])));
-    QTRY_VERIFY2(QToolTip::text().startsWith("Fig 4: "), qPrintable(QToolTip::text()));
-    QTest::mouseMove(widget(), QPoint(5, 5));
-    QTRY_VERIFY(!QToolTip::isVisible() || QToolTip::text().isEmpty());
-  }
-
-  void draggingTheBallsMovesEyeAndLookat() {
-    press(Qt::Key_F6);
-    const Vec3 lookat = edited("lookat");
-    const QPoint to = onScreen(edited("eye")) + QPoint(40, 25);
-    drag(onScreen(edited("eye")), to);
-    QVERIFY(!isNear(edited("eye"), m_session.cameras[0].camera.eye, 0.01));
-    const QPoint eyeMiss = onScreen(edited("eye")) - to;
-    QVERIFY2(eyeMiss.manhattanLength() <= 4, qPrintable(QString::number(eyeMiss.x())));
-    QVERIFY(std::abs(edited("eye").y) < 1e-3);  // seen from above it stays at its height
-    QVERIFY(isNear(edited("lookat"), lookat, 0));
-    const QPoint aim = onScreen(lookat) + QPoint(-30, 10);
-    drag(onScreen(lookat), aim);
-    QVERIFY(!isNear(edited("lookat"), lookat, 0.01));
-    QVERIFY((onScreen(edited("lookat")) - aim).manhattanLength() <= 4);
-    QVERIFY(m_window->isWindowModified());
   }
 
   void theBallsKeepTheirSizeOnTheScreen() {
@@ -262,6 +97,7 @@ class TestScene : public QObject {
     QTest::newRow("a watch") << 0.01;
     QTest::newRow("a wall") << 100.0;
   }
+
   void anotherSizeIsFitted() {
     QFETCH(const double, factor);
     const auto ball = [this] {
@@ -272,6 +108,7 @@ class TestScene : public QObject {
     };
     const std::vector<Vec3> corners{{-0.25, -0.25, 0}, {0.25, 0.25, 0}, edited("eye")};
     std::vector<QPoint> before;
+    before.reserve(corners.size());
     for (const Vec3& corner : corners) before.push_back(onScreen(corner));
     const int ballBefore = ball();
     QVERIFY(ballBefore > 20);
@@ -287,14 +124,6 @@ class TestScene : public QObject {
       QVERIFY2(way.manhattanLength() <= 4, qPrintable(QString::number(way.manhattanLength())));
     }
     QVERIFY(std::abs(ball() - ballBefore) <= ballBefore / 4);
-  }
-
-  void draggingTheSceneTurnsIt() {
-    const Vec3 before = scene().eye().eye;
-    drag(QPoint(20, 20), QPoint(90, 60));
-    QVERIFY(!isNear(scene().eye().eye, before, 0.05));
-    QVERIFY(!m_window->isWindowModified());
-    QVERIFY(readout().contains("Click a frustum"));  // that was no click
   }
 
   void keysTurnTheScene() {
@@ -315,7 +144,7 @@ class TestScene : public QObject {
     key(Qt::Key_Minus);
     QCOMPARE(length(scene().eye().eye - scene().eye().lookat), before);
     // In a field the arrows are the field's.
-    find<QScrollArea>("cameraArea")->widget()->findChild<QDoubleSpinBox*>("eye.0")->setFocus();
+    spinBox("eye.0")->setFocus();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up);
     QVERIFY(isNear(direction(), {0, 0, 1}, 1e-6));
   }
@@ -354,82 +183,6 @@ class TestScene : public QObject {
     QTRY_VERIFY(readout().contains("% of the panel lights this eye"));
   }
 
-  void aPickedPixelIsTracedInNumbers() {
-    auto* view = m_window->findChild<PictureView*>("pictureView");
-    const int side = std::min(view->width(), view->height());
-    const QPoint at = view->rect().center() + QPoint(side / 10, side / 7);
-    QTest::mouseClick(view, Qt::LeftButton, {}, at);
-    const QStringList lines = readout().split('\n');
-    QCOMPARE(lines.size(), 4);
-    static const QRegularExpression pixel(R"(Pixel \((\d+), (\d+)\): sees)");
-    const QRegularExpressionMatch match = pixel.match(lines[1]);
-    QVERIFY2(match.hasMatch(), qPrintable(readout()));
-    const int x = match.captured(1).toInt();
-    const int y = match.captured(2).toInt();
-    QVERIFY(std::abs(x - 300 - 60) <= 3 && std::abs(y - 300 - 600 / 7) <= 3);
-    const PixelTrace traced = trace(m_loaded.view(m_session.cameras[0]), x, y);
-    QVERIFY2(lines[1].contains(QString::number(traced.colour->g, 'f', 1)), qPrintable(lines[1]));
-    QVERIFY(lines[1].endsWith("25 leakage taps"));
-    QVERIFY2(lines[2].startsWith(QString("hogel i %1, j %2 · direction u %3, v %4")
-                                     .arg(int(traced.place->i))
-                                     .arg(int(traced.place->j))
-                                     .arg(int(traced.place->u))
-                                     .arg(int(traced.place->v))),
-             qPrintable(lines[2]));
-    QVERIFY(lines[3].contains(QString::number(traced.slopes.y, 'f', 4)));
-    QVERIFY(scene().picked().hasRay() && scene().picked().hasHogel());
-    press(Qt::Key_F7);
-    QVERIFY(count(drawn(), rayColour) > 50);
-    // An edit moves the ray; another state has none.
-    edit("eye.1", 0.05);
-    QVERIFY(readout().split('\n')[3] != lines[3]);
-    find<QComboBox>("stateBox")->setCurrentIndex(1);
-    QVERIFY(!scene().picked().hasRay() && !scene().picked().hasHogel());
-    controller()->showPixel(0, 0);
-    QVERIFY2(readout().contains("Pixel (0, 0): no ray"), qPrintable(readout()));
-    QVERIFY(!scene().picked().hasRay());
-    find<QComboBox>("stateBox")->setCurrentIndex(3);
-    controller()->showPixel(0, 0);  // the picture's corner does not see the panel
-    QVERIFY2(readout().contains("Pixel (0, 0): misses the panel"), qPrintable(readout()));
-    QVERIFY(scene().picked().hasRay() && !scene().picked().hasHogel());
-    controller()->showPixel(-1, 0);
-    QVERIFY(!scene().picked().hasRay() && readout().contains("Click a frustum"));
-  }
-
-  void aPickedHogelShowsItsPicture() {
-    press(Qt::Key_F5);
-    const Vec2 middle = hogelscope::Display(m_loaded.display).position(100.5, 20.5);
-    click(onScreen({middle.x, middle.y, 0}));
-    QVERIFY2(readout().contains("Hogel i 100, j 20 at x "), qPrintable(readout()));
-    QVERIFY(readout().endsWith("20 × 20 directions over 60° × 60°"));
-    QVERIFY(scene().picked().hasHogel() && !scene().picked().hasRay());
-    QCOMPARE(scene().picked().label(), std::string("hogel 100, 20"));
-    press(Qt::Key_0, Qt::ControlModifier);
-    drawn().save(QCoreApplication::applicationDirPath() + "/picked_hogel.png");
-  }
-
-  void whatIsPickedIsRemoved() {
-    press(Qt::Key_F7);
-    auto* remove = find<QAction>("sceneForgetAction");
-    QVERIFY(!remove->isEnabled());
-    controller()->showPixel(300, 300);
-    QVERIFY(remove->isEnabled());
-    QVERIFY(scene().picked().hasRay() && !scene().picked().label().empty());
-    press(Qt::Key_Escape);
-    QVERIFY(!scene().picked().hasRay() && !scene().picked().hasHogel());
-    QCOMPARE(scene().picked().label(), std::string());
-    QVERIFY(readout().contains("Click a frustum") && !remove->isEnabled());
-    QCOMPARE(count(drawn(), rayColour), 0);
-    edit("eye.1", 0.05);  // it does not come back
-    QVERIFY(!scene().picked().hasRay());
-    press(Qt::Key_F5);
-    const Vec2 middle = hogelscope::Display(m_loaded.display).position(100.5, 20.5);
-    click(onScreen({middle.x, middle.y, 0}));
-    QVERIFY(scene().picked().hasHogel());
-    remove->trigger();
-    QVERIFY(!scene().picked().hasHogel());
-  }
-
   void psnrColoursTheFrusta() {
     press(Qt::Key_F6);
     const QColor dark(68, 1, 84);
@@ -453,8 +206,8 @@ class TestScene : public QObject {
     QTRY_COMPARE(frusta(bright) + bar(bright) + frusta(dark) + bar(dark), 0);
     controller()->showPsnr({25});  // fewer than states, one value
     QTest::qWait(50);
-    find<QComboBox>("stateBox")->setCurrentIndex(2);
-    find<QAction>("duplicateAction")->trigger();
+    child<QComboBox>("stateBox")->setCurrentIndex(2);
+    child<QAction>("duplicateAction")->trigger();
     QTRY_COMPARE(count(drawn(), dark), 0);  // they are other states' now
   }
 
@@ -480,7 +233,7 @@ class TestScene : public QObject {
       }
       return sum / pixels;
     };
-    find<QComboBox>("stateBox")->setCurrentIndex(3);
+    child<QComboBox>("stateBox")->setCurrentIndex(3);
     QVERIFY(meanError() > 60);
     press(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY2_WITH_TIMEOUT(meanError() < 25, qPrintable(QString::number(meanError())), 10000);
@@ -512,9 +265,6 @@ class TestScene : public QObject {
 };
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
-  QApplication application(argc, argv);
-  TestScene test;
-  return QTest::qExec(&test, argc, argv);
+  return runWindowTest<TestScene>(argc, argv);
 }
 #include "test_scene.moc"

@@ -19,6 +19,7 @@
 #include "gui/view_worker.h"
 #include "gui/vtk_widget.h"
 #include "io/session_file.h"
+#include "tests/gui/shown_picture.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -27,16 +28,6 @@ namespace {
 
 const QString dataFolder = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/");
 const QString sampleFile = dataFolder + "table1.json";
-
-bool equals(const QImage& shown, const Image& expected) {
-  if (shown.width() != expected.width || shown.height() != expected.height) return false;
-  const QImage rgb = shown.convertToFormat(QImage::Format_RGB888);
-  for (int y = 0; y < rgb.height(); ++y)
-    if (!std::equal(rgb.constScanLine(y), rgb.constScanLine(y) + qsizetype(3) * rgb.width(),
-                    expected.rgb.begin() + 3 * std::ptrdiff_t(y) * rgb.width()))
-      return false;
-  return true;
-}
 
 }  // namespace
 

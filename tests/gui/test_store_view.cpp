@@ -14,23 +14,10 @@
 #include "gui/view_worker.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
+#include "tests/gui/shown_picture.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
-
-namespace {
-
-bool equals(const QImage& shown, const Image& expected) {
-  if (shown.width() != expected.width || shown.height() != expected.height) return false;
-  const QImage rgb = shown.convertToFormat(QImage::Format_RGB888);
-  for (int y = 0; y < rgb.height(); ++y)
-    if (!std::equal(rgb.constScanLine(y), rgb.constScanLine(y) + qsizetype(3) * rgb.width(),
-                    expected.rgb.begin() + 3 * std::ptrdiff_t(y) * rgb.width()))
-      return false;
-  return true;
-}
-
-}  // namespace
 
 class TestStoreView : public QObject {
   Q_OBJECT

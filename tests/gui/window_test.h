@@ -37,12 +37,22 @@ class WindowTest : public QObject {
   void start() {
     QVERIFY(QDir::setCurrent(m_folder.path()));
     writeSmallSession();
+    showWindow();
+    QVERIFY(m_window->openSession("s.json"));
+  }
+  /// Without a session.
+  void showWindow(const QSize& size = {}) {
     m_window = std::make_unique<hogelscope::MainWindow>();
+    if (size.isValid()) m_window->resize(size);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
     m_model = m_window->findChild<hogelscope::SessionModel*>();
-    QVERIFY(m_window->openSession("s.json"));
+  }
+  /// Until its picture is shown.
+  void open(const QString& file) {
+    QVERIFY(m_window->openSession(file));
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), 60000);
   }
 
   template <class T>

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tests of the docks share: the sample session with small pictures, and its list of states.
+#pragma once
+
+#include <QListWidget>
+
+#include "gui/picture_view.h"
+#include "io/session_file.h"
+#include "tests/gui/window_test.h"
+
+inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+
+class DocksTest : public WindowTest {
+ protected:
+  /// The reference renders its pictures quickly.
+  void openSmall() {
+    const QString file = m_folder.filePath("small.json");
+    hogelscope::saveSession(file.toStdString(), hogelscope::loadSession(sampleFile.toStdString(),
+                                                                        {"camera.res=[90,80]"}));
+    open(file);
+  }
+  [[nodiscard]] const QImage& view() const {
+    return child<hogelscope::PictureView>("pictureView")->image();
+  }
+  [[nodiscard]] QListWidget* list() const { return child<QListWidget>("stateList"); }
+  [[nodiscard]] QStringList names() const {
+    QStringList result;
+    for (int row = 0; row < list()->count(); ++row) result << list()->item(row)->text();
+    return result;
+  }
+};

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tests of the window's habits share: a window that starts as the program does, with settings
+// and a session file of its own, answers to boxes that block, and drops.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "gui/autosave_entry.h"
+#include "gui/main_window.h"
+#include "gui/session_model.h"
+#include "io/session_file.h"
+
+inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+
+inline constexpr int patience = 60000;  ///< milliseconds; machines may be busy
+
+/// Presses a key in the next box, and keeps what the box says.
+class BoxAnswer : public QObject {
+ public:
+  BoxAnswer(const char* name, Qt::Key key) {
+    connect(&m_timer, &QTimer::timeout, this, [this, name, key] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr || box->objectName() != name || !box->isVisible()) return;
+      m_timer.stop();
+      text = box->text() + box->informativeText();
+      QTimer::singleShot(20000, box, &QDialog::reject);  // rather than for ever
+      QTest::keyClick(box, key);
+    });
+    m_timer.start(20);
+  }
+  QString text;  ///< empty while no box came
+
+ private:
+  QTimer m_timer;
+};
+
+class HabitsTest : public QObject {
+ protected:
+  /// With the test's session open.
+  void start() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder->path());
+    QSettings().clear();
+    QDir(hogelscope::autosaveFolder()).removeRecursively();
+    m_session = m_folder->filePath("mine.json");
+    hogelscope::saveSession(
+        m_session.toStdString(),
+        hogelscope::loadSession(sampleFile.toStdString(), {"camera.res=[80,60]"}));
+    makeWindow({m_session});
+    QCOMPARE(model().file(), m_session);
+  }
+  void stop() {
+    m_window.reset();
+    QApplication::setPalette(QPalette());
+  }
+
+  hogelscope::SessionModel& model() const {
+    return *m_window->findChild<hogelscope::SessionModel*>();
+  }
+  QAction* action(const char* name) const { return m_window->findChild<QAction*>(name); }
+  QString message() const { return m_window->statusBar()->currentMessage(); }
+  QString errors() const { return m_window->findChild<QPlainTextEdit*>("errors")->toPlainText(); }
+  QDoubleSpinBox* eye() const {
+    auto* area = m_window->findChild<QScrollArea*>("cameraArea");
+    return area->widget()->findChild<QDoubleSpinBox*>("eye.0");
+  }
+  void makeWindow(const QStringList& files) {
+    m_window.reset();
+    m_window = std::make_unique<hogelscope::MainWindow>();
+    m_window->start(files);
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  }
+  void drop(const QStringList& files) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& file : files) urls.append(QUrl::fromLocalFile(file));
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_window.get(), &event);
+  }
+
+  std::unique_ptr<hogelscope::MainWindow> m_window;
+  std::unique_ptr<QTemporaryDir> m_folder;
+  QString m_session;  ///< small, and the tests' own
+};
+
+/// Qt's own dialogs, which a test can answer. The users' own files stay as they are, and each test
+/// program's autosaves are in a folder with its name.
+inline void setUpProgram() {
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QCoreApplication::setOrganizationName("Hogelscope");
+  QStandardPaths::setTestModeEnabled(true);
+}
+
+template <class Test>
+int runHabitsTest(int argc, char** argv) {
+  const QApplication application(argc, argv);
+  setUpProgram();
+  Test test;
+  return QTest::qExec(&test, argc, argv);
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tests of the 3-D scene share: the sample session in a large window, with some states side by
+// side, and where things are drawn.
+#pragma once
+
+#include <vtkRenderer.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+
+#include "gui/display_scene.h"
+#include "gui/scene_controller.h"
+#include "gui/vtk_widget.h"
+#include "io/light_field_file.h"
+#include "io/session_file.h"
+#include "tests/gui/window_test.h"
+
+inline bool isNear(const hogelscope::Vec3& a, const hogelscope::Vec3& b, double tolerance) {
+  return length(a - b) <= tolerance;
+}
+
+class SceneTest : public WindowTest {
+ protected:
+  void start() {
+    showWindow({1400, 800});
+    hogelscope::Session session =
+        hogelscope::loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+    session.lightField.file = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
+    // Some side by side; the others are at one place with the first.
+    for (std::size_t k = 1; k < 4; ++k) session.cameras[k].camera.eye.x = 0.25 * double(k) - 0.3;
+    open(session);
+  }
+  void open(const hogelscope::Session& session) {
+    const QString file = m_folder.filePath("session.json");
+    hogelscope::saveSession(file.toStdString(), session);
+    m_session = session;
+    m_loaded = hogelscope::loadScene(session, {});
+    WindowTest::open(file);
+    QTest::qWait(100);
+  }
+
+  hogelscope::SceneController* controller() const {
+    return m_window->findChild<hogelscope::SceneController*>();
+  }
+  hogelscope::DisplayScene& scene() const { return controller()->scene(); }
+  hogelscope::VtkWidget* widget() const { return m_window->findChild<hogelscope::VtkWidget*>(); }
+  QImage drawn() const { return widget()->grabFramebuffer(); }
+  QString readout() const { return child<QLabel>("sceneReadout")->text(); }
+  int current() const { return child<QComboBox>("stateBox")->currentIndex(); }
+  QDoubleSpinBox* spinBox(const char* name) const {
+    return editor<QDoubleSpinBox>("cameraArea", name);
+  }
+  hogelscope::Vec3 edited(const char* name) const {
+    std::array<double, 3> value{};
+    for (int k = 0; k < 3; ++k)
+      value[std::size_t(k)] = spinBox(qPrintable(QString("%1.%2").arg(name).arg(k)))->value();
+    return {value[0], value[1], value[2]};
+  }
+  void edit(const char* name, double value) const { spinBox(name)->setValue(value); }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(m_window.get(), key, modifiers);
+    QTest::qWait(50);
+  }
+
+  /// Where a point of the world is drawn in the widget.
+  QPoint onScreen(const hogelscope::Vec3& p) const {
+    vtkRenderer* renderer = scene().renderer();
+    renderer->SetWorldPoint(p.x, p.y, p.z, 1);
+    renderer->WorldToDisplay();
+    const double* at = renderer->GetDisplayPoint();
+    return {int(at[0]), widget()->height() - 1 - int(at[1])};
+  }
+  void click(const QPoint& at) {
+    QTest::mouseClick(widget(), Qt::LeftButton, {}, at);
+    QTest::qWait(20);
+  }
+  /// The lower right corner of a state's near plane.
+  static hogelscope::Vec3 cornerOf(const hogelscope::CameraState& state) {
+    const hogelscope::Camera camera(state.camera, state.intrinsics);
+    const double depth = 0.25 * length(state.camera.lookat - state.camera.eye);
+    const auto [width, height] = state.camera.res;
+    const hogelscope::Vec2 p = camera.normalised(width - 0.5, height - 0.5);
+    return camera.worldFromCamera().point({depth * p.x, depth * p.y, depth});
+  }
+
+  hogelscope::Session m_session;
+  hogelscope::Scene m_loaded;
+};

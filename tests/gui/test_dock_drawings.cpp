@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the distortion and PSF docks of the real window draw, and what they say about it.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSlider>
+
+#include "core/colour_map.h"
+#include "gui/kernel_view.h"
+#include "gui/lens_view.h"
+#include "tests/gui/docks_test.h"
+#include "tests/gui/shown_picture.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Pixels of a drawing that are nearly of a colour.
+int pixelsOf(QWidget* drawing, const QColor& colour) {
+  return count(drawing->grab().toImage(), colour, 60);
+}
+
+/// Of a tap in the drawing, near its top left corner.
+QColor colourOfTap(KernelView& kernel, const QString& tap) {
+  const QImage image = kernel.grab().toImage();
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (kernel.textAt(QPointF(x, y)).startsWith("Tap " + tap))
+        return image.pixelColor(x + 3, y + 3);
+  return {};
+}
+
+bool isColour(const QColor& colour, double share) {
+  const auto [r, g, b] = falseColour(share);
+  return distance(colour, QColor(r, g, b)) < 6;
+}
+
+}  // namespace
+
+class TestDockDrawings : public DocksTest {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { showWindow(); }
+  void cleanup() { m_window.reset(); }
+
+  void theKernelIsDrawnAndItsLossTold() {
+    openSmall();
+    child<QDockWidget>("psfDock")->raise();
+    auto* kernel = m_window->findChild<KernelView*>();
+    auto* energy = child<QLabel>("energyLabel");
+    QTRY_VERIFY(kernel->isVisible());
+    editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(2);
+    editor<QSlider>("psfArea", "windowSize.slider")->setValue(3);
+    QCOMPARE(editor<QSpinBox>("psfArea", "windowSize")->value(), 7);
+    QCOMPARE(kernel->weights().size(), std::size_t(49));
+    QVERIFY2(energy->text().contains("⚠ 15.4 % of the Gaussian's energy"),  // DESIGN §2
+             qPrintable(energy->text()));
+    const QString middle = kernel->textAt(kernel->rect().center() - QPointF(0, 12));
+    QVERIFY2(middle.startsWith("Tap (0, 0): 4.67"), qPrintable(middle));  // 1 / Σ W
+    QVERIFY(kernel->textAt({0, 0}).isEmpty());
+    QVERIFY(isColour(colourOfTap(*kernel, "(0, 0)"), 1));
+    QVERIFY(isColour(colourOfTap(*kernel, "(-3, 3)"), std::exp(-18.0 / 8)));
+    QVERIFY(isColour(colourOfTap(*kernel, "(1, -2)"), std::exp(-5.0 / 8)));
+    editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(1);
+    QVERIFY(!energy->text().contains("⚠"));
+    QVERIFY(energy->text().startsWith("0.0930 %") || energy->text().startsWith("0.093 %"));
+    QVERIFY(isColour(colourOfTap(*kernel, "(1, -2)"), std::exp(-5.0 / 2)));
+    editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(0);
+    QVERIFY(kernel->weights().empty());
+    QVERIFY(energy->text().contains("⚠"));
+    editor<QSpinBox>("psfArea", "windowSize")->setValue(99);
+    kernel->grab();
+  }
+
+  void theLensIsDrawnWithItsFold() {
+    openSmall();
+    child<QDockWidget>("distortionDock")->raise();
+    auto* lens = m_window->findChild<LensView*>();
+    QTRY_VERIFY(lens->isVisible());
+    const QColor red(200, 40, 40);
+    const QColor blue(52, 94, 150);
+    for (const char* name : {"k1", "k2", "k3"})
+      editor<QDoubleSpinBox>("distortionArea", name)->setValue(0);
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, blue) > 1000 && pixelsOf(lens, red) == 0, 20000);
+    const int straight = pixelsOf(lens, blue);
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(-1.2);  // folds at r = 0.527
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) > 500, 20000);
+    QVERIFY(pixelsOf(lens, blue) != straight);
+    auto* certificate = child<QLabel>("certificateLabel");
+    QVERIFY(certificate->text().contains("have no ray: the lens folds"));
+    editor<QComboBox>("lightFieldArea", "mapping")->setCurrentText("direct");
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) == 0, 20000);
+    lens->resize(1, 1);
+    lens->grab();
+  }
+
+  /// Grey from the edit on, until what is said is of this lens.
+  void aStaleCertificateIsGrey() {
+    openSmall();
+    child<QDockWidget>("distortionDock")->raise();
+    auto* certificate = child<QLabel>("certificateLabel");
+    auto* lens = m_window->findChild<LensView*>();
+    const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    const QString before = certificate->text();
+    const int blue = pixelsOf(lens, QColor(52, 94, 150));
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.2);
+    QVERIFY(isGrey());
+    QCOMPARE(certificate->text(), before);
+    QVERIFY(pixelsOf(lens, QColor(52, 94, 150)) < blue / 10);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    QVERIFY(certificate->text() != before);
+    editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.01);  // the lens stays
+    QVERIFY(!isGrey());
+    // Another one and back before anything could be worked out.
+    editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.3);
+    m_model->undoStack()->undo();
+    QVERIFY(!isGrey());
+    child<QComboBox>("stateBox")->setCurrentIndex(3);
+    QVERIFY(isGrey());
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), 20000);
+    editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0);  // the look-at: no camera
+    QVERIFY(!certificate->text().isEmpty());
+  }
+};
+
+int main(int argc, char** argv) {
+  return runWindowTest<TestDockDrawings>(argc, argv);
+}
+#include "test_dock_drawings.moc"

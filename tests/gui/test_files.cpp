@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens files as users do, in the real window: recent ones, dialogs, drops, the command line; and
+// stops reading one.
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "gui/picture_view.h"
+#include "gui/view_worker.h"
+#include "tests/gui/habits_test.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Looks at the next file dialog, then chooses in it.
+class DialogAnswer : public QObject {
+ public:
+  explicit DialogAnswer(const QString& choice) {
+    connect(&m_timer, &QTimer::timeout, this, [this, choice] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || !dialog->isVisible()) return;
+      m_timer.stop();
+      folder = dialog->directory().absolutePath();
+      name = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
+      dialog->selectFile(choice);
+      static_cast<QDialog*>(dialog)->accept();
+      if (dialog->isVisible()) dialog->reject();
+    });
+    m_timer.start(20);
+  }
+  QString folder;  ///< empty while no dialog came
+  QString name;    ///< that it proposed
+
+ private:
+  QTimer m_timer;
+};
+
+}  // namespace
+
+class TestFiles : public HabitsTest {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() { start(); }
+  void cleanup() { stop(); }
+
+  void remembersRecentFiles() {
+    const QString second = m_folder->filePath("second.json");
+    QVERIFY(m_window->saveSession(second));
+    auto* menu = m_window->findChild<QMenu*>("recentMenu");
+    Q_EMIT menu->aboutToShow();
+    QCOMPARE(menu->actions().size(), 2);
+    QVERIFY(menu->actions()[0]->text().contains("second.json"));
+    QVERIFY(menu->actions()[1]->isEnabled());
+    menu->actions()[1]->trigger();
+    QCOMPARE(model().file(), m_session);
+    QVERIFY(QFile::remove(second));
+    Q_EMIT menu->aboutToShow();
+    QVERIFY(menu->actions()[0]->text().contains("mine.json"));
+    QVERIFY(!menu->actions()[1]->isEnabled());  // missing
+    for (int k = 0; k < 12; ++k)
+      QVERIFY(m_window->saveSession(m_folder->filePath(QString("%1.json").arg(k))));
+    Q_EMIT menu->aboutToShow();
+    QCOMPARE(menu->actions().size(), 10);
+  }
+
+  /// Over runs of the program too; only saving proposes a name.
+  void dialogsOpenInTheLastFolder() {
+    QVERIFY(QDir(m_folder->path()).mkpath("far/views"));
+    const QString far = m_folder->filePath("far");
+    {
+      const DialogAnswer saveAs(far + "/kept.json");
+      action("saveAsAction")->trigger();
+      QCOMPARE(saveAs.folder, m_folder->path());
+      QCOMPARE(saveAs.name, QString("mine.json"));
+      QCOMPARE(model().file(), far + "/kept.json");
+    }
+    QVERIFY(m_window->close());
+    makeWindow({});
+    {
+      const DialogAnswer open(far + "/kept.json");
+      action("openAction")->trigger();
+      QCOMPARE(open.folder, far);
+      QCOMPARE(open.name, QString());
+      QCOMPARE(model().file(), far + "/kept.json");
+    }
+    QVERIFY(m_window->openSession(m_session));  // without a dialog
+    QTRY_VERIFY_WITH_TIMEOUT(action("compareAction")->isEnabled(), patience);
+    for (const char* name : {"loadStatesAction", "compareAction", "importAction"}) {
+      const DialogAnswer dialog({});
+      action(name)->trigger();
+      QCOMPARE(dialog.folder, m_folder->path());
+      QCOMPARE(dialog.name, QString());
+    }
+    const DialogAnswer folder(far + "/views");
+    action("compareFolderAction")->trigger();
+    QCOMPARE(folder.folder, m_folder->path());
+    const DialogAnswer next({});
+    action("openLightFieldAction")->trigger();
+    QCOMPARE(next.folder, far);
+  }
+
+  void dropsOpenImportAndCompare() {
+    auto* picture = m_window->findChild<PictureView*>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!picture->image().isNull(), patience);
+    QFile file(m_folder->filePath("k.yml"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "%YAML:1.0\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+        "   data: [ 60., 0., 40., 0., 60., 30., 0., 0., 1. ]\n"
+        "distortion_coefficients: !!opencv-matrix\n   rows: 4\n   cols: 1\n   dt: d\n"
+        "   data: [ 0.125, 0., 0., 0. ]\n");
+    file.close();
+    drop({file.fileName()});
+    QTRY_COMPARE_WITH_TIMEOUT(model().current().distortion.k1, 0.125, patience);
+    QVERIFY(!action("stopComparingAction")->isEnabled());
+    drop({QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/scene.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(action("stopComparingAction")->isEnabled(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(action("wipeAction")->isEnabled(), patience);
+    QCOMPARE(model().file(), m_session);
+  }
+
+  void commandLineOpensAndCompares() {
+    makeWindow({HOGELSCOPE_SOURCE_DIR "/data/scene.png", m_session});  // in any order
+    QCOMPARE(model().file(), m_session);
+    QTRY_VERIFY_WITH_TIMEOUT(action("wipeAction")->isEnabled(), patience);
+    makeWindow({m_folder->filePath("missing.json"), "picture.png"});
+    QVERIFY(m_window->isVisible());
+    const QStringList lines = errors().split('\n');
+    QCOMPARE(lines.size(), 2);
+    QVERIFY(lines[0].contains("missing.json: cannot be read"));
+    QVERIFY(lines[1].contains("picture.png: needs an open session"));
+  }
+
+  void readingCanBeStopped() {
+    constexpr int side = 6000;
+    const QString image = m_folder->filePath("large.png");
+    {
+      QImage large(side, side, QImage::Format_RGB888);
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < 3 * side; ++x) large.scanLine(y)[x] = uchar(x * 7 ^ y * 13);
+      QVERIFY(large.save(image, nullptr, 100));
+    }
+    Session session = loadSession(m_session.toStdString());
+    session.display.hogels = {300, 300};
+    session.display.directions = {20, 20};
+    session.lightField.file = image.toStdString();
+    const QString file = m_folder->filePath("large.json");
+    saveSession(file.toStdString(), session);
+    auto* bar = m_window->findChild<QWidget*>("readingBar");
+    auto* picture = m_window->findChild<PictureView*>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!picture->image().isNull(), patience);
+    int shown = -1;
+    connect(m_window->findChild<ViewWorker*>(), &ViewWorker::reading, bar, [&](double done) {
+      if (done == 0 || shown >= 0 || !bar->isVisible()) return;
+      shown = bar->findChild<QProgressBar*>()->value();
+      bar->findChild<QToolButton*>()->click();
+    });
+    QVERIFY(m_window->openSession(file));
+    QTRY_VERIFY_WITH_TIMEOUT(message().startsWith("Stopped reading"), patience);
+    QVERIFY(shown > 0 && shown < 100);
+    QVERIFY(!bar->isVisible());
+    QVERIFY(picture->image().isNull());  // not the picture of another session
+    eye()->setValue(0.01);               // the window goes on
+    QTest::qWait(100);
+    QVERIFY(picture->image().isNull());
+    const BoxAnswer discard("unsavedBox", Qt::Key_D);
+    drop({m_session});
+    QTRY_COMPARE_WITH_TIMEOUT(picture->image().size(), QSize(80, 60), patience);
+    QVERIFY(!bar->isVisible());
+  }
+};
+
+int main(int argc, char** argv) {
+  return runHabitsTest<TestFiles>(argc, argv);
+}
+#include "test_files.moc"

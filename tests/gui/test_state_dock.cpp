@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives the list of states in the real window: chosen, renamed, dragged, deleted, dropped.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QToolButton>
+
+#include "gui/state_commands.h"
+#include "gui/state_dock.h"
+#include "tests/gui/docks_test.h"
+
+using namespace hogelscope;
+
+class TestStateDock : public DocksTest {
+  Q_OBJECT
+
+ private:
+  void clickRow(int row, Qt::KeyboardModifiers modifiers = {}) {
+    const QRect box = list()->visualItemRect(list()->item(row));
+    QTest::mouseClick(list()->viewport(), Qt::LeftButton, modifiers, box.center());
+  }
+  void press(const char* action) {
+    for (auto* button : child<QWidget>("statesDock")->findChildren<QToolButton*>())
+      if (button->defaultAction() && button->defaultAction()->objectName() == action)
+        return QTest::mouseClick(button, Qt::LeftButton);
+    QFAIL("no such button");
+  }
+  /// By the pointer of the window system, from a row's middle to so far into another one.
+  void dragRow(int from, int to, double share) {
+    QWindow* window = m_window->windowHandle();
+    const auto at = [&](int row, double part) {
+      const QRect box = list()->visualItemRect(list()->item(row));
+      const QPoint point(box.center().x(), box.top() + qRound(part * box.height()));
+      return list()->viewport()->mapTo(m_window.get(), point);
+    };
+    const QPoint start = at(from, 0.5);
+    const QPoint end = at(to, share);
+    QTest::mousePress(window, Qt::LeftButton, {}, start);
+    // The first move starts a loop of its own, which the release ends.
+    QTimer::singleShot(100, window, [=] { QTest::mouseMove(window, (start + end) / 2); });
+    QTimer::singleShot(200, window, [=] { QTest::mouseMove(window, end); });
+    QTimer::singleShot(300, window, [=] { QTest::mouseMove(window, end); });
+    QTimer::singleShot(400, window, [=] { QTest::mouseRelease(window, Qt::LeftButton, {}, end); });
+    QTest::mouseMove(window, start + QPoint(0, 2 * QApplication::startDragDistance()));
+    QTest::qWait(600);
+  }
+  void drop(const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    auto* dock = m_window->findChild<StateDock*>();
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(dock, &enter);
+    if (!enter.isAccepted()) return;
+    QDropEvent dropped({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(dock, &dropped);
+  }
+
+ private Q_SLOTS:
+  void init() { showWindow(); }
+  void cleanup() { m_window.reset(); }
+
+  void statesAreListedAndChosen() {
+    openSmall();
+    QCOMPARE(list()->count(), 6);
+    clickRow(3);
+    QCOMPARE(m_model->currentIndex(), std::size_t(3));
+    QTest::keyClick(list(), Qt::Key_Down);
+    QCOMPARE(m_model->currentIndex(), std::size_t(4));
+    child<QComboBox>("stateBox")->setCurrentIndex(1);
+    QCOMPARE(list()->currentRow(), 1);
+    press("addStateAction");
+    QCOMPARE(names().back(), QString("View"));
+    QCOMPARE(list()->currentRow(), 6);
+    press("moveUpAction");
+    QCOMPARE(names()[5], QString("View"));
+    press("duplicateAction");
+    QCOMPARE(names()[6], QString("View 2"));
+    m_model->undoStack()->undo();
+    QCOMPARE(list()->count(), 7);
+  }
+
+  void statesAreRenamedInPlace() {
+    openSmall();
+    child<QDockWidget>("statesDock")->hide();
+    const auto type = [this](const QString& name) {
+      child<QAction>("renameAction")->trigger();
+      QTRY_VERIFY(list()->isVisible() && list()->findChild<QLineEdit*>() != nullptr);
+      auto* line = list()->findChild<QLineEdit*>();
+      line->setText(name);
+      QTest::keyClick(line, Qt::Key_Return);
+      QTRY_VERIFY(list()->findChild<QLineEdit*>() == nullptr);
+    };
+    type("wide");
+    QCOMPARE(names().front(), QString("wide"));
+    QCOMPARE(m_model->current().camera.name, std::string("wide"));
+    QCOMPARE(child<QComboBox>("stateBox")->itemText(0), QString("wide"));
+    type("Fig 2");
+    QVERIFY2(message().contains("another state's already"), qPrintable(message()));
+    QCOMPARE(names().front(), QString("wide"));
+    type("a/b");
+    QVERIFY(message().startsWith("Error"));
+    QCOMPARE(names().front(), QString("wide"));
+  }
+
+  void statesAreDragged() {
+    openSmall();
+    clickRow(2);
+    dragRow(2, 0, 0.2);
+    QCOMPARE(names(), QStringList({"Fig 3", "Fig 1", "Fig 2", "Fig 4", "Fig 5", "Fig 6"}));
+    QCOMPARE(m_model->currentIndex(), std::size_t(0));  // still Fig 3
+    QCOMPARE(list()->currentRow(), 0);
+    QCOMPARE(m_model->undoStack()->count(), 1);
+    QVERIFY(m_model->undoStack()->undoText().startsWith("Move "));
+    m_model->undoStack()->undo();
+    QCOMPARE(names().front(), QString("Fig 1"));
+    QCOMPARE(m_model->current().camera.name, std::string("Fig 3"));
+    // Several; the current one is none of them.
+    clickRow(0);
+    clickRow(1, Qt::ControlModifier);
+    QTest::qWait(1100);  // else it is one edit with the next
+    dragRow(1, 4, 0.8);
+    QCOMPARE(names(), QStringList({"Fig 3", "Fig 4", "Fig 5", "Fig 1", "Fig 2", "Fig 6"}));
+    QCOMPARE(m_model->current().camera.name, std::string("Fig 2"));
+    QCOMPARE(list()->count(), 6);
+    // To where it is: nothing happens.
+    const int steps = m_model->undoStack()->count();
+    clickRow(3);
+    dragRow(3, 3, 0.9);
+    QCOMPARE(m_model->undoStack()->count(), steps);
+    QCOMPARE(names()[3], QString("Fig 1"));
+  }
+
+  void severalStatesAreDeletedAndSaved() {
+    openSmall();
+    clickRow(1);
+    clickRow(3, Qt::ControlModifier);
+    clickRow(5, Qt::ControlModifier);
+    auto* commands = m_window->findChild<StateCommands*>();
+    const QString file = m_folder.filePath("some.json");
+    QVERIFY(commands->saveStatesAs(file));
+    const Session saved = loadSession(file.toStdString());
+    QCOMPARE(saved.cameras.size(), std::size_t(3));
+    QVERIFY(saved.cameras[1] == m_model->session().cameras[3]);
+    QVERIFY(saved.display == m_model->session().display);
+    QVERIFY(commands->appendStatesTo(file));
+    QCOMPARE(loadSession(file.toStdString()).cameras.size(), std::size_t(6));
+    press("removeAction");
+    QCOMPARE(names(), QStringList({"Fig 1", "Fig 3", "Fig 5"}));
+    QCOMPARE(list()->selectedItems().size(), 1);
+    m_model->undoStack()->undo();
+    QCOMPARE(list()->count(), 6);
+    list()->selectAll();
+    press("removeAction");
+    QCOMPARE(list()->count(), 6);
+    QVERIFY(message().contains("a session needs one"));
+  }
+
+  void droppedSessionsGiveTheirStates() {
+    openSmall();
+    drop(sampleFile);
+    QCOMPARE(list()->count(), 12);
+    QCOMPARE(names()[6], QString("Fig 1 2"));
+    drop(m_folder.filePath("none.json"));
+    QVERIFY(message().contains("none.json"));
+    drop("/etc/hosts");
+    QCOMPARE(list()->count(), 12);
+  }
+
+  /// 300 states: what a step through them costs is not allowed to grow with the square.
+  void manyStates() {
+    openSmall();
+    m_model->changeStates("many", [](Session& session) {
+      CameraState state = session.cameras[0];
+      for (int k = 0; k < 294; ++k) {
+        state.camera.name = "s" + std::to_string(k);
+        session.cameras.push_back(state);
+      }
+      return std::size_t(0);
+    });
+    QCOMPARE(list()->count(), 300);
+    for (int row = 0; row < 300; row += 10) {
+      list()->setCurrentRow(row);
+      QCOMPARE(m_model->currentIndex(), std::size_t(row));
+    }
+    list()->selectAll();
+    clickRow(list()->currentRow(), Qt::ControlModifier);
+    press("removeAction");
+    QCOMPARE(list()->count(), 1);
+  }
+};
+
+int main(int argc, char** argv) {
+  return runWindowTest<TestStateDock>(argc, argv);
+}
+#include "test_state_dock.moc"
