@@ -31,6 +31,11 @@ std::vector<CameraState> selected(const Session& session, const std::string& glo
   return states;
 }
 
+std::size_t pixelBytesOf(const LightFieldFile& file) {
+  const LightFieldSize size = file.size();
+  return 3 * (memoryBytes(file.type()) / 4) * size.width() * size.height();
+}
+
 }  // namespace
 
 Session loadSelected(const Options& options) {
@@ -44,19 +49,19 @@ Session loadSelected(const Options& options) {
   return session;
 }
 
+std::string readingTime(const LightFieldFile& file) {
+  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: ARCHITECTURE.md
+  const double minutes = double(pixelBytesOf(file)) / bytesPerMinute;
+  if (minutes < 0.2) return "";
+  return ", about " + numberText(std::ceil(minutes)) + " min";
+}
+
 void announcePassing(const LightFieldFile& file, std::size_t memory, const Options& options) {
   if (options.quiet || !mustPass(file, memory)) return;
-  const LightFieldSize size = file.size();
-  const std::size_t valueBytes = memoryBytes(file.type()) / 4;
-  const std::size_t bytes = 3 * valueBytes * size.width() * size.height();
-  std::cerr << "hogelscope: " << file.files().front().string() << ": has " << bytesText(bytes)
-            << " of pixels, " << bytesText(memory)
-            << " are allowed: read from the top, all pictures made on the way";
-  // Of a plain PNG on one core, measured: ARCHITECTURE.md.
-  constexpr double bytesPerMinute = 60 * 1.5e9;
-  if (const double minutes = double(bytes) / bytesPerMinute; minutes > 0.2)
-    std::cerr << ", about " << std::ceil(minutes) << " min";
-  std::cerr << "\n";
+  std::cerr << "hogelscope: " << file.files().front().string() << ": has "
+            << bytesText(pixelBytesOf(file)) << " of pixels, " << bytesText(memory)
+            << " are allowed: read from the top, all pictures made on the way" << readingTime(file)
+            << "\n";
 }
 
 }  // namespace hogelscope

@@ -38,6 +38,7 @@ int gate(const std::vector<ReportRow>& rows, const Options& options) {
 
 std::vector<RateGroup> groupsOf(const std::vector<ReportTest>& tests, const Options& options) {
   std::vector<TestSize> sizes;
+  sizes.reserve(tests.size());
   for (const auto& [name, session, size] : tests)
     sizes.push_back(
         {name, session.lightField.file, double(size.nx) * size.ny * double(size.du) * size.dv});

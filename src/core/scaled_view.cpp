@@ -51,6 +51,7 @@ Between between(int x, int smallPixels, int scale) {
 
 std::vector<Between> betweenAll(int pixels, int smallPixels, int scale) {
   std::vector<Between> all;
+  all.reserve(std::size_t(pixels));
   for (int x = 0; x < pixels; ++x) all.push_back(between(x, smallPixels, scale));
   return all;
 }
@@ -109,7 +110,7 @@ std::vector<std::uint8_t> maskEnlarged(const std::vector<std::uint8_t>& small, i
   std::vector<std::uint8_t> seen(values.size() / 3);
   std::size_t to = 0;
   for (int y = 0; y < res[1]; ++y) {
-    const std::uint8_t* nearest = &small[std::size_t((y >> shift) * smallWidth)];
+    const std::uint8_t* nearest = &small[std::size_t(y >> shift) * std::size_t(smallWidth)];
     for (int x = 0; x < res[0]; ++x, ++to) {
       seen[to] = nearest[x >> shift];
       if (seen[to] == 0) std::fill_n(&values[3 * to], 3, T{});
@@ -137,7 +138,8 @@ std::vector<float> enlarged(const std::vector<float>& codeValues,
 
 std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, int y) {
   std::array<std::uint8_t, 3> rgb{};
-  if (image.seen[std::size_t(y / scale * image.width + x / scale)] == 0) return rgb;
+  const auto width = std::size_t(image.width);
+  if (image.seen[std::size_t(y / scale) * width + std::size_t(x / scale)] == 0) return rgb;
   const Between column = between(x, image.width, scale);
   const Between row = between(y, image.height, scale);
   const auto value = [&](int smallX, int smallY, std::size_t c) {

@@ -196,7 +196,8 @@ class Probe {
     for (int part = 0; part < parts; ++part) {
       const int first = count * part / parts;
       rows(count * (part + 1) / parts - first, [&](int begin, int end) {
-        for (auto k = std::size_t(first + begin); k < std::size_t(first + end); ++k) {
+        const std::size_t last = std::size_t(first) + std::size_t(end);
+        for (std::size_t k = std::size_t(first) + std::size_t(begin); k < last; ++k) {
           prober.render(m_runs[k]);
           errors[k] = errorOf(m_runs[k], m_reference, prober.image(), candidate.method.scale);
         }

@@ -74,7 +74,7 @@ Footprint LightFieldStore::stored(const Footprint& footprint) const {
 
 std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footprint,
                                                          const Progress& progress) {
-  if (const auto last = lastSlice(); last && last->slice()->footprint.covers(footprint))
+  if (auto last = lastSlice(); last && last->slice()->footprint.covers(footprint))
     return last;
   if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
       bytes > double(allowedMemory()))
