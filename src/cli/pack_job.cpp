@@ -52,7 +52,7 @@ int packJob(const Options& options) {
     makeFolder(folder);
   if (!options.quiet)
     std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
-              << ", on the disk about " << bytesText(plan.sourceBytes) << readingTime(*file)
+              << ", on the disk about " << bytesText(plan.storeBytes) << readingTime(*file)
               << std::endl;
   ProgressBar bar("packing", options.quiet);
   pack(*file, plan, options.output, options.threads, bar.progress());

@@ -228,31 +228,49 @@ bool isSessionFile(const fs::path& file) {
   return extension == ".json";
 }
 
-Session sessionAround(const std::string& file, const std::vector<std::string>& overrides) {
-  Session session;
-  session.lightField = lightFieldOf(file);
-  const auto shape = [&](double width, double height) {
-    const double longest = std::max(width, height) / 0.5;
-    session.display.size = {width / longest, height / longest};
-  };
-  if (session.lightField.layout == Layout::hogels) {
-    const ImageFile image{fs::path(file)};
-    shape(double(image.width()), double(image.height()));
-  } else if (const auto known = displayOfStore(session.lightField)) {
-    session.display = *known;
-  } else {
-    const LightFieldSize size = openLightField(session.lightField, {})->size();
-    shape(size.nx, size.ny);
-  }
-  addState(session, inFrontOf(session.display));
+namespace {
+
+Session overridden(const Session& session, const std::vector<std::string>& overrides) {
   if (overrides.empty()) return session;
   try {
     Json document = parseJson(textOf(session));
     for (const std::string& text : overrides) applyOverride(document, text);
     return readSession(document);
   } catch (const InputError& error) {
-    throw error.in(file);
+    throw error.in(session.lightField.file);
   }
+}
+
+/// 0.5 m is its longer side.
+std::array<double, 2> sizeOfShape(double width, double height) {
+  const double longest = std::max(width, height) / 0.5;
+  return {width / longest, height / longest};
+}
+
+DisplayParams displayAround(const LightFieldParams& lightField) {
+  DisplayParams display;
+  if (lightField.layout == Layout::hogels) {
+    const ImageFile image{fs::path(lightField.file)};
+    display.size = sizeOfShape(double(image.width()), double(image.height()));
+  } else if (const auto known = displayOfStore(lightField)) {
+    display = *known;
+  } else {
+    const LightFieldSize size = openLightField(lightField, {})->size();
+    display.size = sizeOfShape(size.nx, size.ny);
+  }
+  return display;
+}
+
+}  // namespace
+
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides) {
+  Session session;
+  session.lightField = lightFieldOf(file);
+  addState(session, inFrontOf(session.display));
+  session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
+  session.display = displayAround(session.lightField);
+  session.cameras = {inFrontOf(session.display)};
+  return overridden(session, overrides);
 }
 
 Session withLightField(const Session& session, const std::string& file) {

@@ -41,12 +41,25 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   return fs::path(params.file).filename().string() + " " + hash.data();
 }
 
-/// A store is about as large as its source; what an unfinished one has is taken over.
-void checkRoom(const fs::path& output, std::uint64_t sourceBytes) {
+/// About as large as its source, unless that has lost what made it large.
+std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& file) {
+  std::error_code none;
+  std::uint64_t ofSource = 0;
+  for (const fs::path& path : file.files()) ofSource += fs::file_size(path, none);
+  constexpr double shareOfPixels = 0.8;  // of a path-traced scene's JPEGs: 0.79
+  const std::string extension = file.files().front().extension().string();
+  return extension == ".jpg" || extension == ".jpeg"
+             ? std::uint64_t(shareOfPixels * double(header.size.width()) *
+                             double(header.size.height()) * double(pixelBytes(header.type)))
+             : ofSource;
+}
+
+/// What an unfinished one has is taken over.
+void checkRoom(const fs::path& output, std::uint64_t storeBytes) {
   fs::path part = output;
   part += ".part";
   std::error_code none;
-  checkRoomOnDisk(output, sourceBytes,
+  checkRoomOnDisk(output, storeBytes,
                   fs::is_regular_file(part, none) ? fs::file_size(part, none) : 0);
 }
 
@@ -137,8 +150,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   const std::size_t band = BandPacker::bandRows(header);
   plan.rows = std::clamp(memory / rowBytes, band, band + std::size_t(header.size.dv));
   plan.memory = plan.rows * rowBytes;
-  std::error_code none;
-  for (const fs::path& path : file.files()) plan.sourceBytes += fs::file_size(path, none);
+  plan.storeBytes = expectedBytes(header, file);
   return plan;
 }
 
@@ -148,7 +160,7 @@ void pack(LightFieldFile& file, const PackPlan& plan, const fs::path& output, in
   for (const fs::path& path : file.files())
     if (fs::equivalent(path, output, none))
       throw InputError(output.string(), "cannot be written", "it is the light field itself");
-  checkRoom(output, plan.sourceBytes);
+  checkRoom(output, plan.storeBytes);
   StoreOutput store(output, plan.header);
   const int pages = plan.header.blocks().j;
   if (store.pages() <= pages) {

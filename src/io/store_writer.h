@@ -12,7 +12,7 @@ struct PackPlan {
   StoreHeader header;
   std::size_t rows = 0;    ///< of the hogel image, that are in memory at once
   std::size_t memory = 0;  ///< bytes that they take
-  std::uint64_t sourceBytes = 0;
+  std::uint64_t storeBytes = 0;  ///< on the disk, about
 };
 
 /// How `file`, which is opened from `params`, is packed in at most `memory` bytes of rows: less
