@@ -15,7 +15,7 @@ using namespace hogelscope;
 
 namespace {
 
-/// Looks at the next file dialog, then chooses in it.
+/// Looks at the next file dialog, then types its choice.
 class DialogAnswer : public QObject {
  public:
   explicit DialogAnswer(const QString& choice) {
@@ -23,11 +23,13 @@ class DialogAnswer : public QObject {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (dialog == nullptr || !dialog->isVisible()) return;
       m_timer.stop();
+      auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit");
       folder = dialog->directory().absolutePath();
-      name = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
-      dialog->selectFile(choice);
+      name = edit->text();
+      if (choice.isEmpty()) return dialog->reject();
+      // Typed: what the dialog's list has not read yet could not be chosen there.
+      edit->setText(choice);
       static_cast<QDialog*>(dialog)->accept();
-      if (dialog->isVisible()) dialog->reject();
     });
     m_timer.start(20);
   }
