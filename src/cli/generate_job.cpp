@@ -57,7 +57,7 @@ struct Cost {
 
 Cost estimate(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
               const fs::path& file, const Progress& progress) {
-  constexpr int sampled = 4;
+  const int sampled = std::min(4, size.ny);
   ImageRowWriter writer(file, size.width(), std::size_t(sampled * size.dv));
   double making = 0;
   double writing = 0;

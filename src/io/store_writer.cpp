@@ -2,6 +2,8 @@
 // Packs a light field of any layout into a store.
 #include "io/store_writer.h"
 
+#include <strings.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -48,7 +50,8 @@ std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& fil
   for (const fs::path& path : file.files()) ofSource += fs::file_size(path, none);
   constexpr double shareOfPixels = 0.8;  // of a path-traced scene's JPEGs: 0.79
   const std::string extension = file.files().front().extension().string();
-  return extension == ".jpg" || extension == ".jpeg"
+  const auto is = [&](const char* name) { return ::strcasecmp(extension.c_str(), name) == 0; };
+  return is(".jpg") || is(".jpeg")
              ? std::uint64_t(shareOfPixels * double(header.size.width()) *
                              double(header.size.height()) * double(pixelBytes(header.type)))
              : ofSource;

@@ -46,6 +46,7 @@ class TestStore : public QObject {
   void slices_data();
   void slices();
   void sliceBeyondTheMemoryAllowed();
+  void sizeIsForetold();
   void displayIsKept();
   void recognised();
 
@@ -307,6 +308,21 @@ void TestStore::sliceBeyondTheMemoryAllowed() {
   allowMemory(0);
   QCOMPARE(error, QString("--memory: a view needs 0 MB of the light field, 0 MB are allowed"));
   QCOMPARE((store.slice(all, {})->size() == size), true);
+}
+
+/// What JPEG has lost makes a store no smaller.
+void TestStore::sizeIsForetold() {
+  constexpr LightFieldSize size{10, 9, 11, 7};
+  const auto foretold = [&](const char* file) {
+    writePicture(file, int(size.width()), int(size.height()), hogelImage(size));
+    const auto opened = openLightField(paramsOf(file), displayOf(size));
+    return planPack(paramsOf(file), *opened, {}, plenty).storeBytes;
+  };
+  const std::uint64_t ofPng = foretold("a.png");
+  QCOMPARE(ofPng, std::uint64_t(QFileInfo("a.png").size()));
+  const auto ofPixels = std::uint64_t(0.8 * 3 * 10 * 9 * 11 * 7);
+  QCOMPARE(foretold("a.jpg"), ofPixels);
+  QCOMPARE(foretold("b.JPG"), ofPixels);
 }
 
 void TestStore::displayIsKept() {

@@ -32,10 +32,20 @@ void writeViews() {
                    });
 }
 
-void writeQuilt() {
-  writePicture("a_qs11x9a1.png", size.nx * size.du, size.ny * size.dv, [](int x, int y, int c) {
-    return valueAt({x % size.nx, y % size.ny, x / size.nx, y / size.ny}, c);
-  });
+/// Each reader has its own way back to the top.
+void writeQuilts() {
+  const auto write = [](const char* file, OIIO::TypeDesc::BASETYPE type) {
+    writePicture(file, size.nx * size.du, size.ny * size.dv,
+                 [](int x, int y, int c) {
+                   return valueAt({x % size.nx, y % size.ny, x / size.nx, y / size.ny}, c);
+                 },
+                 {type});
+  };
+  write("a_qs11x9a1.png", OIIO::TypeDesc::UINT8);
+  write("b_qs11x9a1.png", OIIO::TypeDesc::UINT16);
+  write("c_qs11x9a1.jpg", OIIO::TypeDesc::UINT8);
+  write("d_qs11x9a1.tif", OIIO::TypeDesc::UINT16);
+  write("e_qs11x9a1.exr", OIIO::TypeDesc::FLOAT);
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ void TestStreams::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   writeStore();
   writeViews();
-  writeQuilt();
+  writeQuilts();
 }
 
 void TestStreams::anyMemory_data() {
@@ -76,7 +86,11 @@ void TestStreams::anyMemory_data() {
       {"views", paramsOf("views", Layout::views)},
       {"views, sheared", sheared},
       {"views, incoming, bottom up", turned},
-      {"quilt", paramsOf("a_qs11x9a1.png", Layout::quilt)}};
+      {"quilt, PNG", paramsOf("a_qs11x9a1.png", Layout::quilt)},
+      {"quilt, PNG of 16 bits", paramsOf("b_qs11x9a1.png", Layout::quilt)},
+      {"quilt, JPEG", paramsOf("c_qs11x9a1.jpg", Layout::quilt)},
+      {"quilt, TIFF", paramsOf("d_qs11x9a1.tif", Layout::quilt)},
+      {"quilt, EXR", paramsOf("e_qs11x9a1.exr", Layout::quilt)}};
   const std::size_t hogelRow = 4 * size.width() * std::size_t(size.dv);
   for (const auto& [name, params] : all)
     for (const std::size_t rows : {1U, 3U, 8U, 20U, 100U})
