@@ -6,7 +6,9 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 #include "cli/batch.h"
 #include "cli/progress_bar.h"
@@ -42,10 +44,19 @@ int stopped() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error of write()
   try {
     return run(argc, argv);
   } catch (const hogelscope::InputError& error) {
     std::fprintf(stderr, "hogelscope: %s\n", error.what());
+    return badInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "hogelscope: %s: cannot be used: %s\n", error.path1().c_str(),
+                 error.code().message().c_str());
+    return badInput;
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "hogelscope: threads: cannot be started: %s; allow this user more\n",
+                 error.code().message().c_str());
     return badInput;
   } catch (const hogelscope::Cancelled&) {
     return stopped();

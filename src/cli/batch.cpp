@@ -19,6 +19,7 @@
 #include "cli/tradeoff_job.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/folders.h"
 #include "io/image_writer.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
@@ -35,6 +36,15 @@ namespace {
 class Pictures {
  public:
   explicit Pictures(const Options& options) : m_options(options) {}
+
+  [[nodiscard]] std::vector<fs::path> filesOf(const std::vector<CameraState>& states) const {
+    std::vector<fs::path> files;
+    for (const CameraState& state : states) {
+      files.push_back(file(state, m_options.format));
+      if (m_options.masks) files.push_back(file(state, "mask.png"));
+    }
+    return files;
+  }
 
   void write(const CameraState& state, const Image& image) const {
     if (m_options.format == "png")
@@ -100,6 +110,7 @@ int render(const Options& options) {
   const Session session = loadSelected(options);
   // A bad one leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
+  checkOutputs(Pictures(options).filesOf(session.cameras), inputsOf(options, file.get()));
   makeFolder(options.output);
   const bool isPassing = mustPass(*file, allowedMemory());
   announcePassing(*file, allowedMemory(), options);

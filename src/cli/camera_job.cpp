@@ -6,8 +6,10 @@
 #include <iostream>
 
 #include "cli/inputs.h"
+#include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/camera_set_file.h"
+#include "io/folders.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
@@ -20,6 +22,10 @@ int makeCameras(const Options& options) {
     (isOfCameraSet(text) ? ofSet : ofSession.overrides).push_back(text);
   if (options.seed) ofSet.push_back("cameraSet.seed=" + std::to_string(*options.seed));
   const Session session = loadSelected(ofSession);
+  if (!isSessionFile(options.output))
+    throw InputError(options.output, "cannot be written", "a session's name ends in .json");
+  // The session itself may be replaced by the one with more states; nothing that it reads may.
+  checkOutputs({options.output}, {options.cameras, options.calibration, session.lightField.file});
   const Session result = withCameras(session, loadCameraSet(options.cameras, ofSet));
   if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);

@@ -14,6 +14,7 @@
 #include "core/report.h"
 #include "io/atomic_file.h"
 #include "io/degradation.h"
+#include "io/folders.h"
 #include "io/image_writer.h"
 #include "io/machine.h"
 #include "io/pattern_params.h"
@@ -100,7 +101,7 @@ void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradat
     Band band = bandOf(pattern, size, j, degradation);
     if (writing.valid()) writing.get();
     written = std::move(band);
-    writing = std::async(std::launch::async, [&] { writeBand(writer, written, 3 * size.width()); });
+    writing = std::async([&] { writeBand(writer, written, 3 * size.width()); });
   }
   writing.get();
   writer.finish();
@@ -119,6 +120,7 @@ int generateJob(const Options& options) {
   Degradation degradation;
   if (!options.degrade.empty()) degradation = parseDegradation(options.degrade);
   if (options.seed) degradation.seed = *options.seed;
+  checkOutputs({options.output}, inputsOf(options));
   if (const auto folder = fs::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],

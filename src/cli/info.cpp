@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/report.h"
+#include "io/folders.h"
 #include "io/image_file.h"
 #include "io/light_field_file.h"
 #include "io/light_field_store.h"
@@ -100,7 +101,7 @@ std::string infoText(const std::string& file) {
   std::ostringstream out;
   if (isSessionFile(file))
     printSession(out, file);
-  else if (fs::is_directory(file))
+  else if (isFolder(file))
     printFolder(out, file);
   else if (LightFieldStore::isStore(file))
     printStore(out, file);

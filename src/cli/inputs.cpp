@@ -49,6 +49,16 @@ Session loadSelected(const Options& options) {
   return session;
 }
 
+std::vector<std::filesystem::path> inputsOf(const Options& options,
+                                            const LightFieldFile* lightField) {
+  std::vector<std::filesystem::path> inputs{options.session, options.calibration,
+                                            options.calibrations, options.cameras, options.packed};
+  inputs.insert(inputs.end(), options.tests.begin(), options.tests.end());
+  if (lightField != nullptr)
+    for (const std::filesystem::path& file : lightField->files()) inputs.push_back(file);
+  return inputs;
+}
+
 std::string readingTime(const LightFieldFile& file) {
   constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: ARCHITECTURE.md
   const double minutes = double(pixelBytesOf(file)) / bytesPerMinute;

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/options.h"
 #include "core/session.h"
@@ -14,6 +16,10 @@ namespace hogelscope {
 /// The session with --calibration, --set and only the --states asked for; warnings go to stderr.
 /// Throws InputError.
 Session loadSelected(const Options& options);
+
+/// Every file that the command line names to be read, and those of a light field.
+std::vector<std::filesystem::path> inputsOf(const Options& options,
+                                            const LightFieldFile* lightField = nullptr);
 
 /// ", about 4 min" for reading a plain PNG, or another file of so many pixels, on one core; "" for
 /// some seconds.

@@ -9,7 +9,9 @@
 #include "cli/progress_bar.h"
 #include "core/report.h"
 #include "io/atomic_file.h"
+#include "io/folders.h"
 #include "io/machine.h"
+#include "io/positioned_file.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
 
@@ -44,6 +46,7 @@ std::string shapeText(const StoreHeader& header) {
 int packJob(const Options& options) {
   const auto [session, isDisplayGiven] = contentOf(options);
   const auto file = openLightField(session.lightField, session.display);
+  checkOutputs({options.output}, inputsOf(options, file.get()));
   const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // the reader's half
   const PackPlan plan =
       planPack(session.lightField, *file,
@@ -58,7 +61,7 @@ int packJob(const Options& options) {
   pack(*file, plan, options.output, options.threads, bar.progress());
   bar.done();
   if (!options.quiet)
-    std::cout << options.output << ": " << bytesText(fs::file_size(options.output)) << "\n";
+    std::cout << options.output << ": " << bytesText(PositionedFile(options.output).size()) << "\n";
   return 0;
 }
 

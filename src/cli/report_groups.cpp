@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parameters.h"
+#include "io/folders.h"
 
 namespace hogelscope {
 
@@ -56,7 +57,7 @@ std::vector<TestRate> givenRates(const Options& options, const std::vector<TestS
 
 double bitsOf(const TestSize& test) {
   std::error_code error;
-  if (!fs::is_directory(test.file, error)) {
+  if (!isFolder(test.file)) {
     const std::uintmax_t size = fs::file_size(test.file, error);
     if (error)
       throw InputError("command line", "--group",
@@ -64,8 +65,8 @@ double bitsOf(const TestSize& test) {
     return 8 * double(size);
   }
   double bytes = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(test.file))
-    if (entry.is_regular_file()) bytes += double(entry.file_size());
+  for (const fs::path& entry : entriesOf(test.file))
+    if (fs::is_regular_file(entry, error)) bytes += double(fs::file_size(entry, error));
   return 8 * bytes;
 }
 

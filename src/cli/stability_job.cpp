@@ -6,10 +6,12 @@
 #include <iostream>
 
 #include "chart/stability_map.h"
+#include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "core/plan.h"
 #include "io/atomic_file.h"
 #include "io/calibration_file.h"
+#include "io/folders.h"
 #include "study/stability.h"
 #include "vtk/parallel_rows.h"
 
@@ -32,7 +34,9 @@ std::vector<NamedLens> lensesFor(const Options& options) {
 
 int stabilityJob(const Options& options) {
   const std::vector<NamedLens> lenses = lensesFor(options);
-  makeFolder(options.output);
+  const std::filesystem::path folder = options.output;
+  checkOutputs({folder / "stability.csv", folder / "stability.png"}, inputsOf(options));
+  makeFolder(folder);
   ProgressBar bar("measuring", options.quiet);
   const Stability stability = measureStability(lenses, parallelRows, bar.progress());
   const OffscreenPainting painting;
@@ -40,7 +44,6 @@ int stabilityJob(const Options& options) {
       pngOf([&stability](QPainter& painter,
                          const QSizeF& size) { paintStabilityMaps(painter, size, stability.maps); },
             stabilityMapsSize());
-  const std::filesystem::path folder = options.output;
   writeTextFile(folder / "stability.csv", csv(stability));
   writeTextFile(folder / "stability.png", picture);
   bar.done();

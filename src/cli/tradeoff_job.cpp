@@ -11,6 +11,7 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "io/atomic_file.h"
+#include "io/folders.h"
 #include "io/light_field_file.h"
 #include "study/tradeoff.h"
 #include "vtk/parallel_rows.h"
@@ -19,8 +20,11 @@ namespace hogelscope {
 
 int tradeoff(const Options& options) {
   const Session session = loadSelected(options);
-  (void)openLightField(session.lightField, session.display);  // a bad one leaves no folder behind
+  // A bad one leaves no folder behind.
+  const auto file = openLightField(session.lightField, session.display);
   const std::filesystem::path folder = options.output;
+  checkOutputs({folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"},
+               inputsOf(options, file.get()));
   makeFolder(folder);
   ProgressBar bar("measuring", options.quiet);
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));

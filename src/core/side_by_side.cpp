@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -25,7 +26,11 @@ void sideBySide(std::size_t count, int workers,
     }
   };
   std::vector<std::jthread> threads;
-  for (int worker = 1; worker < workers; ++worker) threads.emplace_back(run, std::size_t(worker));
+  try {
+    for (int worker = 1; worker < workers; ++worker) threads.emplace_back(run, std::size_t(worker));
+  } catch (const std::system_error&) {
+    // The machine allows no more threads: those that there are do all the work.
+  }
   run(0);
   threads.clear();  // waits
   if (thrown) std::rethrow_exception(thrown);

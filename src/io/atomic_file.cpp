@@ -3,12 +3,15 @@
 #include "io/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <system_error>
 
 #include "core/error.h"
@@ -23,57 +26,99 @@ InputError cannotWrite(const fs::path& path, int error) {
   return {path.string(), "cannot be written", std::strerror(error)};
 }
 
-/// A file descriptor that is closed again.
-struct Descriptor {
-  int fd;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-};
+/// The file that a path means: its target, if it is a symbolic link.
+fs::path resolved(fs::path path) {
+  constexpr int mostLinks = 16;
+  std::error_code none;
+  for (int k = 0; k < mostLinks && fs::is_symlink(path, none); ++k)
+    path = path.parent_path() / fs::read_symlink(path, none);
+  return path;
+}
 
-void writeAll(int fd, std::string_view text, const fs::path& path) {
+fs::path folderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// A name beside `path` that nobody can guess.
+fs::path randomNameFor(const fs::path& path) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::string name = ".hogelscope-";
+  for (int k = 0; k < 12; ++k) name += letters[random() % letters.size()];
+  return folderOf(path) / (name + ".part");
+}
+
+/// By which linkat() finds a file without a name; needs /proc.
+std::string linkTo(int descriptor) {
+  return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+/// A new file without a name in the folder of `path`; -1 where the file system has none.
+int openUnnamed(const fs::path& path) {
+  const int descriptor = ::open(folderOf(path).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  if (descriptor >= 0 && ::access(linkTo(descriptor).c_str(), F_OK) == 0) return descriptor;
+  if (descriptor >= 0) ::close(descriptor);
+  return -1;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const fs::path& path)
+    : m_path(resolved(path)), m_descriptor(openUnnamed(m_path)) {
+  std::error_code none;
+  if (fs::exists(m_path, none) && !fs::is_regular_file(m_path, none))
+    throw InputError(path.string(), "cannot be written", "it is there, and is not a file");
+  if (m_descriptor.get() < 0) openNamed();
+}
+
+AtomicFile::~AtomicFile() {
+  if (!m_temporary.empty()) ::unlink(m_temporary.c_str());
+}
+
+void AtomicFile::openNamed() {
+  m_temporary = randomNameFor(m_path);
+  constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  m_descriptor = Descriptor(::open(m_temporary.c_str(), flags, 0666));
+  if (m_descriptor.get() >= 0) return;
+  const int error = errno;
+  m_temporary.clear();  // not ours to delete
+  throw cannotWrite(m_path, error);
+}
+
+void AtomicFile::giveName() {
+  const fs::path name = randomNameFor(m_path);
+  if (::linkat(AT_FDCWD, linkTo(descriptor()).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) !=
+      0)
+    throw cannotWrite(m_path, errno);
+  m_temporary = name;
+}
+
+void AtomicFile::commit() {
+  syncToDisk(descriptor(), m_path);
+  struct stat old {};
+  if (::stat(m_path.c_str(), &old) == 0) (void)::fchmod(descriptor(), old.st_mode & 07777U);
+  if (m_temporary.empty()) giveName();
+  if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) throw cannotWrite(m_path, errno);
+  m_temporary.clear();
+}
+
+void writeAll(int descriptor, std::string_view text, const fs::path& path) {
   while (!text.empty()) {
-    const ssize_t written = ::write(fd, text.data(), text.size());
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) throw cannotWrite(path, errno);
     text.remove_prefix(static_cast<std::size_t>(written));
   }
 }
 
-}  // namespace
-
-AtomicFile::AtomicFile(const fs::path& path) : m_path(path) {
-  constexpr int mostLinks = 16;
-  std::error_code none;
-  for (int k = 0; k < mostLinks && fs::is_symlink(m_path, none); ++k)
-    m_path = m_path.parent_path() / fs::read_symlink(m_path, none);
-  if (fs::exists(m_path, none) && !fs::is_regular_file(m_path, none))
-    throw InputError(path.string(), "cannot be written", "it is there, and is not a file");
-  m_temporary = m_path.parent_path() / ("." + m_path.stem().string() + ".part");
-  m_temporary += m_path.extension();
-}
-
-AtomicFile::~AtomicFile() {
-  std::error_code ignored;
-  fs::remove(m_temporary, ignored);
-}
-
-void AtomicFile::commit() {
-  std::error_code error;
-  const fs::file_status old = fs::status(m_path, error);  // who may read it stays as it was
-  if (fs::exists(old)) fs::permissions(m_temporary, old.permissions(), error);
-  error.clear();
-  fs::rename(m_temporary, m_path, error);
-  if (error) throw cannotWrite(m_path, error.value());
+void syncToDisk(int descriptor, const fs::path& path) {
+  // Not all file systems can: EINVAL, EROFS.
+  if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) throw cannotWrite(path, errno);
 }
 
 void writeTextFile(const fs::path& path, std::string_view text) {
   AtomicFile file(path);
-  const Descriptor out{
-      ::open(file.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
-  if (out.fd < 0) throw cannotWrite(path, errno);
-  writeAll(out.fd, text, path);
-  if (::fsync(out.fd) != 0 && errno != EINVAL && errno != EROFS) throw cannotWrite(path, errno);
+  writeAll(file.descriptor(), text, path);
   file.commit();
 }
 
@@ -100,6 +145,34 @@ void makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(folder.string(), "cannot be made", error.message());
+}
+
+void requireOurs(const fs::path& path, std::string_view head) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 && errno == ENOENT) return;
+  std::string found(head.size(), '\0');
+  if (S_ISREG(status.st_mode)) {
+    const PositionedFile file(path);
+    found.resize(file.readSome(0, std::as_writable_bytes(std::span(found))));
+  }
+  if (!S_ISREG(status.st_mode) || !head.starts_with(found))
+    throw InputError(path.string(), "cannot be written",
+                     "it is there, and was not written by hogelscope: move it away");
+}
+
+std::optional<Descriptor> openLocked(const fs::path& path, int moreFlags) {
+  for (;;) {
+    Descriptor file(
+        ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | moreFlags, 0666));
+    if (file.get() < 0) throw cannotWrite(path, errno);
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+    // The other process may have renamed or deleted the file between open() and flock().
+    struct stat locked {};
+    struct stat named {};
+    if (::fstat(file.get(), &locked) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+        locked.st_ino == named.st_ino && locked.st_dev == named.st_dev)
+      return file;
+  }
 }
 
 }  // namespace hogelscope

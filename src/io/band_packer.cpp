@@ -24,9 +24,8 @@ BandPacker::BandPacker(const StoreHeader& header, std::size_t rows, int threads,
   for (std::size_t k = rows; k-- > 0;) m_free.push_back(&m_memory[k * m_rowBytes]);
   try {
     for (int k = 0; k < threads; ++k) m_threads.emplace_back([this] { work(); });
-  } catch (...) {
-    stop();  // those that there are would wait for ever
-    throw;
+  } catch (const std::system_error&) {  // the machine allows no more: those that there are do all
+    if (m_threads.empty()) throw;
   }
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files read through OpenImageIO; plain PNGs by libspng.
+// Picture files read through OpenImageIO; PNGs by libspng.
 #include "io/image_file.h"
-
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
+#include "io/big_tiff.h"
+#include "io/exr_header.h"
 #include "io/open_image_io.h"
 #include "io/png_rows.h"
 
@@ -17,27 +17,6 @@ namespace hogelscope {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// libpng and libjpeg write to stderr what OpenImageIO tells us anyway; our line is to stand alone.
-/// For the whole process: one thread at a time reads pictures here.
-class QuietLibraries {
- public:
-  QuietLibraries() : m_stderr(::dup(STDERR_FILENO)) {
-    const int nowhere = m_stderr < 0 ? -1 : ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
-    if (nowhere >= 0) ::close(nowhere);
-  }
-  QuietLibraries(const QuietLibraries&) = delete;
-  QuietLibraries& operator=(const QuietLibraries&) = delete;
-  ~QuietLibraries() {
-    if (m_stderr < 0) return;
-    ::dup2(m_stderr, STDERR_FILENO);
-    ::close(m_stderr);
-  }
-
- private:
-  int m_stderr;
-};
 
 void refuseNotANumber(std::span<const float> values, std::size_t width, std::size_t firstRow,
                       const fs::path& file) {
@@ -51,51 +30,32 @@ void refuseNotANumber(std::span<const float> values, std::size_t width, std::siz
                    std::isnan(*bad) ? "is not a number" : "is infinite");
 }
 
-}  // namespace
-
-struct ImageFile::Input {
-  std::unique_ptr<OIIO::ImageInput> image;
-  OIIO::ImageSpec spec;
-};
-
-ImageFile::ImageFile(const fs::path& file) : m_file(file), m_input(std::make_unique<Input>()) {
+/// Throws InputError where not even a picture of one colour would be so small.
+void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
+  constexpr double mostBytesPerByte = 1 << 17;
   std::error_code error;
-  if (!fs::exists(file, error)) throw InputError(file.string(), "", "there is no such file");
-  if (fs::is_directory(file, error))
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (!error && double(spec.image_bytes(true)) > mostBytesPerByte * double(bytes))
+    throw InputError(file.string(), "is damaged",
+                     "its " + std::to_string(bytes) + " bytes cannot be " +
+                         std::to_string(spec.width) + "×" + std::to_string(spec.height) + " px");
+}
+
+void checkIsFile(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found)
+    throw InputError(file.string(), "", "there is no such file");
+  if (error) throw InputError(file.string(), "cannot be read", error.message());
+  if (fs::is_directory(status))
     throw InputError(file.string(), "",
                      "is a folder, not a picture; a folder has layout \"views\"");
-  if (!fs::is_regular_file(file, error))
+  if (!fs::is_regular_file(status))
     throw InputError(file.string(), "", "is a device or a pipe, not a picture file");
-  {
-    const QuietLibraries quiet;
-    m_input->image = OIIO::ImageInput::open(file.string());
-  }
-  if (!m_input->image)
-    throw InputError(file.string(), "cannot be read as a picture", oneLine(OIIO::geterror(), file));
-  m_input->spec = m_input->image->spec();
-  const OIIO::ImageSpec& spec = m_input->spec;
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
-    throw InputError(file.string(), "", "is not a flat picture with pixels");
 }
 
-ImageFile::~ImageFile() = default;
-ImageFile::ImageFile(ImageFile&&) noexcept = default;
-
-std::size_t ImageFile::width() const {
-  return std::size_t(m_input->spec.width);
-}
-std::size_t ImageFile::height() const {
-  return std::size_t(m_input->spec.height);
-}
-int ImageFile::channels() const {
-  return m_input->spec.nchannels;
-}
-std::string ImageFile::format() const {
-  return m_input->image->format_name();
-}
-
-StoredType ImageFile::type() const {
-  switch (m_input->spec.format.basetype) {
+StoredType typeOf(const OIIO::ImageSpec& spec) {
+  switch (spec.format.basetype) {
     case OIIO::TypeDesc::UINT8:
     case OIIO::TypeDesc::INT8:
       return StoredType::uint8;
@@ -105,6 +65,45 @@ StoredType ImageFile::type() const {
     default:
       return StoredType::real;
   }
+}
+
+}  // namespace
+
+struct ImageFile::Input {
+  std::unique_ptr<OIIO::ImageInput> image;
+  OIIO::ImageSpec spec;
+};
+
+ImageFile::ImageFile(const fs::path& file) : m_file(file) {
+  checkIsFile(file);
+  if (PngRows::isPng(file))
+    openPng();
+  else
+    openOther();
+}
+
+ImageFile::~ImageFile() = default;
+ImageFile::ImageFile(ImageFile&&) noexcept = default;
+
+void ImageFile::openPng() {
+  const PngRows png(m_file);
+  m_facts = {png.width(), png.height(), png.channels(), png.type(), "png"};
+}
+
+void ImageFile::openOther() {
+  checkExrHeader(m_file);
+  m_input = std::make_unique<Input>();
+  m_input->image = OIIO::ImageInput::open(m_file.string());
+  if (!m_input->image)
+    throw InputError(m_file.string(), "cannot be read as a picture",
+                     oneLine(OIIO::geterror(), m_file));
+  m_input->spec = m_input->image->spec();
+  const OIIO::ImageSpec& spec = m_input->spec;
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
+    throw InputError(m_file.string(), "", "is not a flat picture with pixels");
+  checkSize(spec, m_file);
+  m_facts = {std::size_t(spec.width), std::size_t(spec.height), spec.nchannels, typeOf(spec),
+             m_input->image->format_name()};
 }
 
 template <class T>
@@ -118,7 +117,6 @@ std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
   const int used = hasAlpha ? spec.alpha_channel + 1 : channels() < 3 ? 1 : 3;
   const auto stored = std::size_t(used);
   std::vector<T> read(stored * width() * rows);
-  const QuietLibraries quiet;
   const int begin = spec.y + int(first);
   const int end = begin + int(rows);
   const auto stride = OIIO::stride_t(stored * sizeof(T));
@@ -152,30 +150,50 @@ void ImageFile::readAs(const Band& band, const Progress& progress) {
 
 namespace {
 
-void readPlainPng(PngRows& png, std::size_t width, std::size_t height, const ImageFile::Band& band,
-                  const Progress& progress) {
-  std::vector<std::uint8_t> row(3 * width);
-  for (std::size_t y = 0; y < height; ++y) {
-    advance(progress, double(y) / double(height));
-    png.next(row);
-    band(y, 1, row.data());
+template <class To, class From>
+To converted(From value) {
+  if constexpr (std::is_same_v<To, float>)
+    return float(value) / std::numeric_limits<From>::max();
+  else if constexpr (sizeof(To) > sizeof(From))
+    return To(value * 257);  // 255 becomes 65535
+  else
+    return To((value + 128U) / 257U);
+}
+
+/// One row after the other.
+template <class T>
+void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& progress) {
+  PngRows png(file);
+  std::vector<T> row(3 * png.width());
+  const auto hand = [&](std::size_t y, const auto& values) {
+    if constexpr (std::is_same_v<decltype(values.data()), const T*>) {
+      band(y, 1, StoredRows(values.data()));
+    } else {
+      std::transform(values.begin(), values.end(), row.begin(),
+                     [](auto value) { return converted<T>(value); });
+      band(y, 1, StoredRows(row.data()));
+    }
+  };
+  for (std::size_t y = 0; y < png.height(); ++y) {
+    advance(progress, double(y) / double(png.height()));
+    if (png.type() == StoredType::uint8)
+      hand(y, png.next8());
+    else
+      hand(y, png.next16());
   }
 }
 
 }  // namespace
 
 void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
-  if (type == StoredType::uint8)
-    if (const auto png = PngRows::open(m_file))
-      return readPlainPng(*png, width(), height(), band, progress);
-  switch (type) {
-    case StoredType::uint8:
-      return readAs<std::uint8_t>(band, progress);
-    case StoredType::uint16:
-      return readAs<std::uint16_t>(band, progress);
-    default:
-      return readAs<float>(band, progress);
-  }
+  const bool isPng = m_input == nullptr;
+  withStoredType(type, [&](auto value) {
+    using T = decltype(value);
+    if (isPng)
+      readPng<T>(m_file, band, progress);
+    else
+      readAs<T>(band, progress);
+  });
 }
 
 }  // namespace hogelscope

@@ -25,11 +25,11 @@ class ImageFile {
   ImageFile(ImageFile&&) noexcept;
   ImageFile& operator=(ImageFile&&) = delete;
 
-  [[nodiscard]] std::size_t width() const;
-  [[nodiscard]] std::size_t height() const;
-  [[nodiscard]] int channels() const;
-  [[nodiscard]] StoredType type() const;
-  [[nodiscard]] std::string format() const;  ///< such as "png"
+  [[nodiscard]] std::size_t width() const { return m_facts.width; }
+  [[nodiscard]] std::size_t height() const { return m_facts.height; }
+  [[nodiscard]] int channels() const { return m_facts.channels; }
+  [[nodiscard]] StoredType type() const { return m_facts.type; }
+  [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
 
   /// Hears rows [first, first + rows), three values a pixel; they are gone afterwards.
   using Band = std::function<void(std::size_t first, std::size_t rows, const StoredRows&)>;
@@ -44,9 +44,20 @@ class ImageFile {
   template <class T>
   std::vector<T> readRows(std::size_t first, std::size_t rows);
 
+  void openPng();
+  void openOther();
+
+  struct Facts {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    int channels = 0;
+    StoredType type = StoredType::uint8;
+    std::string format;
+  };
   struct Input;
   std::filesystem::path m_file;
-  std::unique_ptr<Input> m_input;
+  Facts m_facts;
+  std::unique_ptr<Input> m_input;  ///< of OpenImageIO; null for a PNG
 };
 
 }  // namespace hogelscope

@@ -3,11 +3,15 @@
 #include "io/image_writer.h"
 
 #include <OpenImageIO/filesystem.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -19,48 +23,57 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where OpenImageIO's writers put their bytes: some of them do not notice that a disk is full.
+/// Where OpenImageIO's writers put their bytes. Some of them do not notice that a disk is full, and
+/// libjpeg and libpng would end the process: so they are told that all is well, and the first error
+/// is kept until close().
 class CheckedFile : public OIIO::Filesystem::IOProxy {
  public:
-  explicit CheckedFile(const fs::path& path)
-      : IOProxy(path.string(), Mode::Write), m_file(std::fopen(path.c_str(), "wb+")) {
-    if (m_file == nullptr) m_error = errno;
+  /// Writes to a copy of `descriptor`.
+  CheckedFile(const fs::path& path, int descriptor) : IOProxy(path.string(), Mode::Write) {
+    const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    if (copy >= 0) m_file = ::fdopen(copy, "wb+");
+    check(m_file != nullptr);
+    if (m_file == nullptr && copy >= 0) ::close(copy);
   }
   ~CheckedFile() override { CheckedFile::close(); }
 
   [[nodiscard]] const char* proxytype() const override { return "checked file"; }
   bool seek(int64_t offset) override {
     m_pos = offset;
-    return m_file != nullptr && ::fseeko(m_file, offset, SEEK_SET) == 0;
+    check(m_file != nullptr && ::fseeko(m_file, offset, SEEK_SET) == 0);
+    return true;
   }
   std::size_t write(const void* data, std::size_t size) override {
-    const std::size_t written = m_file == nullptr ? 0 : std::fwrite(data, 1, size, m_file);
-    if (written < size && m_error == 0) m_error = errno;
-    m_pos += int64_t(written);
-    // What is lost is told at the end: libjpeg and libpng would end the process here.
+    check(m_file != nullptr && std::fwrite(data, 1, size, m_file) == size);
+    m_pos += int64_t(size);
+    m_end = std::max(m_end, std::size_t(m_pos));
     return size;
   }
   std::size_t read(void* data, std::size_t size) override {
     return m_file == nullptr ? 0 : std::fread(data, 1, size, m_file);
   }
-  [[nodiscard]] std::size_t size() const override {
-    const auto here = ::ftello(m_file);
-    ::fseeko(m_file, 0, SEEK_END);
-    const auto end = ::ftello(m_file);
-    ::fseeko(m_file, here, SEEK_SET);
-    return std::size_t(end);
-  }
-  void flush() const override {}
+  [[nodiscard]] std::size_t size() const override { return m_end; }
+  void flush() const override { check(m_file != nullptr && std::fflush(m_file) == 0); }
   void close() override {
-    if (m_file != nullptr && std::fclose(m_file) != 0 && m_error == 0) m_error = errno;
-    m_file = nullptr;
+    if (m_file == nullptr) return;
+    struct stat status {};
+    check(std::fflush(m_file) == 0);
+    if (check(::fstat(::fileno(m_file), &status) == 0) && std::size_t(status.st_size) != m_end)
+      m_error = m_error == 0 ? EIO : m_error;
+    check(std::fclose(std::exchange(m_file, nullptr)) == 0);
   }
-  /// errno of the first failure, or 0; after close.
+  /// errno of the first failure, or 0; complete after close().
   [[nodiscard]] int error() const { return m_error; }
 
  private:
-  std::FILE* m_file;
-  int m_error = 0;
+  bool check(bool isDone) const {
+    if (!isDone && m_error == 0) m_error = errno != 0 ? errno : EIO;
+    return isDone;
+  }
+
+  std::FILE* m_file = nullptr;
+  std::size_t m_end = 0;
+  mutable int m_error = 0;  ///< flush() is const in OpenImageIO
 };
 
 InputError cannotWrite(const fs::path& file, int error) {
@@ -78,7 +91,7 @@ struct ImageRowWriter::Output {
   int row = 0;
 
   Output(const fs::path& path, OIIO::ImageSpec spec)
-      : atomic(path), file(path), bytes(atomic.temporary()) {
+      : atomic(path), file(path), bytes(path, atomic.descriptor()) {
     spec.attribute("DateTime", "");  // the same content is the same file: no clock in it
     image = OIIO::ImageOutput::create(path.string());
     if (!image)
@@ -87,7 +100,7 @@ struct ImageRowWriter::Output {
     refuseTooLarge(spec);
     if (bytes.error() != 0) throw cannotWrite(file, bytes.error());
     if (!image->supports("ioproxy") || !image->set_ioproxy(&bytes) ||
-        !image->open(atomic.temporary().string(), spec))
+        !image->open(file.string(), spec))
       fail();
   }
 
@@ -112,8 +125,7 @@ struct ImageRowWriter::Output {
   }
 
   [[noreturn]] void fail() {
-    throw InputError(file.string(), "cannot be written",
-                     oneLine(image->geterror(), atomic.temporary()));
+    throw InputError(file.string(), "cannot be written", oneLine(image->geterror(), file));
   }
 
   void close() {
@@ -207,7 +219,7 @@ void ImageRowWriter::finish() {
 
 std::uintmax_t ImageRowWriter::discard() {
   m_output->close();
-  return fs::file_size(m_output->atomic.temporary());
+  return m_output->bytes.size();
 }
 
 }  // namespace hogelscope

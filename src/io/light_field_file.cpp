@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "core/error.h"
+#include "io/folders.h"
 #include "io/hogel_image.h"
 #include "io/light_field_store.h"
 #include "io/view_layouts.h"
@@ -48,7 +49,7 @@ std::array<int, 2> quiltTilesFromName(const std::string& file) {
 LightFieldParams lightFieldOf(const std::string& file) {
   LightFieldParams params;
   params.file = file;
-  if (fs::is_directory(file))
+  if (isFolder(file))
     params.layout = Layout::views;
   else if (LightFieldStore::isStore(file))
     params.layout = Layout::pack;
@@ -58,7 +59,7 @@ LightFieldParams lightFieldOf(const std::string& file) {
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = fs::is_directory(file) != (params.layout == Layout::views) ||
+  const bool isAnotherKind = isFolder(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
   if (isAnotherKind) return lightFieldOf(file);
   LightFieldParams result = params;

@@ -18,6 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Cells = std::vector<PanelError::Cell>;
 
+constexpr std::string_view headOfAny = R"({"hogelscope panel error":1,)";
+
 std::string_view bytesOf(const Cells& cells) {
   return {reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(PanelError::Cell)};
 }
@@ -30,7 +32,8 @@ bool readCells(std::istream& in, Cells& cells) {
 }  // namespace
 
 void savePanelError(const fs::path& file, const std::string& key, const SavedPanelError& saved) {
-  std::string content = Json{{"key", key}, {"states", saved.states}}.dump() + "\n";
+  std::string content =
+      Json{{"hogelscope panel error", 1}, {"key", key}, {"states", saved.states}}.dump() + "\n";
   content += bytesOf(saved.error.hogels());
   content += bytesOf(saved.error.directions());
   writeTextFile(file, content);
@@ -38,6 +41,7 @@ void savePanelError(const fs::path& file, const std::string& key, const SavedPan
 
 std::optional<SavedPanelError> loadPanelError(const fs::path& file, const std::string& key,
                                               const LightFieldSize& size) {
+  requireOurs(file, headOfAny);
   std::ifstream in(file, std::ios::binary);
   std::string line;
   if (!std::getline(in, line)) return std::nullopt;

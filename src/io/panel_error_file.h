@@ -20,7 +20,8 @@ struct SavedPanelError {
 /// machine's 64-bit numbers. Throws InputError.
 void savePanelError(const std::filesystem::path& file, const std::string& key,
                     const SavedPanelError& saved);
-/// None where there is no whole file with this key and size.
+/// None where there is no whole file with this key and size. Throws InputError where there is a
+/// file that is no panel error: it would be replaced.
 std::optional<SavedPanelError> loadPanelError(const std::filesystem::path& file,
                                               const std::string& key, const LightFieldSize& size);
 

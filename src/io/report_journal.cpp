@@ -4,12 +4,12 @@
 #include "io/report_journal.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::string_view headOfAny = R"({"hogelscope report":1,)";
 
 std::string headOf(const std::string& key) {
   return Json{{"hogelscope report", 1}, {"key", key}}.dump() + "\n";
@@ -56,62 +58,41 @@ ReportJournal::Entry entryOf(const Json& line) {
 
 ReportJournal::ReportJournal(const fs::path& folder, const std::string& key)
     : m_file(folder / "report.journal") {
-  m_descriptor = ::open(m_file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (m_descriptor < 0)
-    throw InputError(m_file.string(), "cannot be written", std::strerror(errno));
-  if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0) {
-    ::close(m_descriptor);
+  requireOurs(m_file, headOfAny);
+  auto descriptor = openLocked(m_file, O_APPEND);
+  if (!descriptor)
     throw InputError(m_file.string(), "is in use",
                      "another hogelscope makes this report; wait, or give another --output");
-  }
-  try {
-    read(readTextFile(m_file), headOf(key));
-  } catch (...) {
-    ::close(m_descriptor);
-    if (m_entries.empty()) remove();
-    throw;
-  }
-}
-
-ReportJournal::~ReportJournal() {
-  if (m_descriptor >= 0) ::close(m_descriptor);
-}
-
-/// What cannot be used is cut off the file.
-void ReportJournal::read(const std::string& text, const std::string& head) {
-  std::size_t used = 0;
-  if (text.starts_with(head)) {
-    used = head.size();
-    for (std::size_t end = text.find('\n', used); end != std::string::npos;
-         end = text.find('\n', used)) {
-      const Json line = Json::parse(text.substr(used, end - used), nullptr, false);
-      try {
-        m_entries[line.at("row").get<std::size_t>()] = entryOf(line);
-      } catch (const Json::exception&) {
-        break;
-      }
-      used = end + 1;
-    }
-  } else {
-    m_replacedAnother = text.find('\n') != std::string::npos;
-  }
-  if (::ftruncate(m_descriptor, static_cast<off_t>(used)) != 0)
+  m_descriptor = std::move(*descriptor);
+  const std::uintmax_t used = read(headOf(key));
+  if (::ftruncate(m_descriptor.get(), static_cast<off_t>(used)) != 0)
     throw InputError(m_file.string(), "cannot be written", std::strerror(errno));
-  if (used == 0) append(head);
+  if (used == 0) writeAll(m_descriptor.get(), headOf(key), m_file);
+}
+
+/// The number of bytes up to the first line that is not whole or not a row's.
+std::uintmax_t ReportJournal::read(const std::string& head) {
+  std::ifstream in(m_file, std::ios::binary);
+  if (!in) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));
+  std::string text;
+  if (!std::getline(in, text) || in.eof()) return 0;
+  m_replacedAnother = text + "\n" != head;
+  if (m_replacedAnother) return 0;
+  std::uintmax_t used = head.size();
+  while (std::getline(in, text) && !in.eof()) {
+    const Json line = Json::parse(text, nullptr, false);
+    try {
+      m_entries[line.at("row").get<std::size_t>()] = entryOf(line);
+    } catch (const Json::exception&) {
+      break;
+    }
+    used += text.size() + 1;
+  }
+  return used;
 }
 
 void ReportJournal::add(std::size_t row, const Metrics& metrics, const std::string& problem) {
-  append(lineOf(row, metrics, problem));
-}
-
-void ReportJournal::append(const std::string& line) {
-  std::string_view rest = line;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(m_descriptor, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw InputError(m_file.string(), "cannot be written", std::strerror(errno));
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  writeAll(m_descriptor.get(), lineOf(row, metrics, problem), m_file);
 }
 
 void ReportJournal::remove() {

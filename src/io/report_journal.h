@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/report.h"
+#include "io/positioned_file.h"
 
 namespace hogelscope {
 
@@ -20,10 +21,9 @@ class ReportJournal {
   };
 
   /// Takes up the journal in `folder` if it has the same `key`, else begins a new one in its place.
-  /// A line that was cut off is forgotten. Throws InputError: another process is at work there, or
-  /// it cannot be written.
+  /// A line that was cut off is forgotten. Throws InputError: a file of that name is not a journal,
+  /// another process uses it, or it cannot be written.
   ReportJournal(const std::filesystem::path& folder, const std::string& key);
-  ~ReportJournal();
   ReportJournal(const ReportJournal&) = delete;
   ReportJournal& operator=(const ReportJournal&) = delete;
 
@@ -38,11 +38,10 @@ class ReportJournal {
   void remove();
 
  private:
-  void read(const std::string& text, const std::string& head);
-  void append(const std::string& line);
+  std::uintmax_t read(const std::string& head);
 
   std::filesystem::path m_file;
-  int m_descriptor = -1;
+  Descriptor m_descriptor{-1};
   std::map<std::size_t, Entry> m_entries;
   bool m_replacedAnother = false;
 };

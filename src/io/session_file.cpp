@@ -134,8 +134,8 @@ std::string besideDocument(const fs::path& document, const std::string& file) {
 std::string relativeTo(const fs::path& document, const std::string& file) {
   if (file.empty()) return {};
   std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(document).parent_path(), error);
-  const fs::path target = fs::weakly_canonical(fs::absolute(file), error);
+  const fs::path folder = fs::weakly_canonical(fs::absolute(document, error).parent_path(), error);
+  const fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
   const fs::path relative = target.lexically_relative(folder);
   return relative.empty() ? target.string() : relative.string();
 }

@@ -3,13 +3,13 @@
 #include "io/store_output.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
 #include "core/error.h"
+#include "io/atomic_file.h"
 
 namespace hogelscope {
 
@@ -23,16 +23,26 @@ fs::path partOf(const fs::path& file) {
     throw InputError(file.string(), "cannot be written", "it is there, and is not a file");
   fs::path part = file;
   part += ".part";
-  if (fs::exists(part, none) && !fs::is_regular_file(part, none))
-    throw InputError(part.string(), "cannot be written", "it is there, and is not a file");
+  requireOurs(part, tiffHeader().substr(0, firstLinkAt));
   return part;
 }
 
-bool isOurs(const PositionedFile& part) {
-  std::string header = tiffHeader().substr(0, firstLinkAt);
-  std::string found(header.size(), '\0');
-  found.resize(part.readSome(0, std::as_writable_bytes(std::span(found))));
-  return header.starts_with(found);
+Descriptor lockedPart(const fs::path& part, const fs::path& file) {
+  auto descriptor = openLocked(part);
+  if (!descriptor)
+    throw InputError(file.string(), "cannot be written", "another run is writing it");
+  return std::move(*descriptor);
+}
+
+/// Any BigTIFF begins as a store does; a store's first page says that it is one.
+void requireStore(const PositionedFile& part) {
+  try {
+    const std::uint64_t first = firstLink(part).next;
+    if (first == 0 || parseStoreHeader(readPage(part, first).description)) return;
+  } catch (const InputError&) {
+  }
+  throw InputError(part.path().string(), "cannot be written",
+                   "it is there, and is not an unfinished store: move it away");
 }
 
 }  // namespace
@@ -41,14 +51,9 @@ StoreOutput::StoreOutput(const fs::path& file, const StoreHeader& header)
     : m_file(file),
       m_part(partOf(file)),
       m_description(textOf(header)),
-      m_descriptor(::open(m_part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (m_descriptor.get() < 0) fail(errno);
-  if (::flock(m_descriptor.get(), LOCK_EX | LOCK_NB) != 0)
-    throw InputError(file.string(), "cannot be written", "another run is writing it");
+      m_descriptor(lockedPart(m_part, file)) {
   const PositionedFile part(m_part);
-  if (!isOurs(part))
-    throw InputError(m_part.string(), "cannot be written",
-                     "it is there, and is not an unfinished store");
+  requireStore(part);
   try {
     goOn(part);
   } catch (const InputError&) {  // what cannot be read is begun anew
@@ -97,7 +102,7 @@ void StoreOutput::append(const void* bytes, std::size_t count) {
 }
 
 void StoreOutput::sync() const {
-  if (::fsync(m_descriptor.get()) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
+  syncToDisk(m_descriptor.get(), m_file);
 }
 
 void StoreOutput::add(const TileBytes& tiles) {

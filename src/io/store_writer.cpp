@@ -159,10 +159,6 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
 
 void pack(LightFieldFile& file, const PackPlan& plan, const fs::path& output, int threads,
           const Progress& progress) {
-  std::error_code none;
-  for (const fs::path& path : file.files())
-    if (fs::equivalent(path, output, none))
-      throw InputError(output.string(), "cannot be written", "it is the light field itself");
   checkRoom(output, plan.storeBytes);
   StoreOutput store(output, plan.header);
   const int pages = plan.header.blocks().j;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "io/folders.h"
 
 namespace hogelscope {
 
@@ -164,9 +165,7 @@ int number(const std::string& digits) {
 Found matches(const fs::path& folder, const NamePattern& pattern) {
   const std::string meaning = pattern.meaning();
   Found found;
-  std::vector<fs::path> files{fs::directory_iterator(folder), fs::directory_iterator()};
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) {
+  for (const fs::path& file : entriesOf(folder)) {
     const std::string name = file.filename().string();
     const auto numbers = NameMatch(pattern, name).numbers();
     if (!numbers) continue;
@@ -228,9 +227,10 @@ ViewFiles runningGrid(const Found& found, std::array<int, 2> directions, const f
 
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions) {
   fs::path folder = params.file;
+  std::error_code error;
   std::vector<NamePattern> patterns;
   const std::string last = folder.filename().string();
-  if (last.find('%') != std::string::npos && !fs::exists(folder)) {
+  if (last.find('%') != std::string::npos && !fs::exists(folder, error)) {
     patterns.push_back(fromPercent(last));
     folder = folder.parent_path().empty() ? "." : folder.parent_path();
   } else if (!params.pattern.empty()) {
@@ -240,10 +240,10 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
          {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
       patterns.push_back(fromTokens(known));
   }
-  if (!fs::is_directory(folder))
+  if (!fs::is_directory(folder, error))
     throw InputError(folder.string(), "",
-                     fs::exists(folder) ? "is a file; layout \"views\" reads a folder"
-                                        : "there is no such folder");
+                     fs::exists(folder, error) ? "is a file; layout \"views\" reads a folder"
+                                               : "there is no such folder");
   for (const NamePattern& pattern : patterns) {
     checkMeaning(pattern);
     const Found found = matches(folder, pattern);

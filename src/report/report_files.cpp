@@ -12,6 +12,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path referenceImage(const fs::path& folder, const std::string& state) {
+  return folder / "reference" / (state + ".png");
+}
+
+fs::path testImage(const fs::path& folder, std::size_t test, const std::string& state) {
+  return folder / ("test" + std::to_string(test + 1)) / (state + ".png");
+}
+
+fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& ending) {
+  return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
+}
+
 std::string pngOf(const Image& image) {
   return encodedPng(image.width, image.height, image.rgb);
 }
@@ -27,6 +39,22 @@ void writeCells(const fs::path& file, int width, int height,
 
 }  // namespace
 
+std::vector<fs::path> filesOf(const ReportRequest& request) {
+  const fs::path folder = request.output;
+  std::vector<fs::path> files{folder / "report.csv", folder / "metrics.csv", folder / "summary.csv",
+                              folder / "bd.csv", folder / "report.html"};
+  for (std::size_t test = 0; test < request.tests.size(); ++test) {
+    for (const char* ending : {"hogels.exr", "directions.exr", "hogels.png", "directions.png"})
+      files.push_back(panelFile(folder, test, ending));
+    if (!request.images) continue;
+    for (const CameraState& state : request.session.cameras) {
+      files.push_back(referenceImage(folder, state.camera.name));
+      files.push_back(testImage(folder, test, state.camera.name));
+    }
+  }
+  return files;
+}
+
 void writeTables(const fs::path& folder, const Report& report) {
   writeTextFile(folder / "report.csv", csv(report.rows));
   writeTextFile(folder / "metrics.csv", metricsCsv(report.rows));
@@ -36,8 +64,8 @@ void writeTables(const fs::path& folder, const Report& report) {
 
 void writePictures(const fs::path& folder, std::size_t test, const std::string& state,
                    const ViewPair& pair) {
-  const fs::path reference = folder / "reference" / (state + ".png");
-  const fs::path own = folder / ("test" + std::to_string(test + 1)) / (state + ".png");
+  const fs::path reference = referenceImage(folder, state);
+  const fs::path own = testImage(folder, test, state);
   makeFolder(reference.parent_path());
   makeFolder(own.parent_path());
   if (test == 0) writePng(reference, pair.reference);
@@ -46,16 +74,14 @@ void writePictures(const fs::path& folder, std::size_t test, const std::string& 
 
 ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std::string& name,
                             const PanelError& error, const DisplayParams& display) {
-  const std::string prefix =
-      (folder / "panel_error" / ("test" + std::to_string(test + 1))).string();
   makeFolder(folder / "panel_error");
   const LightFieldSize& size = error.size();
   const Image hogels = hogelPicture(error, display);
   const Image directions = directionPicture(error, display);
-  writeCells(prefix + "_hogels.exr", size.nx, size.ny, error.hogels());
-  writeCells(prefix + "_directions.exr", size.du, size.dv, error.directions());
-  writePng(prefix + "_hogels.png", hogels);
-  writePng(prefix + "_directions.png", directions);
+  writeCells(panelFile(folder, test, "hogels.exr"), size.nx, size.ny, error.hogels());
+  writeCells(panelFile(folder, test, "directions.exr"), size.du, size.dv, error.directions());
+  writePng(panelFile(folder, test, "hogels.png"), hogels);
+  writePng(panelFile(folder, test, "directions.png"), directions);
   return {name, pngOf(hogels), pngOf(directions), figuresOf(error, display)};
 }
 

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "core/panel_error.h"
 #include "report/report_run.h"
 #include "report/view_pairs.h"
 
 namespace hogelscope {
+
+/// All that a report may write, but for the files by which it goes on.
+std::vector<std::filesystem::path> filesOf(const ReportRequest& request);
 
 /// report.csv, metrics.csv, summary.csv, and bd.csv where there are groups.
 void writeTables(const std::filesystem::path& folder, const Report& report);

@@ -12,6 +12,7 @@
 #include "core/side_by_side.h"
 #include "core/step_progress.h"
 #include "io/atomic_file.h"
+#include "io/folders.h"
 #include "io/report_journal.h"
 #include "io/session_file.h"
 #include "report/panel_projection.h"
@@ -293,7 +294,27 @@ std::vector<ReportTest> openTests(const Session& session, const std::vector<std:
   return tests;
 }
 
+namespace {
+
+/// The pictures and tables of a report must not replace what it reads.
+void checkFiles(const ReportRequest& request) {
+  std::vector<fs::path> inputs{request.sessionFile};
+  const auto addFiles = [&inputs](const Session& session) {
+    for (const fs::path& file : openLightField(session.lightField, session.display)->files())
+      inputs.push_back(file);
+  };
+  addFiles(request.session);
+  for (const ReportTest& test : request.tests) {
+    inputs.emplace_back(test.name);
+    addFiles(test.session);
+  }
+  checkOutputs(filesOf(request), inputs);
+}
+
+}  // namespace
+
 Report makeReport(const ReportRequest& request, const ReportListener& listener) {
+  checkFiles(request);
   return ReportRun(request, listener).run();
 }
 

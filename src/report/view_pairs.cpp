@@ -64,7 +64,7 @@ class Halves {
 
 void ViewPairs::readSideBySide(const Session& test, const Progress& progress) {
   Halves halves(progress);
-  auto reading = std::async(std::launch::async, [&] {
+  auto reading = std::async([&] {  // one after the other where no thread can be started
     return halves.run(0, [&](const Progress& half) { return readSource(m_session, half); });
   });
   try {

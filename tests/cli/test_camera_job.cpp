@@ -152,7 +152,7 @@ void TestCameraJob::mistakes_data() {
       "s.json: cameraSet.template: \"c\" is no state of the session");
   row("no output", {"random"}, "--output: is missing: name where the results go");
   row("output is a folder", {"random", "--output", "."},
-      ".: cannot be written: it is there, and is not a file");
+      ".: cannot be written: a session's name ends in .json");
 }
 
 void TestCameraJob::mistakes() {

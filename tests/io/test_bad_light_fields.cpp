@@ -129,7 +129,7 @@ void TestBadLightFields::pictures_data() {
   refused("PNG cut in half",
           text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
                 .lightField = R"({"file": "cut.png"})"}),
-          "cut.png: is damaged: Read error: hit end of file");
+          "cut.png: is damaged: end of stream");
   refused("PNG damaged",
           text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
                 .lightField = R"({"file": "damaged.png"})"}),

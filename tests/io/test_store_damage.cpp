@@ -149,9 +149,11 @@ void TestStoreDamage::aCircleOfPagesIsRefused() {
   writeFile("s.tif", changed);
   const QString error = errorOf([] { LightFieldStore store("s.tif"); });
   QCOMPARE(error, "s.tif: is damaged: a page of it is not a store's");
-  writeFile("again.tif.part", changed);
-  packTo("again.tif");
-  QVERIFY(contentOf("again.tif") == m_bytes);
+  writeFile("again.tif.part", changed);  // nor does a run go on with it, or delete it
+  QCOMPARE(errorOf([] { packTo("again.tif"); }),
+           "again.tif.part: cannot be written: it is there, and is not an unfinished store: move "
+           "it away");
+  QVERIFY(contentOf("again.tif.part") == changed);
 }
 
 void TestStoreDamage::strangeDescriptions_data() {
@@ -261,7 +263,8 @@ void TestStoreDamage::unfinishedOneIsNoStore() {
 void TestStoreDamage::otherFilesAreKept() {
   writeFile("again.tif.part", "somebody's thesis");
   QCOMPARE(errorOf([] { packTo("again.tif"); }),
-           "again.tif.part: cannot be written: it is there, and is not an unfinished store");
+           "again.tif.part: cannot be written: it is there, and was not written by hogelscope: "
+           "move it away");
   QCOMPARE(contentOf("again.tif.part"), QByteArray("somebody's thesis"));
   QDir().mkdir("folder");
   QCOMPARE(errorOf([] { packTo("folder"); }),

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A look at an EXR's header before OpenEXR reads it.
+// Layout: https://openexr.com/en/latest/OpenEXRFileLayout.html
+#include "io/exr_header.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "core/error.h"
+#include "io/positioned_file.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
+
+struct Attribute {
+  std::string name;
+  std::uint64_t valueAt = 0;
+  std::uint32_t size = 0;
+};
+
+class ExrHeader {
+ public:
+  explicit ExrHeader(const PositionedFile& file) : m_file(file) {}
+
+  void check() {
+    constexpr int mostAttributes = 10000;
+    for (int k = 0; k < mostAttributes; ++k) {
+      const std::optional<Attribute> attribute = next();
+      if (!attribute) return;  // OpenEXR says what is wrong, if anything is
+      if (attribute->size > m_file.size() - attribute->valueAt) refuse(attribute->name);
+      if (attribute->name == "dataWindow") m_window = numbers<std::int32_t, 4>(*attribute);
+      if (attribute->name == "tiles") m_tile = numbers<std::uint32_t, 2>(*attribute);
+      m_at = attribute->valueAt + attribute->size;
+      checkChunks();
+    }
+  }
+
+ private:
+  /// Nothing at the header's end, and where the file ends.
+  std::optional<Attribute> next() const {
+    std::array<char, 600> bytes{};  // two names of at most 255 letters
+    const std::size_t count = m_file.readSome(m_at, std::as_writable_bytes(std::span(bytes)));
+    const std::string_view text(bytes.data(), count);
+    const std::size_t nameEnd = text.find('\0');
+    const std::size_t typeEnd =
+        nameEnd == std::string_view::npos ? nameEnd : text.find('\0', nameEnd + 1);
+    if (nameEnd == 0 || typeEnd == std::string_view::npos || typeEnd + 5 > count)
+      return std::nullopt;
+    Attribute attribute{std::string(text.substr(0, nameEnd)), m_at + typeEnd + 5};
+    std::memcpy(&attribute.size, &text[typeEnd + 1], sizeof(attribute.size));
+    return attribute;
+  }
+
+  template <class T, std::size_t count>
+  std::array<T, count> numbers(const Attribute& attribute) const {
+    std::array<T, count> values{};
+    if (attribute.size >= sizeof(values))
+      m_file.read(attribute.valueAt, std::as_writable_bytes(std::span(values)));
+    return values;
+  }
+
+  /// The file has eight bytes for each chunk: a tile, or at most 256 lines.
+  void checkChunks() const {
+    constexpr double mostLines = 256;
+    const double width = double(m_window[2]) - m_window[0] + 1;
+    const double height = double(m_window[3]) - m_window[1] + 1;
+    const bool isTiled = m_tile[0] > 0 && m_tile[1] > 0;
+    const double chunks = isTiled ? width / m_tile[0] * (height / m_tile[1]) : height / mostLines;
+    if (8 * chunks > double(m_file.size())) refuse("dataWindow");
+    constexpr double mostPixelsPerByte = 1 << 17;  // of anything compressed
+    if (double(m_tile[0]) * m_tile[1] > mostPixelsPerByte * double(m_file.size())) refuse("tiles");
+  }
+
+  [[noreturn]] void refuse(const std::string& attribute) const {
+    throw InputError(m_file.path().string(), "is damaged",
+                     "its " + attribute + " needs more than the file has");
+  }
+
+  const PositionedFile& m_file;
+  std::uint64_t m_at = 8;                  ///< after magic and version
+  std::array<std::int32_t, 4> m_window{};  ///< x and y of the first and the last pixel
+  std::array<std::uint32_t, 2> m_tile{};   ///< width and height; 0: lines
+};
+
+}  // namespace
+
+void checkExrHeader(const std::filesystem::path& path) {
+  const PositionedFile file(path);
+  std::array<unsigned char, 4> found{};
+  if (file.readSome(0, std::as_writable_bytes(std::span(found))) < found.size() || found != magic)
+    return;
+  ExrHeader(file).check();
+}
+
+}  // namespace hogelscope

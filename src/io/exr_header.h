@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A look at an EXR's header before OpenEXR reads it.
+#pragma once
+
+#include <filesystem>
+
+namespace hogelscope {
+
+/// OpenEXR allocates what a header declares before it knows that the file has it: 1.3 kB can ask
+/// for gigabytes. Throws InputError where an attribute, or the table of chunks, would be longer
+/// than the file. Any other file passes.
+void checkExrHeader(const std::filesystem::path& file);
+
+}  // namespace hogelscope

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that a job never destroys what it reads, nor a stranger's file, nor another run's output,
+// and that whatever is wrong with a path is one line and status 2.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/program.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+namespace {
+
+float wave(int x, int y, int c) {
+  return float((x * 7 + y * 13 + c * 31) % 64) / 63;
+}
+
+QByteArray session(const QByteArray& lightField) {
+  return R"({"hogelscope": 1, "display": {"hogels": [8, 8], "directions": [4, 4]},
+             "lightField": )" +
+         lightField + R"(, "cameras": [{"name": "a", "eye": [0, 0, 0.5], "res": [40, 40]}]})";
+}
+
+/// Pattern by pattern, eight times as large as its session: so that two runs are at work at once.
+QStringList generate(const QString& pattern) {
+  return {"--generate", pattern,    "--session",
+          "s.json",     "--output", "g.png",
+          "--quiet",    "--set",    "display.directions=[80,80]"};
+}
+
+}  // namespace
+
+class TestOutputs : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void inputsAreKept_data();
+  void inputsAreKept();
+  void reportKeepsItsViews();
+  void sessionMayGrowInPlace();
+  void twoRunsIntoOneFile();
+  void predictableNames_data();
+  void predictableNames();
+  void linksAtTemporaryNames();
+  void hugeJournalIsKept();
+  void pathsThatThrow_data();
+  void pathsThatThrow();
+  void unreadableFolder();
+  void everyLineIsHeard();
+
+ private:
+  Outcome job(const QStringList& arguments) { return run(arguments, m_folder->path()); }
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestOutputs::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(QDir::setCurrent(m_folder->path()));
+  writePicture("a.png", 32, 32, wave);
+  writePicture("b.tif", 32, 32, wave);
+  writeFile("s.json", session(R"({"file": "a.png"})"));
+}
+
+void TestOutputs::inputsAreKept_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QString>("output");
+  const auto row = [](const char* name, const QStringList& arguments, const QString& output) {
+    QTest::newRow(name) << arguments << output;
+  };
+  const QString read = ", which is read: give another --output";
+  row("render over the light field", {"--render", "--session", "s.json", "--output", "."},
+      "./a.png: cannot be written: it is a.png" + read);
+  row("by another name", {"--render", "--session", "s.json", "--output", "link"},
+      "link/a.png: cannot be written: it is a.png" + read);
+  row("make-cameras over the light field",
+      {"--make-cameras", "random", "--session", "s.json", "--output", "a.png"},
+      "a.png: cannot be written: a session's name ends in .json");
+  row("generate over the session",
+      {"--generate", "scene", "--session", "s.json", "--output", "s.json"},
+      "s.json: cannot be written: it is s.json" + read);
+  row("pack over the light field",
+      {"--pack", "a.png", "--session", "s.json", "--output", "hard.png"},
+      "hard.png: cannot be written: it is a.png" + read);
+  row("stability over its lenses",
+      {"--stability", "--calibrations", "stability.csv", "--output", "."},
+      "./stability.csv: cannot be written: it is stability.csv" + read);
+}
+
+void TestOutputs::inputsAreKept() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QString, output);
+  QVERIFY(QFile::link(".", "link"));
+  QVERIFY(::link("a.png", "hard.png") == 0);
+  writeFile("stability.csv", R"({"cameras": [{"name": "c", "size": [10, 10],
+      "K": [10, 10, 5, 5], "D": [0, 0, 0, 0]}]})");
+  const QByteArray content = contentOf("a.png");
+  const QByteArray document = contentOf("s.json");
+  const QByteArray lenses = contentOf("stability.csv");
+  const Outcome outcome = job(arguments);
+  QCOMPARE(outcome.err, "hogelscope: " + output.toUtf8() + "\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(contentOf("a.png"), content);
+  QCOMPARE(contentOf("s.json"), document);
+  QCOMPARE(contentOf("stability.csv"), lenses);
+}
+
+void TestOutputs::reportKeepsItsViews() {
+  for (const char* name : {"000_000.png", "000_001.png"})
+    writePicture(QString("test1/") + name, 8, 8, wave);
+  writeFile("v.json", QByteArray(R"({"hogelscope": 1, "display": {},
+      "lightField": {"file": "test1", "layout": "views"},
+      "cameras": [{"name": "000_001", "eye": [0, 0, 0.5], "res": [40, 40]}]})"));
+  const QByteArray content = contentOf("test1/000_001.png");
+  const Outcome outcome =
+      job({"--report", "--session", "v.json", "--test", "v.json", "--output", ".", "--images"});
+  QCOMPARE(outcome.err, QByteArray("hogelscope: ./test1/000_001.png: cannot be written: it is "
+                                   "test1/000_001.png, which is read: give another --output\n"));
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(contentOf("test1/000_001.png"), content);
+}
+
+void TestOutputs::sessionMayGrowInPlace() {
+  QCOMPARE(
+      job({"--make-cameras", "random", "--count", "2", "--session", "s.json", "--output", "s.json"})
+          .status,
+      0);
+  QVERIFY(contentOf("s.json").contains("random-"));
+}
+
+void TestOutputs::twoRunsIntoOneFile() {
+  QList<QByteArray> wholes;
+  for (const char* pattern : {"scene", "spheres"}) {
+    QCOMPARE(job(generate(pattern)).status, 0);
+    wholes << contentOf("g.png");
+  }
+  QFile::remove("g.png");
+  QProcess first;
+  QProcess second;
+  start(first, generate("scene"), m_folder->path());
+  start(second, generate("spheres"), m_folder->path());
+  QVERIFY(first.waitForFinished() && second.waitForFinished());
+  QCOMPARE(first.exitCode(), 0);
+  QCOMPARE(second.exitCode(), 0);
+  QVERIFY(wholes.contains(contentOf("g.png")));
+  QCOMPARE(namesIn("."), (QStringList{"a.png", "b.tif", "g.png", "s.json"}));
+}
+
+void TestOutputs::predictableNames_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("isLink");
+  for (const char* name : {"report.journal", "report.panel1"})
+    for (const bool isLink : {false, true})
+      QTest::addRow("%s, %s", name, isLink ? "a link" : "a file") << QString(name) << isLink;
+}
+
+void TestOutputs::predictableNames() {
+  QFETCH(QString, name);
+  QFETCH(bool, isLink);
+  const QString diary = isLink ? "diary" : "out/" + name;
+  QVERIFY(QDir().mkdir("out"));
+  writeFile(diary, "my diary");
+  if (isLink) QVERIFY(QFile::link("../diary", "out/" + name));
+  const Outcome outcome =
+      job({"--report", "--session", "s.json", "--test", "b.tif", "--output", "out"});
+  QCOMPARE(outcome.err,
+           "hogelscope: out/" + name.toUtf8() +
+               ": cannot be written: it is there, and was not written by hogelscope: move it "
+               "away\n");
+  QCOMPARE(outcome.status, 2);
+  QCOMPARE(contentOf(diary), QByteArray("my diary"));
+  QVERIFY(QFileInfo::exists("out/" + name));
+}
+
+void TestOutputs::linksAtTemporaryNames() {
+  QVERIFY(QDir().mkdir("out"));
+  writeFile("diary", "my diary");
+  QVERIFY(QFile::link("../diary", "out/.a.part.png"));
+  QVERIFY(QFile::link("diary", "store.tif.part"));
+  QCOMPARE(job({"--render", "--session", "s.json", "--output", "out"}).status, 0);
+  QCOMPARE(namesIn("out"), (QStringList{".a.part.png", "a.png"}));
+  QCOMPARE(job({"--pack", "a.png", "--session", "s.json", "--output", "store.tif"}).status, 2);
+  QCOMPARE(contentOf("diary"), QByteArray("my diary"));
+}
+
+/// 360 000 rows and more.
+void TestOutputs::hugeJournalIsKept() {
+  const QByteArray foreign(68000000, 'x');
+  writeFile("out/report.journal", foreign);
+  const QStringList report{"--report", "--session", "s.json", "--test", "b.tif", "--output", "out"};
+  QCOMPARE(job(report).status, 2);
+  QCOMPARE(contentOf("out/report.journal").size(), foreign.size());
+  writeFile("out/report.journal",
+            R"({"hogelscope report":1,"key":"other"})" + ("\n" + foreign) + "\n");
+  QCOMPARE(job(report).status, 0);
+}
+
+void TestOutputs::pathsThatThrow_data() {
+  QTest::addColumn<QStringList>("arguments");
+  const QStringList render{"--render", "--session", "s.json", "--output", "out"};
+  QTest::newRow("info") << QStringList{"--info", "loop"};
+  QTest::newRow("info, a long name") << QStringList{"--info", QString(300, 'x')};
+  QTest::newRow("info, below a long name") << QStringList{"--info", QString(300, 'x') + "/a.png"};
+  QTest::newRow("pack") << QStringList{"--pack", "loop", "--output", "p.tif"};
+  QTest::newRow("pack to") << QStringList{"--pack", "a.png",    "--session",
+                                          "s.json", "--output", "loop/"};
+  QTest::newRow("session") << QStringList{"--render", "--session", "loop", "--output", "out"};
+  QTest::newRow("render to") << QStringList{"--render", "--session", "s.json", "--output",
+                                            "loop/out"};
+  QTest::newRow("test") << QStringList{"--report", "--session", "s.json", "--test",
+                                       "loop",     "--output",  "out"};
+  QTest::newRow("views") << render + QStringList{"--set", "lightField.layout=views", "--set",
+                                                 "lightField.file=loop"};
+  QTest::newRow("cameras") << QStringList{"--make-cameras", "loop.json", "--session",
+                                          "s.json",         "--output",  "out.json"};
+  QTest::newRow("calibration") << render + QStringList{"--calibration", "loop"};
+}
+
+void TestOutputs::pathsThatThrow() {
+  QFETCH(QStringList, arguments);
+  QVERIFY(QFile::link("loop", "loop"));
+  const Outcome outcome = job(arguments);
+  QVERIFY2(outcome.err.startsWith("hogelscope: ") && outcome.err.count('\n') == 1, outcome.err);
+  QVERIFY2(outcome.status == 2, outcome.err);
+}
+
+void TestOutputs::unreadableFolder() {
+  QVERIFY(QDir().mkdir("closed"));
+  QCOMPARE(::chmod("closed", 0), 0);
+  QCOMPARE(::chmod(".", 0755), 0);
+  QProcess process;
+  process.setChildProcessModifier([] {
+    constexpr uid_t nobody = 65534;  // root may read every folder
+    if (::geteuid() == 0 && ::setuid(nobody) != 0) ::_exit(9);
+  });
+  start(process, {"--info", "closed"}, m_folder->path());
+  process.waitForFinished();
+  QCOMPARE(::chmod("closed", 0700), 0);
+  if (process.error() == QProcess::FailedToStart) QSKIP("nobody may not run the program here");
+  QCOMPARE(process.readAllStandardError(),
+           QByteArray("hogelscope: closed: cannot be read: Permission denied\n"));
+  QCOMPARE(process.exitCode(), 2);
+}
+
+/// Two light fields are read side by side, on two threads; what is said afterwards is heard.
+void TestOutputs::everyLineIsHeard() {
+  writePicture("r.tif", 640, 640, wave);
+  writePicture("t.tif", 640, 640, [](int x, int y, int c) { return 0.9F * wave(x, y, c); });
+  writeFile("s.json", session(R"({"file": "r.tif"})"));
+  for (int k = 0; k < 5; ++k) {
+    const Outcome outcome =
+        job({"--report", "--session", "s.json", "--test", "t.tif", "--output", "out", "--memory",
+             "1", "--fail-below", "90", "--set", "display.directions=[80,80]"});
+    QCOMPARE(outcome.status, 1);
+    QVERIFY2(outcome.err.contains(" dB is below 90\n"), outcome.err);
+  }
+}
+
+QTEST_GUILESS_MAIN(TestOutputs)
+#include "test_outputs.moc"
