@@ -13,14 +13,8 @@
 namespace hogelscope {
 
 int makeCameras(const Options& options) {
-  Options ofSession = options;
-  ofSession.overrides.clear();
-  std::vector<std::string> ofSet;
-  for (const std::string& text : options.overrides)
-    (isOfCameraSet(text) ? ofSet : ofSession.overrides).push_back(text);
-  if (options.seed) ofSet.push_back("cameraSet.seed=" + std::to_string(*options.seed));
-  const Session session = loadSelected(ofSession);
-  const Session result = withCameras(session, loadCameraSet(options.cameras, ofSet));
+  const Session session = loadSelected(options);
+  const Session result = withCameras(session, loadCameraSet(options.subject, options.jobOverrides));
   if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);
   saveSession(options.output, result);

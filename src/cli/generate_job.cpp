@@ -10,6 +10,7 @@
 
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
+#include "core/error.h"
 #include "core/pattern.h"
 #include "core/report.h"
 #include "io/atomic_file.h"
@@ -109,15 +110,13 @@ void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradat
 }  // namespace
 
 int generateJob(const Options& options) {
-  std::vector<std::string> ofSession;
-  std::vector<std::string> ofPattern;
-  for (const std::string& text : options.overrides)
-    (isOfPattern(text) ? ofPattern : ofSession).push_back(text);
-  const Session session = loadSession(options.session, ofSession);
+  const Session session = loadSession(options.session, options.overrides);
   const DisplayParams& display = session.display;
-  const auto pattern = makePattern(options.pattern, display, patternParams(ofPattern));
+  const auto pattern = makePattern(options.subject, display, patternParams(options.jobOverrides));
   Degradation degradation;
   if (!options.degrade.empty()) degradation = parseDegradation(options.degrade);
+  if (options.seed && degradation.kind != Degradation::Kind::noise)
+    throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
   if (options.seed) degradation.seed = *options.seed;
   if (const auto folder = fs::path(options.output).parent_path(); !folder.empty())
     makeFolder(folder);

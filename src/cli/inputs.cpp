@@ -49,6 +49,14 @@ Session loadSelected(const Options& options) {
   return session;
 }
 
+Session aroundLightField(const std::string& file, const Options& options) {
+  for (const std::string& text : options.overrides)
+    if (!text.starts_with("lightField.") && !text.starts_with("display."))
+      throw InputError("--set " + text,
+                       "does not apply to a light field; lightField and display do");
+  return sessionAround(file, options.overrides);
+}
+
 std::string readingTime(const LightFieldFile& file) {
   constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: ARCHITECTURE.md
   const double minutes = double(pixelBytesOf(file)) / bytesPerMinute;

@@ -26,10 +26,10 @@ struct Content {
 };
 
 Content contentOf(const Options& options) {
-  if (options.session.empty() && !isSessionFile(options.packed))
-    return {sessionAround(options.packed, options.overrides), false};
-  if (options.session.empty()) return {loadSession(options.packed, options.overrides), true};
-  return {withLightField(loadSession(options.session, options.overrides), options.packed), true};
+  if (options.session.empty() && !isSessionFile(options.subject))
+    return {aroundLightField(options.subject, options), false};
+  if (options.session.empty()) return {loadSession(options.subject, options.overrides), true};
+  return {withLightField(loadSession(options.session, options.overrides), options.subject), true};
 }
 
 std::string shapeText(const StoreHeader& header) {

@@ -233,7 +233,9 @@ void TestPackJob::refusals_data() {
   QTest::newRow("nothing there") << QStringList{"--pack", "b.png", "--output", "s.tif"}
                                  << QByteArray("b.png: there is no such file");
   QTest::newRow("no output") << QStringList{"--pack", "a.png"}
-                             << QByteArray("--output: is missing: name where the results go");
+                             << QByteArray(
+                                    "--output: is missing; --pack needs --output PATH, see "
+                                    "--help pack");
   QTest::newRow("memory for less than a row")
       << QStringList{"--pack",   "a.png",
                      "--output", "s.tif",

@@ -96,8 +96,10 @@ class TestTradeoffJob : public QObject {
 
   void badInput() {
     const Outcome missing = run({"--tradeoff", "--output", "out"}, m_folder->path());
-    QCOMPARE(missing.err,
-             QByteArray("hogelscope: --session: is missing: name the session document\n"));
+    QCOMPARE(
+        missing.err,
+        QByteArray("hogelscope: --session: is missing; --tradeoff needs --session FILE, see --help "
+                   "tradeoff\n"));
     const Outcome noFile = job({"--set", "lightField.file=b.png"});
     QCOMPARE(noFile.status, 2);
     QVERIFY(noFile.err.contains("b.png: ") && noFile.err.count('\n') == 1);
