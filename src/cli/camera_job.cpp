@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "io/atomic_file.h"
 #include "io/camera_set_file.h"
+#include "io/output_folder.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
@@ -15,8 +15,7 @@ namespace hogelscope {
 int makeCameras(const Options& options) {
   const Session session = loadSelected(options);
   const Session result = withCameras(session, loadCameraSet(options.subject, options.jobOverrides));
-  if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
+  makeFolderOf(options.output);
   saveSession(options.output, result);
   if (!options.quiet)
     std::cout << result.cameras.size() - session.cameras.size()

@@ -13,10 +13,10 @@
 #include "core/error.h"
 #include "core/pattern.h"
 #include "core/report.h"
-#include "io/atomic_file.h"
 #include "io/degradation.h"
 #include "io/image_writer.h"
 #include "io/machine.h"
+#include "io/output_folder.h"
 #include "io/pattern_params.h"
 #include "io/session_file.h"
 #include "vtk/parallel_rows.h"
@@ -118,8 +118,7 @@ int generateJob(const Options& options) {
   if (options.seed && degradation.kind != Degradation::Kind::noise)
     throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
   if (options.seed) degradation.seed = *options.seed;
-  if (const auto folder = fs::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
+  makeFolderOf(options.output);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};
   announce(*pattern, size, degradation, options);

@@ -8,8 +8,8 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "core/report.h"
-#include "io/atomic_file.h"
 #include "io/machine.h"
+#include "io/output_folder.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
 
@@ -48,8 +48,7 @@ int packJob(const Options& options) {
   const PackPlan plan =
       planPack(session.lightField, *file,
                isDisplayGiven ? std::optional(session.display) : std::nullopt, memory);
-  if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
+  makeFolderOf(options.output);
   if (!options.quiet)
     std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
               << ", on the disk about " << bytesText(plan.storeBytes) << readingTime(*file)

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "io/output_folder.h"
 
 namespace hogelscope {
 
@@ -100,6 +101,7 @@ void makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(folder.string(), "cannot be made", error.message());
+  checkWritable(folder);
 }
 
 }  // namespace hogelscope

@@ -32,7 +32,7 @@ void writeTextFile(const std::filesystem::path& path, std::string_view text);
 /// Throws InputError (missing, a folder, unreadable, larger than 64 MiB).
 std::string readTextFile(const std::filesystem::path& path);
 
-/// Makes the folder and those above it. Throws InputError.
+/// Makes the folder and those above it. Throws InputError, also where nothing can be written there.
 void makeFolder(const std::filesystem::path& folder);
 
 }  // namespace hogelscope

@@ -242,7 +242,7 @@ void TestPackJob::refusals_data() {
                      "--set",    "display.hogels=[160,10]",
                      "--set",    "display.directions=[4,64]",
                      "--memory", "0.04"}
-      << QByteArray("a.png: size: one row of hogels needs 0.1 MB of memory, 0 MB are allowed");
+      << QByteArray("a.png: size: one row of hogels needs 122.9 kB of memory, 40 kB are allowed");
   QTest::newRow("a folder as output")
       << QStringList{"--pack",   "a.png",
                      "--output", ".",
