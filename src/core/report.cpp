@@ -27,7 +27,7 @@ bool isFormula(const std::string& text) {
 }  // namespace
 
 std::string csvCell(const std::string& text) {
-  const std::string harmless = isFormula(text) ? "'" + text : text;
+  std::string harmless = isFormula(text) ? "'" + text : text;
   if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;
   std::string cell = "\"";
   for (const char c : harmless) cell += c == '"' ? std::string("\"\"") : std::string(1, c);

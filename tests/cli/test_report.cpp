@@ -249,7 +249,7 @@ void TestReport::lightFieldsThatPassBy() {
   QCOMPARE(outcome.status, 0);
   for (const QByteArray name : {"a.png", "b.png"})
     QVERIFY2(
-        outcome.err.contains(name + ": has 49.2 kB of pixels, 120 kB are allowed: read from the "
+        outcome.err.contains(name + ": has 49.2 kB of pixels, 60 kB are allowed: read from the "
                                     "top, all pictures made on the way\n"),
         outcome.err);
   int compared = 0;
