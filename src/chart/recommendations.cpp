@@ -1,63 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Recommendations: the best row by one criterion, ties broken by the other.
+// Recommendations: the most accurate of the rows that are fast enough.
 #include "chart/recommendations.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
 
 namespace hogelscope {
 
 namespace {
 
-template <typename Allowed, typename Key>
-std::optional<std::size_t> least(const std::vector<TradeoffRow>& rows, Allowed allowed, Key key) {
-  std::optional<std::size_t> best;
+using Indices = std::vector<std::size_t>;
+
+/// Beyond the spread of the runs, and by more than `factor`.
+bool isFaster(const TradeoffRow& row, const TradeoffRow& other, double factor = 1) {
+  return factor * row.upperQuartile < other.fastest;
+}
+
+template <typename Condition>
+Indices measuredRows(const std::vector<TradeoffRow>& rows, Condition condition) {
+  Indices indices;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    if (isMeasured(rows[k]) && allowed(rows[k]) && (!best || key(rows[k]) < key(rows[*best])))
-      best = k;
-  return best;
+    if (isMeasured(rows[k]) && condition(rows[k])) indices.push_back(k);
+  return indices;
 }
 
-std::tuple<double, double> byError(const TradeoffRow& row) {
-  return {row.rmse, row.milliseconds};
-}
-std::tuple<double, double> byTime(const TradeoffRow& row) {
-  return {row.milliseconds, row.rmse};
-}
-bool any(const TradeoffRow& /*row*/) {
-  return true;
-}
-
-/// The default in the place of a row that is no more accurate and hardly faster.
-std::optional<std::size_t> orDefault(const std::vector<TradeoffRow>& rows,
-                                     std::optional<std::size_t> best, double atMost) {
+/// Those that no other one is faster than. The default is only left out for what is faster by more
+/// than a quarter.
+Indices fastestOf(const std::vector<TradeoffRow>& rows, const Indices& indices) {
   constexpr double hardly = 1.25;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    if (best && rows[k].isDefault && isMeasured(rows[k]) && rows[k].rmse <= rows[*best].rmse &&
-        rows[k].milliseconds <= std::min(hardly * rows[*best].milliseconds, atMost))
-      best = k;
+  Indices fastest;
+  std::ranges::copy_if(indices, std::back_inserter(fastest), [&](std::size_t k) {
+    const double factor = rows[k].isDefault ? hardly : 1;
+    return std::ranges::none_of(
+        indices, [&](std::size_t other) { return isFaster(rows[other], rows[k], factor); });
+  });
+  return fastest;
+}
+
+Indices mostAccurateOf(const std::vector<TradeoffRow>& rows, const Indices& indices) {
+  Indices best;
+  for (const std::size_t k : indices) {
+    if (!best.empty() && rows[k].rmse < rows[best.front()].rmse) best.clear();
+    if (best.empty() || rows[k].rmse == rows[best.front()].rmse) best.push_back(k);
+  }
   return best;
+}
+
+/// The default if it is among them, else the first.
+std::optional<std::size_t> pick(const std::vector<TradeoffRow>& rows, const Indices& indices) {
+  if (indices.empty()) return std::nullopt;
+  const auto found =
+      std::ranges::find_if(indices, [&rows](std::size_t k) { return rows[k].isDefault; });
+  return found == indices.end() ? indices.front() : *found;
 }
 
 }  // namespace
 
 bool isMeasured(const TradeoffRow& row) {
-  return std::isfinite(row.milliseconds) && row.milliseconds > 0 && std::isfinite(row.rmse) &&
-         row.rmse >= 0;
+  const auto isTime = [](double time) { return std::isfinite(time) && time > 0; };
+  return isTime(row.milliseconds) && isTime(row.fastest) && isTime(row.upperQuartile) &&
+         std::isfinite(row.rmse) && row.rmse >= 0;
 }
 
 std::optional<std::size_t> forMovingView(const std::vector<TradeoffRow>& rows) {
-  const auto isSmooth = [](const TradeoffRow& row) {
-    return row.isPareto && row.milliseconds <= movingViewMilliseconds;
-  };
-  const std::optional<std::size_t> smooth = least(rows, isSmooth, byError);
-  return smooth ? orDefault(rows, smooth, movingViewMilliseconds) : least(rows, any, byTime);
+  const Indices smooth = measuredRows(
+      rows, [](const TradeoffRow& row) { return row.fastest <= movingViewMilliseconds; });
+  if (!smooth.empty()) return pick(rows, fastestOf(rows, mostAccurateOf(rows, smooth)));
+  const Indices all = measuredRows(rows, [](const TradeoffRow&) { return true; });
+  return pick(rows, mostAccurateOf(rows, fastestOf(rows, all)));
 }
 
 std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows) {
-  return orDefault(rows, least(rows, any, byError), std::numeric_limits<double>::infinity());
+  const Indices all = measuredRows(rows, [](const TradeoffRow&) { return true; });
+  return pick(rows, fastestOf(rows, mostAccurateOf(rows, all)));
 }
 
 }  // namespace hogelscope

@@ -7,21 +7,15 @@
 #include <filesystem>
 #include <iostream>
 
-#include "cli/camera_job.h"
 #include "cli/explain.h"
-#include "cli/generate_job.h"
-#include "cli/info.h"
 #include "cli/inputs.h"
-#include "cli/pack_job.h"
+#include "cli/jobs.h"
 #include "cli/progress_bar.h"
-#include "cli/report_job.h"
-#include "cli/stability_job.h"
-#include "cli/tradeoff_job.h"
 #include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/folders.h"
 #include "io/image_writer.h"
 #include "io/light_field_file.h"
+#include "io/output_folder.h"
 #include "io/session_file.h"
 #include "report/passing_pictures.h"
 #include "vtk/parallel_rows.h"
@@ -106,6 +100,8 @@ void renderPassing(LightFieldFile& file, const Session& session, const Options& 
   if (first) throw *first;
 }
 
+}  // namespace
+
 int render(const Options& options) {
   const Session session = loadSelected(options);
   // A bad one leaves no folder behind.
@@ -125,43 +121,14 @@ int render(const Options& options) {
   return 0;
 }
 
-int runJob(const Options& options) {
+int runBatch(const Options& options) {
   vtkObject::GlobalWarningDisplayOff();  // what fails comes back as InputError
   vtkHogelViewFilter::SetThreads(options.threads);
-  switch (options.command) {
-    case Command::render:
-      return render(options);
-    case Command::report:
-      return reportJob(options);
-    case Command::makeCameras:
-      return makeCameras(options);
-    case Command::generate:
-      return generateJob(options);
-    case Command::pack:
-      return packJob(options);
-    case Command::tradeoff:
-      return tradeoff(options);
-    case Command::stability:
-      return stabilityJob(options);
-    case Command::info:
-      std::cout << infoText(options.infoFile);
-      return 0;
-    case Command::version:
-      std::cout << "hogelscope " HOGELSCOPE_VERSION "\n";
-      return 0;
-    default:
-      std::cout << helpText(options.files.empty() ? "" : options.files.front());
-      return 0;
-  }
-}
-
-}  // namespace
-
-int runBatch(const Options& options) {
   try {
-    return runJob(options);
+    return jobOf(options.command).run(options);
   } catch (const InputError& error) {
-    throw options.session.empty() ? error : error.in(options.session);
+    const bool isOfOption = std::string_view(error.what()).starts_with("--");
+    throw options.session.empty() || isOfOption ? error : error.in(options.session);
   }
 }
 

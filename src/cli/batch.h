@@ -10,4 +10,7 @@ namespace hogelscope {
 /// InputError, or Cancelled after Ctrl-C.
 int runBatch(const Options& options);
 
+/// --render. Throws InputError, or Cancelled.
+int render(const Options& options);
+
 }  // namespace hogelscope

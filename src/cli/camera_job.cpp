@@ -7,28 +7,20 @@
 
 #include "cli/inputs.h"
 #include "core/error.h"
-#include "io/atomic_file.h"
 #include "io/camera_set_file.h"
-#include "io/folders.h"
+#include "io/output_folder.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
 
 int makeCameras(const Options& options) {
-  Options ofSession = options;
-  ofSession.overrides.clear();
-  std::vector<std::string> ofSet;
-  for (const std::string& text : options.overrides)
-    (isOfCameraSet(text) ? ofSet : ofSession.overrides).push_back(text);
-  if (options.seed) ofSet.push_back("cameraSet.seed=" + std::to_string(*options.seed));
-  const Session session = loadSelected(ofSession);
+  const Session session = loadSelected(options);
   if (!isSessionFile(options.output))
     throw InputError(options.output, "cannot be written", "a session's name ends in .json");
   // The session itself may be replaced by the one with more states; nothing that it reads may.
-  checkOutputs({options.output}, {options.cameras, options.calibration, session.lightField.file});
-  const Session result = withCameras(session, loadCameraSet(options.cameras, ofSet));
-  if (const auto folder = std::filesystem::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
+  checkOutputs({options.output}, {options.subject, options.calibration, session.lightField.file});
+  const Session result = withCameras(session, loadCameraSet(options.subject, options.jobOverrides));
+  makeFolderOf(options.output);
   saveSession(options.output, result);
   if (!options.quiet)
     std::cout << result.cameras.size() - session.cameras.size()

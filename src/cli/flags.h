@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The flags of the command line: the one table that parsing and --help read.
+// The options of the command line, beside those that choose the job: the one table that parsing,
+// refusals and --help read.
 #pragma once
 
 #include <functional>
@@ -11,19 +12,22 @@
 
 namespace hogelscope {
 
-/// What follows it, and what it does to the options. A command is a flag too.
 struct Flag {
   std::string_view name;
-  std::string_view value;  ///< "" if none follows
+  std::string_view value = {};         ///< "" if none follows
+  std::vector<Command> jobs;           ///< those that use it; all others refuse it
+  std::vector<Command> neededBy = {};  ///< those that cannot do without it
+  bool mayRepeat = false;              ///< with another value each time
   std::string_view help;
   std::function<void(Options&, const std::string&)> apply;
 };
 
-/// What is to be done: one of them.
-const std::vector<Flag>& jobs();
-const std::vector<Flag>& settings();
+/// Under one heading of --help.
+struct FlagGroup {
+  std::string_view heading;
+  std::vector<Flag> flags;
+};
 
-/// By its name without dashes. Throws InputError, with the nearest name.
-const Flag& findFlag(const std::string& name);
+const std::vector<FlagGroup>& flagGroups();
 
 }  // namespace hogelscope

@@ -10,13 +10,13 @@
 
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
+#include "core/error.h"
 #include "core/pattern.h"
 #include "core/report.h"
-#include "io/atomic_file.h"
 #include "io/degradation.h"
-#include "io/folders.h"
 #include "io/image_writer.h"
 #include "io/machine.h"
+#include "io/output_folder.h"
 #include "io/pattern_params.h"
 #include "io/session_file.h"
 #include "vtk/parallel_rows.h"
@@ -110,19 +110,16 @@ void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradat
 }  // namespace
 
 int generateJob(const Options& options) {
-  std::vector<std::string> ofSession;
-  std::vector<std::string> ofPattern;
-  for (const std::string& text : options.overrides)
-    (isOfPattern(text) ? ofPattern : ofSession).push_back(text);
-  const Session session = loadSession(options.session, ofSession);
+  const Session session = loadSession(options.session, options.overrides);
   const DisplayParams& display = session.display;
-  const auto pattern = makePattern(options.pattern, display, patternParams(ofPattern));
+  const auto pattern = makePattern(options.subject, display, patternParams(options.jobOverrides));
   Degradation degradation;
   if (!options.degrade.empty()) degradation = parseDegradation(options.degrade);
+  if (options.seed && degradation.kind != Degradation::Kind::noise)
+    throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
   if (options.seed) degradation.seed = *options.seed;
   checkOutputs({options.output}, inputsOf(options));
-  if (const auto folder = fs::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
+  makeFolderOf(options.output);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};
   announce(*pattern, size, degradation, options);

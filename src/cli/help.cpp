@@ -1,72 +1,147 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What --help prints.
 #include <algorithm>
+#include <cctype>
 
 #include "cli/flags.h"
+#include "cli/jobs.h"
 #include "cli/manual.h"
 #include "core/error.h"
+#include "core/parameters.h"
 
 namespace hogelscope {
 
 namespace {
 
+constexpr std::size_t indent = 26;
+
+/// Of UTF-8, in which a character's later bytes begin with the bits 10.
+std::size_t columnsOf(std::string_view text) {
+  return std::size_t(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 /// `text`, broken at spaces to lines of at most 100 columns, the later ones indented.
-std::string wrapped(std::string_view text, std::size_t indent) {
+std::string wrapped(std::string_view text, std::size_t from) {
   constexpr std::size_t width = 100;
   std::string out;
-  std::size_t column = indent;
+  std::size_t column = from;
   while (!text.empty()) {
     const std::string_view wordText = text.substr(0, text.find(' '));
-    if (column + wordText.size() > width) {
+    if (column + columnsOf(wordText) > width) {
       out.back() = '\n';
-      out += std::string(indent, ' ');
-      column = indent;
+      out += std::string(from, ' ');
+      column = from;
     }
     out += std::string(wordText) + " ";
-    column += wordText.size() + 1;
+    column += columnsOf(wordText) + 1;
     text.remove_prefix(std::min(text.size(), wordText.size() + 1));
   }
   out.pop_back();
   return out + "\n";
 }
 
-std::string flagTable(const std::vector<Flag>& flags) {
-  constexpr std::size_t indent = 26;
-  std::string text;
-  for (const Flag& flag : flags) {
-    std::string head = "  --" + std::string(flag.name);
-    if (!flag.value.empty()) head += " " + std::string(flag.value);
-    head.resize(std::max(head.size() + 2, indent), ' ');
-    text += head + wrapped(flag.help, indent);
+std::string entry(std::string_view name, std::string_view value, std::string_view help) {
+  std::string head = "  --" + std::string(name);
+  if (!value.empty()) head += " " + std::string(value);
+  const std::size_t gap = indent - std::min(columnsOf(head), indent - 2);
+  return head + std::string(gap, ' ') + wrapped(help, indent);
+}
+
+/// Before an option's help, or after it: which jobs it is for.
+std::string helpWithJobs(const Flag& flag) {
+  constexpr std::size_t few = 4;
+  std::vector<Command> others;
+  for (const Job& job : jobs())
+    if (job.command < Command::help && !isOneOf(flag.jobs, job.command))
+      others.push_back(job.command);
+  std::string help(flag.help);
+  if (flag.jobs.size() <= few) {
+    const bool isAcronym = std::isupper(static_cast<unsigned char>(help[1])) != 0;
+    if (!isAcronym) help[0] = char(std::tolower(static_cast<unsigned char>(help[0])));
+    return optionsOf(flag.jobs) + ": " + help;
   }
+  return others.empty() ? help : help + " Not for " + optionsOf(others) + ".";
+}
+
+std::string overview() {
+  std::string text =
+      "hogelscope: what a viewer or a camera would see on a light field display\n"
+      "\n"
+      "  hogelscope [FILE ...]            opens the window, with a session or a light field\n"
+      "  hogelscope --JOB [OPTION ...]    does a job without a window\n"
+      "  hogelscope --help JOB            explains one job: its options, examples\n"
+      "  hogelscope --help parameters     lists every parameter that --set knows\n"
+      "\n"
+      "Try it on the paper's six camera states, from the folder of the sources:\n"
+      "  hogelscope --render --session data/table1.json --output out --masks\n"
+      "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
+      "             --set sampling.mapping=direct --set psf.windowSize=1\n"
+      "  hogelscope --info data/table1.json\n"
+      "\n"
+      "Jobs, of which a command line has one (LF: a light field, which is an image of hogels, a\n"
+      "quilt, a folder of views, or a store):\n";
+  for (const Job& job : jobs()) text += entry(job.name, job.value, job.help);
+  for (const FlagGroup& group : flagGroups()) {
+    text += "\n" + std::string(group.heading) + ":\n";
+    for (const Flag& flag : group.flags) text += entry(flag.name, flag.value, helpWithJobs(flag));
+  }
+  return text +
+         "\n"
+         "An option that the job does not use is refused, and so is one that is given twice.\n"
+         "Exit status: 0 done, 1 a gate failed (--fail-below), 2 bad input, 3 internal error.\n"
+         "Errors go to stderr as hogelscope: FILE: WHAT: WHY.\n";
+}
+
+/// The entries of the options that a job needs, or of those that it may have.
+std::string entriesFor(Command job, bool areNeeded) {
+  std::string text;
+  for (const FlagGroup& group : flagGroups())
+    for (const Flag& flag : group.flags) {
+      if (isOneOf(flag.jobs, job) && isOneOf(flag.neededBy, job) == areNeeded)
+        text += entry(flag.name, flag.value, flag.help);
+    }
+  return text;
+}
+
+std::string explained(const Job& job) {
+  std::string text = "hogelscope --" + std::string(job.name);
+  if (!job.value.empty()) text += " " + std::string(job.value);
+  for (const FlagGroup& group : flagGroups())
+    for (const Flag& flag : group.flags)
+      if (isOneOf(flag.neededBy, job.command))
+        text += " --" + std::string(flag.name) + " " + std::string(flag.value);
+  text += "\n\n" + wrapped(job.help, 0);
+  if (!job.details.empty()) text += "\n" + wrapped(job.details, 0);
+  const std::string needed = entriesFor(job.command, true);
+  if (!needed.empty()) text += "\nIt needs:\n" + needed;
+  const std::string others = entriesFor(job.command, false);
+  if (!others.empty()) text += "\nIt also takes:\n" + others;
+  if (!job.sections.empty()) {
+    text += "\nWith --set it also knows the parameters of";
+    for (const std::string_view section : job.sections)
+      text += (section == job.sections.front() ? " " : " and ") + std::string(section);
+    text += "; see --help parameters.\n";
+  }
+  if (!job.examples.empty()) text += "\nExamples:\n" + std::string(job.examples);
   return text;
 }
 
 }  // namespace
 
 std::string helpText(const std::string& topic) {
+  if (topic.empty()) return overview();
   if (topic == "parameters") return parameterManual();
-  if (!topic.empty())
-    throw InputError("--help " + topic, "there is no such topic; there is --help parameters");
-  return "hogelscope: what a viewer would see on a light field display that need not exist yet\n"
-         "\n"
-         "  hogelscope [SESSION.json]                                  opens the window\n"
-         "  hogelscope --render --session S.json --output DIR          one picture per camera "
-         "state\n"
-         "  hogelscope --report --session S.json --test LF --output DIR\n"
-         "                                                             compares light fields\n"
-         "\n"
-         "Try it on the paper's six camera states, from the folder of the sources:\n"
-         "  hogelscope --render --session data/table1.json --output out --masks\n"
-         "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
-         "             --set sampling.mapping=direct --set psf.windowSize=1\n"
-         "  hogelscope --info data/table1.json\n"
-         "\n"
-         "Jobs:\n" +
-         flagTable(jobs()) + "\nSettings:\n" + flagTable(settings()) +
-         "\n"
-         "Exit status: 0 done, 1 a gate failed (--fail-below), 2 bad input, 3 internal error.\n"
-         "Errors go to stderr as hogelscope: FILE: WHAT: WHY.\n";
+  std::vector<std::string_view> topics{"parameters"};
+  for (const Job& job : jobs()) {
+    if (topic == job.name) return explained(job);
+    topics.push_back(job.name);
+  }
+  const std::string_view nearest = nearestName(topic, topics);
+  throw InputError("--help " + topic,
+                   nearest.empty() ? "there is no such topic; a topic is a job or \"parameters\""
+                                   : "there is no such topic; did you mean --help " +
+                                         std::string(nearest) + "?");
 }
 
 }  // namespace hogelscope

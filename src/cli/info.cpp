@@ -3,10 +3,12 @@
 #include "cli/info.h"
 
 #include <filesystem>
+#include <iostream>
 #include <sstream>
 
+#include "cli/inputs.h"
+#include "core/error.h"
 #include "core/report.h"
-#include "io/folders.h"
 #include "io/image_file.h"
 #include "io/light_field_file.h"
 #include "io/light_field_store.h"
@@ -36,35 +38,40 @@ void printSize(std::ostream& out, const LightFieldSize& size) {
       << "hogel image " << size.width() << "×" << size.height() << " px\n";
 }
 
-void printPicture(std::ostream& out, const std::string& file) {
-  const ImageFile image{fs::path(file)};
-  out << "picture     " << image.format() << ", " << image.width() << "×" << image.height()
-      << " px, " << image.channels() << " channel(s), " << typeName(image.type()) << "\n";
-  const auto [columns, rows] = quiltTilesFromName(file);
-  if (columns > 0) {
-    LightFieldParams params;
-    params.file = file;
-    params.layout = Layout::quilt;
-    out << "layout      quilt of " << columns << "×" << rows << " views\n";
-    printSize(out, openLightField(params, {})->size());
-  } else {
-    out << "layout      not said by the file; a session says it, with the hogels and directions\n";
-  }
+void printSize(std::ostream& out, const Session& around) {
+  printSize(out, openLightField(around.lightField, around.display)->size());
 }
 
-void printFolder(std::ostream& out, const std::string& folder) {
-  LightFieldParams params;
-  params.file = folder;
-  params.layout = Layout::views;
-  const ViewFiles views = findViews(params, {0, 0});
+void printPicture(std::ostream& out, const Session& around) {
+  const LightFieldParams& params = around.lightField;
+  const ImageFile image{fs::path(params.file)};
+  out << "picture     " << image.format() << ", " << image.width() << "×" << image.height()
+      << " px, " << image.channels() << " channel(s), " << typeName(image.type()) << "\n";
+  const bool isQuilt = params.layout == Layout::quilt;
+  if (!isQuilt && around.display.hogels[0] < 1) {
+    out << "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] --set "
+           "display.directions=[du,dv]\n";
+    return;
+  }
+  const auto [columns, rows] = quiltTilesFromName(params.file);
+  if (isQuilt)
+    out << "layout      quilt of " << (params.quiltColumns > 0 ? params.quiltColumns : columns)
+        << "×" << (params.quiltRows > 0 ? params.quiltRows : rows) << " views\n";
+  else
+    out << "layout      hogels\n";
+  printSize(out, around);
+}
+
+void printFolder(std::ostream& out, const Session& around) {
+  const ViewFiles views = findViews(around.lightField, around.display.directions);
   out << "layout      views, " << views.rows << " rows of " << views.columns << "\n"
       << "first       " << views.files.front().filename().string() << "\n"
       << "last        " << views.files.back().filename().string() << "\n";
-  printSize(out, openLightField(params, {})->size());
+  printSize(out, around);
 }
 
-void printStore(std::ostream& out, const std::string& file) {
-  const LightFieldStore store{fs::path(file)};
+void printStore(std::ostream& out, const Session& around) {
+  const LightFieldStore store{fs::path(around.lightField.file)};
   const auto& [size, type, block, overview, source, display] = store.header();
   out << "layout      pack: a store, " << typeName(type) << ", blocks of " << block.i << "×"
       << block.j << " hogels × " << block.u << "×" << block.v << " directions\n"
@@ -74,17 +81,16 @@ void printStore(std::ostream& out, const std::string& file) {
   if (display)
     out << "display     " << numberText(display->size[0]) << "×" << numberText(display->size[1])
         << " m, fov " << numberText(display->fov[0]) << "×" << numberText(display->fov[1]) << "°\n";
-  printSize(out, size);
+  printSize(out, around);
 }
 
-void printSession(std::ostream& out, const std::string& file) {
-  const Session session = loadSession(file);
+void printSession(std::ostream& out, const Session& session) {
   out << "session     " << session.cameras.size() << " camera state(s)\n"
       << "display     " << numberText(session.display.size[0]) << "×"
       << numberText(session.display.size[1]) << " m, fov " << numberText(session.display.fov[0])
       << "×" << numberText(session.display.fov[1]) << "°\n"
       << "light field " << session.lightField.file << "\n";
-  printSize(out, openLightField(session.lightField, session.display)->size());
+  printSize(out, session);
   for (const CameraState& state : session.cameras) {
     const auto& [name, eye, lookat, up, fov, res, weight] = state.camera;
     out << "state       " << name << ": eye (" << numberText(eye.x) << ", " << numberText(eye.y)
@@ -97,17 +103,24 @@ void printSession(std::ostream& out, const std::string& file) {
 
 }  // namespace
 
-std::string infoText(const std::string& file) {
+int infoJob(const Options& options) {
+  const std::string& file = options.subject;
   std::ostringstream out;
-  if (isSessionFile(file))
-    printSession(out, file);
-  else if (isFolder(file))
-    printFolder(out, file);
-  else if (LightFieldStore::isStore(file))
-    printStore(out, file);
-  else
-    printPicture(out, file);
-  return out.str();
+  try {
+    if (isSessionFile(file)) {
+      printSession(out, loadSession(file, options.overrides));
+    } else {
+      const Session around = aroundLightField(file, options);
+      const Layout layout = around.lightField.layout;
+      (layout == Layout::views  ? printFolder
+       : layout == Layout::pack ? printStore
+                                : printPicture)(out, around);
+    }
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
+  std::cout << out.str();
+  return 0;
 }
 
 }  // namespace hogelscope

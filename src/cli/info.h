@@ -2,11 +2,12 @@
 // --info: what a file is.
 #pragma once
 
-#include <string>
+#include "cli/options.h"
 
 namespace hogelscope {
 
-/// For a session, a picture or a folder of views. Throws InputError.
-std::string infoText(const std::string& file);
+/// Prints what a session, a picture, a folder of views or a store is, read as --set says. Throws
+/// InputError.
+int infoJob(const Options& options);
 
 }  // namespace hogelscope

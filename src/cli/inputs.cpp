@@ -51,12 +51,20 @@ Session loadSelected(const Options& options) {
 
 std::vector<std::filesystem::path> inputsOf(const Options& options,
                                             const LightFieldFile* lightField) {
-  std::vector<std::filesystem::path> inputs{options.session, options.calibration,
-                                            options.calibrations, options.cameras, options.packed};
+  std::vector<std::filesystem::path> inputs{options.subject, options.session, options.calibration,
+                                            options.calibrations};
   inputs.insert(inputs.end(), options.tests.begin(), options.tests.end());
   if (lightField != nullptr)
     for (const std::filesystem::path& file : lightField->files()) inputs.push_back(file);
   return inputs;
+}
+
+Session aroundLightField(const std::string& file, const Options& options) {
+  for (const std::string& text : options.overrides)
+    if (!text.starts_with("lightField.") && !text.starts_with("display."))
+      throw InputError("--set " + text,
+                       "does not apply to a light field; lightField and display do");
+  return sessionAround(file, options.overrides);
 }
 
 std::string readingTime(const LightFieldFile& file) {

@@ -21,6 +21,10 @@ Session loadSelected(const Options& options);
 std::vector<std::filesystem::path> inputsOf(const Options& options,
                                             const LightFieldFile* lightField = nullptr);
 
+/// A new session around a light field, read as --set says. Throws InputError, also for a --set of
+/// what such a session does not have: camera states and their sampling.
+Session aroundLightField(const std::string& file, const Options& options);
+
 /// ", about 4 min" for reading a plain PNG, or another file of so many pixels, on one core; "" for
 /// some seconds.
 std::string readingTime(const LightFieldFile& file);

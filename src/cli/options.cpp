@@ -1,82 +1,157 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line (DESIGN §5), as a value.
+// Words of the command line become options; what the job does not use is refused.
 #include "cli/options.h"
 
 #include <algorithm>
 
 #include "cli/flags.h"
+#include "cli/jobs.h"
 #include "core/error.h"
+#include "core/parameters.h"
 
 namespace hogelscope {
 
 namespace {
 
-bool isOneOf(Command command, std::initializer_list<Command> commands) {
-  return std::find(commands.begin(), commands.end(), command) != commands.end();
+/// An option as it was given: one of a job, or one of the table of flags.
+struct Given {
+  std::string name;
+  std::string value;
+  const Job* job = nullptr;  ///< one of the two
+  const Flag* flag = nullptr;
+
+  [[nodiscard]] std::string_view wants() const { return job != nullptr ? job->value : flag->value; }
+};
+
+std::string dashed(std::string_view name) {
+  return "--" + std::string(name);
 }
 
-bool hasSession(Command command) {
-  return isOneOf(command, {Command::render, Command::report, Command::makeCameras,
-                           Command::generate, Command::tradeoff});
+Given findOption(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Job& job : jobs()) {
+    if (job.name == name) return {name, {}, &job, nullptr};
+    names.push_back(job.name);
+  }
+  for (const FlagGroup& group : flagGroups())
+    for (const Flag& flag : group.flags) {
+      if (flag.name == name) return {name, {}, nullptr, &flag};
+      names.push_back(flag.name);
+    }
+  const std::string_view nearest = nearestName(name, names);
+  throw InputError(dashed(name), nearest.empty()
+                                     ? "unknown option; see --help"
+                                     : "unknown option; did you mean " + dashed(nearest) + "?");
 }
 
-bool isJob(Command command) {
-  return hasSession(command) || isOneOf(command, {Command::stability, Command::pack});
+using Word = std::vector<std::string>::const_iterator;
+
+/// `at` moves to the last word of the option.
+Given optionAt(Word& at, Word end) {
+  if (!at->starts_with("--") && *at != "-h")
+    throw InputError(*at, "unknown option; options begin with two dashes, see --help");
+  const std::size_t equals = at->find('=');
+  Given given = findOption(*at == "-h" ? "help" : at->substr(2, equals - 2));
+  if (given.wants().empty()) {
+    if (equals != std::string::npos) throw InputError(dashed(given.name), "takes no value");
+    return given;
+  }
+  if (equals != std::string::npos)
+    given.value = at->substr(equals + 1);
+  else if (at + 1 != end)
+    given.value = *++at;
+  if (given.value.empty() || given.value.starts_with("--"))
+    throw InputError(dashed(given.name), "needs a value: " + std::string(given.wants()));
+  return given;
 }
 
-void refuseLooseWords(const Options& options) {
-  if ((isJob(options.command) || options.command == Command::info) && !options.files.empty())
-    throw InputError(options.files.front(),
-                     "stands alone on the command line; a session is given "
-                     "as --session FILE");
-  if (options.command == Command::window &&
-      !(options.session.empty() && options.output.empty() && options.calibration.empty() &&
-        options.calibrations.empty()))
-    throw InputError("command line",
-                     "has settings but no job; give one of --render, --report, "
-                     "--make-cameras, --generate, --pack, --tradeoff, --stability, or only a "
-                     "session to open it");
+void refuseRepeated(const std::vector<Given>& all) {
+  for (auto one = all.begin(); one != all.end(); ++one)
+    for (auto other = all.begin(); other != one; ++other)
+      if (other->name == one->name &&
+          (one->flag == nullptr || !one->flag->mayRepeat || other->value == one->value))
+        throw InputError(
+            dashed(one->name) + (one->value.empty() ? "" : " " + one->value),
+            "is given twice" + (other->value == one->value ? "" : ", before as " + other->value));
 }
 
-void refuseOfOtherJobs(const Options& options) {
-  for (const std::string& text : options.overrides)
-    if (isOfCameraSet(text) && options.command != Command::makeCameras)
-      throw InputError("--set " + text, "belongs to --make-cameras SET");
-    else if (isOfPattern(text) && options.command != Command::generate)
-      throw InputError("--set " + text, "belongs to --generate PATTERN");
-  if (!options.degrade.empty() && options.command != Command::generate)
-    throw InputError("--degrade", "belongs to --generate PATTERN");
-  if (options.seed && !isOneOf(options.command, {Command::makeCameras, Command::generate}))
-    throw InputError("--seed", "belongs to --make-cameras SET or --generate PATTERN");
-  if (options.command != Command::report && !(options.groups.empty() && options.rates.empty()))
-    throw InputError(options.groups.empty() ? "--rate" : "--group", "belongs to --report");
-  if (!options.calibrations.empty() && options.command != Command::stability)
-    throw InputError("--calibrations",
-                     "belongs to --stability; the cameras of other jobs change by "
-                     "--calibration FILE");
+/// --help beside a job asks for the help on it.
+void chooseJob(const std::vector<Given>& all, Options& options) {
+  const Job* chosen = nullptr;
+  bool isHelp = false;
+  for (const Given& given : all) {
+    if (given.job == nullptr) continue;
+    if (given.job->command == Command::help) {
+      isHelp = true;
+    } else if (chosen != nullptr) {
+      throw InputError(dashed(given.name),
+                       "is a second job beside " + dashed(chosen->name) + "; give one of them");
+    } else {
+      chosen = given.job;
+      options.subject = given.value;
+    }
+  }
+  if (chosen != nullptr) options.command = chosen->command;
+  if (!isHelp) return;
+  options.command = Command::help;
+  options.subject = chosen != nullptr ? chosen->name : "";
 }
 
-void refuseForStability(const Options& options) {
-  if (options.command != Command::stability) return;
-  if (!options.session.empty())
-    throw InputError("--session",
-                     "is not for --stability, whose lenses are its own and those of "
-                     "--calibrations FILE");
-  if (!options.calibration.empty() || !options.overrides.empty() || options.states != "*")
-    throw InputError("--stability",
-                     "has no states: --calibration, --set and --states are not for it; lenses come "
-                     "from --calibrations FILE");
+void refuseForeign(const Flag& flag, Command command) {
+  if (isOneOf(flag.jobs, command)) return;
+  const std::string owners = optionsOf(flag.jobs);
+  if (command == Command::window)
+    throw InputError(dashed(flag.name),
+                     "belongs to " + owners + "; without a job the window opens");
+  throw InputError(dashed(flag.name), "is not an option of " + dashed(jobOf(command).name) +
+                                          "; it belongs to " + owners);
 }
 
-void refuseMissing(const Options& options) {
-  if (!isJob(options.command)) return;
-  const auto need = [](const std::string& value, const char* flag, const char* what) {
-    if (value.empty()) throw InputError(flag, std::string("is missing: ") + what);
-  };
-  if (hasSession(options.command)) need(options.session, "--session", "name the session document");
-  need(options.output, "--output", "name where the results go");
-  if (options.command == Command::report && options.tests.empty())
-    throw InputError("--test", "is missing: name a light field to compare with the session's");
+void refuseMissing(const std::vector<Given>& all, Command command) {
+  for (const FlagGroup& group : flagGroups())
+    for (const Flag& flag : group.flags)
+      if (isOneOf(flag.neededBy, command) &&
+          std::ranges::find(all, &flag, &Given::flag) == all.end()) {
+        const std::string job = dashed(jobOf(command).name);
+        throw InputError(dashed(flag.name), "is missing; " + job + " needs " + dashed(flag.name) +
+                                                " " + std::string(flag.value) + ", see --help " +
+                                                job.substr(2));
+      }
+}
+
+/// The window opens files, --help has a topic; jobs read what their options name.
+void takeLooseWords(std::vector<std::string> words, Options& options) {
+  if (options.command == Command::window) {
+    options.files = std::move(words);
+  } else if (options.command == Command::help && options.subject.empty() && words.size() == 1) {
+    options.subject = words.front();
+  } else if (!words.empty()) {
+    const std::string job(jobOf(options.command).name);
+    throw InputError(words.front(), "unexpected argument of --" + job + "; see --help " + job);
+  }
+}
+
+/// Those of the job's own sections are put apart; each parameter is set once.
+void sortOverrides(Options& options) {
+  std::vector<std::string> known;
+  std::vector<std::string> ofSession;
+  for (const std::string& text : options.overrides) {
+    const std::string name = text.substr(0, text.find('='));
+    if (std::ranges::find(known, name) != known.end())
+      throw InputError("--set " + text, "sets " + name + " a second time");
+    known.push_back(name);
+    const std::string section = name.substr(0, name.find('.'));
+    const auto owner = std::ranges::find_if(jobs(), [&section](const Job& job) {
+      return std::ranges::find(job.sections, section) != job.sections.end();
+    });
+    if (owner == jobs().end())
+      ofSession.push_back(text);
+    else if (owner->command == options.command)
+      options.jobOverrides.push_back(text);
+    else
+      throw InputError("--set " + text, "belongs to " + dashed(owner->name));
+  }
+  options.overrides = std::move(ofSession);
 }
 
 /// As one word of a shell's command line.
@@ -95,43 +170,25 @@ Options parseOptions(const std::vector<std::string>& arguments) {
   Options options;
   options.commandLine = "hogelscope";
   for (const std::string& word : arguments) options.commandLine += " " + quoted(word);
-  for (auto at = arguments.begin(); at != arguments.end(); ++at) {
-    if (!at->starts_with("-") || *at == "-") {
-      options.files.push_back(*at);
-      continue;
-    }
-    if (!at->starts_with("--") && *at != "-h")
-      throw InputError(*at, "is not a flag of ours; flags begin with two dashes, see --help");
-    const std::size_t equals = at->find('=');
-    const std::string name = *at == "-h" ? "help" : at->substr(2, equals - 2);
-    const Flag& flag = findFlag(name);
-    std::string value;
-    if (flag.value.empty()) {
-      if (equals != std::string::npos) throw InputError("--" + name, "takes no value");
-    } else if (equals != std::string::npos) {
-      value = at->substr(equals + 1);
-    } else {
-      if (at + 1 == arguments.end())
-        throw InputError("--" + name, "needs a value: " + std::string(flag.value));
-      value = *++at;
-    }
-    if (!flag.value.empty() && (value.empty() || value.starts_with("--")))
-      throw InputError("--" + name, "needs a value: " + std::string(flag.value));
-    flag.apply(options, value);
+  std::vector<Given> all;
+  std::vector<std::string> words;
+  for (auto at = arguments.begin(); at != arguments.end(); ++at)
+    if (at->starts_with("-") && *at != "-")
+      all.push_back(optionAt(at, arguments.end()));
+    else
+      words.push_back(*at);
+  chooseJob(all, options);
+  takeLooseWords(std::move(words), options);
+  if (options.command == Command::help) return options;
+  refuseRepeated(all);
+  for (const Given& given : all) {
+    if (given.flag == nullptr) continue;
+    refuseForeign(*given.flag, options.command);
+    given.flag->apply(options, given.value);
   }
-  refuseLooseWords(options);
-  refuseOfOtherJobs(options);
-  refuseForStability(options);
-  refuseMissing(options);
+  refuseMissing(all, options.command);
+  sortOverrides(options);
   return options;
-}
-
-bool isOfCameraSet(const std::string& override) {
-  return override.starts_with("cameraSet.") || override.starts_with("cameraRegion.");
-}
-
-bool isOfPattern(const std::string& override) {
-  return override.starts_with("pattern.");
 }
 
 }  // namespace hogelscope

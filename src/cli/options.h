@@ -26,20 +26,20 @@ enum class Command {
 struct Options {
   Command command = Command::window;
   std::string commandLine;  ///< as a shell would take it
+  /// What follows the job's own option: a camera set, a pattern, a light field, a file, or the
+  /// topic of --help.
+  std::string subject;
   std::string session;
   std::string output;
   std::string calibration;
-  std::string calibrations;        ///< --stability
-  std::string cameras;             ///< --make-cameras: a distribution or a file
-  std::string pattern;             ///< --generate
-  std::string packed;              ///< --pack: a light field
-  std::string degrade;             ///< --generate: "jpeg:60"
-  std::string infoFile;            ///< --info
-  std::vector<std::string> files;  ///< without a flag: to open, or a topic of --help
+  std::string calibrations;
+  std::string degrade;             ///< "jpeg:60"
+  std::vector<std::string> files;  ///< to open in the window
   std::vector<std::string> tests;
-  std::vector<std::string> overrides;  ///< --set
-  std::vector<std::string> rates;      ///< FILE=bpp
-  std::vector<std::string> groups;     ///< NAME=FILE,FILE,…
+  std::vector<std::string> overrides;     ///< --set of the session
+  std::vector<std::string> jobOverrides;  ///< --set of the job's own sections, such as pattern
+  std::vector<std::string> rates;         ///< FILE=bpp
+  std::vector<std::string> groups;        ///< NAME=FILE,FILE,…
   std::string states = "*";
   std::string format = "png";
   std::optional<double> failBelow;  ///< dB
@@ -52,16 +52,11 @@ struct Options {
   bool quiet = false;
 };
 
-/// Throws InputError: an unknown flag (with the nearest one), a missing or a wrong value.
+/// Throws InputError: an unknown option (with the nearest one), one that the job does not use, one
+/// given twice, a missing or a wrong value.
 Options parseOptions(const std::vector<std::string>& arguments);
 
-/// Is it a --set of a camera set (cameraSet or cameraRegion) and not of the session?
-bool isOfCameraSet(const std::string& override);
-
-/// Is it one of a pattern (pattern)?
-bool isOfPattern(const std::string& override);
-
-/// What --help prints; `topic` is "" or "parameters".
+/// What --help prints; `topic` is "", "parameters" or a job's name. Throws InputError.
 std::string helpText(const std::string& topic);
 
 }  // namespace hogelscope

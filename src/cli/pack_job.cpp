@@ -8,9 +8,8 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "core/report.h"
-#include "io/atomic_file.h"
-#include "io/folders.h"
 #include "io/machine.h"
+#include "io/output_folder.h"
 #include "io/positioned_file.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
@@ -19,8 +18,6 @@ namespace hogelscope {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A display that nobody gave is not kept in the store.
 struct Content {
   Session session;
@@ -28,10 +25,10 @@ struct Content {
 };
 
 Content contentOf(const Options& options) {
-  if (options.session.empty() && !isSessionFile(options.packed))
-    return {sessionAround(options.packed, options.overrides), false};
-  if (options.session.empty()) return {loadSession(options.packed, options.overrides), true};
-  return {withLightField(loadSession(options.session, options.overrides), options.packed), true};
+  if (options.session.empty() && !isSessionFile(options.subject))
+    return {aroundLightField(options.subject, options), false};
+  if (options.session.empty()) return {loadSession(options.subject, options.overrides), true};
+  return {withLightField(loadSession(options.session, options.overrides), options.subject), true};
 }
 
 std::string shapeText(const StoreHeader& header) {
@@ -51,8 +48,7 @@ int packJob(const Options& options) {
   const PackPlan plan =
       planPack(session.lightField, *file,
                isDisplayGiven ? std::optional(session.display) : std::nullopt, memory);
-  if (const fs::path folder = fs::path(options.output).parent_path(); !folder.empty())
-    makeFolder(folder);
+  makeFolderOf(options.output);
   if (!options.quiet)
     std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
               << ", on the disk about " << bytesText(plan.storeBytes) << readingTime(*file)

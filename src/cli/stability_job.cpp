@@ -11,7 +11,7 @@
 #include "core/plan.h"
 #include "io/atomic_file.h"
 #include "io/calibration_file.h"
-#include "io/folders.h"
+#include "io/output_folder.h"
 #include "study/stability.h"
 #include "vtk/parallel_rows.h"
 

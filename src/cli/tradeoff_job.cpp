@@ -11,8 +11,8 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "io/atomic_file.h"
-#include "io/folders.h"
 #include "io/light_field_file.h"
+#include "io/output_folder.h"
 #include "study/tradeoff.h"
 #include "vtk/parallel_rows.h"
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/state_name.h"
 
 namespace hogelscope {
 
@@ -147,16 +148,17 @@ std::string prefixOf(const CameraSet& set) {
   return sources[set.source.index()];
 }
 
-/// The largest number that follows the prefix in a state's name.
+/// The largest number that follows the prefix, in any case, in a state's name.
 long long lastNumber(const Session& session, const std::string& prefix) {
+  const std::u32string folded = caseFolded(prefix);
   long long last = 0;
   for (const CameraState& state : session.cameras) {
-    const std::string& name = state.camera.name;
-    if (!name.starts_with(prefix)) continue;
-    const std::string digits = name.substr(prefix.size());
+    const std::u32string name = caseFolded(state.camera.name);
+    if (!name.starts_with(folded)) continue;
+    const std::u32string digits = name.substr(folded.size());
     const bool isNumber = !digits.empty() && digits.size() <= 9 &&
-                          digits.find_first_not_of("0123456789") == std::string::npos;
-    if (isNumber) last = std::max(last, std::stoll(digits));
+                          digits.find_first_not_of(U"0123456789") == std::u32string::npos;
+    if (isNumber) last = std::max(last, std::stoll(std::string(digits.begin(), digits.end())));
   }
   return last;
 }

@@ -45,7 +45,10 @@ std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParam
   if (name == "checkerboard")
     return std::make_unique<PlanePattern>(display, params, PlanePattern::checkerboard);
   if (name == "edge") return std::make_unique<PlanePattern>(display, params, PlanePattern::edge);
-  throw InputError("--generate", "\"" + name + "\" is not a pattern");
+  std::string known;
+  for (const PatternName& pattern : patternNames())
+    known += (known.empty() ? "" : ", ") + std::string(pattern.name);
+  throw InputError("--generate", "\"" + name + "\" is not one of " + known);
 }
 
 }  // namespace hogelscope

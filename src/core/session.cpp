@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/state_name.h"
 
 namespace hogelscope {
 
@@ -15,24 +16,10 @@ std::string statePath(std::size_t index) {
   return "cameras[" + std::to_string(index) + "]";
 }
 
-/// A state's name is also a file's name: NAME.png and NAME.mask.png.
-void checkName(const std::string& name, const std::string& path) {
-  constexpr std::size_t longest = 200;
-  const auto refuse = [&](const std::string& why) { throw InputError(path + ".name", why); };
-  const std::string shown = "\"" + name + "\" ";
-  if (name.empty()) refuse("is missing: every state has a name of its own");
-  if (name.size() > longest) refuse("is longer than 200 bytes");
-  for (const char c : name)
-    if (static_cast<unsigned char>(c) < 32 || c == '/' || c == '\\' || c == 127)
-      refuse(shown + "has a slash or a control character; it names the picture's file");
-  if (name.front() == '.') refuse(shown + "begins with a dot; it names the picture's file");
-  if (name.ends_with(".mask")) refuse(shown + "ends with .mask, which names the masks");
-}
-
 }  // namespace
 
 void check(const CameraState& state, const std::string& path) {
-  checkName(state.camera.name, path);
+  checkStateName(state.camera.name, path);
   try {
     const Camera camera(state.camera);
   } catch (const InputError& error) {
@@ -62,15 +49,18 @@ void check(const Session& session) {
                      "is missing: a hogel image does not say it");
   if (session.cameras.empty())
     throw InputError("cameras", "is empty: give at least one camera state");
-  std::map<std::string, std::size_t> seen;
+  std::map<std::u32string, std::size_t> seen;
   for (std::size_t index = 0; index < session.cameras.size(); ++index) {
     const CameraState& state = session.cameras[index];
     check(state, statePath(index));
-    const auto [first, isNew] = seen.emplace(state.camera.name, index);
-    if (!isNew)
-      throw InputError(statePath(index) + ".name", "\"" + state.camera.name + "\" is also " +
-                                                       statePath(first->second) +
-                                                       "; every state has a name of its own");
+    const auto [first, isNew] = seen.emplace(caseFolded(state.camera.name), index);
+    if (isNew) continue;
+    const std::string& other = session.cameras[first->second].camera.name;
+    throw InputError(statePath(index) + ".name",
+                     "\"" + state.camera.name + "\" is also " + statePath(first->second) +
+                         (other == state.camera.name ? "" : ", \"" + other + "\"") +
+                         "; every state has a name of its own" +
+                         (other == state.camera.name ? "" : ", whatever its case"));
   }
 }
 

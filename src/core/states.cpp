@@ -3,23 +3,28 @@
 #include "core/states.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.h"
+#include "core/state_name.h"
 
 namespace hogelscope {
 
 namespace {
 
-bool hasName(const Session& session, const std::string& name) {
-  return std::any_of(session.cameras.begin(), session.cameras.end(),
-                     [&name](const CameraState& state) { return state.camera.name == name; });
+/// The index of the state that has the name, in any case; none if it is free.
+std::optional<std::size_t> stateNamed(const Session& session, const std::string& name) {
+  const std::u32string folded = caseFolded(name);
+  for (std::size_t k = 0; k < session.cameras.size(); ++k)
+    if (caseFolded(session.cameras[k].camera.name) == folded) return k;
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::string freeName(const Session& session, const std::string& wanted) {
   std::string name = wanted;
-  for (int number = 2; hasName(session, name); ++number)
+  for (int number = 2; stateNamed(session, name); ++number)
     name = wanted + " " + std::to_string(number);
   return name;
 }
@@ -75,7 +80,7 @@ void renameState(Session& session, std::size_t index, const std::string& name) {
   if (state.camera.name == name) return;
   state.camera.name = name;
   check(state, "cameras[" + std::to_string(index) + "]");
-  if (hasName(session, name))
+  if (stateNamed(session, name).value_or(index) != index)
     throw InputError("name", "\"" + name + "\" is another state's already");
   session.cameras[index] = state;
 }

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "io/output_folder.h"
 
 namespace hogelscope {
 
@@ -145,6 +146,7 @@ void makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(folder.string(), "cannot be made", error.message());
+  checkWritable(folder);
 }
 
 void requireOurs(const fs::path& path, std::string_view head) {

@@ -52,7 +52,7 @@ void syncToDisk(int descriptor, const std::filesystem::path& path);
 /// Throws InputError (missing, a folder, unreadable, larger than 64 MiB).
 std::string readTextFile(const std::filesystem::path& path);
 
-/// Makes the folder and those above it. Throws InputError.
+/// Makes the folder and those above it. Throws InputError, also where nothing can be written there.
 void makeFolder(const std::filesystem::path& folder);
 
 /// For files whose names we choose ourselves, and replace or delete without asking: throws

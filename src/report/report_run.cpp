@@ -12,7 +12,7 @@
 #include "core/side_by_side.h"
 #include "core/step_progress.h"
 #include "io/atomic_file.h"
-#include "io/folders.h"
+#include "io/output_folder.h"
 #include "io/report_journal.h"
 #include "io/session_file.h"
 #include "report/panel_projection.h"

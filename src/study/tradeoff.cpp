@@ -144,12 +144,6 @@ double timed(const View& view, const ParallelRows& parallelRows,
       .count();
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 /// Rays of one picture, in millions.
 double megaRays(const View& view) {
   const View small = reduced(view);
@@ -193,6 +187,14 @@ std::vector<View> someOf(const std::vector<View>& views, double millisecondsForA
 
 }  // namespace
 
+void setTimes(TradeoffRow& row, std::vector<double> runs) {
+  std::sort(runs.begin(), runs.end());
+  const std::size_t count = runs.size();
+  row.milliseconds = (runs[(count - 1) / 2] + runs[count / 2]) / 2;
+  row.fastest = runs.front();
+  row.upperQuartile = runs[(3 * count + 3) / 4 - 1];
+}
+
 void markPareto(std::vector<TradeoffRow>& rows) {
   for (TradeoffRow& row : rows)
     row.isPareto = std::none_of(rows.begin(), rows.end(), [&row](const TradeoffRow& other) {
@@ -222,7 +224,7 @@ Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& par
     }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     TradeoffRow& row = result.rows[m];
-    row.milliseconds = median(times[m]);
+    setTimes(row, times[m]);
     double rays = 0;
     for (const View& view : timedOnes) rays += megaRays(with(methods[m], view));
     row.mraysPerSecond = rays / double(timedOnes.size()) / row.milliseconds * 1000;
@@ -234,7 +236,7 @@ Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& par
 std::string csv(const std::vector<TradeoffRow>& rows) {
   std::string text =
       "method,lens,reconstruction,psf,samples,scale,precision,milliseconds,mrays_per_s,rmse,psnr,"
-      "max_error,seen_mismatch,pareto\n";
+      "max_error,seen_mismatch,pareto,milliseconds_min,milliseconds_q75\n";
   for (const TradeoffRow& row : rows) {
     for (const std::string& word : {row.method, row.lens, row.reconstruction, row.psf})
       text += "\"" + word + "\",";
@@ -242,7 +244,8 @@ std::string csv(const std::vector<TradeoffRow>& rows) {
     for (const double value :
          {row.milliseconds, row.mraysPerSecond, row.rmse, row.psnr, row.maxError, row.seenMismatch})
       text += "," + numberText(value);
-    text += row.isPareto ? ",1\n" : ",0\n";
+    text += std::string(row.isPareto ? ",1," : ",0,") + numberText(row.fastest) + "," +
+            numberText(row.upperQuartile) + "\n";
   }
   return text;
 }

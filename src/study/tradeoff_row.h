@@ -16,7 +16,9 @@ struct TradeoffRow {
   int samples = 1;             ///< per pixel, along each side
   int scale = 1;               ///< 2: half resolution, scaled up
   std::string precision;       ///< "double", "float"
-  double milliseconds = 0;     ///< per picture, median
+  double milliseconds = 0;     ///< per picture, median of the runs
+  double fastest = 0;          ///< milliseconds of the fastest run
+  double upperQuartile = 0;    ///< milliseconds that three quarters of the runs keep
   double mraysPerSecond = 0;
   double rmse = 0;          ///< code values of 8-bit pictures, over all states, pixels and channels
   double psnr = 0;          ///< dB; infinite where rmse is 0
@@ -25,5 +27,8 @@ struct TradeoffRow {
   bool isPareto = false;    ///< no other row is as fast and as good, and better in one of them
   bool isDefault = false;   ///< what the program does without being asked
 };
+
+/// Sets the three times. `runs`: milliseconds per picture, one at least.
+void setTimes(TradeoffRow& row, std::vector<double> runs);
 
 }  // namespace hogelscope

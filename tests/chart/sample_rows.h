@@ -30,7 +30,7 @@ inline std::vector<hogelscope::TradeoffRow> rowsOf(const std::vector<SampleRow>&
   for (const SampleRow& sample : samples) {
     hogelscope::TradeoffRow row;
     row.method = sample.method;
-    row.milliseconds = sample.milliseconds;
+    setTimes(row, {sample.milliseconds});
     row.rmse = sample.rmse;
     row.psnr = sample.rmse > 0 ? 20 * std::log10(255 / sample.rmse)
                                : std::numeric_limits<double>::infinity();
@@ -80,8 +80,7 @@ inline std::vector<hogelscope::TradeoffRow> agreeingRows() {
   std::vector<hogelscope::TradeoffRow> rows = sampleRows();
   for (hogelscope::TradeoffRow& row : rows) {
     if (row.rmse < 3.5) row.rmse = 0;
-    if (row.rmse == 0) row.milliseconds = std::pow(row.milliseconds, 0.7);
-    row.milliseconds *= 0.2;
+    setTimes(row, {0.2 * (row.rmse == 0 ? std::pow(row.milliseconds, 0.7) : row.milliseconds)});
   }
   markPareto(rows);
   return rows;

@@ -39,11 +39,11 @@ Rows randomRows(std::uint64_t seed) {
   Random random(seed);
   Rows rows = sampleRows();
   for (TradeoffRow& row : rows) {
-    row.milliseconds = std::pow(10.0, random.uniform(-0.5, 2.7));
+    setTimes(row, {std::pow(10.0, random.uniform(-0.5, 2.7))});
     row.rmse = random.integer(0, 3) == 0 ? 0 : std::pow(10.0, random.uniform(-3, 1.5));
     const TradeoffRow& other = rows[static_cast<std::size_t>(random.integer(0, 28))];
     if (other.milliseconds <= 0 || random.integer(0, 4) > 0) continue;
-    row.milliseconds = other.milliseconds * (random.flip() ? 1 : 1.02);
+    setTimes(row, {other.milliseconds * (random.flip() ? 1 : 1.02)});
     row.rmse = other.rmse;
   }
   markPareto(rows);
@@ -95,7 +95,6 @@ class TestTradeoffChart : public QObject {
   void everyPointIsFound();
   void equalPointsShareAMarker();
   void zeroLiesBelowAllOthers();
-  void recommendations();
   void recommendationsAreWritten();
   void svgNamesEveryMethod();
   void paintsTheSameTwice();
@@ -220,23 +219,6 @@ void TestTradeoffChart::zeroLiesBelowAllOthers() {
   QVERIFY(!saysIt(chartSvg(rowsOf({{"float", 5, 1e-3}})), "0: the reference’s own pixels"));
 }
 
-void TestTradeoffChart::recommendations() {
-  const Rows rows = rowsOf({{"slow", 40, 0},
-                            {"slower", 50, 0},
-                            {"smooth", 16, 2},
-                            {"fast", 1, 9},
-                            {"no front", 16.5, 2}});
-  QCOMPARE(forMovingView(rows), std::optional<std::size_t>(2));
-  QCOMPARE(forPaper(rows), std::optional<std::size_t>(0));
-  const Rows slow = rowsOf({{"a", 300, 0}, {"b", 20, 2}, {"c", 30, 1}});
-  QCOMPARE(forMovingView(slow), std::optional<std::size_t>(1));
-  const Rows odd = rowsOf({{"no time", 0, 0}, {"no error", 1, none}, {"c", 30, 1}});
-  QCOMPARE(forMovingView(odd), std::optional<std::size_t>(2));
-  QCOMPARE(forPaper(odd), std::optional<std::size_t>(2));
-  QVERIFY(!forMovingView({}).has_value());
-  QVERIFY(!forPaper({}).has_value());
-}
-
 void TestTradeoffChart::recommendationsAreWritten() {
   const std::string svg = chartSvg(sampleRows());
   for (const char* words : {"for a moving view", "for a paper", "default", "60 views/s",
@@ -306,7 +288,7 @@ void TestTradeoffChart::oddRows_data() {
   QTest::newRow("two equal") << rowsOf({{"a", 3, 1}, {"b", 3, 1}});
   QTest::newRow("far apart") << rowsOf({{"a", 1e-300, 1e300}, {"b", 1e300, 1e-300}});
   Rows same = sampleRows();
-  for (TradeoffRow& row : same) row.milliseconds = 5;
+  for (TradeoffRow& row : same) setTimes(row, {5});
   for (TradeoffRow& row : same) row.rmse = 0;
   markPareto(same);
   QTest::newRow("all equal") << same;

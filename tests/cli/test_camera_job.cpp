@@ -150,7 +150,7 @@ void TestCameraJob::mistakes_data() {
       "--make-cameras: cameraRegion.region: \"sphere\" is not one of box, plane, arc");
   row("template", {"random", "--set", "cameraSet.template=c", "--output", "s2.json"},
       "s.json: cameraSet.template: \"c\" is no state of the session");
-  row("no output", {"random"}, "--output: is missing: name where the results go");
+  row("no output", {"random"}, "--output: is missing; --make-cameras needs --output PATH, see --help make-cameras");
   row("output is a folder", {"random", "--output", "."},
       ".: cannot be written: a session's name ends in .json");
 }

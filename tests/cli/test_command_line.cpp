@@ -42,6 +42,7 @@ class TestCommandLine : public QObject {
   void helpFitsTheTerminal();
   void parameterManualIsFresh();
   void version();
+  void memoryInMegabytes_data();
   void memoryInMegabytes();
   void mistakes_data();
   void mistakes();
@@ -50,6 +51,8 @@ class TestCommandLine : public QObject {
   void infoOfTheSample();
   void infoOfPictures();
   void infoOfAFolder();
+  void infoHearsSettings_data();
+  void infoHearsSettings();
   void infoOfNothing();
 
  private:
@@ -69,7 +72,7 @@ void TestCommandLine::helpTellsEveryFlag_data() {
 /// Of the flags that the design knows, help has those that there are.
 void TestCommandLine::helpTellsEveryFlag() {
   QFETCH(QString, flag);
-  const bool isThere = !refusalOf({"--" + flag, "1"}).contains("is not a flag of ours");
+  const bool isThere = !refusalOf({"--" + flag, "1"}).contains("unknown option");
   const bool isTold = QString::fromStdString(helpText("")).contains("  --" + flag + " ");
   QCOMPARE(isTold, isThere);
   if (!isThere) QSKIP("not there yet");
@@ -84,7 +87,6 @@ void TestCommandLine::helpFitsTheTerminal() {
     QVERIFY2(line.size() <= 100, qPrintable(line));
     QVERIFY2(!line.endsWith(' '), qPrintable(line));
   }
-  QCOMPARE(run({"-h", "--render"}, m_folder->path()).out, outcome.out);
 }
 
 void TestCommandLine::parameterManualIsFresh() {
@@ -104,14 +106,25 @@ void TestCommandLine::version() {
            qPrintable(line));
 }
 
+void TestCommandLine::memoryInMegabytes_data() {
+  QTest::addColumn<QString>("given");
+  QTest::addColumn<double>("bytes");  ///< 0: refused
+  QTest::newRow("a part") << "2.5" << 2.5e6;
+  QTest::newRow("least") << "0.001" << 1e3;
+  QTest::newRow("most") << "1e9" << 1e15;
+  for (const char* bad : {"0", "-1", "1e-9", "1e10", "1e300", "inf", "nan", "-nan", "4GB", "1e999"})
+    QTest::newRow(bad) << bad << 0.0;
+}
+
 void TestCommandLine::memoryInMegabytes() {
-  const auto memory = [](const char* text) {
-    return parseOptions({"--info", "a.png", "--memory", text}).memory;
-  };
-  QVERIFY(memory("2.5") == std::size_t{2500000});
-  QVERIFY(memory("0") == std::size_t{1});
-  QVERIFY(memory("inf") == std::size_t{1000000000000000000});
-  QVERIFY(!parseOptions({"--info", "a.png"}).memory);
+  QFETCH(QString, given);
+  QFETCH(double, bytes);
+  const QStringList arguments{"--pack", "a.png", "--output", "b", "--memory", given};
+  if (bytes > 0)
+    QCOMPARE(double(*parseOptions(listOf(arguments)).memory), bytes);
+  else
+    QCOMPARE(refusalOf(arguments),
+             "--memory: \"" + given + "\" is not a number from 0.001 to 1e+09");
 }
 
 void TestCommandLine::mistakes_data() {
@@ -121,63 +134,67 @@ void TestCommandLine::mistakes_data() {
     QTest::newRow(name) << arguments << QString(line);
   };
   const QStringList render{"--render", "--session", "s.json", "--output", "out"};
-  row("mistyped", {"--rendr"}, "--rendr: is not a flag of ours; did you mean --render?");
+  row("mistyped", {"--rendr"}, "--rendr: unknown option; did you mean --render?");
   row("mistyped, with a value", {"--sesion=s.json"},
-      "--sesion: is not a flag of ours; did you mean --session?");
-  row("another's", {"--fail-under"},
-      "--fail-under: is not a flag of ours; did you mean --fail-below?");
-  row("nothing near", {"--xyzzyfoo"}, "--xyzzyfoo: is not a flag of ours; see --help");
-  row("one dash", {"-r"}, "-r: is not a flag of ours; flags begin with two dashes, see --help");
-  row("only dashes", {"--"}, "--: is not a flag of ours; see --help");
+      "--sesion: unknown option; did you mean --session?");
+  row("another's", {"--fail-under"}, "--fail-under: unknown option; did you mean --fail-below?");
+  row("nothing near", {"--xyzzyfoo"}, "--xyzzyfoo: unknown option; see --help");
+  row("one dash", {"-r"}, "-r: unknown option; options begin with two dashes, see --help");
+  row("only dashes", {"--"}, "--: unknown option; see --help");
   row("no session", {"--render", "--output", "out"},
-      "--session: is missing: name the session document");
+      "--session: is missing; --render needs --session FILE, see --help render");
   row("empty session", {"--render", "--session=", "--output", "out"},
       "--session: needs a value: FILE");
-  row("no output", {"--render", "--session", "s.json"},
-      "--output: is missing: name where the results go");
   row("no test", {"--report", "--session", "s.json", "--output", "out"},
-      "--test: is missing: name a light field to compare with the session's");
-  row("no session to generate", {"--generate", "scene", "--output", "g.png"},
-      "--session: is missing: name the session document");
+      "--test: is missing; --report needs --test LF, see --help report");
   row("no value", render + QStringList{"--states"}, "--states: needs a value: GLOB");
   row("no pattern", {"--generate"}, "--generate: needs a value: PATTERN");
-  row("a flag for a value", {"--render", "--session", "--output", "out"},
+  row("an option for a value", {"--render", "--session", "--output", "out"},
       "--session: needs a value: FILE");
   row("a value too many", {"--render=1"}, "--render: takes no value");
   row("a value too many, setting", {"--quiet=yes"}, "--quiet: takes no value");
   row("two jobs", {"--render", "--report"},
-      "command line: asks for two jobs at once; give one of --render, --report, "
-      "--make-cameras, --generate, --pack, --tradeoff, --stability, --info");
+      "--report: is a second job beside --render; give one of them");
   row("two jobs, info", {"--info", "s.json", "--generate", "scene"},
-      "command line: asks for two jobs at once; give one of --render, --report, "
-      "--make-cameras, --generate, --pack, --tradeoff, --stability, --info");
+      "--generate: is a second job beside --info; give one of them");
   row("a file alone", render + QStringList{"more.json"},
-      "more.json: stands alone on the command line; a session is given as --session FILE");
-  row("settings without a job", {"--session", "s.json", "--output", "out"},
-      "command line: has settings but no job; give one of --render, --report, "
-      "--make-cameras, --generate, --pack, --tradeoff, --stability, or only a session to open it");
-  row("no threads", render + QStringList{"--threads", "0"},
-      "--threads: \"0\" is not a number from 1 on");
-  row("half a thread", {"--threads", "1.5"}, "--threads: \"1.5\" is not a number from 1 on");
-  row("threads beyond", {"--threads", "99999999999"},
-      "--threads: \"99999999999\" is not a number from 1 on");
-  row("memory what", {"--memory", "4GB"}, "--memory: \"4GB\" is not a number from 0 on");
-  row("memory nan", {"--memory", "nan"}, "--memory: \"nan\" is not a number from 0 on");
-  row("fail-below what", {"--fail-below", "40dB"},
-      "--fail-below: \"40dB\" is not a number from 0 on");
-  row("fail-below nan", {"--fail-below", "nan"}, "--fail-below: \"nan\" is not a number from 0 on");
-  row("format", {"--format", "jpg"}, "--format: \"jpg\" is not one of png, exr, tif");
-  row("a camera set's", render + QStringList{"--count", "3"},
-      "--set cameraSet.count=3: belongs to --make-cameras SET");
-  row("pattern", {"--generate", "lena"},
-      "--generate: \"lena\" is not one of scene, spheres, directions, hogels, checkerboard, edge, "
-      "crosstalk");
+      "more.json: unexpected argument of --render; see --help render");
+  row("two files for --info", {"--info", "a.png", "b.png"},
+      "b.png: unexpected argument of --info; see --help info");
+  row("two topics", {"--help", "render", "report"},
+      "render: unexpected argument of --help; see --help help");
+  row("two outputs", render + QStringList{"--output", "other"},
+      "--output other: is given twice, before as out");
+  row("twice the same", render + QStringList{"--masks", "--masks"}, "--masks: is given twice");
+  row("twice the same job", {"--pack", "a.png", "--pack", "b.png", "--output", "c.tif"},
+      "--pack: is a second job beside --pack; give one of them");
+  row("twice the same test",
+      {"--report", "--session", "s.json", "--output", "out", "--test", "a.png", "--test", "b.png",
+       "--test", "a.png"},
+      "--test a.png: is given twice");
+  row("a parameter twice",
+      render + QStringList{"--set", "psf.sigma=1", "--set", "camera.fov=3", "--set", "psf.sigma=2"},
+      "--set psf.sigma=2: sets psf.sigma a second time");
+  row("a parameter by two ways",
+      {"--make-cameras", "random", "--session", "s.json", "--output", "t.json", "--count", "3",
+       "--set", "cameraSet.count=4"},
+      "--set cameraSet.count=4: sets cameraSet.count a second time");
+  row("settings without a job", {"--fail-below", "3"},
+      "--fail-below: belongs to --report; without a job the window opens");
+  const QString number = "\" is not a number from ";
+  for (const char* bad : {"0", "-1", "1.5", "99999999999", "nan"})
+    row(bad, render + QStringList{"--threads", bad},
+        qPrintable("--threads: \"" + (bad + number) + "1 on"));
+  const QStringList report{"--report", "--session", "s.json", "--output", "out", "--test", "t.png"};
+  for (const char* bad : {"40dB", "nan", "-1"})
+    row(qPrintable(QString("fail-below ") + bad), report + QStringList{"--fail-below", bad},
+        qPrintable("--fail-below: \"" + (bad + number) + "0 on"));
+  row("format", render + QStringList{"--format", "jpg"},
+      "--format: \"jpg\" is not one of png, exr, tif");
+  row("a camera set's", render + QStringList{"--set", "cameraRegion.region=box"},
+      "--set cameraRegion.region=box: belongs to --make-cameras");
   row("a pattern's", render + QStringList{"--set", "pattern.depth=1"},
-      "--set pattern.depth=1: belongs to --generate PATTERN");
-  row("degrade", render + QStringList{"--degrade", "jpeg:60"},
-      "--degrade: belongs to --generate PATTERN");
-  row("seed", render + QStringList{"--seed", "1"},
-      "--seed: belongs to --make-cameras SET or --generate PATTERN");
+      "--set pattern.depth=1: belongs to --generate");
 }
 
 void TestCommandLine::mistakes() {
@@ -190,12 +207,13 @@ void TestCommandLine::mistakesAtTheProgram_data() {
   QTest::addColumn<QStringList>("arguments");
   QTest::addColumn<QByteArray>("line");
   QTest::newRow("mistyped") << QStringList{"--rendr"}
-                            << QByteArray("--rendr: is not a flag of ours; did you mean --render?");
-  QTest::newRow("no output") << QStringList{"--render", "--session", sampleSession}
-                             << QByteArray("--output: is missing: name where the results go");
+                            << QByteArray("--rendr: unknown option; did you mean --render?");
+  QTest::newRow("no output")
+      << QStringList{"--render", "--session", sampleSession}
+      << QByteArray("--output: is missing; --render needs --output PATH, see --help render");
   QTest::newRow("a help topic")
       << QStringList{"--help", "parametres"}
-      << QByteArray("--help parametres: there is no such topic; there is --help parameters");
+      << QByteArray("--help parametres: there is no such topic; did you mean --help parameters?");
   QTest::newRow("the window without a display server")
       << QStringList{sampleSession}
       << QByteArray(
@@ -238,8 +256,8 @@ void TestCommandLine::infoOfPictures() {
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.out,
            QByteArray("picture     tiff, 20×18 px, 4 channel(s), 16 bit\n"
-                      "layout      not said by the file; a session says it, with the hogels and "
-                      "directions\n"));
+                      "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] "
+                      "--set display.directions=[du,dv]\n"));
   writeGrey("q_qs4x3a1.5.png", 20, 18);
   QCOMPARE(run({"--info", "q_qs4x3a1.5.png"}, m_folder->path()).out,
            QByteArray("picture     png, 20×18 px, 3 channel(s), 8 bit\n"
@@ -258,6 +276,55 @@ void TestCommandLine::infoOfAFolder() {
                                                                   "hogels      8×6\n"
                                                                   "directions  2×2\n"
                                                                   "hogel image 16×12 px\n"));
+}
+
+void TestCommandLine::infoHearsSettings_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QStringList>("settings");
+  QTest::addColumn<QByteArray>("said");  ///< in the output, or the error's line
+  QTest::addColumn<int>("status");
+  const auto row = [](const char* name, const char* file, const QStringList& settings,
+                      const char* said, int status) {
+    QTest::newRow(name) << file << settings << QByteArray(said) << status;
+  };
+  row("a session's camera", "s.json", {"camera.fov=33"}, "fov 33°, 600×600 px", 0);
+  row("a session's light field", "s.json", {"lightField.file=none.png"}, "none.png: there is no",
+      2);
+  row("a session's unknown one", "s.json", {"psf.sigmma=1"},
+      "s.json: cameras[0].psf.sigmma: is not known here; did you mean \"sigma\"?", 2);
+  row("a section of nobody", "s.json", {"lens.k1=1"},
+      "s.json: --set lens.k1=1: there is no section \"lens\"", 2);
+  row("a hogel image", "scene.png", {"display.hogels=[4,3]", "display.directions=[5,6]"},
+      "layout      hogels\nhogels      4×3\ndirections  5×6\n", 0);
+  row("of another size", "scene.png", {"display.hogels=[4,3]", "display.directions=[5,5]"},
+      "scene.png: size: is 20×18 px, but", 2);
+  row("half of it", "scene.png", {"display.hogels=[4,3]"},
+      "scene.png: display.directions: is missing", 2);
+  row("a quilt", "scene.png",
+      {"lightField.layout=quilt", "lightField.columns=5", "lightField.rows=3"},
+      "layout      quilt of 5×3 views\nhogels      4×6\n", 0);
+  row("a folder", "v", {"lightField.pattern=a CC RR.png"}, "directions  2×1\n", 0);
+  row("a folder's unknown one", "v", {"lightField.patern=a"},
+      "v: lightField.patern: is not known here; did you mean \"pattern\"?", 2);
+  row("a light field has no camera", "v", {"camera.fov=3"},
+      "v: --set camera.fov=3: does not apply to a light field; lightField and display do", 2);
+}
+
+void TestCommandLine::infoHearsSettings() {
+  QFETCH(QString, file);
+  QFETCH(QStringList, settings);
+  QFETCH(QByteArray, said);
+  QFETCH(int, status);
+  writeFile("s.json", text());
+  writeGrey("scene.png", 20, 18);
+  for (const char* name : {"v/a 1 1.png", "v/a 2 1.png"}) writeGrey(name, 4, 3);
+  QStringList arguments{"--info", file};
+  for (const QString& setting : settings) arguments << "--set" << setting;
+  const Outcome outcome = run(arguments, m_folder->path());
+  QCOMPARE(outcome.status, status);
+  const QByteArray& told = status == 0 ? outcome.out : outcome.err;
+  QVERIFY2(told.contains(said), told);
+  QCOMPARE(outcome.err.count('\n'), status == 0 ? 0 : 1);
 }
 
 void TestCommandLine::infoOfNothing() {

@@ -91,6 +91,9 @@ void TestGenerateJob::refuses_data() {
   QTest::newRow("a copy") << QStringList{"--degrade", "jpeg:0"}
                           << QByteArray(
                                  "--degrade: jpeg:0: needs a number from 1 to 100 after jpeg:");
+  QTest::newRow("a seed of nothing")
+      << QStringList{"--degrade", "blur:1", "--seed", "2"}
+      << QByteArray("--seed: is of the noise; it needs --degrade noise:SIGMA");
 }
 
 void TestGenerateJob::refuses() {

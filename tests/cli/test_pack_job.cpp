@@ -233,14 +233,16 @@ void TestPackJob::refusals_data() {
   QTest::newRow("nothing there") << QStringList{"--pack", "b.png", "--output", "s.tif"}
                                  << QByteArray("b.png: there is no such file");
   QTest::newRow("no output") << QStringList{"--pack", "a.png"}
-                             << QByteArray("--output: is missing: name where the results go");
+                             << QByteArray(
+                                    "--output: is missing; --pack needs --output PATH, see "
+                                    "--help pack");
   QTest::newRow("memory for less than a row")
       << QStringList{"--pack",   "a.png",
                      "--output", "s.tif",
                      "--set",    "display.hogels=[160,10]",
                      "--set",    "display.directions=[4,64]",
                      "--memory", "0.04"}
-      << QByteArray("a.png: size: one row of hogels needs 0.1 MB of memory, 0 MB are allowed");
+      << QByteArray("a.png: size: one row of hogels needs 122.9 kB of memory, 40 kB are allowed");
   QTest::newRow("a folder as output")
       << QStringList{"--pack",   "a.png",
                      "--output", ".",

@@ -22,11 +22,13 @@ QStringList filesOf(const QStringList& names, const QString& ending) {
   return files;
 }
 
-/// Renders the sample's states with 60×60 px to "out".
+/// Renders the sample's states with 60×60 px, or as `more` says, to "out".
 QStringList job(const QStringList& more = {}) {
-  return QStringList{"--render", "--session", sampleSession,       "--output",
-                     "out",      "--set",     "camera.res=[60,60]"} +
-         more;
+  QStringList arguments{"--render", "--session", sampleSession, "--output", "out"};
+  if (more.filter("camera.res=").isEmpty())
+    arguments << "--set"
+              << "camera.res=[60,60]";
+  return arguments + more;
 }
 
 }  // namespace
@@ -199,11 +201,10 @@ void TestRender::quietIsSilent() {
 }
 
 void TestRender::overrides() {
-  const std::vector<std::string> given{"camera.res=[60,60]", "camera.res=[40,20]",
-                                       "sampling.mapping=direct", "psf.windowSize=1"};
+  const std::vector<std::string> given{"camera.res=[40,20]", "sampling.mapping=direct",
+                                       "psf.windowSize=1"};
   QStringList flags{"--states", "Fig 1"};
-  for (std::size_t k = 1; k < given.size(); ++k)
-    flags << "--set" << QString::fromStdString(given[k]);
+  for (const std::string& text : given) flags << "--set" << QString::fromStdString(text);
   QCOMPARE(render(flags).status, 0);
   Session session = loadSession(sampleSession.toStdString(), given);
   session.cameras.resize(1);

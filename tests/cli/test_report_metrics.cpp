@@ -227,7 +227,7 @@ void TestReportMetrics::badGroups_data() {
       "--group b: has 3 light field(s), but a BD-rate needs four or more");
   row("twice the same test", {"--group", "a=q15.jpg,q15.jpg", "--group", "b" + all},
       "--group a: has q15.jpg twice");
-  row("twice the same name", {"--group", "a" + all, "--group", "a" + all},
+  row("twice the same name", {"--group", "a" + all, "--group", "a=q90.jpg,q60.jpg,q30.jpg,q15.jpg"},
       "--group a: is given twice");
   row("no name", {"--group", all, "--group", "b" + all},
       "--group: \"" + all.toUtf8() + "\" is not NAME=FILE,FILE,FILE,FILE");

@@ -75,41 +75,18 @@ void TestStabilityJob::writesItsFilesWhateverTheThreads() {
 void TestStabilityJob::mistakes_data() {
   QTest::addColumn<QStringList>("arguments");
   QTest::addColumn<QByteArray>("line");
-  QTest::newRow("no output") << QStringList{"--stability"}
-                             << QByteArray("--output: is missing: name where the results go");
-  QTest::newRow("two jobs")
-      << stability({"--render"})
-      << QByteArray(
-             "command line: asks for two jobs at once; give one of --render, "
-             "--report, --make-cameras, --generate, --pack, --tradeoff, --stability, --info");
-  QTest::newRow("a file alone")
-      << stability({"s.json"})
-      << QByteArray(
-             "s.json: stands alone on the command line; a session is given as --session FILE");
-  QTest::newRow("no such file") << stability({"--calibrations", "none.json"})
-                                << QByteArray(
-                                       "none.json: cannot be read: No such file or directory");
-  QTest::newRow("another job's") << QStringList{"--render", "--calibrations", "l.json"}
-                                 << QByteArray(
-                                        "--calibrations: belongs to --stability; the cameras of "
-                                        "other jobs change by --calibration FILE");
-  QTest::newRow("no job")
-      << QStringList{"--calibrations", "l.json"}
-      << QByteArray(
-             "command line: has settings but no job; give one of --render, "
-             "--report, --make-cameras, --generate, --pack, --tradeoff, --stability, "
-             "or only a session to open it");
-  for (const QStringList& flag :
-       {QStringList{"--set", "psf.sigma=1"}, {"--states", "a"}, {"--calibration", "k.yml"}})
-    QTest::newRow(qPrintable("not for it: " + flag[0]))
-        << stability(flag)
-        << QByteArray(
-               "--stability: has no states: --calibration, --set and --states are not for it; "
-               "lenses come from --calibrations FILE");
-  QTest::newRow("a session") << stability({"--session", "s.json"})
-                             << QByteArray(
-                                    "--session: is not for --stability, whose lenses are its own "
-                                    "and those of --calibrations FILE");
+  const auto row = [](const char* name, const QStringList& arguments, const char* line) {
+    QTest::newRow(name) << arguments << QByteArray(line);
+  };
+  row("no output", {"--stability"},
+      "--output: is missing; --stability needs --output PATH, see --help stability");
+  row("a file alone", stability({"s.json"}),
+      "s.json: unexpected argument of --stability; see --help stability");
+  row("no such file", stability({"--calibrations", "none.json"}),
+      "none.json: cannot be read: No such file or directory");
+  row("a session", stability({"--session", "s.json"}),
+      "--session: is not an option of --stability; it belongs to --render, --report, "
+      "--make-cameras, --generate, --pack, --tradeoff");
 }
 
 void TestStabilityJob::mistakes() {

@@ -46,6 +46,7 @@ class TestCameraSet : public QObject {
   void statesAreTheTemplates();
   void statesStandInFrontOfATurnedPanel();
   void namesSortAndAreUnique();
+  void numbersGoOnInAnyCase();
   void badSets();
 };
 
@@ -202,6 +203,17 @@ void TestCameraSet::namesSortAndAreUnique() {
   QVERIFY(std::is_sorted(names.begin() + 2, names.end()));
 }
 
+/// A set whose name differs from an earlier one's in case only goes on with its numbers.
+void TestCameraSet::numbersGoOnInAnyCase() {
+  CameraSet set = boxSet(CameraSpread::uniform, 3);
+  set.params.name = "ring";
+  Session session = withCameras(sampleSession(), set);
+  set.params.name = "Ring";
+  session = withCameras(session, set);
+  check(session);
+  QCOMPARE(session.cameras.back().camera.name, std::string("Ring-0006"));
+}
+
 void TestCameraSet::badSets() {
   const Session session = sampleSession();
   CameraSet set = boxSet(CameraSpread::uniform, 2);
@@ -210,8 +222,8 @@ void TestCameraSet::badSets() {
   QCOMPARE(refusal(), QString("cameraSet.template: \"third\" is no state of the session"));
   set.params.templateState = "";
   set.params.name = "a/b";
-  QCOMPARE(refusal(), QString("cameraSet.name: \"a/b-0001\" has a slash or a control character; it "
-                              "names the picture's file"));
+  QCOMPARE(refusal(), QString("cameraSet.name: \"a/b-0001\" has a slash; it names the picture's "
+                              "file"));
   set.params.name = "";
   set.source = PoseList{{{{0, 0, 1}}, {{0, 0, 1}, {0, 0, 1}}}};
   QCOMPARE(refusal(), QString("pose-0002.lookat: is the eye itself: the camera looks nowhere"));

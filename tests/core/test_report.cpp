@@ -39,6 +39,9 @@ class TestReport : public QObject {
   void csvOfSpecialNumbers();
   void csvQuotes_data();
   void csvQuotes();
+  void csvKeepsNegativeNumbers();
+  void bytesText_data();
+  void bytesText();
   void numberText_data();
   void numberText();
   void numberTextReadsBack();
@@ -90,6 +93,28 @@ void TestReport::csvQuotes_data() {
                          << "";
   QTest::newRow("UTF-8") << "Köln"
                          << "Köln";
+  QTest::newRow("formula") << "=1+1"
+                           << "'=1+1";
+  QTest::newRow("formula with quotes") << "=HYPERLINK(\"http://a\",\"b\")"
+                                       << "\"'=HYPERLINK(\"\"http://a\"\",\"\"b\"\")\"";
+  QTest::newRow("plus") << "+30°"
+                        << "'+30°";
+  QTest::newRow("minus") << "-30°"
+                         << "'-30°";
+  QTest::newRow("at") << "@SUM(1)"
+                      << "'@SUM(1)";
+  QTest::newRow("tab") << "\t=1"
+                       << "'\t=1";
+  QTest::newRow("carriage return first") << "\r=1"
+                                         << "\"'\r=1\"";
+  QTest::newRow("line end first") << "\n=1"
+                                  << "\"'\n=1\"";
+  QTest::newRow("full width") << "＝1"
+                              << "'＝1";
+  QTest::newRow("negative number") << "-30.5"
+                                   << "-30.5";
+  QTest::newRow("sign inside") << "a=b-c@d"
+                               << "a=b-c@d";
 }
 
 void TestReport::csvQuotes() {
@@ -99,6 +124,36 @@ void TestReport::csvQuotes() {
   one.test = one.state;
   const QString text = QString::fromStdString(csv({one}).substr(header.size()));
   QVERIFY(text.startsWith(cell + "," + cell + ",1,"));
+}
+
+/// The eye of a state with a dangerous name.
+void TestReport::csvKeepsNegativeNumbers() {
+  ReportRow one = row("=a", 1);
+  one.eye = {-0.5, -1e-7, 2};
+  QVERIFY(QString::fromStdString(csv({one}))
+              .endsWith("\n'=a,a.png,1,48.1308036086791,1,"
+                        "48.1308036086791,0.5,1,-0.5,-1e-07,2\n"));
+}
+
+void TestReport::bytesText_data() {
+  QTest::addColumn<double>("bytes");
+  QTest::addColumn<QString>("text");
+  QTest::newRow("none") << 0.0 << "0 bytes";
+  QTest::newRow("bytes") << 999.0 << "999 bytes";
+  QTest::newRow("kB") << 1000.0 << "1 kB";
+  QTest::newRow("small") << 40000.0 << "40 kB";
+  QTest::newRow("nearly a MB") << 999940.0 << "999.9 kB";
+  QTest::newRow("rounds to a MB") << 999960.0 << "1 MB";
+  QTest::newRow("MB") << 19700000.0 << "19.7 MB";
+  QTest::newRow("rounds to a GB") << 999960000.0 << "1 GB";
+  QTest::newRow("GB") << 2.68e9 << "2.7 GB";
+  QTest::newRow("many") << 2.83e14 << "283000 GB";
+}
+
+void TestReport::bytesText() {
+  QFETCH(const double, bytes);
+  QFETCH(const QString, text);
+  QCOMPARE(QString::fromStdString(hogelscope::bytesText(std::size_t(bytes))), text);
 }
 
 void TestReport::numberText_data() {

@@ -41,6 +41,8 @@ class TestSession : public QObject {
   void badNames_data();
   void badNames();
   void goodNames();
+  void namesDifferInMoreThanCase_data();
+  void namesDifferInMoreThanCase();
   void warnsOfCutWindows();
   void resolvedTakesWhatIsLeftOut();
   void resolvedRefusesWhatDiffers();
@@ -123,26 +125,51 @@ void TestSession::badSession() {
 }
 
 void TestSession::badNames_data() {
-  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("name");
   QTest::addColumn<QString>("why");
-  const QString control = "has a slash or a control character; it names the picture's file";
-  QTest::newRow("empty") << ""
-                         << "is missing: every state has a name of its own";
-  QTest::newRow("long") << QString(201, 'a') << "is longer than 200 bytes";
-  QTest::newRow("long in bytes") << QString(101, QChar(0xe9)) << "is longer than 200 bytes";
-  QTest::newRow("slash") << "a/b" << control;
-  QTest::newRow("backslash") << "a\\b" << control;
-  QTest::newRow("line end") << "a\nb" << control;
-  QTest::newRow("delete") << "a\x7f" << control;
-  QTest::newRow("null") << QString(1, QChar(0)) << control;
-  QTest::newRow("dot") << ".."
-                       << "begins with a dot; it names the picture's file";
-  QTest::newRow("a mask's") << "left.mask"
-                            << "ends with .mask, which names the masks";
+  const QString slash = "has a slash; it names the picture's file";
+  const QString control = "has a control character or one that changes the direction of writing";
+  const QString ends =
+      "begins or ends with a space, or ends with a dot; it names the picture's file";
+  const QString device = "is a device's name on Windows; it names the picture's file";
+  const auto row = [](const char* name, const QByteArray& bad, const QString& why) {
+    QTest::newRow(name) << bad << why;
+  };
+  row("empty", "", "is missing: every state has a name of its own");
+  row("long", QByteArray(201, 'a'), "is longer than 200 bytes");
+  row("long in bytes", QByteArray("é").repeated(101), "is longer than 200 bytes");
+  row("slash", "a/b", slash);
+  row("backslash", "a\\b", slash);
+  row("line end", "a\nb", control);
+  row("delete", "a\x7f", control);
+  row("null", QByteArray(1, '\0'), control);
+  row("escape of a terminal", "a\x1b[31m", control);
+  row("escape in one character, U+009B", "a\xc2\x9b", control);
+  for (const char* bad : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202e", "\u2066", "\u2069"})
+    row(qPrintable(QString("bidirectional %1").arg(QString::fromUtf8(bad)[0].unicode(), 4, 16)),
+        QByteArray("a") + bad + "gnp.b", control);
+  for (const char* bad : {"\u00ad", "\u200b", "\u2028", "\u2060", "\ufeff"})
+    row(qPrintable(QString("invisible %1").arg(QString::fromUtf8(bad)[0].unicode(), 4, 16)),
+        QByteArray("a") + bad, control);
+  row("not UTF-8", "a\xff", "is not UTF-8");
+  row("a character cut off", "a\xe2\x80", "is not UTF-8");
+  row("a character too long", "a\xc0\xaf", "is not UTF-8");
+  row("half a pair", "a\xed\xa0\x80", "is not UTF-8");
+  row("beyond Unicode", "a\xf4\x90\x80\x80", "is not UTF-8");
+  row("dot", ".", "begins with a dot; it names the picture's file");
+  row("dots", "..", "begins with a dot; it names the picture's file");
+  row("space in front", " a", ends);
+  row("space behind", "a ", ends);
+  row("only a space", " ", ends);
+  row("dot behind", "a.", ends);
+  row("a mask's", "left.mask", "ends with .mask, which names the masks");
+  row("a mask's in capitals", "left.MASK", "ends with .mask, which names the masks");
+  for (const char* bad : {"CON", "nul", "Aux.left", "prn .a", "com1", "LPT9", "COM¹", "conout$"})
+    row(bad, bad, device);
 }
 
 void TestSession::badNames() {
-  QFETCH(const QString, name);
+  QFETCH(const QByteArray, name);
   QFETCH(const QString, why);
   const CameraState bad = state(name.toStdString());
   const QString error = errorOf([&] { check(bad, "cameras[7]"); });
@@ -152,8 +179,39 @@ void TestSession::badNames() {
 void TestSession::goodNames() {
   for (const std::string& name :
        {std::string("Fig 1"), std::string(200, 'a'), std::string("a.b"), std::string("mask"),
-        std::string("Köln 60°"), std::string("a.mask.b")})
+        std::string("Köln 60°"), std::string("a.mask.b"), std::string("console"),
+        std::string("com"), std::string("com10"), std::string("nul-1"), std::string("مرحبا"),
+        std::string("क्\u200dष"), std::string("🙂")})
     QCOMPARE(errorOf([&] { check(state(name), "cameras[0]"); }), QString());
+}
+
+void TestSession::namesDifferInMoreThanCase_data() {
+  QTest::addColumn<QString>("one");
+  QTest::addColumn<QString>("other");
+  QTest::addColumn<bool>("isSame");
+  QTest::newRow("ASCII") << "Left"
+                         << "lEFT" << true;
+  QTest::newRow("umlauts") << "KÖLN"
+                           << "köln" << true;
+  QTest::newRow("Greek, final sigma") << "ΛΟΓΟΣ"
+                                      << "λογος" << true;
+  QTest::newRow("Cyrillic") << "МИР"
+                            << "мир" << true;
+  QTest::newRow("another letter") << "köln"
+                                  << "koln" << false;
+  QTest::newRow("another number") << "Fig 1"
+                                  << "fig 2" << false;
+}
+
+void TestSession::namesDifferInMoreThanCase() {
+  QFETCH(const QString, one);
+  QFETCH(const QString, other);
+  QFETCH(const bool, isSame);
+  Session session = goodSession();
+  session.cameras = {state(one.toStdString()), state("middle"), state(other.toStdString())};
+  const QString line = "cameras[2].name: \"" + other + "\" is also cameras[0], \"" + one +
+                       "\"; every state has a name of its own, whatever its case";
+  QCOMPARE(errorOf([&] { check(session); }), isSame ? line : QString());
 }
 
 void TestSession::warnsOfCutWindows() {

@@ -46,6 +46,17 @@ class TestStates : public QObject {
     QCOMPARE(namesOf(session), QString("a|b|c|d|a 2|a 3|a 2 2"));
   }
 
+  /// Files whose names differ in case only are the same on many systems.
+  void aFreeNameIsFreeInAnyCase() {
+    Session session = abc();
+    addState(session, named("B"));
+    QCOMPARE(namesOf(session), QString("a|b|c|B 2"));
+    QCOMPARE(errorOf([&] { renameState(session, 3, "A"); }),
+             QString("name: \"A\" is another state's already"));
+    renameState(session, 0, "A");
+    QCOMPARE(namesOf(session), QString("A|b|c|B 2"));
+  }
+
   void aCopyStandsBehindItsOriginal() {
     Session session = abc();
     session.cameras[1].psf.sigma = 3;

@@ -153,8 +153,8 @@ void TestPassingPictures::tooLittleForOneView() {
   const auto made = picturesInPassing(file, viewsOf(session, unloadedScene(session, file)), 100000,
                                       serialRows, {});
   QVERIFY(made[0].problem.empty());
-  QCOMPARE(QString::fromStdString(made[2].problem).left(30),
-           QString("--memory: needs 0.3 MB of the "));
+  QCOMPARE(QString::fromStdString(made[2].problem).left(28),
+           QString("--memory: needs 290.9 kB of "));
 }
 
 /// All are in memory until the last row has come: refused before the first is read.

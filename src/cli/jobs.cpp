@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The jobs of the command line.
+#include "cli/jobs.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "cli/batch.h"
+#include "cli/camera_job.h"
+#include "cli/generate_job.h"
+#include "cli/info.h"
+#include "cli/pack_job.h"
+#include "cli/report_job.h"
+#include "cli/stability_job.h"
+#include "cli/tradeoff_job.h"
+#include "core/pattern.h"
+
+namespace hogelscope {
+
+namespace {
+
+int printHelp(const Options& options) {
+  std::cout << helpText(options.subject);
+  return 0;
+}
+
+int printVersion(const Options& /*options*/) {
+  std::cout << "hogelscope " HOGELSCOPE_VERSION "\n";
+  return 0;
+}
+
+std::string_view patternsHelp() {
+  static const std::string help = [] {
+    std::string text = "PATTERN is one of";
+    for (const PatternName& pattern : patternNames())
+      text += (&pattern == &patternNames().front() ? ": " : "; ") + std::string(pattern.name) +
+              " (" + std::string(pattern.help) + ")";
+    return text + ".";
+  }();
+  return help;
+}
+
+}  // namespace
+
+const std::vector<Job>& jobs() {
+  static const std::vector<Job> all{
+      {Command::render,
+       "render",
+       "",
+       "Writes one picture for each camera state: DIR/<name>.png.",
+       "",
+       "  hogelscope --render --session data/table1.json --output out --masks\n"
+       "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
+       "             --set camera.res=[1200,1200] --set sampling.samplesPerPixel=4\n"
+       "  hogelscope --render --session s.json --output out --calibration camera.yml --explain\n",
+       {},
+       render},
+      {Command::report,
+       "report",
+       "",
+       "Renders every state from the session's light field and from each test light field, and "
+       "compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
+       "After a stop the same command goes on where it was.",
+       "  hogelscope --report --session s.json --test coded.png --output report\n"
+       "  hogelscope --report --session s.json --test coded.png --output report --images \\\n"
+       "             --fail-below 30\n"
+       "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report \\\n"
+       "             --group JPEG=a1.jpg,a2.jpg,a3.jpg,a4.jpg \\\n"
+       "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n",
+       {},
+       reportJob},
+      {Command::makeCameras,
+       "make-cameras",
+       "SET",
+       "Adds camera states to a copy of the session: uniform (a grid), random or normal over a "
+       "region, a distribution of your own FILE.json, or a viewer's trace FILE.csv.",
+       "--output may be the session itself. With --states only those of the session's states are "
+       "kept.",
+       "  hogelscope --make-cameras uniform --session s.json --count 15 --region arc \\\n"
+       "             --output arc.json\n"
+       "  hogelscope --make-cameras random --session s.json --count 200 --seed 7 \\\n"
+       "             --set cameraRegion.lookat=nearest --output random.json\n"
+       "  hogelscope --make-cameras trace.csv --session s.json --count 600 --output viewer.json\n",
+       {"cameraSet", "cameraRegion"},
+       makeCameras},
+      {Command::generate,
+       "generate",
+       "PATTERN",
+       "Writes a test light field of the session's display, of any size: scene, spheres, "
+       "directions, hogels, checkerboard, edge or crosstalk.",
+       patternsHelp(),
+       "  hogelscope --generate scene --session s.json --output scene.png\n"
+       "  hogelscope --generate scene --session s.json --output noisy.png --degrade noise:2\n"
+       "  hogelscope --generate edge --session s.json --output edge.png --set pattern.depth=0.2 "
+       "\\\n"
+       "             --set display.hogels=[256,256]\n",
+       {"pattern"},
+       generateJob},
+      {Command::pack,
+       "pack",
+       "LF",
+       "Writes a light field as a store: a tiled TIFF of which a view reads only what it sees, so "
+       "that it need not fit into memory.",
+       "What an image of hogels does not say, display.hogels and display.directions, --session or "
+       "--set says. After a stop the same command goes on where it was.",
+       "  hogelscope --pack large.png --session s.json --output large.tif\n"
+       "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
+       "             --set display.directions=[600,600]\n"
+       "  hogelscope --pack views --output views.tif --memory 4000\n",
+       {},
+       packJob},
+      {Command::tradeoff,
+       "tradeoff",
+       "",
+       "Measures speed against accuracy of every method on the session's own states: "
+       "DIR/tradeoff.csv, .png, .svg.",
+       "With sampling.reconstruction nearest and one ray a pixel the reference is the display as "
+       "built, with any other sampling the ideal picture.",
+       "  hogelscope --tradeoff --session data/table1.json --output tradeoff\n"
+       "  hogelscope --tradeoff --session data/table1.json --output ideal \\\n"
+       "             --set sampling.reconstruction=quadrilinear\n",
+       {},
+       tradeoff},
+      {Command::stability,
+       "stability",
+       "",
+       "Measures where methods fail: which ways to invert a lens find the right ray, which a wrong "
+       "one or none, and other unstable cases: DIR/stability.csv, .png.",
+       "",
+       "  hogelscope --stability --output stability\n"
+       "  hogelscope --stability --output stability --calibrations cameras.json\n",
+       {},
+       stabilityJob},
+      {Command::info,
+       "info",
+       "FILE",
+       "Says what a session, a light field's image, a folder of views or a store is.",
+       "",
+       "  hogelscope --info data/table1.json\n"
+       "  hogelscope --info views --set lightField.pattern=view_RR_CC.png\n"
+       "  hogelscope --info large.png --set display.hogels=[512,512] \\\n"
+       "             --set display.directions=[600,600]\n",
+       {},
+       infoJob},
+      {Command::help,
+       "help",
+       "",
+       "This text; with a job, or \"parameters\", more of it.",
+       "",
+       "",
+       {},
+       printHelp},
+      {Command::version, "version", "", "The version.", "", "", {}, printVersion},
+  };
+  return all;
+}
+
+const Job& jobOf(Command command) {
+  return *std::ranges::find(jobs(), command, &Job::command);
+}
+
+bool isOneOf(const std::vector<Command>& commands, Command command) {
+  return std::ranges::find(commands, command) != commands.end();
+}
+
+std::string optionsOf(const std::vector<Command>& commands) {
+  std::string text;
+  for (const Command command : commands)
+    if (command != Command::window)
+      text += (text.empty() ? "--" : ", --") + std::string(jobOf(command).name);
+  return text;
+}
+
+}  // namespace hogelscope

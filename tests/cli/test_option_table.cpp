@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the table of options against all jobs: each option is used or refused, and each job's help
+// has those that it uses.
+#include <QMap>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "cli/batch.h"
+#include "cli/flags.h"
+#include "cli/jobs.h"
+#include "core/error.h"
+#include "tests/io/documents.h"
+#include "tests/io/pictures.h"
+
+using namespace hogelscope;
+
+Q_DECLARE_METATYPE(const Flag*)
+Q_DECLARE_METATYPE(const Job*)
+
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), qsizetype(view.size()));
+}
+
+QString dashed(std::string_view name) {
+  return "--" + text(name);
+}
+
+std::vector<const Flag*> allFlags() {
+  std::vector<const Flag*> flags;
+  for (const FlagGroup& group : flagGroups())
+    for (const Flag& flag : group.flags) flags.push_back(&flag);
+  return flags;
+}
+
+Options parsed(const QStringList& arguments) {
+  std::vector<std::string> list;
+  for (const QString& argument : arguments) list.push_back(argument.toStdString());
+  return parseOptions(list);
+}
+
+QString refusalOf(const QStringList& arguments) {
+  return errorOf([&] { (void)parsed(arguments); });
+}
+
+/// With a value that the option takes.
+QStringList given(const Flag& flag) {
+  static const QMap<QString, QString> values{
+      {"set", "psf.sigma=1"}, {"format", "exr"}, {"fail-below", "30"}, {"count", "3"},
+      {"region", "box"},      {"seed", "3"},     {"memory", "100"},    {"threads", "2"},
+      {"session", "s.json"},  {"test", "t.png"}, {"output", "out/o"}};
+  if (flag.value.empty()) return {dashed(flag.name)};
+  return {dashed(flag.name), values.value(text(flag.name), "value")};
+}
+
+/// The job with what it needs.
+QStringList smallest(const Job& job) {
+  static const QMap<QString, QString> values{{"make-cameras", "random"},
+                                             {"generate", "edge"},
+                                             {"pack", "q_qs5x3a1.png"},
+                                             {"info", "s.json"}};
+  QStringList arguments{dashed(job.name)};
+  if (!job.value.empty()) arguments << values.value(text(job.name));
+  for (const Flag* flag : allFlags())
+    if (isOneOf(flag->neededBy, job.command)) arguments += given(*flag);
+  return arguments;
+}
+
+/// Command lines, of which an example may have several, and go on after a backslash.
+QStringList examplesOf(const Job& job) {
+  QStringList lines = text(job.examples).replace("\\\n", "").split('\n', Qt::SkipEmptyParts);
+  return lines.replaceInStrings("'", "\"");
+}
+
+}  // namespace
+
+class TestOptionTable : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everyOptionIsUsedOrRefused_data();
+  void everyOptionIsUsedOrRefused();
+  void whatIsUsedIsHeard_data();
+  void whatIsUsedIsHeard();
+  void nothingIsMissing_data();
+  void nothingIsMissing();
+  void helpOnAJob_data();
+  void helpOnAJob();
+  void helpSaysWhoseOptionsAre();
+};
+
+void TestOptionTable::everyOptionIsUsedOrRefused_data() {
+  QTest::addColumn<const Job*>("job");  ///< null: the window
+  QTest::addColumn<const Flag*>("flag");
+  for (const Flag* flag : allFlags()) {
+    QTest::addRow("window, %s", flag->name.data()) << static_cast<const Job*>(nullptr) << flag;
+    for (const Job& job : jobs())
+      if (job.command != Command::help)
+        QTest::addRow("%s, %s", job.name.data(), flag->name.data()) << &job << flag;
+  }
+}
+
+/// The whole table by all jobs.
+void TestOptionTable::everyOptionIsUsedOrRefused() {
+  QFETCH(const Job*, job);
+  QFETCH(const Flag*, flag);
+  const Command command = job == nullptr ? Command::window : job->command;
+  QStringList arguments = job == nullptr ? QStringList{"s.json"} : smallest(*job);
+  if (!isOneOf(flag->neededBy, command)) arguments += given(*flag);
+  const QString refusal = refusalOf(arguments);
+  const QString owners = QString::fromStdString(optionsOf(flag->jobs));
+  if (isOneOf(flag->jobs, command))
+    QCOMPARE(refusal, QString());
+  else if (job == nullptr)
+    QCOMPARE(refusal,
+             dashed(flag->name) + ": belongs to " + owners + "; without a job the window opens");
+  else
+    QCOMPARE(refusal, dashed(flag->name) + ": is not an option of " + dashed(job->name) +
+                          "; it belongs to " + owners);
+}
+
+void TestOptionTable::whatIsUsedIsHeard_data() {
+  QTest::addColumn<const Job*>("job");
+  QTest::addColumn<const Flag*>("flag");
+  const auto hasWrongValues = [](const Flag& flag) { return !flag.value.empty(); };
+  for (const Flag* flag : allFlags())
+    for (const Job& job : jobs())
+      if (hasWrongValues(*flag) && isOneOf(flag->jobs, job.command))
+        QTest::addRow("%s, %s", job.name.data(), flag->name.data()) << &job << flag;
+}
+
+/// A value that cannot be right ends every job that has the option.
+void TestOptionTable::whatIsUsedIsHeard() {
+  QFETCH(const Job*, job);
+  QFETCH(const Flag*, flag);
+  const QTemporaryDir folder;
+  QVERIFY(QDir::setCurrent(folder.path()));
+  writeFile("s.json", ::text());
+  for (const char* file : {"scene.png", "t.png", "q_qs5x3a1.png"}) writeGrey(file, 20, 18);
+  const QString bad = flag->name == "set"      ? "display.wrong=1"
+                      : flag->name == "output" ? "s.json/wrong/wrong"
+                                               : "wrong";
+  QStringList arguments = smallest(*job);
+  if (isOneOf(flag->neededBy, job->command))
+    arguments[arguments.indexOf(dashed(flag->name)) + 1] = bad;
+  else
+    arguments << dashed(flag->name) << bad;
+  const QString error = errorOf([&] { (void)runBatch(parsed(arguments)); });
+  QVERIFY2(error.contains("wrong") || error.contains(dashed(flag->name) + ": "), qPrintable(error));
+  QVERIFY2(!error.startsWith("not an InputError"), qPrintable(error));
+}
+
+void TestOptionTable::nothingIsMissing_data() {
+  QTest::addColumn<const Job*>("job");
+  QTest::addColumn<const Flag*>("flag");
+  for (const Flag* flag : allFlags())
+    for (const Command command : flag->neededBy)
+      QTest::addRow("%s, %s", jobOf(command).name.data(), flag->name.data())
+          << &jobOf(command) << flag;
+}
+
+void TestOptionTable::nothingIsMissing() {
+  QFETCH(const Job*, job);
+  QFETCH(const Flag*, flag);
+  QStringList arguments = smallest(*job);
+  arguments.remove(arguments.indexOf(dashed(flag->name)), 2);
+  QCOMPARE(refusalOf(arguments), dashed(flag->name) + ": is missing; " + dashed(job->name) +
+                                     " needs " + dashed(flag->name) + " " + text(flag->value) +
+                                     ", see --help " + text(job->name));
+}
+
+void TestOptionTable::helpOnAJob_data() {
+  QTest::addColumn<const Job*>("job");
+  for (const Job& job : jobs()) QTest::newRow(job.name.data()) << &job;
+}
+
+/// It has the options of the job and no others, and its examples are command lines of the job.
+void TestOptionTable::helpOnAJob() {
+  QFETCH(const Job*, job);
+  const std::string name(job->name);
+  const QString help = QString::fromStdString(helpText(name));
+  QVERIFY(help.startsWith("hogelscope " + dashed(name)));
+  for (const QString& line : help.split('\n')) QVERIFY2(line.size() <= 100, qPrintable(line));
+  for (const Flag* flag : allFlags())
+    QCOMPARE(help.contains("\n  " + dashed(flag->name) + " "), isOneOf(flag->jobs, job->command));
+  for (const QString& line : examplesOf(*job)) {
+    QStringList words = QProcess::splitCommand(line);
+    QCOMPARE(words.takeFirst(), QString("hogelscope"));
+    words.removeAll("…");
+    QVERIFY2(parsed(words).command == job->command, qPrintable(line));
+  }
+  QCOMPARE(parsed({"--help", text(name)}).subject, name);
+  if (job->command != Command::help) QCOMPARE(parsed(smallest(*job) << "-h").subject, name);
+}
+
+void TestOptionTable::helpSaysWhoseOptionsAre() {
+  const QString help = QString::fromStdString(helpText("")).simplified();
+  QVERIFY(help.contains("--fail-below DB --report: exit status 1 if any PSNR is below."));
+  QVERIFY(help.contains("--format png|exr|tif --render: of the pictures: EXR holds"));
+  QVERIFY(help.contains("--quiet Prints nothing but errors. Not for --info."));
+}
+
+QTEST_GUILESS_MAIN(TestOptionTable)
+#include "test_option_table.moc"
