@@ -2,16 +2,13 @@
 // Camera calibrations as OpenCV writes them.
 #include "io/calibration_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <opencv2/core.hpp>
 #include <set>
-#include <sstream>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/json_parameters.h"
+#include "io/yaml_reader.h"
 
 namespace hogelscope {
 
@@ -19,97 +16,42 @@ namespace {
 
 using Names = std::initializer_list<const char*>;
 
-/// OpenCV prints its errors before it throws them; they come back as InputError.
-class QuietOpenCv {
- public:
-  QuietOpenCv() {
-    m_before =
-        cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
-  }
-  ~QuietOpenCv() { cv::redirectError(m_before); }
-  QuietOpenCv(const QuietOpenCv&) = delete;
-  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
-
- private:
-  cv::ErrorCallback m_before;
-};
-
-/// The part of a line of YAML that says its structure: no comment, nothing in quotes.
-std::string structureOf(const std::string& line) {
-  std::string structure;
-  char quote = 0;
-  for (const char c : line) {
-    if (quote == 0 && c == '#') break;
-    if (quote == 0 && (c == '"' || c == '\''))
-      quote = c;
-    else if (c == quote)
-      quote = 0;
-    else if (quote == 0)
-      structure += c;
-  }
-  return structure;
-}
-
-/// cv::FileStorage follows what is nested until the stack overflows: brackets, and on one line
-/// lists in lists ("- - ") and keys in keys ("a: a: ").
-bool isDeeplyNested(const std::string& yaml) {
-  constexpr int deepest = 64;
-  int open = 0;
-  std::istringstream lines(yaml);
-  for (std::string line; std::getline(lines, line);) {
-    int onLine = 0;
-    char before = ' ';
-    for (const char c : structureOf(line)) {
-      if (c == '[' || c == '{') ++open;
-      if (c == ']' || c == '}') open = std::max(0, open - 1);
-      if (c == ':' || (c == '-' && before == ' ')) ++onLine;
-      if (std::isdigit(static_cast<unsigned char>(c)) != 0 && before == '-') --onLine;
-      if (open > deepest || onLine > deepest) return true;
-      before = c;
-    }
-  }
-  return false;
-}
-
-/// The text of a YAML or JSON file that the parser can be trusted with.
-std::string textOf(const std::filesystem::path& file) {
+/// The names and values of a YAML or JSON file.
+Json documentOf(const std::filesystem::path& file) {
   constexpr std::size_t largest = std::size_t{1} << 20;
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   std::string text = readTextFile(file);
   if (text.size() > largest)
     throw InputError("is larger than 1 MiB: not a camera's calibration", "");
   if (text.starts_with(byteOrderMark)) text.erase(0, byteOrderMark.size());
-  const InputError other("is not an OpenCV calibration",
-                         "a YAML file begins with %YAML:1.0, a JSON file with {");
-  if (text.starts_with("{"))
-    (void)parseJson(text);  // our parser knows a deepest depth
-  else if (!text.starts_with("%YAML"))
-    throw other;
-  else if (isDeeplyNested(text))
-    throw InputError("is nested deeper than any calibration", "");
-  return text;
+  if (text.starts_with("{")) return parseJson(text, JsonComments::ignored);
+  if (text.starts_with("%YAML")) return parseOpenCvYaml(text);
+  throw InputError("is not an OpenCV calibration",
+                   "a YAML file begins with %YAML:1.0, a JSON file with {");
 }
 
 /// A matrix' numbers, row by row: as OpenCV writes it, or as a list (of lists) of numbers.
-std::vector<double> numbersOf(const cv::FileNode& node, const std::string& name) {
+std::vector<double> numbersOf(const Json& value, const std::string& name) {
+  if (value.is_object() && value.contains("data")) return numbersOf(value["data"], name);
+  if (value.is_string())
+    throw InputError(name, "is a text; write matrices as numbers, without cv::FileStorage::BASE64");
+  if (!value.is_array()) throw InputError(name, "is not a matrix");
   std::vector<double> values;
-  if (node.isMap()) return numbersOf(node["data"], name);
-  if (!node.isSeq()) throw InputError(name, "is not a matrix");
-  for (const cv::FileNode& item : node) {
-    if (item.isSeq()) {
-      for (const double value : numbersOf(item, name)) values.push_back(value);
+  for (const Json& item : value) {
+    if (item.is_array()) {
+      for (const double number : numbersOf(item, name)) values.push_back(number);
       continue;
     }
-    const double value = item.isReal() || item.isInt() ? item.real() : NAN;
-    if (!std::isfinite(value)) throw InputError(name, "has a value that is not a number");
-    values.push_back(value);
+    if (!item.is_number()) throw InputError(name, "has a value that is not a number");
+    values.push_back(item.get<double>());
   }
   return values;
 }
 
-std::vector<double> matrix(const cv::FileStorage& storage, Names names) {
+std::vector<double> matrix(const Json& document, Names names) {
   for (const char* name : names)
-    if (const cv::FileNode node = storage[name]; !node.empty()) return numbersOf(node, name);
+    if (const auto found = document.find(name); found != document.end())
+      return numbersOf(*found, name);
   std::string others;
   for (const char* name : names) others += name == *names.begin() ? "" : std::string(" ") + name;
   throw InputError(*names.begin(), "is missing; it may also be called:" + others);
@@ -147,13 +89,13 @@ DistortionParams distortionOf(const std::vector<double>& d) {
       "distortion");
 }
 
-std::optional<std::array<int, 2>> resolutionOf(const cv::FileStorage& storage) {
-  const cv::FileNode width = storage["image_width"];
-  const cv::FileNode height = storage["image_height"];
-  if (width.empty() && height.empty()) return std::nullopt;
-  if (!width.isInt() || !height.isInt())
+std::optional<std::array<int, 2>> resolutionOf(const Json& document) {
+  const Json width = document.value("image_width", Json());
+  const Json height = document.value("image_height", Json());
+  if (width.is_null() && height.is_null()) return std::nullopt;
+  if (!width.is_number_integer() || !height.is_number_integer())
     throw InputError("image_width", "and image_height are not two whole numbers");
-  return checked<CameraParams>({{"res", {int(width), int(height)}}}, "image size").res;
+  return checked<CameraParams>({{"res", {width, height}}}, "image size").res;
 }
 
 /// A list of `least` to `most` numbers; `parts` says what they are.
@@ -216,18 +158,20 @@ std::array<int, 2> centredOn(const IntrinsicsParams& k) {
   return {side(k.cx), side(k.cy)};
 }
 
-bool isCameraList(const std::string& text) {
-  const Json document = Json::parse(text, nullptr, false);
-  return document.is_object() && document.contains("cameras");
+Calibration calibrationOf(const Json& document) {
+  return {intrinsicsOf(matrix(document, {"camera_matrix", "cameraMatrix", "K", "M1"})),
+          distortionOf(matrix(document,
+                              {"distortion_coefficients", "dist_coeffs", "distCoeffs", "D", "D1"})),
+          resolutionOf(document)};
 }
 
 }  // namespace
 
 std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file) {
   try {
-    const std::string text = textOf(file);
-    if (isCameraList(text)) return camerasOf(parseJson(text));
-    NamedCalibration one{file.stem().string(), loadCalibration(file)};
+    const Json document = documentOf(file);
+    if (document.contains("cameras")) return camerasOf(document);
+    NamedCalibration one{file.stem().string(), calibrationOf(document)};
     if (!one.calibration.res) one.calibration.res = centredOn(one.calibration.intrinsics);
     return {one};
   } catch (const InputError& error) {
@@ -236,19 +180,10 @@ std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file
 }
 
 Calibration loadCalibration(const std::filesystem::path& file) {
-  const QuietOpenCv quiet;
   try {
-    const cv::FileStorage storage(textOf(file), cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    if (!storage.isOpened()) throw InputError("is empty: not an OpenCV calibration", "");
-    return {intrinsicsOf(matrix(storage, {"camera_matrix", "cameraMatrix", "K", "M1"})),
-            distortionOf(matrix(
-                storage, {"distortion_coefficients", "dist_coeffs", "distCoeffs", "D", "D1"})),
-            resolutionOf(storage)};
+    return calibrationOf(documentOf(file));
   } catch (const InputError& error) {
     throw error.in(file.string());
-  } catch (const cv::Exception&) {
-    throw InputError(file.string(), "is not an OpenCV calibration",
-                     "a YAML file begins with %YAML:1.0, a JSON file with {");
   }
 }
 

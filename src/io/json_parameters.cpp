@@ -176,20 +176,22 @@ Override parseOverride(const std::string& text) {
   if (equals == std::string::npos || dot == std::string::npos || dot > equals)
     throw InputError("--set " + text, "is not of the form section.field=value");
   const std::string written = text.substr(equals + 1);
-  Json value = Json::parse(written, nullptr, false);
-  if (value.is_discarded()) value = written;
-  return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), std::move(value)};
+  try {
+    Json value = Json::accept(written) ? parseJson(written) : Json(written);
+    return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), std::move(value)};
+  } catch (const InputError& error) {
+    throw InputError("--set " + text.substr(0, equals), error.what());
+  }
 }
 
 namespace {
 
 /// Hears a document's structure while it is parsed: refuses a key that stands twice in an object,
-/// and a depth that nothing of ours has.
+/// and what no document of ours has: such a depth, or so many keys.
 class StructureCheck {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-    constexpr int deepest = 32;
-    if (depth > deepest) throw InputError("is nested deeper than any session", "");
+    if (depth > deepestDocument) throw InputError("is nested deeper than any session", "");
     if (event == Json::parse_event_t::object_start) m_open.emplace_back();
     if (event == Json::parse_event_t::object_end) m_open.pop_back();
     if (event == Json::parse_event_t::key) addKey(parsed.get<std::string>());
@@ -204,6 +206,8 @@ class StructureCheck {
 
   void addKey(const std::string& key) {
     m_open.back().latest = key;
+    if (m_open.back().keys.size() == mostKeys)
+      throw InputError("has more than " + std::to_string(mostKeys) + " keys in one object", "");
     if (m_open.back().keys.insert(key).second) return;
     std::string path;
     for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
@@ -215,12 +219,12 @@ class StructureCheck {
 
 }  // namespace
 
-Json parseJson(const std::string& text) {
+Json parseJson(const std::string& text, JsonComments comments) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("is empty: not a session document", "");
   StructureCheck check;
   try {
-    return Json::parse(text, std::ref(check));
+    return Json::parse(text, std::ref(check), true, comments == JsonComments::ignored);
   } catch (const Json::exception& error) {
     std::string why = error.what();
     why.erase(0, std::min(why.size(), why.find("] ") + 2));

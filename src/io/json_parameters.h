@@ -80,8 +80,14 @@ struct Override {
 /// Throws InputError for another form.
 Override parseOverride(const std::string& text);
 
+/// What no document of ours reaches: a reader of files that nobody vouches for stops there.
+constexpr int deepestDocument = 32;
+constexpr std::size_t mostKeys = 1000;  ///< in one object, whose keys are searched one by one
+
+enum class JsonComments { refused, ignored };
+
 /// Parses a document; refuses a key that stands twice in an object. Throws InputError.
-Json parseJson(const std::string& text);
+Json parseJson(const std::string& text, JsonComments comments = JsonComments::refused);
 
 /// Two spaces a level, lists of numbers on one line.
 std::string formatJson(const Json& value);

@@ -117,6 +117,10 @@ b"})",
 
 void TestBadJson::structure_data() {
   refusalColumns();
+  QByteArray keys;
+  for (int k = 0; k < 300000; ++k) keys += "\"" + QByteArray::number(k) + "\": 1, ";
+  refusedIn("more keys than can be searched one by one", "{" + keys + "\"a\": 1}",
+            "has more than 1000 keys in one object");
   refusedIn("a list", "[]", "[] is not an object: { \"name\": value, … }");
   refusedIn("a number", "1", "1 is not an object: { \"name\": value, … }");
   refusedIn("null", "null", "null is not an object: { \"name\": value, … }");

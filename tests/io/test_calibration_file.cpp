@@ -3,9 +3,11 @@
 // and what is not one.
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "io/session_file.h"
+#include "tests/core/random.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -16,16 +18,39 @@ const IntrinsicsParams intrinsics{535.915733961632, 534.25, 342.28315473308373, 
 const DistortionParams lens{-0.2663726090966068, -0.03858889892230465, 0.0017831947042852964,
                             -0.0002812210044111547, 0.23839153080878486};
 
-/// As OpenCV's calibration sample does it.
-void writeByOpenCv(const QString& file) {
+constexpr auto realCameras = HOGELSCOPE_SOURCE_DIR "/../shared/data/calibrations.json";
+
+/// As OpenCV's calibration sample does it, in numbers of CV_64F or CV_32F.
+void writeByOpenCv(const QString& file,
+                   const Calibration& camera = {intrinsics, lens, {{640, 480}}},
+                   int type = CV_64F) {
+  const auto& [fx, fy, cx, cy] = camera.intrinsics;
+  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
+  cv::Mat k = (cv::Mat_<double>(3, 3) << fx, 0, cx, 0, fy, cy, 0, 0, 1);
+  cv::Mat d = (cv::Mat_<double>(5, 1) << k1, k2, p1, p2, k3);
+  k.convertTo(k, type);
+  d.convertTo(d, type);
   cv::FileStorage storage(file.toStdString(), cv::FileStorage::WRITE);
-  const cv::Mat k = (cv::Mat_<double>(3, 3) << intrinsics.fx, 0, intrinsics.cx, 0, intrinsics.fy,
-                     intrinsics.cy, 0, 0, 1);
-  const cv::Mat d = (cv::Mat_<double>(5, 1) << lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
   storage << "calibration_time"
-          << "today"
-          << "image_width" << 640 << "image_height" << 480 << "camera_matrix" << k
-          << "distortion_coefficients" << d << "avg_reprojection_error" << 0.2;
+          << "Fri 30 Sep 2022 10:00:00"
+          << "image_width" << (*camera.res)[0] << "image_height" << (*camera.res)[1];
+  storage.writeComment("flags: +fix_aspectRatio \"0\"");
+  storage << "camera_matrix" << k << "distortion_coefficients" << d << "avg_reprojection_error"
+          << 0.2;
+}
+
+/// What OpenCV itself reads of it.
+Calibration readByOpenCv(const QString& file) {
+  const cv::FileStorage storage(file.toStdString(), cv::FileStorage::READ);
+  const cv::FileNode k = storage["camera_matrix"]["data"];
+  const cv::FileNode d = storage["distortion_coefficients"]["data"];
+  return {{k[0], k[4], k[2], k[5]},
+          {d[0], d[1], d[2], d[3], d[4]},
+          {{int(storage["image_width"]), int(storage["image_height"])}}};
+}
+
+bool areEqual(const Calibration& a, const Calibration& b) {
+  return a.intrinsics == b.intrinsics && a.distortion == b.distortion && a.res == b.res;
 }
 
 QByteArray json(const QByteArray& k, const QByteArray& d, const QByteArray& more = "") {
@@ -43,6 +68,8 @@ class TestCalibrationFile : public QObject {
   void init();
   void whatOpenCvWrites_data();
   void whatOpenCvWrites();
+  void realCamerasByOpenCv_data();
+  void realCamerasByOpenCv();
   void whatOthersWrite_data();
   void whatOthersWrite();
   void goesToEveryStateBeforeOverrides();
@@ -70,10 +97,33 @@ void TestCalibrationFile::whatOpenCvWrites_data() {
 void TestCalibrationFile::whatOpenCvWrites() {
   QFETCH(const QString, file);
   writeByOpenCv(file);
-  const Calibration read = loadCalibration(file.toStdString());
-  QVERIFY(read.intrinsics == intrinsics);
-  QVERIFY(read.distortion == lens);
-  QVERIFY((read.res == std::array{640, 480}));
+  QVERIFY(areEqual(loadCalibration(file.toStdString()), {intrinsics, lens, {{640, 480}}}));
+  Random random(8);
+  for (int k = 0; k < 200; ++k) {
+    const auto length = [&random] { return random.uniform(1, 1e4); };
+    const auto small = [&random] {
+      return random.uniform(-1, 1) * std::pow(10, random.integer(-20, 0));
+    };
+    const Calibration camera{{length(), length(), length(), -length()},
+                             {small(), small(), small(), small(), small()},
+                             {{k + 1, 480}}};
+    writeByOpenCv(file, camera, random.flip() ? CV_64F : CV_32F);
+    QVERIFY(areEqual(loadCalibration(file.toStdString()), readByOpenCv(file)));
+  }
+}
+
+void TestCalibrationFile::realCamerasByOpenCv_data() {
+  whatOpenCvWrites_data();
+}
+
+void TestCalibrationFile::realCamerasByOpenCv() {
+  QFETCH(const QString, file);
+  if (!QFile::exists(realCameras)) QSKIP("the real calibrations are not here");
+  for (const NamedCalibration& camera : loadCalibrations(realCameras)) {
+    writeByOpenCv(file, camera.calibration);
+    QVERIFY2(areEqual(loadCalibration(file.toStdString()), camera.calibration),
+             camera.name.c_str());
+  }
 }
 
 void TestCalibrationFile::whatOthersWrite_data() {
@@ -155,16 +205,11 @@ void TestCalibrationFile::isRefused_data() {
       json(plainMatrix, "[0, 0, 0, 0]", ", \"image_width\": 640, \"image_height\": 70000"),
       "image size.res[1]: 70000 is out of range: 1 to 16384 px");
   add("deep", "{\"K\": " + QByteArray(100000, '['), "is nested deeper than any session");
-  add("deep with comments", "%YAML:1.0\nK: " + QByteArray("[ #]\n").repeated(100000),
-      "is nested deeper than any calibration");
-  add("deep with texts", "%YAML:1.0\nK: " + QByteArray("[ \"]\", ").repeated(100000),
-      "is nested deeper than any calibration");
-  add("deep with tags", "%YAML:1.0\nK:\n   " + QByteArray("- !!seq ").repeated(100000),
-      "is nested deeper than any calibration");
-  add("deep in keys", "%YAML:1.0\n---\n" + QByteArray("a: ").repeated(200000),
-      "is nested deeper than any calibration");
-  add("deep in dashes", "%YAML:1.0\nK:\n   " + QByteArray("- ").repeated(100000),
-      "is nested deeper than any calibration");
+  add("deep YAML", "%YAML:1.0\nK: " + QByteArray(100000, '['),
+      "line 2: is nested deeper than any calibration");
+  add("no YAML", "%YAML:1.0\nK: \"", "line 2: is not YAML: found unexpected end of stream");
+  add("base64", "%YAML:1.0\nK: !!opencv-matrix\n   data: !!binary |\n     MWQg\n",
+      "K: is a text; write matrices as numbers, without cv::FileStorage::BASE64");
   add("large", "%YAML:1.0\n" + QByteArray(2 << 20, ' '),
       "is larger than 1 MiB: not a camera's calibration");
 }

@@ -104,6 +104,10 @@ void TestSessionOverrides::badOverrides_data() {
       << "s.json: cameras[0].fov: 1000.0 is out of range: 0.01 to 179.9 °";
   QTest::newRow("unclosed list") << "camera.res=[4,4"
                                  << "s.json: cameras[0].res: \"[4,4\" is not a list of 2 numbers";
+  QTest::newRow("a key twice") << R"(camera.fov={"a": 1, "a": 2})"
+                               << "s.json: --set camera.fov: a: stands twice in one object";
+  QTest::newRow("deep") << "camera.fov=" + QString(60000, '[') + QString(60000, ']')
+                        << "s.json: --set camera.fov: is nested deeper than any session";
   QTest::newRow("one name for all states")
       << "camera.name=c"
       << "s.json: cameras[1].name: \"c\" is also cameras[0]; every state has a name of its own";
