@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 
@@ -13,14 +14,20 @@ PROGRAM = os.environ.get(
 
 
 def run(arguments, folder, timeout=60):
-    """Status, or None if it was still running; the lines on stderr."""
+    """Status and the lines on stderr. A run that takes longer is asked to stop, as by Ctrl-C, and has
+    six seconds for it: else the status is None."""
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    try:
-        done = subprocess.run([PROGRAM, *arguments], cwd=folder, timeout=timeout,
-                              env=environment, stdin=subprocess.DEVNULL, capture_output=True)
-    except subprocess.TimeoutExpired:
-        return None, []
-    return done.returncode, done.stderr.decode(errors="replace").splitlines()
+    process = subprocess.Popen([PROGRAM, *arguments], cwd=folder, env=environment,
+                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE)
+    for seconds, after in ((timeout, signal.SIGINT), (6, signal.SIGKILL)):
+        try:
+            lines = process.communicate(timeout=seconds)[1].decode(errors="replace").splitlines()
+            return process.returncode, lines
+        except subprocess.TimeoutExpired:
+            process.send_signal(after)
+    process.wait()
+    return None, []
 
 
 def must(arguments, folder):

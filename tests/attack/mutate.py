@@ -2,12 +2,14 @@
 """Feeds damaged copies of every kind of input to the program: python3 mutate.py [SEED] [COUNT].
 
 An input may be refused (status 2, one line on stderr that names the program) or used (status 0 or 1). A
-crash, status 3, a second line, more than 20 s or a file that is left over is a finding: it is
-printed, its input is kept, and the script ends with status 1. The same seed gives the same inputs."""
+crash, status 3, a second line, a run that does not hear Ctrl-C after 20 s, or a file that is left over
+is a finding: it is printed, its input is kept, and the script ends with status 1. The same seed gives
+the same inputs."""
 
 import pathlib
 import random
 import shutil
+import signal
 import sys
 import tempfile
 
@@ -64,8 +66,8 @@ def mutated(data, rng):
 
 def problem(status, lines, folder, before):
     if status is None:
-        return "still at work after 20 s"
-    if status not in (0, 1, 2):
+        return "does not stop"
+    if status not in (0, 1, 2, -signal.SIGINT):
         return f"status {status}: {lines[-1:]}"
     if status == 2 and (len(lines) != 1 or not lines[0].startswith("hogelscope: ")):
         return f"{len(lines)} lines: {lines[:3]}"
