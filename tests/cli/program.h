@@ -2,13 +2,16 @@
 // Runs the real program as a user would, without a display server.
 #pragma once
 
+#include <unistd.h>
+
+#include <QFile>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QStringList>
+#include <csignal>
 
 struct Outcome {
-  int status = -1;  ///< exit status; -1 if it crashed, or was killed for taking too long
-  QString why;      ///< of the -1
+  int status = -1;  ///< exit status; -1 if a signal ended it, or it did not start
   QByteArray out;
   QByteArray err;
 };
@@ -27,19 +30,48 @@ inline void start(QProcess& process, const QStringList& arguments, const QString
   process.start(HOGELSCOPE_PROGRAM, arguments);
 }
 
-/// Runs it in `folder` and waits, `limit` milliseconds at most.
-inline Outcome run(const QStringList& arguments, const QString& folder, int limit = 30000) {
+/// However long that takes: a hang is ended by ctest.
+inline void waitForEnd(QProcess& process) {
+  if (process.state() != QProcess::NotRunning) process.waitForFinished(-1);
+}
+
+inline Outcome ended(QProcess& process) {
+  waitForEnd(process);
+  const bool hasCrashed =
+      process.exitStatus() != QProcess::NormalExit || process.error() == QProcess::FailedToStart;
+  return {hasCrashed ? -1 : process.exitCode(), process.readAllStandardOutput(),
+          process.readAllStandardError()};
+}
+
+/// Runs it in `folder` and waits.
+inline Outcome run(const QStringList& arguments, const QString& folder) {
   QProcess process;
   start(process, arguments, folder);
-  const bool ended = process.waitForFinished(limit);
-  if (!ended) process.kill();
-  process.waitForFinished();
-  Outcome outcome{-1, {}, process.readAllStandardOutput(), process.readAllStandardError()};
-  if (ended && process.exitStatus() == QProcess::NormalExit)
-    outcome.status = process.exitCode();
-  else
-    outcome.why = ended ? QString("crashed") : QString("still at work after %1 ms").arg(limit);
-  return outcome;
+  return ended(process);
+}
+
+/// Waits until `isThere()`; false if the process has ended before.
+template <class Condition>
+bool waitUntil(QProcess& process, Condition isThere) {
+  while (!isThere()) {
+    if (process.state() == QProcess::NotRunning || process.waitForFinished(1)) return isThere();
+  }
+  return true;
+}
+
+/// Not to a process that has ended: its number is 0 then, which means the whole group of ours.
+inline void send(const QProcess& process, int signal) {
+  if (process.processId() > 0) ::kill(pid_t(process.processId()), signal);
+}
+
+/// Seconds of all its cores: how far it has come, however busy the machine is.
+inline double cpuSeconds(const QProcess& process) {
+  QFile file(QString("/proc/%1/stat").arg(process.processId()));
+  if (!file.open(QIODevice::ReadOnly)) return 0;
+  const QByteArray text = file.readAll();
+  const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
+  return (fields.value(11).toDouble() + fields.value(12).toDouble()) /
+         double(::sysconf(_SC_CLK_TCK));
 }
 
 /// The paper's six states, on the sample light field.

@@ -28,8 +28,7 @@ class TestCameraJob : public QObject {
 
  private:
   Outcome job(const QStringList& more) {
-    return run(QStringList{"--session", "s.json", "--make-cameras"} + more, m_folder->path(),
-               60000);
+    return run(QStringList{"--session", "s.json", "--make-cameras"} + more, m_folder->path());
   }
 
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -150,7 +149,8 @@ void TestCameraJob::mistakes_data() {
       "--make-cameras: cameraRegion.region: \"sphere\" is not one of box, plane, arc");
   row("template", {"random", "--set", "cameraSet.template=c", "--output", "s2.json"},
       "s.json: cameraSet.template: \"c\" is no state of the session");
-  row("no output", {"random"}, "--output: is missing; --make-cameras needs --output PATH, see --help make-cameras");
+  row("no output", {"random"},
+      "--output: is missing; --make-cameras needs --output PATH, see --help make-cameras");
   row("output is a folder", {"random", "--output", "."},
       ".: cannot be written: a session's name ends in .json");
 }

@@ -33,7 +33,7 @@ void TestGenerateJob::init() {
 void TestGenerateJob::makesTheSampleAgain() {
   const Outcome outcome =
       run({"--generate", "scene", "--session", sampleSession, "--output", "scene.png"},
-          m_folder->path(), 60000);
+          m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.out, QByteArray("scene.png: 2560×2560 px\n"));
   QCOMPARE(outcome.status, 0);
@@ -112,7 +112,7 @@ void TestGenerateJob::needsRoom() {
   const Outcome outcome = run(
       {"--generate", "edge", "--session", sampleSession, "--output", "a.png", "--degrade",
        "noise:2", "--set", "display.hogels=[60000,60000]", "--set", "display.directions=[16,8]"},
-      m_folder->path(), 120000);
+      m_folder->path());
   const QRegularExpression line(
       "^hogelscope: a.png: cannot be written: it needs about ([\\d.]+) GB, the disk has [\\d.]+ "
       "[GM]B "

@@ -23,11 +23,7 @@ Outcome runWithoutPrivileges(const QStringList& arguments, const QString& folder
     if (::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) != 0 && ::geteuid() == 0) ::_exit(cannotDrop);
   });
   start(process, arguments, folder);
-  process.waitForFinished(-1);
-  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-          {},
-          process.readAllStandardOutput(),
-          process.readAllStandardError()};
+  return ended(process);
 }
 
 }  // namespace

@@ -186,7 +186,6 @@ void TestRender::threadsMakeNoDifference() {
 void TestRender::threadsBeyondReason() {
   const Outcome outcome =
       render({"--states", "Fig 5", "--threads", "100000", "--set", "camera.res=[4,4]"});
-  QVERIFY2(outcome.why.isEmpty(), qPrintable(outcome.why));
   QCOMPARE(outcome.status, 0);
 }
 

@@ -65,7 +65,7 @@ class TestReportMetrics : public QObject {
     return run(QStringList{"--report", "--session", sampleSession, "--set", "camera.res=[80,60]",
                            "--output", output} +
                    more,
-               m_folder.path(), 120000);
+               m_folder.path());
   }
 
   QTemporaryDir m_folder;
@@ -105,7 +105,7 @@ void TestReportMetrics::asScikitImage() {
               << QString("out/test%1/%2.png").arg(k % 4 + 1).arg(rows[k][0]);
   QProcess process;
   process.start(python, arguments);
-  QVERIFY(process.waitForFinished(120000));
+  QVERIFY(process.waitForFinished(-1));
   const QList<QByteArray> lines = process.readAllStandardOutput().trimmed().split('\n');
   QVERIFY2(lines.size() == rows.size(), process.readAllStandardError());
   QCOMPARE(rows.size(), 24);

@@ -137,7 +137,7 @@ class TestTradeoffJob : public QObject {
  private:
   Outcome job(const QStringList& more) {
     return run(QStringList{"--tradeoff", "--session", "s.json", "--output", "out"} + more,
-               m_folder->path(), 120000);
+               m_folder->path());
   }
 
   std::unique_ptr<QTemporaryDir> m_folder;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests summary.csv, metrics.csv, bd.csv, weighted means, and their place on the report's page.
-#include <QElapsedTimer>
 #include <QTest>
 #include <cmath>
 
@@ -57,7 +56,6 @@ class TestSummaries : public QObject {
   void bdRates();
   void bdProblems();
   void page();
-  void isFast();
 };
 
 void TestSummaries::means() {
@@ -223,20 +221,6 @@ void TestSummaries::page() {
   const std::string weighted =
       summaryTables(summariseTests({row("a", "t", 0, 3), row("b", "t", 10)}), {});
   QVERIFY(weighted.find("<td>t, weighted</td><td class=\"n\">22.50 <small>(") != std::string::npos);
-}
-
-/// 1000 rows, two of a state.
-void TestSummaries::isFast() {
-  Random random(1);
-  std::vector<ReportRow> rows;
-  for (int k = 0; k < 500; ++k)
-    for (const char* test : {"x", "y"})
-      rows.push_back(row(std::to_string(k), test, random.uniform(0, 10)));
-  QElapsedTimer timer;
-  timer.start();
-  (void)summariseTests(rows);
-  qInfo("10000 resamples of 1000 rows: %lld ms", timer.elapsed());
-  QVERIFY(timer.elapsed() < 10000);
 }
 
 QTEST_APPLESS_MAIN(TestSummaries)

@@ -34,7 +34,7 @@ void TestFileHash::ofFiles() {
   writeFile("b", "");
   QProcess sum;
   sum.start("sha256sum", {"a", "b"});
-  QVERIFY(sum.waitForFinished());
+  QVERIFY(sum.waitForFinished(-1));
   const QByteArray lines = sum.readAllStandardOutput();
   QCOMPARE(lines.left(64),
            QByteArray::fromStdString(sha256(std::vector<std::filesystem::path>{"a"})));
