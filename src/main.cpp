@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program: batch mode where the command line asks for a job, else the window. The one place
 // where errors become a line and an exit status.
-#include <unistd.h>
-
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 
 #include "cli/batch.h"
-#include "cli/progress_bar.h"
+#include "cli/stop_signals.h"
 #include "core/error.h"
 #include "gui/application.h"
 #include "io/machine.h"
@@ -29,16 +26,6 @@ int run(int argc, char** argv) {
   return status;
 }
 
-/// Ends as the signal would have, so that a calling script sees it.
-int stopped() {
-  const char* endOfBar = ::isatty(STDERR_FILENO) == 1 ? "\n" : "";
-  std::fprintf(stderr, "%shogelscope: stopped; what is finished is kept\n", endOfBar);
-  const int signal = hogelscope::caughtSignal();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-  return internalError;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,7 +35,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "hogelscope: %s\n", error.what());
     return badInput;
   } catch (const hogelscope::Cancelled&) {
-    return stopped();
+    hogelscope::endBySignal();
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr,
                  "hogelscope: memory: not enough for this light field and these pictures\n");

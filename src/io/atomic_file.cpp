@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "io/temporary_files.h"
 
 namespace hogelscope {
 
@@ -51,11 +52,13 @@ AtomicFile::AtomicFile(const fs::path& path) : m_path(path) {
     throw InputError(path.string(), "cannot be written", "it is there, and is not a file");
   m_temporary = m_path.parent_path() / ("." + m_path.stem().string() + ".part");
   m_temporary += m_path.extension();
+  registerTemporary(m_temporary);
 }
 
 AtomicFile::~AtomicFile() {
   std::error_code ignored;
   fs::remove(m_temporary, ignored);
+  forgetTemporary(m_temporary);
 }
 
 void AtomicFile::commit() {
