@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program: batch mode where the command line asks for a job, else the window. The one place
 // where errors become a line and an exit status.
-#include <unistd.h>
-
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -11,7 +8,7 @@
 #include <system_error>
 
 #include "cli/batch.h"
-#include "cli/progress_bar.h"
+#include "cli/stop_signals.h"
 #include "core/error.h"
 #include "gui/application.h"
 #include "io/machine.h"
@@ -29,16 +26,6 @@ int run(int argc, char** argv) {
   const int status = hogelscope::runBatch(options);
   if (!std::cout.flush()) throw hogelscope::InputError("standard output", "cannot be written");
   return status;
-}
-
-/// Ends as the signal would have, so that a calling script sees it.
-int stopped() {
-  const char* endOfBar = ::isatty(STDERR_FILENO) == 1 ? "\n" : "";
-  std::fprintf(stderr, "%shogelscope: stopped; what is finished is kept\n", endOfBar);
-  const int signal = hogelscope::caughtSignal();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-  return internalError;
 }
 
 }  // namespace
@@ -59,7 +46,7 @@ int main(int argc, char** argv) {
                  error.code().message().c_str());
     return badInput;
   } catch (const hogelscope::Cancelled&) {
-    return stopped();
+    hogelscope::endBySignal();
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr,
                  "hogelscope: memory: not enough for this light field and these pictures\n");

@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# Reads every #include under src and checks the layers of DESIGN §4: core knows nobody; io and vtk
+# Reads every #include under src and checks the layers of ARCHITECTURE.md: core knows nobody; io and vtk
 # know core, not each other; study knows core and vtk, chart core and study, report core, io and vtk;
 # cli and gui know all of them, not each other; only gui knows widgets.
 # Run as: cmake -D SOURCE=<repository> -P check_layers.cmake

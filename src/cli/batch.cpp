@@ -62,7 +62,7 @@ class Pictures {
 void renderLoaded(const Session& session, const Options& options, const Progress& progress) {
   const Scene scene =
       loadScene(session, part(progress, 0, 0.5), allowedMemory(), {.threads = threadCount()});
-  if (options.explain) std::cout << explanations(scene, session);
+  if (options.explain) std::cout << explanations(scene, session, part(progress, 0.5, 0.5));
   const Pictures pictures(options);
   const vtkNew<vtkHogelViewFilter> filter;
   const auto count = double(session.cameras.size());
@@ -83,7 +83,7 @@ void renderPassing(LightFieldFile& file, const Session& session, const Options& 
                      "needs the light field in memory or in a store: give it more --memory, or "
                      "--pack it first");
   const Scene scene = unloadedScene(session, file);
-  if (options.explain) std::cout << explanations(scene, session);
+  if (options.explain) std::cout << explanations(scene, session, part(progress, 0, 0));
   std::vector<View> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
   const std::vector<StatePicture> made =

@@ -32,9 +32,9 @@ int texelsPerRay(const View& view, const Plan& plan) {
   }
 }
 
-std::string workText(const View& view, const Plan& plan) {
+std::string workText(const View& view, const Plan& plan, const Progress& progress) {
   LensTables tables;
-  const FastSimulation simulation(reduced(view), tables, parallelRows);
+  const FastSimulation simulation(reduced(view), tables, parallelRows, progress);
   const auto rays = double(simulation.rays());
   const auto [width, height] = view.state.camera.res;
   const int texels = texelsPerRay(view, plan);
@@ -46,11 +46,9 @@ std::string workText(const View& view, const Plan& plan) {
          numberText(std::round(rays * texels * double(bytes) / 1e5) / 10) + " MB";
 }
 
-}  // namespace
-
-std::string explanation(const View& asked) {
+std::string explanation(const View& asked, const Progress& progress) {
   LensTables tables;
-  const Choice choice = choose(asked, tables, parallelRows);
+  const Choice choice = choose(asked, tables, parallelRows, progress);
   const View& view = choice.view;
   const Plan made = plan(reduced(view));
   std::string text = view.state.camera.name + "\n";
@@ -62,16 +60,20 @@ std::string explanation(const View& asked) {
     if (!saves.empty()) text.append("; saves ").append(saves);
     text.append("\n");
   }
-  text += "  what is read: " + workText(view, made) + "\n";
+  text += "  what is read: " + workText(view, made, progress) + "\n";
   if (made.hasLens)
-    text += "  the lens: " +
-            hogelscope::text(certify(lensKeyOf(view.state, view.sampling), parallelRows)) + "\n";
+    text +=
+        "  the lens: " +
+        hogelscope::text(certify(lensKeyOf(view.state, view.sampling), parallelRows, progress)) +
+        "\n";
   return text;
 }
 
-std::string explanations(const Scene& scene, const Session& session) {
+}  // namespace
+
+std::string explanations(const Scene& scene, const Session& session, const Progress& progress) {
   std::string text;
-  for (const CameraState& state : session.cameras) text += explanation(scene.view(state));
+  for (const CameraState& state : session.cameras) text += explanation(scene.view(state), progress);
   return text;
 }
 

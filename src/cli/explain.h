@@ -4,15 +4,13 @@
 
 #include <string>
 
+#include "core/progress.h"
 #include "core/simulate.h"
 #include "io/light_field_file.h"
 
 namespace hogelscope {
 
-/// What is modelled for a view, what is left out and why.
-std::string explanation(const View& view);
-
-/// Of all states of a session.
-std::string explanations(const Scene& scene, const Session& session);
+/// What is modelled for all states of a session, what is left out and why. Throws Cancelled.
+std::string explanations(const Scene& scene, const Session& session, const Progress& progress);
 
 }  // namespace hogelscope

@@ -34,20 +34,25 @@ double secondsSince(Clock::time_point start) {
 }
 
 Band bandOf(const Pattern& pattern, const LightFieldSize& size, int j,
-            const Degradation& degradation) {
+            const Degradation& degradation, const Progress& progress) {
   const std::size_t rowBytes = 3 * size.width();
   Band band(rowBytes * std::size_t(size.dv));
   parallelRows(size.dv, [&](int begin, int end) {
-    for (int v = begin; v < end; ++v)
+    for (int v = begin; v < end; ++v) {
+      hearStop(progress);
       pattern.row(j * size.dv + v, &band[std::size_t(v) * rowBytes]);
+    }
   });
-  degrade(degradation, size, j, band);
+  degrade(degradation, size, j, band, progress);
   return band;
 }
 
-void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes) {
-  for (std::size_t at = 0; at < band.size(); at += rowBytes)
+void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes,
+               const Progress& progress) {
+  for (std::size_t at = 0; at < band.size(); at += rowBytes) {
+    hearStop(progress);
     writer.write({band.data() + at, rowBytes});
+  }
 }
 
 /// Of the whole, by a few rows of hogels.
@@ -63,12 +68,13 @@ Cost estimate(const Pattern& pattern, const LightFieldSize& size, const Degradat
   double making = 0;
   double writing = 0;
   for (int k = 0; k < sampled; ++k) {
-    advance(progress, k / double(sampled));
+    const Progress ofBand = part(progress, k / double(sampled), (k + 1) / double(sampled));
     Clock::time_point start = Clock::now();
-    const Band band = bandOf(pattern, size, (2 * k + 1) * size.ny / (2 * sampled), degradation);
+    const Band band =
+        bandOf(pattern, size, (2 * k + 1) * size.ny / (2 * sampled), degradation, ofBand);
     making += secondsSince(start);
     start = Clock::now();
-    writeBand(writer, band, 3 * size.width());
+    writeBand(writer, band, 3 * size.width(), ofBand);
     writing += secondsSince(start);
   }
   const auto bytes = double(writer.discard());
@@ -97,11 +103,11 @@ void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradat
   Band written;
   std::future<void> writing;
   for (int j = 0; j < size.ny; ++j) {
-    advance(progress, j / double(size.ny));
-    Band band = bandOf(pattern, size, j, degradation);
+    const Progress ofBand = part(progress, j / double(size.ny), (j + 1) / double(size.ny));
+    Band band = bandOf(pattern, size, j, degradation, ofBand);
     if (writing.valid()) writing.get();
     written = std::move(band);
-    writing = std::async([&] { writeBand(writer, written, 3 * size.width()); });
+    writing = std::async([&, ofBand] { writeBand(writer, written, 3 * size.width(), ofBand); });
   }
   writing.get();
   writer.finish();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line (DESIGN §5), as a value.
+// The command line, as a value.
 #pragma once
 
 #include <cstddef>

@@ -1,42 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar with the time left on a terminal, and Ctrl-C as a clean stop.
+// A progress bar with the time left on a terminal.
 #include "cli/progress_bar.h"
 
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 
+#include "cli/stop_signals.h"
+
 namespace hogelscope {
-
-namespace {
-
-volatile std::sig_atomic_t signalThatCame = 0;
-
-void remember(int signal) {
-  signalThatCame = signal;
-  std::signal(signal, SIG_DFL);
-}
-
-}  // namespace
-
-void catchSignals() {
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
-}
-
-int caughtSignal() {
-  return signalThatCame;
-}
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
     : m_what(std::move(what)), m_isShown(!quiet && ::isatty(STDERR_FILENO) == 1) {}
 
 Progress ProgressBar::progress() {
-  return [this](double fraction) {
+  return forThreads([this](double fraction) {
     draw(fraction);
-    return signalThatCame == 0;
-  };
+    return !mustStop();
+  });
 }
 
 void ProgressBar::draw(double fraction) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar with the time left on a terminal, and Ctrl-C as a clean stop.
+// A progress bar with the time left on a terminal.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ class ProgressBar {
   /// Draws only where stderr is a terminal and not `quiet`.
   ProgressBar(std::string what, bool quiet);
 
-  /// Draws, and says stop after Ctrl-C or SIGTERM.
+  /// Draws, and says stop after Ctrl-C or SIGTERM. For threads.
   [[nodiscard]] Progress progress();
   /// Wipes the bar.
   void done();
@@ -27,10 +27,5 @@ class ProgressBar {
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
   std::string m_line;
 };
-
-/// From now on SIGINT and SIGTERM make every Progress say stop; a second one ends at once.
-void catchSignals();
-/// The signal that came, or 0.
-int caughtSignal();
 
 }  // namespace hogelscope

@@ -64,7 +64,7 @@ Report made(const ReportRequest& request, const Options& options) {
   listener.finished = [&](std::size_t, const ReportRow&) { ++finished; };
   if (options.explain)
     listener.loaded = [&](const Scene& scene) {
-      std::cout << explanations(scene, request.session);
+      std::cout << explanations(scene, request.session, listener.progress);
     };
   try {
     Report report = makeReport(request, listener);

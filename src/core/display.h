@@ -50,9 +50,9 @@ class Display {
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
 
-  /// The hit of a ray from an eye, both in the display frame (DESIGN §2 "Hit", "Directional
-  /// pixels"). None where the eye is not in front of the panel, the ray does not go toward it,
-  /// misses it, or leaves the hogel's angular field.
+  /// The hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit). None where
+  /// the eye is not in front of the panel, the ray does not go toward it, misses it, or leaves the
+  /// hogel's angular field.
   [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction) const;
 
   /// The same where only the panel's plane matters: also beyond the panel and the angular field.

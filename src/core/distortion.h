@@ -37,7 +37,8 @@ class Distortion {
   [[nodiscard]] const DistortionParams& params() const { return m_params; }
   [[nodiscard]] bool isIdentity() const { return m_params == DistortionParams{}; }
 
-  /// Ideal to distorted (DESIGN §2): where a lens puts the point that a pinhole puts at `ideal`.
+  /// Ideal to distorted (docs/formulas.md, Distortion): where a lens puts the point that a pinhole
+  /// puts at `ideal`.
   [[nodiscard]] Vec2 distort(const Vec2& ideal) const;
   [[nodiscard]] Jacobian jacobian(const Vec2& ideal) const;
 

@@ -55,7 +55,7 @@ struct FastSimulation::Scratch {
 
 FastSimulation::FastSimulation(const View& view, LensTables& tables,
                                const ParallelRows& parallelRows, const Progress& progress)
-    : m_view(view) {
+    : m_view(view), m_progress(forThreads(progress)) {
   const Simulation valid(view);  // throws what is wrong
   m_plan = hogelscope::plan(view);
   m_lensKey = lensKeyOf(view.state, view.sampling, view.method);
@@ -65,14 +65,15 @@ FastSimulation::FastSimulation(const View& view, LensTables& tables,
   m_seesNothing = !(display.displayFromWorld().point(view.state.camera.eye).z > 0);
   for (int x = 0; x < view.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
-  if (m_plan.isTableKept && !m_seesNothing) m_lens = tables.get(m_lensKey, parallelRows);
-  if (!m_lens) m_rays.emplace(m_lensKey);
-  if (view.lightField->store() != nullptr) fetch(parallelRows, progress);
+  if (m_plan.isTableKept && !m_seesNothing)
+    m_lens = tables.get(m_lensKey, parallelRows, m_progress);
+  if (!m_lens) m_rays.emplace(m_lensKey, m_progress);
+  if (view.lightField->store() != nullptr) fetch(parallelRows);
   m_unseen = m_view.lightField->layout().texels;
   m_taps.emplace(m_view, m_plan);
 }
 
-void FastSimulation::fetch(const ParallelRows& parallelRows, const Progress& progress) {
+void FastSimulation::fetch(const ParallelRows& parallelRows) {
   const auto [width, height] = m_view.state.camera.res;
   Footprint all = m_view.lightField->slice()->footprint;
   std::mutex mutex;
@@ -83,7 +84,7 @@ void FastSimulation::fetch(const ParallelRows& parallelRows, const Progress& pro
       all.include(ofRow);
     }
   });
-  m_view.lightField = m_view.lightField->store()->slice(all, progress);
+  m_view.lightField = m_view.lightField->store()->slice(all, part(m_progress, 0, 0));
 }
 
 /// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
@@ -130,6 +131,7 @@ std::int64_t FastSimulation::rays() const {
 }
 
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
+  hearStop(m_progress);
   const auto count = std::size_t(x1 - x0);
   std::memset(rgb, 0, 3 * count);
   std::memset(seen, 0, count);
@@ -225,6 +227,7 @@ bool fillUnseen(int count, CellBatch& batch) {
 }  // namespace
 
 void FastSimulation::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const {
+  hearStop(m_progress);
   if (m_seesNothing) {
     std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
     return;
@@ -283,19 +286,18 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
 
 Image simulateFast(const View& view, LensTables& tables, const ParallelRows& parallelRows,
                    const Progress& progress) {
-  const FastSimulation simulation(view, tables, parallelRows, progress);
+  const Progress heard = forThreads(progress);
+  const FastSimulation simulation(view, tables, parallelRows, heard);
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
-  std::atomic<bool> stops = false;  // what runs in parallel must not throw
   std::atomic<int> done = 0;
   parallelRows(height, [&, width = width, height = height](int begin, int end) {
-    for (int y = begin; y < end && !stops; ++y) {
+    for (int y = begin; y < end; ++y) {
       const std::size_t first = std::size_t(y) * std::size_t(width);
       simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
-      if (progress && !progress(double(++done) / height)) stops = true;
+      advance(heard, double(++done) / height);
     }
   });
-  if (stops) throw Cancelled();
   return image;
 }
 

@@ -21,7 +21,9 @@ namespace hogelscope {
 class FastSimulation {
  public:
   /// `tables` keeps lens tables from view to view. What the view needs of a light field in a store
-  /// is fetched, `progress` hears of that. Throws InputError, as Simulation does, or Cancelled.
+  /// is fetched. `progress` is kept and asked wherever a picture takes long, here and in what
+  /// follows, whose done fraction it does not hear. Throws InputError, as Simulation does, or
+  /// Cancelled, as all that casts rays does.
   FastSimulation(const View& view, LensTables& tables, const ParallelRows& parallelRows,
                  const Progress& progress = {});
 
@@ -43,7 +45,7 @@ class FastSimulation {
  private:
   struct Scratch;
 
-  void fetch(const ParallelRows& parallelRows, const Progress& progress);
+  void fetch(const ParallelRows& parallelRows);
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
@@ -51,6 +53,7 @@ class FastSimulation {
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
 
   View m_view;
+  Progress m_progress;  ///< for threads
   Plan m_plan;
   std::shared_ptr<const LensTable> m_lens;
   HitMap m_map;

@@ -53,7 +53,8 @@ struct RigidTransform {
   [[nodiscard]] RigidTransform inverse() const;
 };
 
-/// T(position) · Rz·Rx·Ry, angles in degrees: the order of vtkProp3D::SetOrientation (DESIGN §2).
+/// T(position) · Rz·Rx·Ry, angles in degrees: the order of vtkProp3D::SetOrientation
+/// (docs/formulas.md, Display).
 RigidTransform transformFromPose(const Vec3& position, const Vec3& orientationDegrees);
 
 }  // namespace hogelscope

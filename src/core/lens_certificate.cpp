@@ -55,20 +55,24 @@ void add(const LensKey& key, int y, const double* idealX, const double* idealY,
 
 }  // namespace
 
-double validRadius(const Distortion& distortion) {
+double validRadius(const Distortion& distortion, const Progress& progress) {
   constexpr double farthest = 100;
   constexpr int directions = 720;
   double radius = farthest;
-  for (int k = 0; k < directions; ++k)
+  for (int k = 0; k < directions; ++k) {
+    hearStop(progress);
     radius =
         std::min(radius, singularAt(distortion, 2 * std::numbers::pi * k / directions, radius));
+  }
   return radius < farthest ? radius : std::numeric_limits<double>::infinity();
 }
 
-LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows) {
+LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
+                        const Progress& progress) {
+  const Progress heard = forThreads(progress);
   LensKey key = lens;
   key.samplesPerPixel = 1;
-  const LensRays rays(key);
+  const LensRays rays(key, heard);
   std::mutex mutex;
   LensCertificate all;
   parallelRows(key.res[1], [&](int begin, int end) {
@@ -76,6 +80,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows) {
     std::vector<double> y(x.size());
     LensCertificate part;
     for (int row = begin; row < end; ++row) {
+      hearStop(heard);
       rays.row(row, 0, 0, 0, key.res[0], x.data(), y.data());
       add(key, row, x.data(), y.data(), part);
     }
@@ -85,7 +90,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows) {
     all.withoutRay += part.withoutRay;
     all.pixels += part.pixels;
   });
-  all.validRadius = validRadius(Distortion(key.distortion));
+  all.validRadius = validRadius(Distortion(key.distortion), heard);
   all.reach = std::sqrt(all.reach);
   all.worstResidual = std::sqrt(all.worstResidual);
   return all;

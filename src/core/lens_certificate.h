@@ -16,12 +16,13 @@ struct LensCertificate {
   std::size_t pixels = 0;
 };
 
-/// The pixels' centres, with the same rays as the pictures have.
-LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows);
+/// The pixels' centres, with the same rays as the pictures have. Throws Cancelled.
+LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
+                        const Progress& progress = {});
 
 /// The distance from the centre to the nearest point where the Jacobian is singular, over 720
 /// directions; infinite where there is none within 100 (89.4° off the axis).
-double validRadius(const Distortion& distortion);
+double validRadius(const Distortion& distortion, const Progress& progress = {});
 
 /// One line.
 std::string text(const LensCertificate& certificate);

@@ -17,8 +17,10 @@ Vec2 times(double s, const Vec2& p) {
 /// Between a point of the world, on the plane z = 1, and its place in the picture.
 class Mapping {
  public:
-  explicit Mapping(const LensKey& lens)
-      : m_lens(lens), m_distortion(lens.distortion), m_inverse(Distortion(lens.distortion)) {}
+  Mapping(const LensKey& lens, const Progress& progress)
+      : m_lens(lens),
+        m_distortion(lens.distortion),
+        m_inverse(Distortion(lens.distortion), progress) {}
 
   /// On the plane z = 1.
   [[nodiscard]] Vec2 onSensor(const Vec2& pixel) const {
@@ -122,9 +124,9 @@ void addFold(const Border& border, const Mapping& mapping, LensGrid& grid) {
 
 }  // namespace
 
-LensGrid lensGrid(const LensKey& lens) {
+LensGrid lensGrid(const LensKey& lens, const Progress& progress) {
   constexpr int mostLines = 40;  // on each side of the axis
-  const Mapping mapping(lens);
+  const Mapping mapping(lens, progress);
   const Border border = borderOf(lens, mapping);
   const double square = (border.last.y - border.first.y) / 10;
   const double reach = reachOf(border, mapping);

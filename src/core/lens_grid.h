@@ -20,6 +20,7 @@ struct LensGrid {
 };
 
 /// The grid is square in the world; a pinhole camera would see ten squares in the picture's height.
-LensGrid lensGrid(const LensKey& lens);
+/// Throws Cancelled.
+LensGrid lensGrid(const LensKey& lens, const Progress& progress = {});
 
 }  // namespace hogelscope

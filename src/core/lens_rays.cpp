@@ -9,7 +9,8 @@
 
 namespace hogelscope {
 
-LensRays::LensRays(const LensKey& key) : m_key(key), m_exact(Distortion(key.distortion)) {
+LensRays::LensRays(const LensKey& key, const Progress& progress)
+    : m_key(key), m_exact(Distortion(key.distortion), progress) {
   if (key.mapping == LensMapping::exact && key.inverse == LensInverse::table) makeNodes();
 }
 

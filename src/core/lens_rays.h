@@ -26,10 +26,11 @@ struct LensKey {
 
 class LensRays {
  public:
-  explicit LensRays(const LensKey& key);
+  /// `progress` is QuickInverse's. Throws Cancelled.
+  explicit LensRays(const LensKey& key, const Progress& progress = {});
 
   /// Ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy) of samplesPerPixel²; not
-  /// numbers where there is no ray.
+  /// numbers where there is no ray. Throws Cancelled.
   void row(int y, int sx, int sy, int x0, int count, double* idealX, double* idealY) const;
 
  private:

@@ -13,7 +13,8 @@
 
 namespace hogelscope {
 
-/// Runs `rows(begin, end)` over [0, count), perhaps on several threads.
+/// Runs `rows(begin, end)` over [0, count), perhaps on several threads. What it throws stops the
+/// others before their next piece, and is thrown here.
 using ParallelRows =
     std::function<void(int count, const std::function<void(int begin, int end)>& rows)>;
 /// On the calling thread.
@@ -21,7 +22,8 @@ void serialRows(int count, const std::function<void(int begin, int end)>& rows);
 
 class LensTable {
  public:
-  LensTable(const LensKey& key, const ParallelRows& parallelRows);
+  /// Throws Cancelled.
+  LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress = {});
 
   /// Ideal points of picture row `y`, sub-pixel (sx, sy): res[0] x and as many y; not numbers
   /// where there is no ray.
@@ -42,7 +44,9 @@ class LensTables {
  public:
   static constexpr std::size_t largestBytes = std::size_t{256} << 20;
 
-  std::shared_ptr<const LensTable> get(const LensKey& key, const ParallelRows& parallelRows);
+  /// `progress` hears of a new table. Throws Cancelled.
+  std::shared_ptr<const LensTable> get(const LensKey& key, const ParallelRows& parallelRows,
+                                       const Progress& progress = {});
 
  private:
   struct Entry {

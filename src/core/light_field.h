@@ -23,7 +23,7 @@ enum class Layout { hogels, views, quilt, pack };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
 
-/// The session's `lightField`: where the content is and how its file is laid out (DESIGN §3).
+/// The session's `lightField`: where the content is and how its file is laid out.
 struct LightFieldParams {
   std::string file;
   Layout layout = Layout::hogels;

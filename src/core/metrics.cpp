@@ -149,7 +149,8 @@ double psnrYuv(const std::array<double, 3>& mseYuv) {
   return (6 * psnr(mseYuv[0]) + psnr(mseYuv[1]) + psnr(mseYuv[2])) / 8;
 }
 
-double ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows) {
+double ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows,
+            const Progress& progress) {
   static const Window w = gaussian(1.5);
   if (reference.width < windowSize || reference.height < windowSize) return nothing;
   const auto width = std::size_t(reference.width);
@@ -157,6 +158,7 @@ double ssim(const Image& reference, const Image& test, const ParallelRows& paral
   const std::size_t rowCount = std::size_t(reference.height) - windowSize + 1;
   constexpr std::size_t strip = 32;          // rows whose luma stays in the second-level cache
   std::vector<double> rowSums(rowCount, 0);  // added up in one order for any threads
+  const Progress heard = forThreads(progress);
   parallelRows(int((rowCount + strip - 1) / strip), [&](int begin, int end) {
     Moments moments(width);
     std::vector<double> row(places);
@@ -164,6 +166,7 @@ double ssim(const Image& reference, const Image& test, const ParallelRows& paral
     std::vector<double> b(a.size());
     for (std::size_t first = strip * std::size_t(begin);
          first < std::min(strip * std::size_t(end), rowCount); first += strip) {
+      hearStop(heard);
       const std::size_t count = std::min(strip, rowCount - first);
       luma(&reference.rgb[3 * first * width], (count + windowSize - 1) * width, a.data());
       luma(&test.rgb[3 * first * width], (count + windowSize - 1) * width, b.data());
@@ -177,20 +180,24 @@ double ssim(const Image& reference, const Image& test, const ParallelRows& paral
   return std::accumulate(rowSums.begin(), rowSums.end(), 0.0) / (double(places) * double(rowCount));
 }
 
-Metrics compare(const Image& reference, const Image& test, const ParallelRows& parallelRows) {
+Metrics compare(const Image& reference, const Image& test, const ParallelRows& parallelRows,
+                const Progress& progress) {
   if (reference.width != test.width || reference.height != test.height)
     throw std::invalid_argument("compare: pictures of different sizes");
+  const Progress heard = forThreads(progress);
   Squares sums;
-  for (std::size_t from = 0; from < reference.pixelCount(); from += pieceSize)
+  for (std::size_t from = 0; from < reference.pixelCount(); from += pieceSize) {
+    hearStop(heard);
     addSquares(&reference.rgb[3 * from], &test.rgb[3 * from], &reference.seen[from],
                &test.seen[from], std::min(pieceSize, reference.pixelCount() - from), sums);
+  }
   const auto pixels = double(reference.pixelCount());
   // Cb = (B − Y) / 1.8556, Cr = (R − Y) / 1.5748: both span 255 as R, G and B do.
   constexpr std::array<double, 3> unit{1e4, 1.8556e4, 1.5748e4};
   for (std::size_t c = 0; c < 3; ++c) sums.yuv[c] /= pixels * unit[c] * unit[c];
   const auto inSeen = double(sums.inSeen) / (3 * double(sums.seenCount));
   return {double(sums.all) / (3 * pixels), sums.seenCount == 0 ? nothing : inSeen,
-          ssim(reference, test, parallelRows), double(sums.seenCount) / pixels, sums.yuv};
+          ssim(reference, test, parallelRows, heard), double(sums.seenCount) / pixels, sums.yuv};
 }
 
 }  // namespace hogelscope

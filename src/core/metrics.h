@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far two pictures of one state differ (DESIGN §2 "Metrics"), on 8-bit RGB.
+// How far two pictures of one state differ, on 8-bit RGB (docs/formulas.md, Metrics).
 #pragma once
 
 #include <array>
@@ -21,9 +21,10 @@ struct Metrics {
 };
 
 /// The same numbers to the last bit for any number of threads, and on every machine with IEEE
-/// arithmetic. Throws std::invalid_argument where the sizes differ.
+/// arithmetic. `progress` may say stop. Throws std::invalid_argument where the sizes differ,
+/// Cancelled.
 Metrics compare(const Image& reference, const Image& test,
-                const ParallelRows& parallelRows = serialRows);
+                const ParallelRows& parallelRows = serialRows, const Progress& progress = {});
 
 /// 10 log10(255² / MSE) in dB, infinite for 0.
 double psnr(double mse);
@@ -35,6 +36,6 @@ double psnrYuv(const std::array<double, 3>& mseYuv);
 /// Mean SSIM of Wang et al. 2004 on the luma (BT.601) of the pictures: 11×11 Gaussian of σ 1.5,
 /// K1 0.01, K2 0.03, L = 255, over the places where the whole window lies inside. Same sizes.
 double ssim(const Image& reference, const Image& test,
-            const ParallelRows& parallelRows = serialRows);
+            const ParallelRows& parallelRows = serialRows, const Progress& progress = {});
 
 }  // namespace hogelscope

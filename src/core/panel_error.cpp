@@ -100,9 +100,9 @@ void PanelError::resize(std::size_t pixels) {
 }
 
 void PanelError::add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
-                     const Image& reference, const Image& test) {
+                     const Image& reference, const Image& test, const Progress& progress) {
   checkSizes(view, m_size, reference, test);
-  const FastSimulation rays(raysThroughCentres(view), tables, parallelRows);
+  const FastSimulation rays(raysThroughCentres(view), tables, parallelRows, progress);
   resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {
     CellBatch batch;

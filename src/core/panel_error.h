@@ -29,9 +29,9 @@ class PanelError {
   PanelError(const LightFieldSize& size, std::vector<Cell> hogels, std::vector<Cell> directions);
 
   /// Adds the pictures of one state. Rays are the fast engine's. Throws InputError as Simulation
-  /// does, std::invalid_argument where a size is another.
+  /// does, std::invalid_argument where a size is another, Cancelled: then nothing is added.
   void add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
-           const Image& reference, const Image& test);
+           const Image& reference, const Image& test, const Progress& progress = {});
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   /// ny rows of nx, row 0 the top.

@@ -22,9 +22,10 @@ CellRange hogelRows(const Footprint& footprint) {
 
 }  // namespace
 
-PassingView::PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows)
-    : m_view(view), m_due(std::size_t(view.lightField->size().ny)) {
-  const FastSimulation rays(view, tables, parallelRows);
+PassingView::PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                         const Progress& progress)
+    : m_view(view), m_progress(progress), m_due(std::size_t(view.lightField->size().ny)) {
+  const FastSimulation rays(view, tables, parallelRows, progress);
   if (rays.lens() != nullptr) m_lens = lensKeyOf(view.state, view.sampling, view.method);
   const auto [width, height] = view.state.camera.res;
   Footprint all = view.lightField->slice()->footprint;
@@ -56,7 +57,7 @@ void PassingView::begin(LensTables& tables, const ParallelRows& parallelRows) {
       std::make_shared<LightField>(m_view.lightField->size(), m_view.lightField->type(), m_slice);
   View view = m_view;
   view.lightField = m_texels;
-  m_simulation.emplace(view, tables, parallelRows);
+  m_simulation.emplace(view, tables, parallelRows, m_progress);
   m_image = Image(m_view.state.camera.res[0], m_view.state.camera.res[1]);
 }
 

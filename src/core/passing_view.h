@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of a light field that passes by once, hogel row after hogel row (DESIGN §6 "One pass"):
-// of the rows that have come only what the pixels still to be made need is kept.
+// A picture of a light field that passes by once, hogel row after hogel row: of the rows that have
+// come only what the pixels still to be made need is kept.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,11 @@ namespace hogelscope {
 
 class PassingView {
  public:
-  /// Casts all rays, but keeps no texels yet. The view's light field has nothing in memory. Throws
-  /// InputError, as Simulation does, and std::length_error for a slice beyond 2^32 texels.
-  PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows);
+  /// Casts all rays, but keeps no texels yet. The view's light field has nothing in memory.
+  /// `progress` is FastSimulation's. Throws InputError, as Simulation does, std::length_error for a
+  /// slice beyond 2^32 texels, and Cancelled, as begin() and finish() do.
+  PassingView(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+              const Progress& progress = {});
 
   /// Of the texels that are kept at a time.
   [[nodiscard]] std::size_t bytes() const;
@@ -45,6 +47,7 @@ class PassingView {
   };
 
   View m_view;
+  Progress m_progress;
   std::optional<LensKey> m_lens;
   SliceLayout m_slice;
   std::vector<std::vector<Piece>> m_due;  ///< when hogel row j has come

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The point spread function, as a sum that reads like DESIGN §2.
+// The point spread function, as a sum that reads like docs/formulas.md, Light leakage.
 #include "core/psf.h"
 
 #include <algorithm>

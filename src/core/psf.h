@@ -47,8 +47,8 @@ class Psf {
   /// `params.sigma` must be above 0 where windowSize > 1.
   explicit Psf(const PsfParams& params);
 
-  /// P'(u, v) of DESIGN §2 for one directional pixel, in the light that is summed: code values, or
-  /// linear 0 … 1 (`encoded` takes it back).
+  /// P'(u, v) of docs/formulas.md, Light leakage, for one directional pixel, in the light that is
+  /// summed: code values, or linear 0 … 1 (`encoded` takes it back).
   [[nodiscard]] Rgb leaked(const LightField& lightField, const TexelIndex& at) const;
   /// W(x, y), windowSize² of them, row by row.
   [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/lens_steps.h"
 
@@ -27,7 +28,8 @@ double squaredNorm(const Vec2& a) {
 
 /// Marches outwards as long as the least eigenvalue's bound, which changes by at most the second
 /// derivative's bound per length, stays positive.
-QuickInverse::QuickInverse(const Distortion& distortion) : m_distortion(distortion) {
+QuickInverse::QuickInverse(const Distortion& distortion, Progress progress)
+    : m_distortion(distortion), m_progress(std::move(progress)) {
   constexpr double farthest = 100;  // beyond any picture but those of nearly 180°
   double radius = 0;
   while (radius < farthest) {
@@ -80,7 +82,10 @@ void QuickInverse::undistortBatch(double* x, double* y, int count) const {
     const bool isCertain = squaredNorm(distorted) < m_certainDistorted * m_certainDistorted &&
                            squaredNorm(ideal) < m_certainRadius * m_certainRadius &&
                            move[at] < shortMoveSquared;
-    if (!isCertain) ideal = m_distortion.undistort(distorted).value_or(Vec2{none, none});
+    if (!isCertain) {
+      hearStop(m_progress);
+      ideal = m_distortion.undistort(distorted).value_or(Vec2{none, none});
+    }
     x[k] = ideal.x;
     y[k] = ideal.y;
   }

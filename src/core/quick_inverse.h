@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/distortion.h"
+#include "core/progress.h"
 
 namespace hogelscope {
 
@@ -11,9 +12,12 @@ namespace hogelscope {
 /// root that Newton finds there is the right one. Other points go Distortion's certified way.
 class QuickInverse {
  public:
-  explicit QuickInverse(const Distortion& distortion);
+  /// `progress` is asked before each point that goes the certified way, which takes up to some
+  /// milliseconds near a fold.
+  explicit QuickInverse(const Distortion& distortion, Progress progress = {});
 
   /// Puts ideal points in the place of `count` distorted ones; not numbers where there is no ray.
+  /// Throws Cancelled.
   void undistort(double* x, double* y, int count) const;
 
  private:
@@ -21,6 +25,7 @@ class QuickInverse {
   void undistortBatch(double* x, double* y, int count) const;
 
   Distortion m_distortion;
+  Progress m_progress;
   double m_certainRadius = 0;     ///< of ideal points
   double m_certainDistorted = 0;  ///< of distorted points
 };

@@ -24,9 +24,9 @@ struct ReportRow {
 /// A `problem`: neither picture sees the display.
 inline constexpr const char* seesNothing = "sees nothing of the display";
 
-/// Averages are named, never mixed (DESIGN §2). Infinite PSNRs do not count in means of PSNRs, and
-/// neither what is not a number nor a row with a problem counts anywhere. Means of nothing are not
-/// numbers.
+/// Averages are named, never mixed (docs/formulas.md, Metrics). Infinite PSNRs do not count in
+/// means of PSNRs, and neither what is not a number nor a row with a problem counts anywhere. Means
+/// of nothing are not numbers.
 struct ReportMeans {
   double meanFinitePsnr = 0;
   double psnrOfMeanMse = 0;
@@ -58,7 +58,7 @@ std::string bytesText(std::size_t bytes);
 /// apostrophe in front, so that it stays a text (OWASP, CSV injection).
 std::string csvCell(const std::string& text);
 
-/// `report.csv` (DESIGN §5), RFC 4180, lines end in \n.
+/// `report.csv`, RFC 4180, lines end in \n.
 std::string csv(const std::vector<ReportRow>& rows);
 
 /// `metrics.csv`: what report.csv, whose columns are fixed, does not hold.

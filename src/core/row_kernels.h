@@ -15,9 +15,9 @@ namespace hogelscope {
 /// Rays that are worked on together: small enough for the first-level cache.
 constexpr int batchSize = 128;
 
-/// From a point (x, y, 1) of the image plane to real-valued hogel and direction (DESIGN §2 "Hit"):
-/// the direction in the display frame is x·right + y·down + forward, its slopes a = d.x/d.z and
-/// b = d.y/d.z, and every index is affine in them.
+/// From a point (x, y, 1) of the image plane to real-valued hogel and direction (docs/formulas.md,
+/// Hit): the direction in the display frame is x·right + y·down + forward, its slopes a = d.x/d.z
+/// and b = d.y/d.z, and every index is affine in them.
 struct HitMap {
   std::array<double, 3> right{};
   std::array<double, 3> down{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session: display, light field and camera states; what a session document holds (DESIGN §3).
+// A session: display, light field and camera states; what a session document holds.
 #pragma once
 
 #include <string>

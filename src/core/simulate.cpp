@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference engine, to be read against DESIGN §2.
+// The reference engine, to be read against docs/formulas.md.
 #include "core/simulate.h"
 
 #include <algorithm>

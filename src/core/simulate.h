@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The simulation itself: which light one pixel of a camera state receives. This is the reference
-// engine: double precision, no tricks, written to be read against DESIGN §2.
+// engine: double precision, no tricks, written to be read against docs/formulas.md.
 #pragma once
 
 #include <memory>

@@ -2,8 +2,7 @@
 // Progress of work in steps of different length, done on several threads.
 #pragma once
 
-#include <chrono>
-#include <mutex>
+#include <atomic>
 
 #include "core/progress.h"
 
@@ -11,8 +10,7 @@ namespace hogelscope {
 
 class StepProgress {
  public:
-  /// `listener` is called by one thread at a time, some 50 times a second.
-  explicit StepProgress(Progress listener) : m_listener(std::move(listener)) {}
+  explicit StepProgress(Progress listener) : m_listener(forThreads(std::move(listener))) {}
 
   void expect(double steps) { m_total += steps; }
   /// A step of such a length has been done. Throws Cancelled.
@@ -23,14 +21,11 @@ class StepProgress {
   [[nodiscard]] Progress of(double steps);
 
  private:
-  [[nodiscard]] bool tell(double within);
+  [[nodiscard]] bool tell(double within) const;
 
   Progress m_listener;
   double m_total = 0;
-  std::mutex m_mutex;  ///< guards the rest
-  double m_done = 0;
-  bool m_stops = false;
-  std::chrono::steady_clock::time_point m_told{};
+  std::atomic<double> m_done = 0;
 };
 
 }  // namespace hogelscope

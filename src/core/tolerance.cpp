@@ -46,9 +46,10 @@ std::vector<Run> probeRuns(const std::array<int, 2>& res) {
 /// Renders the pixels of runs, and for a smaller picture those around them.
 class Prober {
  public:
-  Prober(const View& asked, LensTables& tables, const ParallelRows& parallelRows)
+  Prober(const View& asked, LensTables& tables, const ParallelRows& parallelRows,
+         const Progress& progress)
       : m_scale(asked.method.scale),
-        m_simulation(reduced(asked), tables, parallelRows),
+        m_simulation(reduced(asked), tables, parallelRows, progress),
         m_image((asked.state.camera.res[0] + m_scale - 1) / m_scale,
                 (asked.state.camera.res[1] + m_scale - 1) / m_scale) {}
 
@@ -166,13 +167,15 @@ constexpr int leastSeen = 500;
 
 class Probe {
  public:
-  Probe(const View& view, LensTables& tables, const ParallelRows& parallelRows)
+  Probe(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+        const Progress& progress)
       : m_res(view.state.camera.res),
         m_runs(probeRuns(m_res)),
         m_tables(tables),
-        m_parallelRows(parallelRows) {
+        m_parallelRows(parallelRows),
+        m_progress(progress) {
     for (const Run& run : m_runs) m_pixels += run.x1 - run.x0;
-    Prober prober(view, m_tables, m_parallelRows);
+    Prober prober(view, m_tables, m_parallelRows, m_progress);
     m_parallelRows(int(m_runs.size()), [&](int begin, int end) {
       for (int k = begin; k < end; ++k) prober.render(m_runs[std::size_t(k)]);
     });
@@ -188,7 +191,7 @@ class Probe {
   /// None as soon as the error is certainly above `allowed`, a mean square.
   [[nodiscard]] std::optional<Estimate> measure(const View& candidate, double allowed) const {
     constexpr int parts = 4;
-    Prober prober(candidate, m_tables, m_parallelRows);
+    Prober prober(candidate, m_tables, m_parallelRows, m_progress);
     // What is scaled up shares pixels between runs, and has few of them.
     const ParallelRows rows = candidate.method.scale == 1 ? m_parallelRows : serialRows;
     std::vector<RunError> errors(m_runs.size());
@@ -217,6 +220,7 @@ class Probe {
   std::vector<Run> m_runs;
   LensTables& m_tables;
   const ParallelRows& m_parallelRows;
+  const Progress& m_progress;
   Image m_reference;  ///< black but for the runs
   int m_pixels = 0;
 };
@@ -230,12 +234,11 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
   if (view.lightField->slice() != nullptr && view.lightField->store() == nullptr) return choice;
   const std::vector<View> candidates = cheaper(view);
   if (candidates.empty()) return choice;
-  const Probe probe(view, tables, parallelRows);
+  const Probe probe(view, tables, parallelRows, progress);
   choice.pixels = probe.pixels();
   if (!probe.saysEnough()) return choice;
   const double allowed = view.sampling.tolerance * view.sampling.tolerance;
   for (const View& candidate : candidates) {
-    hogelscope::advance(progress, 0);
     const std::optional<Estimate> found = probe.measure(candidate, allowed);
     if (!found) continue;
     choice.view = candidate;

@@ -197,7 +197,8 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
 void ViewWorker::certifyNow(const ViewRequest& request) {
   const LensKey key = lensKeyOf(request.state, request.sampling);
   if (key == m_lens) return;
-  Q_EMIT certified({key, certify(key, parallelRows), lensGrid(key)});
+  const Progress progress = [this](double) { return !hasNewer(false); };
+  Q_EMIT certified({key, certify(key, parallelRows, progress), lensGrid(key, progress)});
   m_lens = key;
 }
 

@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "io/output_folder.h"
+#include "io/temporary_files.h"
 
 namespace hogelscope {
 
@@ -73,25 +74,39 @@ AtomicFile::AtomicFile(const fs::path& path)
 }
 
 AtomicFile::~AtomicFile() {
-  if (!m_temporary.empty()) ::unlink(m_temporary.c_str());
+  if (m_temporary.empty()) return;
+  ::unlink(m_temporary.c_str());
+  forgetTemporary(m_temporary);
+}
+
+void AtomicFile::takeName(const fs::path& name) {
+  registerTemporary(name);
+  m_temporary = name;
+}
+
+void AtomicFile::dropName() {
+  forgetTemporary(m_temporary);
+  m_temporary.clear();
 }
 
 void AtomicFile::openNamed() {
-  m_temporary = randomNameFor(m_path);
+  takeName(randomNameFor(m_path));
   constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   m_descriptor = Descriptor(::open(m_temporary.c_str(), flags, 0666));
   if (m_descriptor.get() >= 0) return;
   const int error = errno;
-  m_temporary.clear();  // not ours to delete
+  dropName();  // not ours to delete
   throw cannotWrite(m_path, error);
 }
 
 void AtomicFile::giveName() {
-  const fs::path name = randomNameFor(m_path);
-  if (::linkat(AT_FDCWD, linkTo(descriptor()).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) !=
-      0)
-    throw cannotWrite(m_path, errno);
-  m_temporary = name;
+  takeName(randomNameFor(m_path));
+  if (::linkat(AT_FDCWD, linkTo(descriptor()).c_str(), AT_FDCWD, m_temporary.c_str(),
+               AT_SYMLINK_FOLLOW) == 0)
+    return;
+  const int error = errno;
+  dropName();
+  throw cannotWrite(m_path, error);
 }
 
 void AtomicFile::commit() {
@@ -100,7 +115,7 @@ void AtomicFile::commit() {
   if (::stat(m_path.c_str(), &old) == 0) (void)::fchmod(descriptor(), old.st_mode & 07777U);
   if (m_temporary.empty()) giveName();
   if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) throw cannotWrite(m_path, errno);
-  m_temporary.clear();
+  dropName();
 }
 
 void writeAll(int descriptor, std::string_view text, const fs::path& path) {

@@ -34,6 +34,8 @@ class AtomicFile {
  private:
   void openNamed();
   void giveName();
+  void takeName(const std::filesystem::path& name);
+  void dropName();
 
   std::filesystem::path m_path;
   std::filesystem::path m_temporary;  ///< empty: the file has no name

@@ -17,9 +17,10 @@ namespace {
 
 using Kind = Degradation::Kind;
 
-void throughJpeg(int quality, cv::Mat band) {
+void throughJpeg(int quality, cv::Mat band, const Progress& progress) {
   constexpr int longest = 65488;  // the format's limit, in whole blocks of 16
   for (int x = 0; x < band.cols; x += longest) {
+    hearStop(progress);
     cv::Mat piece = band.colRange(x, std::min(x + longest, band.cols));
     cv::Mat bgr;
     cv::cvtColor(piece, bgr, cv::COLOR_RGB2BGR);
@@ -47,13 +48,19 @@ double normal(std::uint64_t counter) {
   return radius * std::cos(2 * std::numbers::pi * unit(mixed(2 * counter + 1)));
 }
 
-void addNoise(double sigma, std::uint64_t start, std::span<std::uint8_t> band) {
-  for (std::size_t k = 0; k < band.size(); ++k)
+void addNoise(double sigma, std::uint64_t start, std::span<std::uint8_t> band,
+              const Progress& progress) {
+  constexpr std::size_t piece = 65536;
+  for (std::size_t k = 0; k < band.size(); ++k) {
+    if (k % piece == 0) hearStop(progress);
     band[k] = quantised(band[k] + sigma * normal(start + k));
+  }
 }
 
-void blurHogels(double sigma, const LightFieldSize& size, const cv::Mat& band) {
+void blurHogels(double sigma, const LightFieldSize& size, const cv::Mat& band,
+                const Progress& progress) {
   for (int i = 0; i < size.nx; ++i) {
+    hearStop(progress);
     const cv::Mat hogel = band.colRange(i * size.du, (i + 1) * size.du);
     cv::Mat blurred;
     cv::GaussianBlur(hogel.clone(), blurred, {}, sigma, sigma, cv::BORDER_REPLICATE);
@@ -93,16 +100,16 @@ Degradation parseDegradation(const std::string& text) {
 }
 
 void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
-             std::span<std::uint8_t> band) {
+             std::span<std::uint8_t> band, const Progress& progress) {
   const cv::Mat mat(size.dv, int(size.width()), CV_8UC3, band.data());
   switch (degradation.kind) {
     case Kind::jpeg:
-      return throughJpeg(int(degradation.amount), mat);
+      return throughJpeg(int(degradation.amount), mat, progress);
     case Kind::noise:
       return addNoise(degradation.amount, mixed(degradation.seed) + std::uint64_t(j) * band.size(),
-                      band);
+                      band, progress);
     case Kind::blur:
-      if (degradation.amount > 0) blurHogels(degradation.amount, size, mat);
+      if (degradation.amount > 0) blurHogels(degradation.amount, size, mat, progress);
       return;
     case Kind::none:
       return;

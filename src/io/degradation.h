@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/light_field.h"
+#include "core/progress.h"
 
 namespace hogelscope {
 
@@ -25,8 +26,8 @@ Degradation parseDegradation(const std::string& text);
 /// of at most 65 488 columns; where dv is a multiple of 16 the same as the whole picture's, but for
 /// the colour of the rows beside its border, which decoders smooth across blocks. noise: Gaussian,
 /// independent for each value, depending on its place and the seed alone. blur: Gaussian within
-/// each hogel, its edge repeated.
+/// each hogel, its edge repeated. `progress` may say stop; then it throws Cancelled.
 void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
-             std::span<std::uint8_t> band);
+             std::span<std::uint8_t> band, const Progress& progress = {});
 
 }  // namespace hogelscope

@@ -145,17 +145,34 @@ struct ImageRowWriter::Output {
 
 namespace {
 
+/// As write_image() does, but a stop is heard between bands of rows.
 template <class T>
-void writeWhole(const fs::path& file, const OIIO::ImageSpec& spec, std::span<const T> values) {
+bool writeRows(OIIO::ImageOutput& image, const T* values, const Progress& progress) {
+  constexpr int band = 64;
+  const int height = image.spec().height;
+  const std::size_t row = std::size_t(image.spec().width) * std::size_t(image.spec().nchannels);
+  for (int y = 0; y < height; y += band) {
+    hearStop(progress);
+    if (!image.write_scanlines(y, std::min(y + band, height), 0, baseType<T>(),
+                               values + std::size_t(y) * row))
+      return false;
+  }
+  return true;
+}
+
+template <class T>
+void writeWhole(const fs::path& file, const OIIO::ImageSpec& spec, std::span<const T> values,
+                const Progress& progress = {}) {
   ImageRowWriter::Output output(file, spec);
-  if (!output.image->write_image(baseType<T>(), values.data())) output.fail();
+  if (!writeRows(*output.image, values.data(), progress)) output.fail();
   output.finish();
 }
 
 }  // namespace
 
-void writeImage(const fs::path& file, int width, int height, std::span<const std::uint8_t> rgb) {
-  writeWhole(file, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), rgb);
+void writeImage(const fs::path& file, int width, int height, std::span<const std::uint8_t> rgb,
+                const Progress& progress) {
+  writeWhole(file, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), rgb, progress);
 }
 
 void writeImage(const fs::path& file, int width, int height, std::span<const float> rgb) {
@@ -166,14 +183,20 @@ void writeImage(const fs::path& file, int width, int height, std::span<const flo
   writeWhole(file, OIIO::ImageSpec(width, height, 3, type), std::span<const float>(unit));
 }
 
-std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb) {
+std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb,
+                       const Progress& progress) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto image = OIIO::ImageOutput::create("png");
-  if (!image || !image->set_ioproxy(&memory) ||
-      !image->open("memory.png", OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) ||
-      !image->write_image(OIIO::TypeDesc::UINT8, rgb.data()) || !image->close())
-    throw InputError("PNG", "cannot be made", image ? image->geterror() : "is not known here");
+  auto image = OIIO::ImageOutput::create("png");
+  try {
+    if (!image || !image->set_ioproxy(&memory) ||
+        !image->open("memory.png", OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8)) ||
+        !writeRows(*image, rgb.data(), progress) || !image->close())
+      throw InputError("PNG", "cannot be made", image ? image->geterror() : "is not known here");
+  } catch (const Cancelled&) {
+    (void)image.release();  // as in ~Output
+    throw;
+  }
   return {bytes.begin(), bytes.end()};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Our picture files: whole or not there. Throws InputError that names the file and what is wrong.
+// Our picture files: whole or not there. Throws InputError that names the file and what is wrong,
+// or Cancelled where a `progress` says stop.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,16 @@
 #include <utility>
 #include <vector>
 
+#include "core/progress.h"
+
 namespace hogelscope {
 
 /// 8-bit RGB. Format by extension.
 void writeImage(const std::filesystem::path& file, int width, int height,
-                std::span<const std::uint8_t> rgb);
+                std::span<const std::uint8_t> rgb, const Progress& progress = {});
 /// The same as a PNG file's bytes.
-std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb);
+std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb,
+                       const Progress& progress = {});
 /// Named planes of width·height floats each; EXR.
 void writePlanes(const std::filesystem::path& file, int width, int height,
                  const std::vector<std::pair<std::string, std::vector<float>>>& planes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light field files: any layout of DESIGN §3 becomes a LightField in memory.
+// Light field files: any layout becomes a LightField in memory.
 #pragma once
 
 #include <filesystem>

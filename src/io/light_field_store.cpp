@@ -173,7 +173,7 @@ void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse&
   std::vector<Reader> readers;
   while (readers.size() < std::clamp<std::size_t>(pieces, 1, std::size_t(m_threads)))
     readers.emplace_back(m_file);
-  advance(progress, 0.0);  // the other threads may leave nothing for this one
+  hearStop(progress);  // the other threads may leave nothing for this one
   sideBySide(pieces, int(readers.size()), [&](std::size_t k, std::size_t worker) {
     if (worker == 0) advance(progress, double(k) / double(pieces));
     const std::size_t end = std::min((k + 1) * piece, wanted.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Session documents (DESIGN §3): loading whole or not at all, saving without losing the old one.
+// Session documents: loading whole or not at all, saving without losing the old one.
 #pragma once
 
 #include <filesystem>

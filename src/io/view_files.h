@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds a folder's views and reads their row and column from the file names (DESIGN §3).
+// Finds a folder's views and reads their row and column from the file names.
 #pragma once
 
 #include <array>

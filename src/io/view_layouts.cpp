@@ -91,14 +91,15 @@ class ViewsFolder : public ScatteredFile {
                                             m_params.file, packIt);
     const std::size_t count = m_views.files.size();
     for (std::size_t k = 0; k < count; ++k) {
-      advance(progress, double(k) / double(count));
-      readView(int(k) / m_views.columns, int(k) % m_views.columns, begin, lightField);
+      readView(int(k) / m_views.columns, int(k) % m_views.columns, begin, lightField,
+               part(progress, double(k) / double(count), double(k + 1) / double(count)));
     }
     return lightField;
   }
 
  private:
-  void readView(int row, int column, int begin, LightField& lightField) const {
+  void readView(int row, int column, int begin, LightField& lightField,
+                const Progress& progress) const {
     const fs::path& file =
         m_views.files[std::size_t(row) * std::size_t(m_views.columns) + std::size_t(column)];
     ImageFile image(file);
@@ -117,7 +118,7 @@ class ViewsFolder : public ScatteredFile {
         return std::nullopt;
       return at;
     };
-    place(image, m_type, lightField, m_params.incoming, target, {});
+    place(image, m_type, lightField, m_params.incoming, target, progress);
   }
 
   LightFieldParams m_params;

@@ -43,7 +43,7 @@ std::string hashOf(const fs::path& path, const Progress& progress) {
   Hash hash;
   constexpr qint64 block = qint64{1} << 20;
   while (true) {
-    advance(progress, 0.0);
+    hearStop(progress);
     const QByteArray bytes = file.read(block);
     if (bytes.isEmpty()) break;
     hash.add({bytes.data(), std::size_t(bytes.size())});

@@ -19,8 +19,9 @@ class PanelProjection {
 
   [[nodiscard]] bool has(std::size_t state) const { return m_states.contains(state); }
   [[nodiscard]] const PanelError& error() const { return m_error; }
-  /// From several threads. Saves every few seconds. Throws InputError (full disk).
-  void add(std::size_t state, std::size_t worker, const ViewPair& pair, ViewPairs& pairs);
+  /// From several threads. Saves every few seconds. Throws InputError (full disk), Cancelled.
+  void add(std::size_t state, std::size_t worker, const ViewPair& pair, ViewPairs& pairs,
+           const Progress& progress);
   void save();
   /// The report is written: the file is not needed any more.
   void remove();

@@ -59,9 +59,8 @@ std::vector<Group> grouped(const std::vector<View>& views, std::size_t memory, L
   std::vector<Group> groups;
   groups.emplace_back(memory);
   for (std::size_t k = 0; k < views.size(); ++k) {
-    hogelscope::advance(progress, 0);
     try {
-      Passenger next{k, std::make_unique<PassingView>(views[k], tables, parallelRows)};
+      Passenger next{k, std::make_unique<PassingView>(views[k], tables, parallelRows, progress)};
       if (!groups.back().add(next)) groups.emplace_back(memory).add(next);
     } catch (const InputError& error) {
       pictures[k].problem = error.what();

@@ -24,12 +24,12 @@ fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& 
   return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
 }
 
-std::string pngOf(const Image& image) {
-  return encodedPng(image.width, image.height, image.rgb);
+std::string pngOf(const Image& image, const Progress& progress = {}) {
+  return encodedPng(image.width, image.height, image.rgb, progress);
 }
 
-void writePng(const fs::path& file, const Image& image) {
-  writeImage(file, image.width, image.height, image.rgb);
+void writePng(const fs::path& file, const Image& image, const Progress& progress = {}) {
+  writeImage(file, image.width, image.height, image.rgb, progress);
 }
 
 void writeCells(const fs::path& file, int width, int height,
@@ -63,13 +63,13 @@ void writeTables(const fs::path& folder, const Report& report) {
 }
 
 void writePictures(const fs::path& folder, std::size_t test, const std::string& state,
-                   const ViewPair& pair) {
+                   const ViewPair& pair, const Progress& progress) {
   const fs::path reference = referenceImage(folder, state);
   const fs::path own = testImage(folder, test, state);
   makeFolder(reference.parent_path());
   makeFolder(own.parent_path());
-  if (test == 0) writePng(reference, pair.reference);
-  writePng(own, pair.test);
+  if (test == 0) writePng(reference, pair.reference, progress);
+  writePng(own, pair.test, progress);
 }
 
 ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std::string& name,
@@ -85,13 +85,14 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std:
   return {name, pngOf(hogels), pngOf(directions), figuresOf(error, display)};
 }
 
-ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair) {
+ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair,
+                  const Progress& progress) {
   const DifferencePicture difference = differencePicture(pair.reference, pair.test);
   return {row,
           which,
-          pngOf(pair.reference),
-          pngOf(pair.test),
-          pngOf(difference.image),
+          pngOf(pair.reference, progress),
+          pngOf(pair.test, progress),
+          pngOf(difference.image, progress),
           difference.gain};
 }
 

@@ -19,7 +19,7 @@ void writeTables(const std::filesystem::path& folder, const Report& report);
 
 /// FOLDER/reference/NAME.png, FOLDER/testN/NAME.png.
 void writePictures(const std::filesystem::path& folder, std::size_t test, const std::string& state,
-                   const ViewPair& pair);
+                   const ViewPair& pair, const Progress& progress);
 
 /// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png; the pictures for
 /// the page.
@@ -28,6 +28,7 @@ ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t tes
                             const DisplayParams& display);
 
 /// What the page shows of one pair.
-ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair);
+ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair,
+                  const Progress& progress);
 
 }  // namespace hogelscope

@@ -150,12 +150,13 @@ void ReportRun::compareState(std::size_t test, std::size_t state, const ViewPair
   if (pair.problem.empty()) {
     if (m_request.images)
       m_pictures.of([&] {
-        writePictures(m_folder, test, row.state, pair);
+        writePictures(m_folder, test, row.state, pair, m_progress.within());
         return 0;
       });
     if (seesAnything(pair.reference) || seesAnything(pair.test))
-      row.metrics =
-          m_metrics.of([&] { return compare(pair.reference, pair.test, m_pairs.rowsWithin()); });
+      row.metrics = m_metrics.of([&] {
+        return compare(pair.reference, pair.test, m_pairs.rowsWithin(), m_progress.within());
+      });
     else
       row.problem = seesNothing;
   }
@@ -171,7 +172,7 @@ void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker
       m_rendering.of([&] { return m_pairs.render(state, worker, m_progress.within()); });
   // Its row may be on disk while the projection was saved before it.
   if (m_hasRow[rowOf(test, state)] == 0) compareState(test, state, pair);
-  m_projections[test]->add(state, worker, pair, m_pairs);
+  m_projections[test]->add(state, worker, pair, m_pairs, m_progress.within());
   m_progress.finish();
 }
 
@@ -185,7 +186,8 @@ void ReportRun::showViews(std::size_t test) {
   });
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
-    m_views.push_back(m_pictures.of([&] { return viewOf(rowOf(test, state), which, pair); }));
+    m_views.push_back(m_pictures.of(
+        [&] { return viewOf(rowOf(test, state), which, pair, m_progress.within()); }));
   };
   if (!order.empty()) show("worst", order.front());
   if (order.size() > 2) show("median", order[order.size() / 2]);
@@ -235,14 +237,15 @@ void ReportRun::runTest(std::size_t test) {
 }
 
 /// A lens that several states have is certified once.
-std::vector<ReportLens> certifyAll(const Session& session) {
+std::vector<ReportLens> certifyAll(const Session& session, const Progress& progress) {
   std::vector<LensKey> keys;
   std::vector<ReportLens> lenses;
   for (const CameraState& state : session.cameras) {
     const LensKey key = lensKeyOf(state, session.sampling);
     const auto same = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
-    lenses.push_back({state.camera.name,
-                      same < keys.size() ? lenses[same].certificate : certify(key, parallelRows)});
+    lenses.push_back({state.camera.name, same < keys.size()
+                                             ? lenses[same].certificate
+                                             : certify(key, parallelRows, progress)});
     keys.push_back(key);
   }
   return lenses;
@@ -259,7 +262,7 @@ void ReportRun::writeAll() {
                   m_report.rows,
                   m_report.summaries,
                   m_report.comparisons,
-                  certifyAll(m_request.session),
+                  certifyAll(m_request.session, m_progress.within()),
                   std::move(m_views),
                   {}};
   for (std::size_t test = 0; test < m_projections.size(); ++test)

@@ -41,20 +41,20 @@ Vec2 newton(const Distortion& lens, const Vec2& distorted) {
   return ideal;
 }
 
-Points byNewton(const Distortion& lens, const Points& distorted) {
+Points byNewton(const Distortion& lens, const Points& distorted, const Progress&) {
   Points ideal;
   for (const Vec2& p : distorted) ideal.push_back(newton(lens, p));
   return ideal;
 }
 
-Points byOurs(const Distortion& lens, const Points& distorted) {
+Points byOurs(const Distortion& lens, const Points& distorted, const Progress& progress) {
   std::vector<double> x;
   std::vector<double> y;
   for (const Vec2& p : distorted) {
     x.push_back(p.x);
     y.push_back(p.y);
   }
-  QuickInverse(lens).undistort(x.data(), y.data(), int(x.size()));
+  QuickInverse(lens, progress).undistort(x.data(), y.data(), int(x.size()));
   Points ideal;
   for (std::size_t k = 0; k < x.size(); ++k) ideal.push_back({x[k], y[k]});
   return ideal;
@@ -62,7 +62,7 @@ Points byOurs(const Distortion& lens, const Points& distorted) {
 
 InverseMethod openCv(int iterations) {
   return {"OpenCV " + std::to_string(iterations), false,
-          [iterations](const Distortion& lens, const Points& distorted) {
+          [iterations](const Distortion& lens, const Points& distorted, const Progress&) {
             return byOpenCv(lens, distorted, iterations);
           }};
 }

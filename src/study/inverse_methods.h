@@ -7,13 +7,16 @@
 #include <vector>
 
 #include "core/distortion.h"
+#include "core/progress.h"
 
 namespace hogelscope {
 
 struct InverseMethod {
   std::string name;
   bool saysNoRay;  ///< what is not a number is its word for "no ray"; else it has diverged
-  std::function<std::vector<Vec2>(const Distortion& lens, const std::vector<Vec2>& distorted)>
+  /// `progress` may say stop; then it throws Cancelled.
+  std::function<std::vector<Vec2>(const Distortion& lens, const std::vector<Vec2>& distorted,
+                                  const Progress& progress)>
       undistort;
 };
 

@@ -3,6 +3,7 @@
 #include "study/lens_maps.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -32,17 +33,20 @@ std::vector<Vec2> borderOf(const LensKey& camera) {
   return border;
 }
 
-bool isOneToOne(const DistortionParams& lens, const std::vector<Vec2>& border) {
+bool isOneToOne(const DistortionParams& lens, const std::vector<Vec2>& border,
+                const Progress& progress) {
   const Distortion distortion(lens);
-  return std::all_of(border.begin(), border.end(),
-                     [&distortion](const Vec2& p) { return distortion.undistort(p).has_value(); });
+  return std::all_of(border.begin(), border.end(), [&](const Vec2& p) {
+    hearStop(progress);
+    return distortion.undistort(p).has_value();
+  });
 }
 
 /// What finds the points of a plane's fold line.
 class FoldFinder {
  public:
-  explicit FoldFinder(const LensPlane& plane)
-      : m_plane(plane), m_border(borderOf(paperCamera({}))) {}
+  FoldFinder(const LensPlane& plane, const Progress& progress)
+      : m_plane(plane), m_border(borderOf(paperCamera({}))), m_progress(progress) {}
 
   /// The fold line from an angle to another one, the latter not included.
   [[nodiscard]] FoldEnds between(double from, double to) const {
@@ -59,13 +63,17 @@ class FoldFinder {
     const double y = std::sin(angle);
     double folds = m_plane.reach() / std::max(std::abs(x), std::abs(y));  // the map's border
     double holds = 0;
-    if (isOneToOne(m_plane.lens(folds * x, folds * y), m_border)) return std::nullopt;
+    if (holdsAt(folds * x, folds * y)) return std::nullopt;
     constexpr int halvings = 12;  // far below a pixel of the map
     for (int k = 0; k < halvings; ++k) {
       const double middle = (holds + folds) / 2;
-      (isOneToOne(m_plane.lens(middle * x, middle * y), m_border) ? holds : folds) = middle;
+      (holdsAt(middle * x, middle * y) ? holds : folds) = middle;
     }
     return Vec2{holds * x, holds * y};
+  }
+
+  [[nodiscard]] bool holdsAt(double x, double y) const {
+    return isOneToOne(m_plane.lens(x, y), m_border, m_progress);
   }
 
   /// Adds the points before `to`, near enough to each other for a smooth line, and up to where it
@@ -88,22 +96,22 @@ class FoldFinder {
 
   LensPlane m_plane;
   std::vector<Vec2> m_border;
+  Progress m_progress;
 };
 
 std::vector<std::vector<Vec2>> foldLineOf(const LensPlane& plane, const ParallelRows& parallelRows,
                                           const Progress& progress) {
   constexpr int directions = 96;
-  constexpr int together = 12;  // so that a stop is soon heard
   const auto angle = [](int k) { return 2 * std::numbers::pi * k / directions; };
-  const FoldFinder finder(plane);
+  const FoldFinder finder(plane, progress);
   std::vector<FoldEnds> parts(directions);
-  for (int first = 0; first < directions; first += together) {
-    advance(progress, double(first) / directions);
-    parallelRows(together, [&](int begin, int end) {
-      for (int k = first + begin; k < first + end; ++k)
-        parts[std::size_t(k)] = finder.between(angle(k), angle(k + 1));
-    });
-  }
+  std::atomic<int> done = 0;
+  parallelRows(directions, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      parts[std::size_t(k)] = finder.between(angle(k), angle(k + 1));
+      advance(progress, double(++done) / directions);
+    }
+  });
   parts.push_back({parts[0][0]});  // closes the line
   std::vector<std::vector<Vec2>> pieces;
   bool continues = false;
@@ -146,15 +154,17 @@ LensMap measureMap(const LensPlane& plane, const ParallelRows& parallelRows,
   const int side = plane.side();
   const auto& methods = inverseMethods();
   constexpr double foldShare = 0.3;  // of the time, about
-  LensMap map{plane, {}, foldLineOf(plane, parallelRows, part(progress, 0, foldShare))};
+  const Progress heard = forThreads(progress);
+  LensMap map{plane, {}, foldLineOf(plane, parallelRows, part(heard, 0, foldShare))};
   map.outcomes.assign(methods.size(),
                       std::vector<LensOutcomes>(std::size_t(side) * std::size_t(side)));
   for (int row = 0; row < side; ++row) {
-    advance(progress, foldShare + (1 - foldShare) * row / side);
+    const double done = foldShare + (1 - foldShare) * row / side;
+    const Progress ofRow = part(heard, done, done);
     parallelRows(side, [&](int begin, int end) {
       for (int column = begin; column < end; ++column) {
         const LensTrial trial(paperCamera(plane.lens(plane.at(column), plane.at(row))),
-                              pointsPerSide, pointsPerSide);
+                              pointsPerSide, pointsPerSide, ofRow);
         const auto at = std::size_t(row) * std::size_t(side) + std::size_t(column);
         for (std::size_t m = 0; m < methods.size(); ++m)
           map.outcomes[m][at] = trial.outcomes(methods[m]);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace hogelscope {
 
@@ -25,10 +26,12 @@ Outcome LensOutcomes::worst() const {
   return Outcome(at);
 }
 
-LensTrial::LensTrial(const LensKey& lens, int columns, int rows) : m_lens(lens) {
+LensTrial::LensTrial(const LensKey& lens, int columns, int rows, Progress progress)
+    : m_lens(lens), m_progress(std::move(progress)) {
   const Distortion distortion(lens.distortion);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
+      hearStop(m_progress);
       const double px = double(column) * (lens.res[0] - 1) / (columns - 1);
       const double py = double(row) * (lens.res[1] - 1) / (rows - 1);
       m_distorted.push_back(
@@ -60,7 +63,7 @@ Outcome LensTrial::outcome(std::size_t at, const Vec2& ideal, bool saysNoRay) co
 
 LensOutcomes LensTrial::outcomes(const InverseMethod& method) const {
   const Distortion lens(m_lens.distortion);
-  const std::vector<Vec2> ideal = method.undistort(lens, m_distorted);
+  const std::vector<Vec2> ideal = method.undistort(lens, m_distorted, m_progress);
   LensOutcomes all;
   for (std::size_t at = 0; at < ideal.size(); ++at) {
     const Outcome here = outcome(at, ideal[at], method.saysNoRay);

@@ -36,7 +36,8 @@ struct LensOutcomes {
 /// corners included. Keeps each point's right root, by the certified inverse.
 class LensTrial {
  public:
-  LensTrial(const LensKey& lens, int columns, int rows);
+  /// `progress` is asked before each point, here and by outcomes(). Throws Cancelled.
+  LensTrial(const LensKey& lens, int columns, int rows, Progress progress = {});
 
   [[nodiscard]] LensOutcomes outcomes(const InverseMethod& method) const;
 
@@ -45,6 +46,7 @@ class LensTrial {
   [[nodiscard]] double pixels(const Vec2& from, const Vec2& to) const;
 
   LensKey m_lens;
+  Progress m_progress;
   std::vector<Vec2> m_distorted;
   std::vector<std::optional<Vec2>> m_right;
 };

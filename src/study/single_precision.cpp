@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of DESIGN §2, word by word, in a precision of choice.
+// The geometry of docs/formulas.md in a precision of choice, word by word.
 #include "study/single_precision.h"
 
 #include <cmath>
@@ -44,7 +44,7 @@ struct Geometry {
     forward = unitCross(right, down);
   }
 
-  /// Which directional pixel a ray meets (DESIGN §2 "Hit"); x and y on the plane z = 1.
+  /// Which directional pixel a ray meets (docs/formulas.md, Hit); x and y on the plane z = 1.
   [[nodiscard]] std::optional<TexelIndex> hit(Real x, Real y) const {
     const Real dz = x * right.z + y * down.z + forward.z;
     if (!(eye.z > 0 && dz < 0)) return std::nullopt;

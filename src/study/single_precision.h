@@ -6,8 +6,8 @@
 
 namespace hogelscope {
 
-/// A picture with all of DESIGN §2's geometry in `Real`, float or double, from the world's numbers
-/// on: nearest, one ray a pixel, no leakage, no lens distortion, an unturned panel.
+/// A picture with all geometry of docs/formulas.md in `Real`, float or double, from the world's
+/// numbers on: nearest, one ray a pixel, no leakage, no lens distortion, an unturned panel.
 template <class Real>
 Image pictureIn(const View& view);
 

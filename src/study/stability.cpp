@@ -74,20 +74,21 @@ Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelR
   constexpr int gridSide = 41;
   constexpr double lensShare = 0.05;  // of the time, about
   constexpr double mapShare = 0.4;
+  const Progress heard = forThreads(progress);
   Stability result{lenses, {}, {}, {}};
   for (const NamedLens& lens : lenses) {
-    advance(progress, lensShare * double(result.outcomes.size()) / double(lenses.size()));
-    const LensTrial trial(lens.key, gridSide, gridSide);
+    const double done = lensShare * double(result.outcomes.size()) / double(lenses.size());
+    const LensTrial trial(lens.key, gridSide, gridSide, part(heard, done, done));
     result.outcomes.emplace_back();
     for (const InverseMethod& method : inverseMethods())
       result.outcomes.back().push_back(trial.outcomes(method));
   }
   double from = lensShare;
   for (const LensPlane& plane : lensPlanes()) {
-    result.maps.push_back(measureMap(plane, parallelRows, part(progress, from, from + mapShare)));
+    result.maps.push_back(measureMap(plane, parallelRows, part(heard, from, from + mapShare)));
     from += mapShare;
   }
-  result.instabilities = measureInstabilities(parallelRows, part(progress, from, 1));
+  result.instabilities = measureInstabilities(parallelRows, part(heard, from, 1));
   return result;
 }
 

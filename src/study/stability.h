@@ -13,7 +13,8 @@ struct NamedLens {
   LensKey key;
 };
 
-/// Lenses that are known to be hard: the paper's Table I, and DESIGN §7's.
+/// Lenses that are known to be hard: the paper's Table I, and the others of docs/formulas.md, Known
+/// failures.
 std::vector<NamedLens> hardLenses();
 
 struct Stability {

@@ -38,46 +38,38 @@ View with(const NamedMethod& method, const View& view) {
 
 namespace {
 
-/// From nothing, lens rays too. `pulse` is heard now and then and may throw.
-Image render(const View& view, const ParallelRows& parallelRows,
-             const std::function<void()>& pulse) {
+/// From nothing, lens rays too.
+Image render(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
   const View small = reduced(view);
   LensTables tables;
-  const FastSimulation simulation(small, tables, parallelRows);
+  const FastSimulation simulation(small, tables, parallelRows, progress);
   const auto [width, height] = small.state.camera.res;
   Image image(width, height);
-  const int n = view.sampling.samplesPerPixel;
-  const int pieces = std::min(height, 8 * n * n);  // stop is heard between them
-  for (int piece = 0; piece < pieces; ++piece) {
-    pulse();
-    const int first = height * piece / pieces;
-    const int last = height * (piece + 1) / pieces;
-    parallelRows(last - first, [&, columns = width](int begin, int end) {
-      for (int y = first + begin; y < first + end; ++y) {
-        const std::size_t at = std::size_t(y) * std::size_t(columns);
-        simulation.row(y, 0, columns, &image.rgb[3 * at], &image.seen[at]);
-      }
-    });
-  }
+  parallelRows(height, [&, columns = width](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const std::size_t at = std::size_t(y) * std::size_t(columns);
+      simulation.row(y, 0, columns, &image.rgb[3 * at], &image.seen[at]);
+    }
+  });
   const int scale = view.method.scale;
   return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
 }
 
 Image reference(const View& view, Question question, const ParallelRows& parallelRows,
-                const std::function<void()>& pulse) {
+                const Progress& progress) {
   if (question == Question::idealPicture)
-    return render(with({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows, pulse);
+    return render(with({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows, progress);
   const Simulation simulation(with({"display"}, view));
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
-  constexpr int rows = 16;  // stop is heard between them
-  for (int first = 0; first < height; first += rows) {
-    pulse();
-    parallelRows(std::min(rows, height - first), [&, columns = width](int begin, int end) {
-      for (int y = first + begin; y < first + end; ++y)
-        for (int x = 0; x < columns; ++x) simulation.render(x, y, image);
-    });
-  }
+  const Progress heard = forThreads(progress);
+  parallelRows(height, [&, columns = width](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < columns; ++x) {
+        hearStop(heard);
+        simulation.render(x, y, image);
+      }
+  });
   return image;
 }
 
@@ -136,10 +128,9 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
 }
 
 /// Wall time in milliseconds.
-double timed(const View& view, const ParallelRows& parallelRows,
-             const std::function<void()>& pulse) {
+double timed(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  (void)render(view, parallelRows, pulse);
+  (void)render(view, parallelRows, progress);
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
 }
@@ -160,7 +151,7 @@ double measureErrors(const std::vector<View>& views, const ParallelRows& paralle
   const Question question = questionOf(views.front().sampling);
   for (std::size_t k = 0; k < views.size(); ++k) {
     double done = double(k) / double(views.size());
-    const auto pulse = [&progress, &done] { advance(progress, done); };
+    const Progress pulse = [&progress, &done](double) { return !progress || progress(done); };
     const Image expected = reference(views[k], question, parallelRows, pulse);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       done = (double(k) + double(m) / double(methods.size())) / double(views.size());
@@ -217,7 +208,7 @@ Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& par
   for (int run = 0; run < result.runs; ++run)
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const double done = 0.4 + 0.6 * (run + double(m) / double(methods.size())) / result.runs;
-      const auto pulse = [&progress, done] { advance(progress, done); };
+      const Progress pulse = part(progress, done, done);
       double sum = 0;
       for (const View& view : timedOnes) sum += timed(with(methods[m], view), parallelRows, pulse);
       times[m].push_back(sum / double(timedOnes.size()));

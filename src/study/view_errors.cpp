@@ -92,10 +92,14 @@ InstabilityRow row(const char* kind, const std::string& method, double x, const 
   return {kind, method, x, {}, points, points == 0 ? 0 : double(others) / double(points)};
 }
 
-void addEye(const char* kind, double x, const View& view, std::vector<InstabilityRow>& rows) {
+void addEye(const char* kind, double x, const View& view, const Progress& progress,
+            std::vector<InstabilityRow>& rows) {
+  hearStop(progress);
   const Image reference = simulate(view);
+  hearStop(progress);
   rows.push_back(row(kind, "fast engine", x, reference, simulateFast(view)));
   rows.push_back(row(kind, "float", x, reference, pictureIn<float>(view)));
+  hearStop(progress);
   rows.push_back(row(kind, "eye 10 um aside", x, reference, simulate(eyeAside(view))));
 }
 
@@ -107,20 +111,19 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
   const Image unmoved = simulate(paper);
   std::vector<InstabilityRow> rows;
   for (const double distance : {1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
-    advance(progress, 0.4);
-    addEye("near_panel", distance, viewFrom(field, {0, 0, distance}), rows);
+    addEye("near_panel", distance, viewFrom(field, {0, 0, distance}), part(progress, 0.4, 0.4),
+           rows);
   }
   for (const double angle : {0.0, 30.0, 60.0, 75.0, 80.0, 85.0, 87.0, 88.0, 89.0, 89.5}) {
-    advance(progress, 0.6);
     const Vec3 eye{paperDistance * std::sin(radians(angle)), 0,
                    paperDistance * std::cos(radians(angle))};
-    addEye("grazing", angle, viewFrom(field, eye), rows);
+    addEye("grazing", angle, viewFrom(field, eye), part(progress, 0.6, 0.6), rows);
   }
   for (int power = -3; power <= 6; ++power) {
-    advance(progress, 0.8);
     const double metres = std::stod("1e" + std::to_string(power));  // as a reader writes it
     for (const auto& [kind, view] : {std::pair{"scale", scaled(paper, metres)},
                                      std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
+      advance(progress, 0.8);
       rows.push_back(row(kind, "fast engine", metres, unmoved, simulateFast(view)));
       rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(view)));
     }

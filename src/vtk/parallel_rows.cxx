@@ -5,6 +5,9 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
 
 namespace hogelscope
@@ -13,9 +16,34 @@ namespace hogelscope
 void parallelRows(int count, const std::function<void(int, int)>& rows)
 {
   constexpr vtkIdType grain = 4;
+  std::atomic<bool> stops = false;
+  std::mutex mutex;
+  std::exception_ptr thrown;
   vtkSMPTools::For(0, count, grain,
-    [&rows](vtkIdType begin, vtkIdType end)
-    { rows(static_cast<int>(begin), static_cast<int>(end)); });
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (stops)
+      {
+        return;
+      }
+      try
+      {
+        rows(static_cast<int>(begin), static_cast<int>(end));
+      }
+      catch (...)
+      {
+        stops = true;
+        const std::lock_guard lock(mutex);
+        if (!thrown)
+        {
+          thrown = std::current_exception();
+        }
+      }
+    });
+  if (thrown)
+  {
+    std::rethrow_exception(thrown);
+  }
 }
 
 int threadCount()

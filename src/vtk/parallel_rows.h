@@ -7,7 +7,8 @@
 namespace hogelscope
 {
 
-/// Calls `rows(begin, end)` over [0, count) from several threads. `rows` must not throw.
+/// Calls `rows(begin, end)` over [0, count) from several threads. What it throws stops the others
+/// before their next piece, and is thrown here.
 void parallelRows(int count, const std::function<void(int, int)>& rows);
 
 /// How many threads work.

@@ -12,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/scaled_view.h"
 #include "parallel_rows.h"
@@ -124,7 +125,6 @@ int vtkHogelViewFilter::RequestData(
 {
   this->ErrorMessage.clear();
   this->Stopped = false;
-  this->RowsDone = 0;
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(info);
   int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
@@ -136,11 +136,7 @@ int vtkHogelViewFilter::RequestData(
   output->GetPointData()->AddArray(seen);
   try
   {
-    const auto fetching = [this](double)
-    { return !this->Progress || this->Progress(0); }; // only to stop it
-    this->Fill(hogelscope::FastSimulation(
-                 this->Rendered, this->Tables, hogelscope::parallelRows, fetching),
-      output);
+    this->Fill(hogelscope::forThreads(this->Progress), output);
   }
   catch (const hogelscope::Cancelled&)
   {
@@ -155,15 +151,18 @@ int vtkHogelViewFilter::RequestData(
   return this->Stopped ? 0 : 1;
 }
 
-void vtkHogelViewFilter::Fill(const hogelscope::FastSimulation& simulation, vtkImageData* output)
+void vtkHogelViewFilter::Fill(const hogelscope::Progress& progress, vtkImageData* output)
 {
+  const hogelscope::FastSimulation simulation(
+    this->Rendered, this->Tables, hogelscope::parallelRows, progress);
   const int first = output->GetExtent()[2];
   const int rows = output->GetExtent()[3] - first + 1;
   const int height = this->Rendered.state.camera.res[1];
+  std::atomic<int> done = 0;
   hogelscope::parallelRows(rows,
     [&](int begin, int end)
     {
-      for (int row = begin; row < end && !this->Stopped; ++row)
+      for (int row = begin; row < end; ++row)
       {
         if (this->FloatOutput)
         {
@@ -173,19 +172,9 @@ void vtkHogelViewFilter::Fill(const hogelscope::FastSimulation& simulation, vtkI
         {
           fillRow<unsigned char>(simulation, height, output, first + row);
         }
+        hogelscope::advance(progress, double(++done) / rows);
       }
-      this->Advance(end - begin, rows);
     });
-}
-
-void vtkHogelViewFilter::Advance(int rows, int allRows)
-{
-  const double done = double(this->RowsDone += rows) / allRows;
-  const std::lock_guard lock(this->ProgressMutex);
-  if (this->Progress && !this->Progress(done))
-  {
-    this->Stopped = true;
-  }
 }
 
 void vtkHogelViewFilter::UpdateOrThrow()

@@ -14,8 +14,6 @@
 
 #include <vtkImageAlgorithm.h>
 
-#include <atomic>
-#include <mutex>
 #include <string>
 
 #include "core/fast_simulation.h"
@@ -49,7 +47,8 @@ public:
   ///@}
 
   /**
-   * Hears the done fraction from any of the threads, one at a time; may say stop. No new execution.
+   * Hears the done fraction of each picture from any of the threads, one at a time; may say stop.
+   * No new execution.
    */
   void SetProgress(hogelscope::Progress progress) { this->Progress = std::move(progress); }
 
@@ -92,8 +91,7 @@ private:
   void operator=(const vtkHogelViewFilter&) = delete;
 
   bool Choose();
-  void Fill(const hogelscope::FastSimulation& simulation, vtkImageData* output);
-  void Advance(int rows, int allRows);
+  void Fill(const hogelscope::Progress& progress, vtkImageData* output);
   void UpdateOrThrow();
 
   hogelscope::View View;
@@ -104,9 +102,7 @@ private:
   bool FloatOutput = false;
   hogelscope::Progress Progress;
   std::string ErrorMessage;
-  std::mutex ProgressMutex;
-  std::atomic<bool> Stopped = false;
-  std::atomic<int> RowsDone = 0;
+  bool Stopped = false;
 };
 
 #endif

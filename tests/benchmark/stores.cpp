@@ -115,7 +115,7 @@ Cost measure(const Bytes& rows, const BlockIndex& block, int level, bool isPredi
 }
 
 /// Blocks along one axis, for each of hogels and directions, that an eye in front of the panel's
-/// middle sees, with leakage to two directions on either side (DESIGN §2).
+/// middle sees, with leakage to two directions on either side.
 std::size_t blocksSeen(double distance, int cells, int directions, int ofHogels, int ofDirections) {
   constexpr double panel = 0.5;  // metres, data/table1.json
   const double halfField = std::tan(30 * std::numbers::pi / 180);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast views are, against limits measured in the same run (DESIGN §8). `limit/…` reads the same
-// texels from addresses worked out before.
+// How fast views are, against limits measured in the same run. `limit/…` reads the same texels from
+// addresses worked out before.
 #include <opencv2/imgproc.hpp>
 
 #include "core/fast_simulation.h"

@@ -13,7 +13,7 @@ using namespace hogelscope;
 
 namespace {
 
-/// DESIGN §5.
+/// What other programs may rely on.
 const QStringList designedFlags{
     "render",    "session",  "output",     "format",      "masks",        "report",      "test",
     "images",    "count",    "seed",       "pack",        "explain",      "info",        "generate",

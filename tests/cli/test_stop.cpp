@@ -85,6 +85,12 @@ void TestStop::signalsStop_data() {
   const QStringList report{"--report", "--session", sampleSession, "--output",
                            "out",      "--test",    sampleSession};
   QTest::newRow("Ctrl-C in a report") << report + large << SIGINT;
+  const QStringList hard{
+      "--set", "distortion.k1=0.2958943955272433", "--set", "distortion.k2=-1.0354662043042675",
+      "--set", "camera.res=[4000,4000]",           "--set", "camera.fov=120"};
+  QTest::newRow("SIGTERM in the table of a hard lens") << render(hard) << SIGTERM;
+  QTest::newRow("SIGTERM in a hard lens' certificate")
+      << render(hard + QStringList{"--explain"}) << SIGTERM;
   QTest::newRow("Ctrl-C in a pattern") << generate("out/a.png", "[2000,2000]") << SIGINT;
 }
 

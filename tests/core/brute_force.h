@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A second simulator for tests, written from DESIGN §2 alone and sharing no arithmetic with core.
+// A second simulator for tests, written from docs/formulas.md alone and sharing no arithmetic with
+// core.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A second lens model for tests, written from DESIGN §2 alone: it finds the inverse by walking.
+// A second lens model for tests, written from docs/formulas.md, Distortion, alone: it finds the
+// inverse by walking.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the lens model against OpenCV's, and its inverse where other methods fail (DESIGN §7).
+// Tests the lens model against OpenCV's, and its inverse where other methods fail
+// (docs/formulas.md, Known failures).
 #include <QTest>
 #include <cmath>
 #include <opencv2/calib3d.hpp>

@@ -81,7 +81,7 @@ void TestPatterns::crosstalk() {
   }
 }
 
-/// From the formulas of DESIGN §2, not by Display.
+/// From docs/formulas.md, Display, not by its code.
 void TestPatterns::checkerboard() {
   const DisplayParams params = display(8, 6, 10, 12);
   const double depth = -0.07;

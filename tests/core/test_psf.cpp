@@ -32,7 +32,7 @@ double linear(double codeValue) {
   return c > 0.04045 ? std::pow((c + 0.055) / 1.055, 2.4) : c / 12.92;
 }
 
-/// DESIGN §2's P'(u, v), from the hogel's taps outwards.
+/// P'(u, v) of docs/formulas.md, Light leakage, from the hogel's taps outwards.
 Rgb expected(const PsfParams& psf, const LightField& lightField, const TexelIndex& at) {
   const int n = (psf.windowSize - 1) / 2;
   std::array<double, 3> sum{};

@@ -55,7 +55,8 @@ class TestDockDrawings : public DocksTest {
     editor<QSlider>("psfArea", "windowSize.slider")->setValue(3);
     QCOMPARE(editor<QSpinBox>("psfArea", "windowSize")->value(), 7);
     QCOMPARE(kernel->weights().size(), std::size_t(49));
-    QVERIFY2(energy->text().contains("⚠ 15.4 % of the Gaussian's energy"),  // DESIGN §2
+    // docs/formulas.md, Light leakage.
+    QVERIFY2(energy->text().contains("⚠ 15.4 % of the Gaussian's energy"),
              qPrintable(energy->text()));
     const QString middle = kernel->textAt(kernel->rect().center() - QPointF(0, 12));
     QVERIFY2(middle.startsWith("Tap (0, 0): 4.67"), qPrintable(middle));  // 1 / Σ W

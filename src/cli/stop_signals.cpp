@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What SIGINT and SIGTERM do in batch mode.
+#include "cli/stop_signals.h"
+
+#include <poll.h>
+#include <semaphore.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <thread>
+
+#include "io/temporary_files.h"
+
+namespace hogelscope {
+
+namespace {
+
+volatile std::sig_atomic_t signalThatCame = 0;
+volatile std::sig_atomic_t isWatched = 0;
+std::atomic<bool> isHeard = false;
+sem_t signals;
+
+void remember(int signal) {
+  const int error = errno;
+  signalThatCame = signal;
+  ::sem_post(&signals);
+  if (isWatched == 0) std::signal(signal, SIG_DFL);
+  errno = error;
+}
+
+/// Waits for another signal; false if none comes.
+bool signalComesWithin(long milliseconds) {
+  constexpr long nanosecondsPerSecond = 1000000000;
+  timespec end{};
+  ::clock_gettime(CLOCK_MONOTONIC, &end);
+  const long nanoseconds = end.tv_nsec + milliseconds * 1000000;
+  end.tv_sec += nanoseconds / nanosecondsPerSecond;
+  end.tv_nsec = nanoseconds % nanosecondsPerSecond;
+  while (::sem_clockwait(&signals, CLOCK_MONOTONIC, &end) != 0)
+    if (errno != EINTR) return false;
+  return true;
+}
+
+/// On a thread of its own, since a handler must not take locks.
+void watch() {
+  constexpr long unheard = 300;
+  constexpr long longest = 5000;
+  while (::sem_wait(&signals) != 0) {
+  }
+  if (!signalComesWithin(unheard) && isHeard) (void)signalComesWithin(longest - unheard);
+  endBySignal();
+}
+
+/// Not by stdio, whose lock a thread that hangs may hold, and not where it would wait.
+void sayStopped() {
+  const std::string line = std::string(::isatty(STDERR_FILENO) == 1 ? "\n" : "") +
+                           "hogelscope: stopped; what is finished is kept\n";
+  pollfd place{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&place, 1, 0) == 1) (void)!::write(STDERR_FILENO, line.data(), line.size());
+}
+
+}  // namespace
+
+void catchSignals() {
+  ::sem_init(&signals, 0, 0);
+  try {
+    std::thread(watch).detach();
+    isWatched = 1;
+  } catch (const std::system_error&) {  // no thread to be had: a second signal ends at once
+  }
+  std::signal(SIGINT, remember);
+  std::signal(SIGTERM, remember);
+}
+
+bool mustStop() {
+  if (signalThatCame == 0) return false;
+  isHeard = true;
+  return true;
+}
+
+void endBySignal() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    removeTemporaries();
+    sayStopped();
+    std::signal(signalThatCame, SIG_DFL);
+    std::raise(signalThatCame);
+  });
+  std::_Exit(128 + signalThatCame);  // the signal is blocked
+}
+
+}  // namespace hogelscope

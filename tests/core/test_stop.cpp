@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that all work of core which may take long asks whether to stop while it is at it. Each row
+// of a picture here takes seconds or more, so what asks before and between rows only does not pass.
+#include <QTest>
+#include <algorithm>
+
+#include "core/lens_certificate.h"
+#include "core/lens_grid.h"
+#include "core/metrics.h"
+#include "core/panel_error.h"
+#include "core/passing_view.h"
+#include "core/tolerance.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Says stop when it is asked again, which forThreads() does after 20 ms: the work goes on then.
+class SecondTime {
+ public:
+  Progress progress() {
+    return [this](double) { return ++m_calls < 2; };
+  }
+
+ private:
+  int m_calls = 0;
+};
+
+/// OpenCV's samples/data/intrinsics.yml: beyond r_d = 0.630, where all pixels of this one row lie,
+/// it has no rays, which takes the certified inverse many steps to find out.
+LensKey beyondTheFold() {
+  LensKey lens;
+  lens.distortion = {0.2958943955272433, -1.0354662043042675, 0, 0, 0};
+  lens.res = {16384, 1};
+  lens.focalLength = {1e5, 1e5};
+  lens.centre = {-65000, 0};
+  return lens;
+}
+
+LightField noise(const LightFieldSize& size) {
+  std::vector<std::uint8_t> values(3 * size.width() * size.height());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::uint8_t(k * 37 % 251);
+  return {size, LightField::Values(values)};
+}
+
+View viewOf(const std::array<int, 2>& res) {
+  View view;
+  view.display.hogels = {8, 8};
+  view.display.directions = {8, 8};
+  view.lightField = std::make_shared<const LightField>(noise({8, 8, 8, 8}));
+  view.state.camera.eye = {0, 0, 0.5};
+  view.state.camera.res = res;
+  return view;
+}
+
+View throughHardLens() {
+  const LensKey lens = beyondTheFold();
+  View view = viewOf(lens.res);
+  view.state.distortion = lens.distortion;
+  view.state.intrinsics = {lens.focalLength.x, lens.focalLength.y, lens.centre.x, lens.centre.y};
+  return view;
+}
+
+/// So many that no table of them is kept.
+View withManyRays(View view) {
+  view.sampling.samplesPerPixel = 64;
+  return view;
+}
+
+void renderRow(const View& view, const Progress& progress) {
+  LensTables tables;
+  const FastSimulation simulation(view, tables, serialRows, progress);
+  const auto width = std::size_t(view.state.camera.res[0]);
+  std::vector<std::uint8_t> rgb(3 * width);
+  std::vector<std::uint8_t> seen(width);
+  simulation.row(0, 0, int(width), rgb.data(), seen.data());
+}
+
+}  // namespace
+
+class TestStop : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void tableOfAHardLens() {
+    SecondTime stop;
+    LensTables tables;
+    QVERIFY_EXCEPTION_THROWN((void)tables.get(beyondTheFold(), serialRows, stop.progress()),
+                             Cancelled);
+  }
+
+  void nodesOfAHardLens() {
+    LensKey lens = beyondTheFold();
+    lens.inverse = LensInverse::table;
+    lens.steps = 1;
+    SecondTime stop;
+    QVERIFY_EXCEPTION_THROWN(LensRays(lens, forThreads(stop.progress())), Cancelled);
+  }
+
+  void certificateOfAHardLens() {
+    SecondTime stop;
+    QVERIFY_EXCEPTION_THROWN((void)certify(beyondTheFold(), serialRows, stop.progress()),
+                             Cancelled);
+  }
+
+  void gridOfAHardLens() {
+    SecondTime stop;
+    QVERIFY_EXCEPTION_THROWN((void)lensGrid(beyondTheFold(), forThreads(stop.progress())),
+                             Cancelled);
+  }
+
+  void raysOfAHardLensWithoutATable() {
+    SecondTime stop;
+    QVERIFY_EXCEPTION_THROWN(renderRow(withManyRays(throughHardLens()), stop.progress()),
+                             Cancelled);
+  }
+
+  void manyRaysAndTaps() {
+    View view = withManyRays(viewOf({128, 1}));
+    view.sampling.reconstruction = Reconstruction::quadrilinear;
+    view.state.psf = {20, 99, PsfBorder::clamp, LightModel::linear};
+    SecondTime stop;
+    QVERIFY_EXCEPTION_THROWN(renderRow(view, stop.progress()), Cancelled);
+  }
+
+  void manyPicturesRows() {
+    SecondTime stop;
+    LensTables tables;
+    QVERIFY_EXCEPTION_THROWN(
+        (void)simulateFast(withManyRays(viewOf({16384, 64})), tables, serialRows, stop.progress()),
+        Cancelled);
+  }
+
+  void probeForATolerance() {
+    View view = throughHardLens();
+    view.sampling.tolerance = 1;
+    view.sampling.reconstruction = Reconstruction::bilinear;
+    SecondTime stop;
+    LensTables tables;
+    QVERIFY_EXCEPTION_THROWN((void)choose(view, tables, serialRows, stop.progress()), Cancelled);
+  }
+
+  /// And then nothing is added.
+  void errorOnThePanel() {
+    const View view = throughHardLens();
+    Image picture(view.state.camera.res[0], view.state.camera.res[1]);
+    std::fill(picture.seen.begin(), picture.seen.end(), std::uint8_t{255});
+    const PanelError none({8, 8, 8, 8});
+    PanelError error = none;
+    SecondTime stop;
+    LensTables tables;
+    QVERIFY_EXCEPTION_THROWN(error.add(view, tables, serialRows, picture, picture, stop.progress()),
+                             Cancelled);
+    QVERIFY(error.hogels() == none.hogels() && error.directions() == none.directions());
+  }
+
+  void raysOfAPassingView() {
+    View view = throughHardLens();
+    view.lightField = std::make_shared<const LightField>(
+        LightFieldSize{8, 8, 8, 8}, StoredType::uint8, std::shared_ptr<TexelStore>());
+    SecondTime stop;
+    LensTables tables;
+    QVERIFY_EXCEPTION_THROWN(PassingView(view, tables, serialRows, stop.progress()), Cancelled);
+  }
+
+  void metricsOfLargePictures() {
+    const Image large(12000, 6000);
+    SecondTime stop;
+    QVERIFY_EXCEPTION_THROWN((void)compare(large, large, serialRows, stop.progress()), Cancelled);
+    SecondTime again;
+    QVERIFY_EXCEPTION_THROWN((void)ssim(large, large, serialRows, again.progress()), Cancelled);
+  }
+};
+
+QTEST_APPLESS_MAIN(TestStop)
+#include "test_stop.moc"

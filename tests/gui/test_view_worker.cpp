@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that the rendering thread leaves what takes minutes for a newer request.
+#include "gui/view_worker.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "io/session_file.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// A lens that folds within the picture: of 16384² pixels hardly any has a ray, which takes the
+/// certified inverse long to find out.
+CameraState throughHardLens(CameraState state) {
+  state.camera.res = {16384, 16384};
+  state.camera.fov = 120;
+  state.distortion = {0.2958943955272433, -1.0354662043042675, 0, 0, 0};
+  return state;
+}
+
+CameraState plain(CameraState state) {
+  state.camera.res = {64, 48};
+  state.distortion = {};
+  return state;
+}
+
+}  // namespace
+
+class TestViewWorker : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    m_session = loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+    m_session.cameras.resize(1);
+  }
+
+  void leavesTheRaysOfAHardLens() {
+    ViewWorker worker;
+    QSignalSpy loaded(&worker, &ViewWorker::loaded);
+    QSignalSpy rendered(&worker, &ViewWorker::rendered);
+    worker.load(m_session);
+    QVERIFY(loaded.wait());
+    worker.render(request(throughHardLens(m_session.cameras[0])));
+    QTest::qWait(300);  // now it is at work
+    QCOMPARE(rendered.size(), 0);
+    worker.render(request(plain(m_session.cameras[0])));
+    QVERIFY(rendered.wait(60000));
+    QCOMPARE(rendered[0][0].value<RenderedView>().image.size(), QSize(64, 48));
+  }
+
+  /// The picture is made without the lens, by the paper's mapping; its drawing is not.
+  void leavesTheDrawingOfAHardLens() {
+    ViewWorker worker;
+    QSignalSpy loaded(&worker, &ViewWorker::loaded);
+    QSignalSpy rendered(&worker, &ViewWorker::rendered);
+    QSignalSpy certified(&worker, &ViewWorker::certified);
+    worker.load(m_session);
+    QVERIFY(loaded.wait());
+    ViewRequest first = request(throughHardLens(m_session.cameras[0]));
+    first.state.camera.res = {100, 16384};  // a small picture, but all of its points are hard
+    first.state.intrinsics = {1e5, 1e5, -65000, 0};
+    first.method = NamedMethod{"direct", Reconstruction::nearest, 1, LensMapping::direct, {}};
+    worker.render(first);
+    QVERIFY(rendered.wait(60000));
+    QTest::qWait(300);  // now it is at the drawing
+    worker.render(request(plain(m_session.cameras[0])));
+    QTRY_VERIFY_WITH_TIMEOUT(certified.size() > 0, 60000);
+    QCOMPARE(certified.last()[0].value<CertifiedLens>().key.res, (std::array{64, 48}));
+  }
+
+ private:
+  [[nodiscard]] ViewRequest request(const CameraState& state) const {
+    return {state, m_session.display, m_session.sampling, {}, {}};
+  }
+
+  Session m_session;
+};
+
+QTEST_GUILESS_MAIN(TestViewWorker)
+#include "test_view_worker.moc"
