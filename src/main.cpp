@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program: batch mode where the command line asks for a job, else the window. The one place
 // where errors become a line and an exit status.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>

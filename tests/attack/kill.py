@@ -41,7 +41,7 @@ def undated(name, data):
 
 def killed_after(seconds, job, folder):
     environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
-    process = subprocess.Popen([attack.PROGRAM, *job, "--quiet"], cwd=folder, env=environment,
+    process = subprocess.Popen([attack.PROGRAM, *job], cwd=folder, env=environment,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         process.wait(seconds)
@@ -62,15 +62,15 @@ def problems(folder, expected):
 
 def attack_job(name, job, root, moments):
     whole = root / "whole"
-    done = root / "done"
-    shutil.copytree(whole, done)
+    folder = root / "work"  # the same every time: stores keep the path that they are made of
+    shutil.copytree(whole, folder)
     start = time.monotonic()
-    attack.must(job, done)
+    attack.must(job, folder)
     duration = time.monotonic() - start
-    expected = attack.contents(done / "out")
+    expected = attack.contents(folder / "out")
+    shutil.rmtree(folder)
     findings = 0
     for k in range(moments):
-        folder = root / "work"
         shutil.copytree(whole, folder)
         for file in expected:
             (folder / "out" / file).parent.mkdir(parents=True, exist_ok=True)
@@ -86,7 +86,6 @@ def attack_job(name, job, root, moments):
         for line in wrong:
             print(f"{name}, killed at {k + 0.5} of {moments}: {line}")
         shutil.rmtree(folder)
-    shutil.rmtree(done)
     print(f"{name}: {moments} kills within {duration:.1f} s, {findings} findings")
     return findings
 
