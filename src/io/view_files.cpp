@@ -39,12 +39,15 @@ bool isLetter(const std::string& text, std::size_t at) {
   return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
 }
 
+void checkLength(const std::string& text, const char* field) {
+  constexpr std::size_t longest = 255;  // as a file's name
+  if (text.size() > longest) throw InputError(field, "is longer than a file's name can be");
+}
+
 /// RR, CC, NNN (or one such letter alone) are numbers, x and y alone are coordinates, * anything.
 NamePattern fromTokens(const std::string& text) {
   using Kind = Token::Kind;
-  constexpr std::size_t longest = 255;  // as a file's name
-  if (text.size() > longest)
-    throw InputError("lightField.pattern", "is longer than a file's name can be");
+  checkLength(text, "lightField.pattern");
   NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
@@ -68,6 +71,7 @@ NamePattern fromTokens(const std::string& text) {
 
 /// printf's %d, %02d: row and column, or one running number.
 NamePattern fromPercent(const std::string& text) {
+  checkLength(text, "lightField.file");
   NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] != '%') {
@@ -161,12 +165,21 @@ int number(const std::string& digits) {
   return value;
 }
 
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator file(folder, error); !error && file != fs::directory_iterator();
+       file.increment(error))
+    files.push_back(*file);
+  if (error) throw InputError(folder.string(), "cannot be read", error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 Found matches(const fs::path& folder, const NamePattern& pattern) {
   const std::string meaning = pattern.meaning();
   Found found;
-  std::vector<fs::path> files{fs::directory_iterator(folder), fs::directory_iterator()};
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) {
+  for (const fs::path& file : filesIn(folder)) {
     const std::string name = file.filename().string();
     const auto numbers = NameMatch(pattern, name).numbers();
     if (!numbers) continue;
@@ -230,7 +243,8 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
   fs::path folder = params.file;
   std::vector<NamePattern> patterns;
   const std::string last = folder.filename().string();
-  if (last.find('%') != std::string::npos && !fs::exists(folder)) {
+  std::error_code error;
+  if (last.find('%') != std::string::npos && !fs::exists(folder, error)) {
     patterns.push_back(fromPercent(last));
     folder = folder.parent_path().empty() ? "." : folder.parent_path();
   } else if (!params.pattern.empty()) {
@@ -240,10 +254,14 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
          {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
       patterns.push_back(fromTokens(known));
   }
-  if (!fs::is_directory(folder))
+  const fs::file_type type = fs::status(folder, error).type();
+  if (type == fs::file_type::none)
+    throw InputError(folder.string(), "cannot be read", error.message());
+  if (type != fs::file_type::directory)
     throw InputError(folder.string(), "",
-                     fs::exists(folder) ? "is a file; layout \"views\" reads a folder"
-                                        : "there is no such folder");
+                     type == fs::file_type::not_found
+                         ? "there is no such folder"
+                         : "is a file; layout \"views\" reads a folder");
   for (const NamePattern& pattern : patterns) {
     checkMeaning(pattern);
     const Found found = matches(folder, pattern);
