@@ -4,10 +4,10 @@
 
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/json_parameters.h"
 
 namespace hogelscope {
 
@@ -15,13 +15,32 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Cells = std::vector<PanelError::Cell>;
 
 constexpr std::string_view headOfAny = R"({"hogelscope panel error":1,)";
 
 std::string_view bytesOf(const Cells& cells) {
   return {reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(PanelError::Cell)};
+}
+
+constexpr std::size_t longestHead = std::size_t{16} << 20U;  // a million states
+
+/// None if the head is another panel error's, or none.
+std::optional<std::set<std::size_t>> statesOf(const std::string& head, const std::string& key) {
+  try {
+    const Json document = parseJson(head);
+    if (document.at("key") != key) return std::nullopt;
+    std::set<std::size_t> states;
+    for (const Json& state : document.at("states")) {
+      if (!state.is_number_unsigned()) return std::nullopt;
+      states.insert(state.get<std::size_t>());
+    }
+    return states;
+  } catch (const InputError&) {
+    return std::nullopt;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 bool readCells(std::istream& in, Cells& cells) {
@@ -42,21 +61,20 @@ void savePanelError(const fs::path& file, const std::string& key, const SavedPan
 std::optional<SavedPanelError> loadPanelError(const fs::path& file, const std::string& key,
                                               const LightFieldSize& size) {
   requireOurs(file, headOfAny);
+  Cells hogels(std::size_t(size.nx) * std::size_t(size.ny));
+  Cells directions(std::size_t(size.du) * std::size_t(size.dv));
+  std::error_code error;
+  if (fs::file_size(file, error) >
+      longestHead + bytesOf(hogels).size() + bytesOf(directions).size())
+    return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   std::string line;
   if (!std::getline(in, line)) return std::nullopt;
-  const Json head = Json::parse(line, nullptr, false);
-  Cells hogels(std::size_t(size.nx) * std::size_t(size.ny));
-  Cells directions(std::size_t(size.du) * std::size_t(size.dv));
-  try {
-    if (head.at("key") != key || !readCells(in, hogels) || !readCells(in, directions) ||
-        in.peek() != std::char_traits<char>::eof())
-      return std::nullopt;
-    return SavedPanelError{head.at("states").get<std::set<std::size_t>>(),
-                           {size, std::move(hogels), std::move(directions)}};
-  } catch (const Json::exception&) {
+  const auto states = statesOf(line, key);
+  if (!states || !readCells(in, hogels) || !readCells(in, directions) ||
+      in.peek() != std::char_traits<char>::eof())
     return std::nullopt;
-  }
+  return SavedPanelError{*states, {size, std::move(hogels), std::move(directions)}};
 }
 
 }  // namespace hogelscope

@@ -56,6 +56,14 @@ StoredType readType(const Json& object) {
   return StoredType(found - typeNames.begin());
 }
 
+Json documentOf(const std::string& text) {
+  try {
+    return parseJson(text);
+  } catch (const InputError&) {
+    throw InputError("", "is damaged: its description cannot be read");
+  }
+}
+
 StoreHeader readHeader(const Json& object) {
   if (object.at(versionKey) != storeVersion)
     throw InputError(versionKey,
@@ -138,8 +146,9 @@ std::string textOf(const StoreHeader& header) {
 
 std::optional<StoreHeader> parseStoreHeader(const std::string& text) {
   if (!text.starts_with(std::string("{\"") + versionKey + "\"")) return std::nullopt;
+  const Json document = documentOf(text);
   try {
-    return readHeader(Json::parse(text));
+    return readHeader(document);
   } catch (const Json::exception&) {
     throw InputError("", "is damaged: its description cannot be read");
   } catch (const InputError& error) {

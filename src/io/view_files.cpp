@@ -40,12 +40,15 @@ bool isLetter(const std::string& text, std::size_t at) {
   return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
 }
 
+void checkLength(const std::string& text, const char* field) {
+  constexpr std::size_t longest = 255;  // as a file's name
+  if (text.size() > longest) throw InputError(field, "is longer than a file's name can be");
+}
+
 /// RR, CC, NNN (or one such letter alone) are numbers, x and y alone are coordinates, * anything.
 NamePattern fromTokens(const std::string& text) {
   using Kind = Token::Kind;
-  constexpr std::size_t longest = 255;  // as a file's name
-  if (text.size() > longest)
-    throw InputError("lightField.pattern", "is longer than a file's name can be");
+  checkLength(text, "lightField.pattern");
   NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
@@ -69,6 +72,7 @@ NamePattern fromTokens(const std::string& text) {
 
 /// printf's %d, %02d: row and column, or one running number.
 NamePattern fromPercent(const std::string& text) {
+  checkLength(text, "lightField.file");
   NamePattern pattern{{}, text};
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] != '%') {
@@ -240,10 +244,14 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
          {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
       patterns.push_back(fromTokens(known));
   }
-  if (!fs::is_directory(folder, error))
+  const fs::file_type type = fs::status(folder, error).type();
+  if (type == fs::file_type::none)
+    throw InputError(folder.string(), "cannot be read", error.message());
+  if (type != fs::file_type::directory)
     throw InputError(folder.string(), "",
-                     fs::exists(folder, error) ? "is a file; layout \"views\" reads a folder"
-                                               : "there is no such folder");
+                     type == fs::file_type::not_found
+                         ? "there is no such folder"
+                         : "is a file; layout \"views\" reads a folder");
   for (const NamePattern& pattern : patterns) {
     checkMeaning(pattern);
     const Found found = matches(folder, pattern);

@@ -98,6 +98,7 @@ void TestBadLightFields::initTestCase() {
 
   QVERIFY(QDir().mkdir("none"));
   writeViews("views", {"000_000.png", "000_001.png", "001_000.png", "001_001.png"});
+  QVERIFY(QFile::link("circle", "circle"));
   writeViews("missing", {"000_000.png", "000_001.png", "001_000.png"});
   writeViews("sizes", {"000_000.png", "000_001.png", "001_000.png"});
   writeGrey("sizes/001_001.png", 4, 6);
@@ -154,6 +155,13 @@ void TestBadLightFields::pictures_data() {
 void TestBadLightFields::folders_data() {
   refusalColumns();
   refused("missing", views("nowhere"), "nowhere: there is no such folder");
+  const QByteArray longName(300, 'x');
+  refused("a name that no file has", views(longName),
+          longName + ": cannot be read: File name too long");
+  refused("a pattern that no file has", views(longName + "%d"),
+          "s.json: lightField.file: is longer than a file's name can be");
+  refused("a circle of links", views("circle"),
+          "circle: cannot be read: Too many levels of symbolic links");
   refused("a picture", views("ok.png"), "ok.png: is a file; layout \"views\" reads a folder");
   refused("empty", views("none"),
           "none: views: no file name fits out_RR_CC_y_x, input_CamNNN, RRR_CCC; give "

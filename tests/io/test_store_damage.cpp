@@ -71,6 +71,7 @@ class TestStoreDamage : public QObject {
   void strangeDescriptions_data();
   void strangeDescriptions();
   void hugeDescriptions();
+  void deepDescriptions();
   void anyFlippedByteIsSurvived();
   void stoppedPackGoesOn_data();
   void stoppedPackGoesOn();
@@ -196,6 +197,14 @@ void TestStoreDamage::hugeDescriptions() {
   constexpr int huge = std::numeric_limits<int>::max();
   header.block = {64, 8, huge, 8};
   QCOMPARE(errorOf(parsed), QString("is damaged: its description's block: is out of range"));
+}
+
+void TestStoreDamage::deepDescriptions() {
+  const std::string open(500000, '[');
+  const std::string closed(500000, ']');
+  const std::string description = "{\"hogelscope-store\":" + open + closed + "}";
+  QCOMPARE(errorOf([&] { (void)parseStoreHeader(description); }),
+           QString("is damaged: its description cannot be read"));
 }
 
 /// Wherever the byte is: the same texels, other texels or an error, but an end in good order.
