@@ -150,6 +150,8 @@ void MainWindow::connectDocks() {
   connect(m_ui->cameraSetView, &CameraSetView::failed, m_messages, &Messages::fail);
   connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
   m_pictures = new PictureCommands(*m_ui, m_model, this);
+  for (const ParameterForm* form : findChildren<ParameterForm*>())
+    connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
   connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
   connect(m_pictures, &PictureCommands::failed, m_messages, &Messages::fail);
   connect(m_pictures, &PictureCommands::done, m_messages, &Messages::say);
@@ -162,6 +164,12 @@ void MainWindow::addEditing() {
   auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
   connect(edit, &EditCommands::failed, m_messages, &Messages::fail);
   edit->readKeys();
+}
+
+/// Back to the view, from a floating dock too: keys are commands again.
+void MainWindow::leaveForm() {
+  activateWindow();
+  m_ui->pictureView->setFocus();
 }
 
 void MainWindow::connectWorker() {

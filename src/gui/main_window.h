@@ -56,6 +56,8 @@ class MainWindow : public QMainWindow {
   void addHabits();
   void closeEvent(QCloseEvent* event) override;
   void showStopped();
+  void leaveForm();
+  void showFailure(const QString& line);
   void showSession();
   void showContent();
   void load();
