@@ -3,6 +3,7 @@
 #include "gui/report_dock.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -40,6 +41,20 @@ QWidget* beside(std::initializer_list<QWidget*> widgets) {
   layout->setContentsMargins(0, 0, 0, 0);
   for (QWidget* widget : widgets) layout->addWidget(widget);
   return row;
+}
+
+/// In the report's heading.
+std::string nameOf(const SessionModel& model) {
+  const std::string file = model.file().toStdString();
+  if (!model.isModified()) return file;
+  return file.empty() ? "an untitled session" : file + " with unsaved changes";
+}
+
+/// Named after the session, or after its light field where it has no file yet.
+QString folderBeside(const SessionModel& model) {
+  const QString lightField = QString::fromStdString(model.session().lightField.file);
+  const QFileInfo info(QDir::cleanPath(model.file().isEmpty() ? lightField : model.file()));
+  return info.path() + "/" + info.completeBaseName() + "-report";
 }
 
 }  // namespace
@@ -84,6 +99,7 @@ ReportDock::ReportDock(QWidget* parent)
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
   layout->addWidget(parts);
+  m_pageButton->setEnabled(false);
   connectAll();
   showIdle();
 }
@@ -144,6 +160,7 @@ void ReportDock::connectAll() {
   connect(m_worker, &ReportWorker::advanced, this, &ReportDock::showProgress);
   connect(m_worker, &ReportWorker::rowFinished, this, &ReportDock::showRow);
   connect(m_worker, &ReportWorker::finished, this, [this](const Report& report) {
+    if (m_table->rowCount() == 0) return;  // of another session
     showIdle();
     m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
     m_pageButton->setEnabled(true);
@@ -164,8 +181,7 @@ void ReportDock::setModel(SessionModel* model) {
   m_model = model;
   connect(model, &SessionModel::opened, this, [this] {
     forget();
-    const QFileInfo info(m_model->file());
-    setFolder(info.path() + "/" + info.completeBaseName() + "-report");
+    setFolder(folderBeside(*m_model));
   });
   connect(model, &SessionModel::edited, this, &ReportDock::noteEdits);
   connect(model, &SessionModel::statesChanged, this, &ReportDock::noteEdits);
@@ -247,11 +263,11 @@ void ReportDock::start() {
   m_request = {};
   m_request.session = m_model->session();
   m_request.session.sampling.tolerance = 0;  // differences are the light fields'
-  const std::string file = m_model->file().toStdString();
-  m_request.sessionFile = m_model->isModified() ? std::string() : file;
+  const bool isEdited = m_model->isModified();
+  m_request.name = nameOf(*m_model);
+  if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
   m_request.output = m_folder->text().toStdString();
-  m_request.command =
-      "made in the window" + (m_model->isModified() ? ", from " + file + " as edited" : "");
+  m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
   m_request.images = true;  // what a click on a row shows
   m_request.reference = m_reference;
   if (m_request.reference) m_request.reference->sampling.tolerance = 0;
