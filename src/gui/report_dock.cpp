@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSortFilterProxyModel>
@@ -25,6 +24,7 @@
 
 #include "core/summary_page.h"
 #include "gui/file_dialogs.h"
+#include "gui/polled_bar.h"
 #include "gui/report_pictures.h"
 #include "gui/report_table.h"
 #include "gui/report_worker.h"
@@ -71,7 +71,7 @@ ReportDock::ReportDock(QWidget* parent)
                              "field and from each test, and compares"))),
       m_pageButton(
           button("openPageButton", tr("&Open page"), tr("Shows report.html in the web browser"))),
-      m_progress(new QProgressBar),
+      m_progress(new PolledBar([this] { return m_worker->share(); })),
       m_note(new QLabel),
       m_stale(new QLabel(tr("The session has been edited since this report was made."))),
       m_rows(new QTableView),
@@ -117,7 +117,6 @@ QWidget* ReportDock::makeSettings() {
   m_stale->setWordWrap(true);
   m_stale->hide();
   m_progress->setObjectName("reportProgress");
-  m_progress->setRange(0, 1000);
   auto* addFile = button("addTestButton", tr("&Add…"), tr("An image or a session"));
   auto* addFolder = button("addTestFolderButton", tr("Add &folder…"), tr("A folder of views"));
   auto* remove = button("removeTestButton", tr("&Remove"), tr("The one that is marked"));
@@ -157,11 +156,11 @@ void ReportDock::connectAll() {
   connect(m_pageButton, &QPushButton::clicked, this, &ReportDock::openPage);
   connect(m_rows->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ReportDock::showChosen);
-  connect(m_worker, &ReportWorker::advanced, this, &ReportDock::showProgress);
+  connect(m_progress, &QProgressBar::valueChanged, this, &ReportDock::showTimeLeft);
   connect(m_worker, &ReportWorker::rowFinished, this, &ReportDock::showRow);
   connect(m_worker, &ReportWorker::finished, this, [this](const Report& report) {
-    if (m_table->rowCount() == 0) return;  // of another session
     showIdle();
+    if (m_table->rowCount() == 0) return;  // of another session
     m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
     m_pageButton->setEnabled(true);
     if (!chosenRow()) chooseState(m_model->currentIndex());
@@ -281,9 +280,9 @@ void ReportDock::start() {
   m_stale->hide();
   m_pageButton->setEnabled(false);
   m_makeButton->setText(tr("&Stop"));
-  m_progress->setVisible(true);
   m_clock.start();
   m_worker->start(m_request, m_tests);
+  m_progress->setVisible(true);
 }
 
 void ReportDock::stop() {
@@ -298,12 +297,10 @@ void ReportDock::showIdle() {
   m_makeButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&
                            m_testList->count() > 0);
   m_progress->setVisible(false);
-  m_progress->setValue(0);
 }
 
-void ReportDock::showProgress(double fraction) {
-  m_progress->setValue(int(1000 * fraction));
-  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, fraction);
+void ReportDock::showTimeLeft() {
+  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, m_worker->share());
   m_progress->setFormat("%p % " + QString::fromStdString(left));
 }
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -77,6 +78,7 @@ class TestReportDock : public QObject {
   void unsavedEditsHaveAHeading();
   void anUntitledSessionHasAHeading();
   void aReportOfAnotherSessionIsNotTold();
+  void progressQueuesNothing();
   void addsCameraSets();
 
  private:
@@ -341,6 +343,21 @@ void TestReportDock::aReportOfAnotherSessionIsNotTold() {
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"), 30000);
   QCOMPARE(child<QLabel>("reportNote")->text(), QString());
   QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
+}
+
+/// What is done while the window is busy is not painted step by step after it.
+void TestReportDock::progressQueuesNothing() {
+  open();
+  m_dock->addTest("b.png");
+  auto* bar = child<QProgressBar>("reportProgress");
+  QSignalSpy moved(bar, &QProgressBar::valueChanged);
+  click("makeReportButton");
+  QVERIFY(bar->isVisible());
+  moved.clear();
+  QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QVERIFY(!bar->isVisible());
+  QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
 }
 
 void TestReportDock::addsCameraSets() {
