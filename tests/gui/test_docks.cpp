@@ -128,6 +128,7 @@ class TestDocks : public DocksTest {
       editor<QSpinBox>("displayArea", name)->setValue(64);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 20×20 directions need"), 20000);
     QVERIFY(view() == before);
+    QVERIFY(child<PictureView>("pictureView")->notice().contains("64×64 hogels of 20×20"));
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0.7);  // nothing to render it from
     QTest::qWait(100);
     QVERIFY2(!message().startsWith("Reading"), qPrintable(message()));
