@@ -83,6 +83,7 @@ Report made(const ReportRequest& request, const Options& options) {
 
 int reportJob(const Options& options) {
   ReportRequest request;
+  request.name = options.session;
   request.sessionFile = options.session;
   request.session = loadSelected(options);
   request.session.sampling.tolerance = 0;  // differences are the light fields', not the methods'

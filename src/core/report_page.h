@@ -19,7 +19,7 @@ struct ReportFact {
 
 /// Lists that are empty leave no heading.
 struct ReportPage {
-  std::string session;  ///< the document's name
+  std::string session;  ///< what it is called: its document's name, if it has one
   std::vector<ReportFact> facts;
   DisplayParams display;  ///< with its hogels and directions
   std::vector<ReportRow> rows;

@@ -3,23 +3,14 @@
 #include "gui/comparison.h"
 
 #include <QFileInfo>
-#include <utility>
 
 #include "core/error.h"
+#include "gui/queued_answer.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
 
-Comparison::Comparison(QObject* parent) : QObject(parent) {
-  connect(this, &Comparison::readScene, this, &Comparison::take, Qt::QueuedConnection);
-  connect(
-      this, &Comparison::readPart, this,
-      [this](int number, double done) {
-        if (number == m_reading) Q_EMIT reading(done);
-      },
-      Qt::QueuedConnection);
-  connect(this, &Comparison::couldNotRead, this, &Comparison::giveUp, Qt::QueuedConnection);
-}
+Comparison::Comparison(QObject* parent) : QObject(parent) {}
 
 Comparison::~Comparison() {
   stopReading();
@@ -29,6 +20,7 @@ void Comparison::start(const Session& session, const QString& file) {
   const Session other = withLightField(session, file.toStdString());
   stopReading();
   m_isReading = true;
+  m_readShare = 0;
   m_readsOwnDisplay = isSessionFile(file.toStdString());
   m_thread = std::thread([this, number = m_reading, other, name = QFileInfo(file).fileName()] {
     read(number, other, name);
@@ -63,22 +55,22 @@ void Comparison::stopReading() {
 
 /// On the thread.
 void Comparison::read(int number, const Session& session, const QString& name) {
-  int percent = -1;
-  const auto progress = [&](double done) {
-    if (std::exchange(percent, int(100 * done)) != int(100 * done)) Q_EMIT readPart(number, done);
+  const auto progress = [this](double done) {
+    m_readShare = done;
     return !m_stops;
   };
   try {
-    Q_EMIT readScene(number, loadScene(session, progress), name);
+    const Scene scene = loadScene(session, progress);
+    queueAnswer(this, m_reading, number, [this, scene, name] { take(scene, name); });
   } catch (const Cancelled&) {
     // nobody waits for it
   } catch (const std::exception& error) {
-    Q_EMIT couldNotRead(number, QString::fromUtf8(error.what()));
+    const QString line = QString::fromUtf8(error.what());
+    queueAnswer(this, m_reading, number, [this, line] { giveUp(line); });
   }
 }
 
-void Comparison::take(int number, const Scene& scene, const QString& name) {
-  if (number != m_reading) return;
+void Comparison::take(const Scene& scene, const QString& name) {
   m_isReading = false;
   m_hasOwnDisplay = m_readsOwnDisplay;
   m_other = scene;
@@ -86,8 +78,7 @@ void Comparison::take(int number, const Scene& scene, const QString& name) {
   Q_EMIT changed();
 }
 
-void Comparison::giveUp(int number, const QString& line) {
-  if (number != m_reading) return;
+void Comparison::giveUp(const QString& line) {
   m_isReading = false;
   Q_EMIT failed(line);
 }

@@ -32,22 +32,19 @@ class Comparison : public QObject {
   /// Its file's name.
   [[nodiscard]] const QString& name() const { return m_name; }
   [[nodiscard]] bool isReading() const { return m_isReading; }
+  /// How much has been read, 0 … 1; to be asked (ViewWorker::readShare).
+  [[nodiscard]] double readShare() const { return m_readShare; }
 
  Q_SIGNALS:
-  void changed();             ///< another one, or none
-  void reading(double done);  ///< 0 … 1
+  void changed();  ///< another one, or none
   /// It could not be read; what was compared still is.
   void failed(const QString& line);
-  /// From the thread to the object's own, of reading `number`; for nobody else.
-  void readPart(int number, double done);
-  void readScene(int number, const hogelscope::Scene& scene, const QString& name);
-  void couldNotRead(int number, const QString& line);
 
  private:
   void stopReading();
   void read(int number, const Session& session, const QString& name);
-  void take(int number, const Scene& scene, const QString& name);
-  void giveUp(int number, const QString& line);
+  void take(const Scene& scene, const QString& name);
+  void giveUp(const QString& line);
 
   std::optional<Scene> m_other;
   QString m_name;
@@ -56,6 +53,7 @@ class Comparison : public QObject {
   bool m_readsOwnDisplay = false;  ///< what is read
   int m_reading = 0;               ///< the number of the latest reading
   std::atomic<bool> m_stops = false;
+  std::atomic<double> m_readShare = 0;
   std::thread m_thread;
 };
 

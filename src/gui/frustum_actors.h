@@ -32,6 +32,7 @@ class FrustumActors {
   void showPsnr(const std::vector<double>& values);
   void setPicturesVisible(bool areVisible);
   void putPicture(std::size_t state, vtkImageData* picture);
+  void clearPictures() { m_pictures.clear(); }
   /// The states whose frusta are drawn at a place of the screen, in ascending order.
   [[nodiscard]] std::vector<int> statesAt(vtkRenderer* renderer, const ScreenPlace& place) const;
 

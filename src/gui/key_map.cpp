@@ -73,13 +73,14 @@ bool isKey(const QKeySequence& key, const std::string& text) {
 }  // namespace
 
 KeyMap::KeyMap(QMainWindow* window) : QObject(window) {
-  const auto nameToggle = [](const QWidget* part, QAction* toggle) {
+  const auto nameToggle = [](const QWidget* part, QAction* toggle, const QString& help) {
     toggle->setObjectName(part->objectName() + "Action");
-    toggle->setToolTip(tr("Shows or hides: %1").arg(part->windowTitle()));
+    toggle->setToolTip(help.arg(part->windowTitle()));
   };
   for (auto* dock : window->findChildren<QDockWidget*>())
-    nameToggle(dock, dock->toggleViewAction());
-  for (auto* bar : window->findChildren<QToolBar*>()) nameToggle(bar, bar->toggleViewAction());
+    nameToggle(dock, dock->toggleViewAction(), tr("Shows, brings to the front or hides: %1"));
+  for (auto* bar : window->findChildren<QToolBar*>())
+    nameToggle(bar, bar->toggleViewAction(), tr("Shows or hides: %1"));
   for (QAction* action : window->findChildren<QAction*>())
     if (isCommand(action)) addAction(action);
   std::ranges::stable_sort(m_commands, {}, &Command::section);

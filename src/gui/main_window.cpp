@@ -150,6 +150,8 @@ void MainWindow::connectDocks() {
   connect(m_ui->cameraSetView, &CameraSetView::failed, m_messages, &Messages::fail);
   connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
   m_pictures = new PictureCommands(*m_ui, m_model, this);
+  for (const ParameterForm* form : findChildren<ParameterForm*>())
+    connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
   connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
   connect(m_pictures, &PictureCommands::failed, m_messages, &Messages::fail);
   connect(m_pictures, &PictureCommands::done, m_messages, &Messages::say);
@@ -164,9 +166,16 @@ void MainWindow::addEditing() {
   edit->readKeys();
 }
 
+/// Back to the view, from a floating dock too: keys are commands again.
+void MainWindow::leaveForm() {
+  activateWindow();
+  m_ui->pictureView->setFocus();
+}
+
 void MainWindow::connectWorker() {
   connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
+  connect(m_worker, &ViewWorker::failed, this, &MainWindow::showFailure);
   connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // of an older reading
   connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
   connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
@@ -242,22 +251,36 @@ void MainWindow::addHabits() {
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, m_ui->splitter);
   connect(m_ui->resetLayoutAction, &QAction::triggered, m_layout, &WindowLayout::reset);
-  auto* bar = new ReadingBar(tr("Light field"), this);
-  bar->setObjectName("readingBar");
-  statusBar()->addPermanentWidget(bar);
-  connect(m_worker, &ViewWorker::reading, bar, &ReadingBar::advance);
-  connect(m_worker, &ViewWorker::loaded, bar, &QWidget::hide);
-  connect(m_worker, &ViewWorker::failed, bar, &QWidget::hide);
-  connect(m_worker, &ViewWorker::readingStopped, bar, &QWidget::hide);
-  connect(bar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
+  m_readingBar = new ReadingBar(
+      tr("Light field"), [this] { return m_worker->readShare(); }, this);
+  m_readingBar->setObjectName("readingBar");
+  statusBar()->addPermanentWidget(m_readingBar);
+  connect(m_worker, &ViewWorker::loaded, m_readingBar, &QWidget::hide);
+  connect(m_worker, &ViewWorker::failed, m_readingBar, &QWidget::hide);
+  connect(m_worker, &ViewWorker::readingStopped, m_readingBar, &QWidget::hide);
+  connect(m_readingBar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
 }
 
 /// No picture is better than that of another light field.
 void MainWindow::showStopped() {
-  m_ui->pictureView->setMask({}, {});
-  m_ui->pictureView->setImages({});
-  m_messages->say(tr("Stopped reading %1; to read it, open the session again")
-                      .arg(QString::fromStdString(m_model->session().lightField.file)));
+  const QString line = tr("Stopped reading %1; to read it, open the session again")
+                           .arg(QString::fromStdString(m_model->session().lightField.file));
+  m_pictures->drop(line);
+  m_messages->say(line);
+}
+
+/// What the worker could not do, on the picture until it can.
+void MainWindow::showFailure(const QString& line) {
+  const QString what =
+      m_loaded ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
+  QString advice = tr("Correct it in the docks, undo the edit, or choose another state.");
+  if (!m_loaded)
+    advice =
+        tr("Correct it in the Light field or Display dock, undo the edit, or open the session "
+           "again.");
+  else if (m_pictures->other())
+    advice += tr(" Where it is the other light field's fault, stop comparing.");
+  m_pictures->doubt(what + "\n\n" + line + "\n\n" + advice);
 }
 
 /// Fills the list of states again.
@@ -274,6 +297,7 @@ void MainWindow::showSession() {
   m_method.reset();
   m_isNew = true;
   m_ui->tradeoffView->forgetChoice();
+  m_pictures->drop({});
   load();
   showStates();
 }
@@ -286,12 +310,16 @@ void MainWindow::load() {
   m_lightField->setScene(std::nullopt);
   m_scene->setScene(std::nullopt);
   m_worker->load(m_asked);
-  m_messages->say(tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file)));
+  m_readingBar->show();
+  const QString line = tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file));
+  m_pictures->doubt(line);
+  m_messages->say(line);
 }
 
 /// What has been read, with the session's display and sampling as they are now.
 void MainWindow::take(const Scene& scene) {
   m_loaded = scene;
+  m_pictures->doubt(tr("Rendering …"));
   showContent();
   if (std::exchange(m_isNew, false)) m_scene->scene().fit();
 }

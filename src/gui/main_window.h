@@ -22,6 +22,7 @@ class FileCommands;
 class LightFieldDock;
 class Messages;
 class PictureCommands;
+class ReadingBar;
 class SceneController;
 class SessionModel;
 class ViewWorker;
@@ -55,6 +56,8 @@ class MainWindow : public QMainWindow {
   void addEditing();
   void addHabits();
   void closeEvent(QCloseEvent* event) override;
+  void leaveForm();
+  void showFailure(const QString& line);
   void showStopped();
   void showSession();
   void showContent();
@@ -73,6 +76,7 @@ class MainWindow : public QMainWindow {
   Messages* m_messages = nullptr;
   FileCommands* m_files = nullptr;
   WindowLayout* m_layout = nullptr;
+  ReadingBar* m_readingBar = nullptr;
   QComboBox* m_stateBox;
   SceneController* m_scene;
   PictureCommands* m_pictures = nullptr;

@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -110,6 +111,13 @@ void ParameterForm::refresh() {
   for (QWidget* row : std::as_const(m_rows))
     if (m_layout->isRowVisible(row) != m_visited.contains(row))
       m_layout->setRowVisible(row, m_visited.contains(row));
+}
+
+/// Editors take their value and leave the key to the form.
+void ParameterForm::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    return QWidget::keyPressEvent(event);
+  Q_EMIT entered();
 }
 
 void ParameterForm::take(QObject* editor) {

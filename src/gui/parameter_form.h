@@ -33,6 +33,13 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   /// Shows the parameters as they are now.
   void refresh();
 
+ Q_SIGNALS:
+  /// Return was pressed in an editor, which has taken its value.
+  void entered();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   enum class Pass { show, take };
 

@@ -20,7 +20,9 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
       m_ui(ui),
       m_model(model),
       m_comparison(new Comparison(this)),
-      m_modes(new QActionGroup(this)) {
+      m_modes(new QActionGroup(this)),
+      m_bar(new ReadingBar(
+          tr("Other light field"), [this] { return m_comparison->readShare(); }, ui.statusBar)) {
   const auto connectAction = [this](QAction* action, void (PictureCommands::*does)()) {
     connect(action, &QAction::triggered, this, does);
   };
@@ -37,16 +39,11 @@ PictureCommands::PictureCommands(const Ui::MainWindow& ui, SessionModel* model, 
   connect(m_comparison, &Comparison::failed, this, &PictureCommands::failed);
   connect(m_comparison, &Comparison::failed, this, &PictureCommands::showComparison);
   connect(m_model, &SessionModel::opened, m_comparison, &Comparison::stop);
-  m_ui.pictureView->setHint(tr("No view yet: open a session (Ctrl+O)"));
-  auto* bar = new ReadingBar(tr("Other light field"), m_ui.statusBar);
-  bar->setObjectName("otherReadingBar");
-  m_ui.statusBar->addPermanentWidget(bar);
-  connect(m_comparison, &Comparison::reading, bar, &ReadingBar::advance);
-  connect(m_comparison, &Comparison::changed, bar, &QWidget::hide);
-  connect(m_comparison, &Comparison::failed, bar, &QWidget::hide);
-  connect(bar, &ReadingBar::stopAsked, this, &PictureCommands::stopReading);
+  m_bar->setObjectName("otherReadingBar");
+  m_ui.statusBar->addPermanentWidget(m_bar);
+  connect(m_bar, &ReadingBar::stopAsked, this, &PictureCommands::stopReading);
   addModes();
-  showComparison();
+  drop(tr("No view yet: open a session (Ctrl+O)"));
 }
 
 void PictureCommands::addModes() {
@@ -69,19 +66,36 @@ void PictureCommands::show(const RenderedView& view) {
   const bool hasOther = other().has_value();  // not a picture that was under way when it stopped
   m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());
   m_ui.pictureView->setMask(view.seen, hasOther ? view.otherSeen : QImage());
+  doubt({});
+}
+
+void PictureCommands::doubt(const QString& why) {
+  m_ui.pictureView->setNotice(why);
   showComparison();
+}
+
+void PictureCommands::drop(const QString& why) {
+  m_ui.pictureView->setMask({}, {});
+  m_ui.pictureView->setImages({});
+  doubt(why);
+}
+
+bool PictureCommands::isRight() const {
+  return !m_ui.pictureView->image().isNull() && m_ui.pictureView->notice().isEmpty();
 }
 
 /// What can be done now.
 void PictureCommands::showComparison() {
   const bool hasPicture = !m_ui.pictureView->image().isNull();
+  m_bar->setVisible(m_comparison->isReading());
   m_modes->setEnabled(other().has_value());
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasPicture);
   m_ui.compareFolderAction->setEnabled(hasPicture);
-  for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction, m_ui.fitViewAction,
-                          m_ui.oneToOneViewAction})
+  for (QAction* action : {m_ui.fitViewAction, m_ui.oneToOneViewAction})
     action->setEnabled(hasPicture);
+  for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
+    action->setEnabled(isRight());
   const std::string& own = m_model->session().lightField.file;
   m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
                               m_comparison->name());
@@ -111,6 +125,10 @@ bool PictureCommands::compareWith(const QString& file) {
 }
 
 bool PictureCommands::savePicture(const QString& file) {
+  if (!isRight()) {  // it may have become wrong while its name was asked for
+    Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
+    return false;
+  }
   const QImage picture = m_ui.pictureView->shownPicture().convertToFormat(QImage::Format_RGB888);
   const auto rowBytes = 3 * std::size_t(picture.width());
   std::vector<std::uint8_t> rgb;

@@ -14,6 +14,7 @@ class MainWindow;
 
 namespace hogelscope {
 
+class ReadingBar;
 class SessionModel;
 struct RenderedView;
 
@@ -26,9 +27,14 @@ class PictureCommands : public QObject {
   /// What is to be rendered beside the session's own light field.
   [[nodiscard]] std::optional<Scene> other() const;
   void show(const RenderedView& view);
+  /// Why the picture is not what it should be. Until the next one is shown this stands on it, and
+  /// it can neither be saved nor copied.
+  void doubt(const QString& why);
+  /// The same, without the picture: it is of another session.
+  void drop(const QString& why);
   /// Begins to read; what goes wrong is told by failed(), now or later.
   bool compareWith(const QString& file);
-  /// The picture as it is shown; format by extension.
+  /// The picture as it is shown, if it is right; format by extension.
   bool savePicture(const QString& file);
 
  Q_SIGNALS:
@@ -38,6 +44,7 @@ class PictureCommands : public QObject {
 
  private:
   void addModes();
+  [[nodiscard]] bool isRight() const;
   void stopComparing();
   void stopReading();
   void showComparison();
@@ -50,6 +57,7 @@ class PictureCommands : public QObject {
   SessionModel* m_model;
   Comparison* m_comparison;
   QActionGroup* m_modes;
+  ReadingBar* m_bar;
 };
 
 }  // namespace hogelscope

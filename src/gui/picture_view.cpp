@@ -95,8 +95,9 @@ void PictureView::setTitles(const QString& title, const QString& otherTitle) {
   update();
 }
 
-void PictureView::setHint(const QString& hint) {
-  m_hint = hint;
+void PictureView::setNotice(const QString& notice) {
+  m_notice = notice;
+  setAccessibleDescription(notice);
   update();
 }
 
@@ -175,7 +176,7 @@ Placement PictureView::placement(const QRect& pane) const {
 }
 
 std::optional<QPoint> PictureView::pixelAt(const QPointF& position) const {
-  if (image().isNull()) return {};
+  if (image().isNull() || !m_notice.isEmpty()) return {};
   const QPointF device = inDevice(position);
   const QPointF point = placement(paneAt(device)).toPicture(device);
   const QPoint pixel(int(std::floor(point.x())), int(std::floor(point.y())));

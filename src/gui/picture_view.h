@@ -26,8 +26,9 @@ class PictureView : public QWidget {
   void setMask(const QImage& seen, const QImage& otherSeen = {});
   /// What the pictures are, shown where both are.
   void setTitles(const QString& title, const QString& otherTitle);
-  /// What stands in the place of a picture.
-  void setHint(const QString& hint);
+  /// Stands in the place of a picture, or on it: then it is not what it should be, is dimmed, and
+  /// no pixel of it is read out or picked. Empty: the picture is right.
+  void setNotice(const QString& notice);
   /// How two pictures are compared.
   void setMode(Mode mode);
   void showMask(bool isShown);
@@ -44,6 +45,7 @@ class PictureView : public QWidget {
   void oneToOne();
 
   [[nodiscard]] const QImage& image() const { return m_pictures[0].image.image(); }
+  [[nodiscard]] const QString& notice() const { return m_notice; }
   [[nodiscard]] const QImage& otherImage() const { return m_pictures[1].image.image(); }
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
   [[nodiscard]] double wipe() const { return m_wipe; }
@@ -110,6 +112,7 @@ class PictureView : public QWidget {
   void paintDifference(QPainter& painter, const QRect& pane) const;
   void paintOtherPointer(QPainter& painter) const;
   void paintTexts(QPainter& painter) const;
+  void paintNotice(QPainter& painter) const;
 
   std::array<Shown, 2> m_pictures;
   ZoomableImage m_difference;  ///< only in its mode
@@ -118,7 +121,7 @@ class PictureView : public QWidget {
   bool m_showsMask = false;
   int m_gain = 8;
   double m_wipe = 0.5;
-  QString m_hint;
+  QString m_notice;
   std::optional<QPointF> m_pointer;  ///< widget coordinates, as the next
   QPointF m_pressed;
   Viewport m_draggedFrom;

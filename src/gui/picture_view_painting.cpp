@@ -36,17 +36,23 @@ void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const
 void PictureView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(38, 40, 44));
-  if (image().isNull()) {
-    painter.setPen(Qt::gray);
-    painter.drawText(rect(), int(Qt::AlignCenter) | int(Qt::TextWordWrap), m_hint);
-    return;
+  if (!image().isNull()) {
+    painter.save();
+    painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
+    paintPictures(painter);
+    paintOtherPointer(painter);
+    painter.restore();
+    paintTexts(painter);
   }
-  painter.save();
-  painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
-  paintPictures(painter);
-  paintOtherPointer(painter);
-  painter.restore();
-  paintTexts(painter);
+  paintNotice(painter);
+}
+
+void PictureView::paintNotice(QPainter& painter) const {
+  if (m_notice.isEmpty()) return;
+  if (!image().isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 150));
+  const int longest = 60 * fontMetrics().averageCharWidth();
+  const int margin = std::max(0, width() - longest) / 2;
+  paintText(painter, rect().adjusted(margin, 0, -margin, 0), Qt::AlignCenter, m_notice);
 }
 
 void PictureView::paintPictures(QPainter& painter) const {

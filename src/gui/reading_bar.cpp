@@ -3,31 +3,27 @@
 #include "gui/reading_bar.h"
 
 #include <QHBoxLayout>
-#include <QProgressBar>
 #include <QToolButton>
+#include <utility>
 
 namespace hogelscope {
 
-ReadingBar::ReadingBar(const QString& what, QWidget* parent)
-    : QWidget(parent), m_bar(new QProgressBar) {
+ReadingBar::ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent)
+    : QWidget(parent) {
+  auto* bar = new PolledBar(std::move(share));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  m_bar->setMaximumHeight(fontMetrics().height() + 4);
-  m_bar->setMinimumWidth(fontMetrics().horizontalAdvance(what) * 2);
-  m_bar->setFormat(tr("%1: %p %").arg(what));
-  m_bar->setToolTip(tr("How much has been read"));
+  bar->setMaximumHeight(fontMetrics().height() + 4);
+  bar->setMinimumWidth(fontMetrics().horizontalAdvance(what) * 2);
+  bar->setFormat(tr("%1: %p %").arg(what));
+  bar->setToolTip(tr("How much has been read"));
   auto* button = new QToolButton;
   button->setText(tr("Stop"));
   button->setToolTip(tr("Stops reading; the window stays as it is without what was read"));
   connect(button, &QToolButton::clicked, this, &ReadingBar::stopAsked);
-  layout->addWidget(m_bar);
+  layout->addWidget(bar);
   layout->addWidget(button);
   hide();
-}
-
-void ReadingBar::advance(double done) {
-  m_bar->setValue(int(100 * done));
-  show();
 }
 
 }  // namespace hogelscope

@@ -2,9 +2,7 @@
 // How far the reading of a light field is, with a button that stops it; in the status bar.
 #pragma once
 
-#include <QWidget>
-
-class QProgressBar;
+#include "gui/polled_bar.h"
 
 namespace hogelscope {
 
@@ -12,17 +10,11 @@ class ReadingBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// `what` is read, and stands in the bar. Hidden at first.
-  ReadingBar(const QString& what, QWidget* parent);
-
-  /// Shows it; 0 … 1.
-  void advance(double done);
+  /// `what` is read, and stands in the bar. Hidden at first; to be shown while it is read.
+  ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent);
 
  Q_SIGNALS:
   void stopAsked();
-
- private:
-  QProgressBar* m_bar;
 };
 
 }  // namespace hogelscope

@@ -3,6 +3,7 @@
 #include "gui/report_dock.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -10,7 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSortFilterProxyModel>
@@ -24,6 +24,7 @@
 
 #include "core/summary_page.h"
 #include "gui/file_dialogs.h"
+#include "gui/polled_bar.h"
 #include "gui/report_pictures.h"
 #include "gui/report_table.h"
 #include "gui/report_worker.h"
@@ -42,6 +43,20 @@ QWidget* beside(std::initializer_list<QWidget*> widgets) {
   return row;
 }
 
+/// In the report's heading.
+std::string nameOf(const SessionModel& model) {
+  const std::string file = model.file().toStdString();
+  if (!model.isModified()) return file;
+  return file.empty() ? "an untitled session" : file + " with unsaved changes";
+}
+
+/// Named after the session, or after its light field where it has no file yet.
+QString folderBeside(const SessionModel& model) {
+  const QString lightField = QString::fromStdString(model.session().lightField.file);
+  const QFileInfo info(QDir::cleanPath(model.file().isEmpty() ? lightField : model.file()));
+  return info.path() + "/" + info.completeBaseName() + "-report";
+}
+
 }  // namespace
 
 ReportDock::ReportDock(QWidget* parent)
@@ -56,7 +71,7 @@ ReportDock::ReportDock(QWidget* parent)
                              "field and from each test, and compares"))),
       m_pageButton(
           button("openPageButton", tr("&Open page"), tr("Shows report.html in the web browser"))),
-      m_progress(new QProgressBar),
+      m_progress(new PolledBar([this] { return m_worker->share(); })),
       m_note(new QLabel),
       m_stale(new QLabel(tr("The session has been edited since this report was made."))),
       m_rows(new QTableView),
@@ -84,6 +99,7 @@ ReportDock::ReportDock(QWidget* parent)
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
   layout->addWidget(parts);
+  m_pageButton->setEnabled(false);
   connectAll();
   showIdle();
 }
@@ -101,7 +117,6 @@ QWidget* ReportDock::makeSettings() {
   m_stale->setWordWrap(true);
   m_stale->hide();
   m_progress->setObjectName("reportProgress");
-  m_progress->setRange(0, 1000);
   auto* addFile = button("addTestButton", tr("&Add…"), tr("An image or a session"));
   auto* addFolder = button("addTestFolderButton", tr("Add &folder…"), tr("A folder of views"));
   auto* remove = button("removeTestButton", tr("&Remove"), tr("The one that is marked"));
@@ -141,10 +156,11 @@ void ReportDock::connectAll() {
   connect(m_pageButton, &QPushButton::clicked, this, &ReportDock::openPage);
   connect(m_rows->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ReportDock::showChosen);
-  connect(m_worker, &ReportWorker::advanced, this, &ReportDock::showProgress);
+  connect(m_progress, &QProgressBar::valueChanged, this, &ReportDock::showTimeLeft);
   connect(m_worker, &ReportWorker::rowFinished, this, &ReportDock::showRow);
   connect(m_worker, &ReportWorker::finished, this, [this](const Report& report) {
     showIdle();
+    if (m_table->rowCount() == 0) return;  // of another session
     m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
     m_pageButton->setEnabled(true);
     if (!chosenRow()) chooseState(m_model->currentIndex());
@@ -164,8 +180,7 @@ void ReportDock::setModel(SessionModel* model) {
   m_model = model;
   connect(model, &SessionModel::opened, this, [this] {
     forget();
-    const QFileInfo info(m_model->file());
-    setFolder(info.path() + "/" + info.completeBaseName() + "-report");
+    setFolder(folderBeside(*m_model));
   });
   connect(model, &SessionModel::edited, this, &ReportDock::noteEdits);
   connect(model, &SessionModel::statesChanged, this, &ReportDock::noteEdits);
@@ -247,11 +262,11 @@ void ReportDock::start() {
   m_request = {};
   m_request.session = m_model->session();
   m_request.session.sampling.tolerance = 0;  // differences are the light fields'
-  const std::string file = m_model->file().toStdString();
-  m_request.sessionFile = m_model->isModified() ? std::string() : file;
+  const bool isEdited = m_model->isModified();
+  m_request.name = nameOf(*m_model);
+  if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
   m_request.output = m_folder->text().toStdString();
-  m_request.command =
-      "made in the window" + (m_model->isModified() ? ", from " + file + " as edited" : "");
+  m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
   m_request.images = true;  // what a click on a row shows
   m_request.reference = m_reference;
   if (m_request.reference) m_request.reference->sampling.tolerance = 0;
@@ -265,9 +280,9 @@ void ReportDock::start() {
   m_stale->hide();
   m_pageButton->setEnabled(false);
   m_makeButton->setText(tr("&Stop"));
-  m_progress->setVisible(true);
   m_clock.start();
   m_worker->start(m_request, m_tests);
+  m_progress->setVisible(true);
 }
 
 void ReportDock::stop() {
@@ -282,12 +297,10 @@ void ReportDock::showIdle() {
   m_makeButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&
                            m_testList->count() > 0);
   m_progress->setVisible(false);
-  m_progress->setValue(0);
 }
 
-void ReportDock::showProgress(double fraction) {
-  m_progress->setValue(int(1000 * fraction));
-  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, fraction);
+void ReportDock::showTimeLeft() {
+  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, m_worker->share());
   m_progress->setFormat("%p % " + QString::fromStdString(left));
 }
 

@@ -11,13 +11,13 @@
 class QLabel;
 class QLineEdit;
 class QListWidget;
-class QProgressBar;
 class QPushButton;
 class QSortFilterProxyModel;
 class QTableView;
 
 namespace hogelscope {
 
+class PolledBar;
 class ReportPictures;
 class ReportTable;
 class ReportWorker;
@@ -55,7 +55,7 @@ class ReportDock : public QWidget {
   void start();
   void stop();
   void showIdle();
-  void showProgress(double fraction);
+  void showTimeLeft();
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
   void showPictures(std::size_t index);
@@ -74,7 +74,7 @@ class ReportDock : public QWidget {
   QLineEdit* m_folder;
   QPushButton* m_makeButton;
   QPushButton* m_pageButton;
-  QProgressBar* m_progress;
+  PolledBar* m_progress;
   QLabel* m_note;
   QLabel* m_stale;  ///< shown while the session is not what the rows are of
   QTableView* m_rows;

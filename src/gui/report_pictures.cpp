@@ -27,12 +27,12 @@ ReportPictures::ReportPictures(QWidget* parent) : QWidget(parent) {
   m_difference->setMode(PictureView::Mode::difference);
   m_test->linkTo(*m_reference);
   m_difference->linkTo(*m_reference);
+  clear();
 }
 
 PictureView* ReportPictures::add(std::size_t index, const char* name) {
   auto* view = new PictureView;
   view->setObjectName(name);
-  view->setHint(titles()[index]);
   view->setMinimumSize(90, 90);
   m_captions[index] = new QLabel(titles()[index]);
   auto* column = new QVBoxLayout;
@@ -49,6 +49,9 @@ void ReportPictures::setPictures(const QString& state, const QImage& reference,
   m_reference->setImages(reference);
   m_test->setImages(test);
   m_difference->setImages(reference, test);
+  const std::array views{m_reference, m_test, m_difference};
+  for (std::size_t k = 0; k < views.size(); ++k)
+    views[k]->setNotice(views[k]->image().isNull() ? titles()[k] : QString());
 }
 
 void ReportPictures::clear() {

@@ -17,13 +17,14 @@ ReportWorker::~ReportWorker() {
 void ReportWorker::start(const ReportRequest& request, const std::vector<std::string>& tests) {
   if (m_thread.joinable()) m_thread.join();
   m_stops = false;
+  m_share = 0;
   m_thread = std::thread([this, request, tests] { run(request, tests); });
 }
 
 void ReportWorker::run(ReportRequest request, const std::vector<std::string>& tests) {
   ReportListener listener;
-  listener.progress = [this](double fraction) {
-    Q_EMIT advanced(fraction);
+  listener.progress = [this](double share) {
+    m_share = share;
     return !m_stops;
   };
   listener.finished = [this](std::size_t index, const ReportRow& row) {

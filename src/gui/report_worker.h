@@ -22,9 +22,10 @@ class ReportWorker : public QObject {
   void start(const ReportRequest& request, const std::vector<std::string>& tests);
   /// One of the last three signals comes soon.
   void stop() { m_stops = true; }
+  /// How much is done, 0 … 1; to be asked (ViewWorker::readShare).
+  [[nodiscard]] double share() const { return m_share; }
 
  Q_SIGNALS:
-  void advanced(double fraction);
   void rowFinished(std::size_t index, const hogelscope::ReportRow& row);
   void finished(const hogelscope::Report& report);
   void stopped();
@@ -34,6 +35,7 @@ class ReportWorker : public QObject {
   void run(ReportRequest request, const std::vector<std::string>& tests);
 
   std::atomic<bool> m_stops = false;
+  std::atomic<double> m_share = 0;
   std::thread m_thread;
 };
 

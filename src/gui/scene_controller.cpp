@@ -127,7 +127,10 @@ void SceneController::setScene(const std::optional<Scene>& scene) {
   m_loaded = scene;
   m_display = scene ? scene->display : m_model->session().display;
   m_worker->setScene(scene);
-  if (!scene) m_scene->panel().setPicture(nullptr);
+  if (!scene) {
+    m_scene->panel().setPicture(nullptr);
+    m_scene->frusta().clearPictures();
+  }
   refresh();
 }
 

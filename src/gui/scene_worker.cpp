@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/scaled_view.h"
+#include "gui/queued_answer.h"
 #include "gui/vtk_picture.h"
 #include "vtk/vtkHogelViewFilter.h"
 
@@ -22,7 +23,7 @@ constexpr int smallSide = 192;
 /// None where it cannot be rendered, or was stopped.
 std::optional<Image> pictureOf(const View& view, vtkHogelViewFilter& filter) {
   try {
-    filter.SetView(view);
+    filter.SetView(reduced(view));  // throws where the camera has no frame
     return filter.GetImage();
   } catch (const Cancelled&) {
     return std::nullopt;
@@ -42,7 +43,6 @@ View quick(const View& asked) {
 }  // namespace
 
 SceneWorker::SceneWorker(QObject* parent) : QObject(parent) {
-  qRegisterMetaType<VtkPicture>("hogelscope::VtkPicture");
   m_thread = std::thread([this] { run(); });
 }
 
@@ -60,6 +60,7 @@ void SceneWorker::setScene(const std::optional<Scene>& scene) {
     const std::lock_guard lock(m_mutex);
     m_newScene = scene;
     m_isSceneNew = true;
+    ++m_asked;
     m_panel.reset();
     m_states.clear();
     m_done.clear();
@@ -106,6 +107,7 @@ bool SceneWorker::mustStop() {
 bool SceneWorker::takeScene() {
   if (!std::exchange(m_isSceneNew, false)) return false;
   m_scene = std::exchange(m_newScene, std::nullopt);
+  m_number = m_asked;
   return true;
 }
 
@@ -127,7 +129,10 @@ void SceneWorker::run() {
       continue;
     }
     const std::optional<Image> image = pictureOf(quick(m_scene->view(*panel)), *filter);
-    if (image) Q_EMIT panelRendered(vtkPicture(*image, panelColour));
+    if (!image) continue;
+    queueAnswer(this, m_asked, m_number, [this, picture = vtkPicture(*image, panelColour)] {
+      Q_EMIT panelRendered(picture);
+    });
   }
 }
 
@@ -145,9 +150,10 @@ void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {
   View view = quick(m_scene->view(*state));
   const auto [width, height] = state->camera.res;
   view.method.scale = (std::max(width, height) + smallSide - 1) / smallSide;
-  const std::optional<Image> image = pictureOf(reduced(view), filter);
-  const Image black(1, 1);
-  Q_EMIT stateRendered(int(index), vtkPicture(image.value_or(black), {0, 0, 0}));
+  const VtkPicture picture =
+      vtkPicture(pictureOf(view, filter).value_or(Image(1, 1)), {0, 0, 0});  // or black
+  queueAnswer(this, m_asked, m_number,
+              [this, index, picture] { Q_EMIT stateRendered(int(index), picture); });
 }
 
 }  // namespace hogelscope

@@ -21,6 +21,8 @@ namespace hogelscope {
 
 using VtkPicture = vtkSmartPointer<vtkImageData>;
 
+/// Its signals come from the thread that the object lives in, and none that belongs to an older
+/// scene comes after setScene().
 class SceneWorker : public QObject {
   Q_OBJECT
 
@@ -55,13 +57,15 @@ class SceneWorker : public QObject {
   std::condition_variable m_wake;
   std::optional<Scene> m_newScene;
   bool m_isSceneNew = false;
+  int m_asked = 0;  ///< the number of the latest setScene()
   std::optional<CameraState> m_panel;
   std::vector<CameraState> m_states;
   std::vector<std::optional<CameraState>> m_done;  ///< as it was rendered last
   std::size_t m_first = 0;
   bool m_ends = false;
 
-  std::optional<Scene> m_scene;  ///< the thread's own
+  std::optional<Scene> m_scene;  ///< the thread's own, as the next
+  int m_number = 0;              ///< of its setScene()
   std::thread m_thread;
 };
 

@@ -32,8 +32,12 @@ void StatePictures::setCount(std::size_t count) {
   const int side = m_tile * m_atlas.Columns;
   m_image->SetDimensions(side, side, 1);
   m_image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  clear();
+}
+
+void StatePictures::clear() {
   std::fill_n(static_cast<std::uint8_t*>(m_image->GetScalarPointer()),
-              3 * std::size_t(side) * std::size_t(side), emptyGrey);
+              3 * m_image->GetNumberOfPoints(), emptyGrey);
   m_image->Modified();
 }
 

@@ -22,6 +22,8 @@ class StatePictures {
 
   /// Room for so many; all are empty where the number is another one.
   void setCount(std::size_t count);
+  /// All are empty.
+  void clear();
   /// RGB, stretched to the tile. Does nothing where there is no such tile.
   void put(std::size_t index, vtkImageData* picture);
   [[nodiscard]] int columns() const { return m_atlas.Columns; }

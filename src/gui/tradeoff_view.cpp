@@ -5,9 +5,9 @@
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QProgressBar>
 #include <QPushButton>
 
+#include "gui/polled_bar.h"
 #include "gui/tradeoff_worker.h"
 
 namespace hogelscope {
@@ -58,7 +58,7 @@ TradeoffView::TradeoffView(QWidget* parent)
       m_chart(new TradeoffChartWidget(this)),
       m_measureButton(new QPushButton(this)),
       m_defaultButton(new QPushButton(tr("Back to the session's own"), this)),
-      m_progress(new QProgressBar(this)) {
+      m_progress(new PolledBar([this] { return m_worker->share(); }, this)) {
   m_measureButton->setObjectName("measureButton");
   m_defaultButton->setObjectName("ownMethodButton");
   m_measureButton->setToolTip(tr("Times every method on all states, and compares their pictures"));
@@ -70,14 +70,11 @@ TradeoffView::TradeoffView(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_chart, 1);
   layout->addLayout(buttons);
-  m_progress->setRange(0, 1000);
   forgetChoice();
   showIdle();
   connect(m_measureButton, &QPushButton::clicked, this, &TradeoffView::measureOrStop);
   connect(m_defaultButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
   connect(m_chart, &TradeoffChartWidget::clicked, this, [this](std::size_t row) { choose(row); });
-  connect(m_worker, &TradeoffWorker::advanced, this,
-          [this](double fraction) { m_progress->setValue(int(1000 * fraction)); });
   connect(m_worker, &TradeoffWorker::finished, this, &TradeoffView::show);
   connect(m_worker, &TradeoffWorker::stopped, this, &TradeoffView::showIdle);
   connect(m_worker, &TradeoffWorker::failed, this, [this](const QString& line) {
@@ -110,8 +107,8 @@ void TradeoffView::measureOrStop() {
   if (m_isMeasuring) return stop();
   m_isMeasuring = true;
   m_measureButton->setText(tr("&Stop measuring"));
-  m_progress->setVisible(true);
   m_worker->start(m_views);
+  m_progress->setVisible(true);
 }
 
 void TradeoffView::show(const Tradeoff& tradeoff) {
@@ -137,7 +134,6 @@ void TradeoffView::showIdle() {
   m_measureButton->setText(tr("&Measure speed and accuracy"));
   m_measureButton->setEnabled(!m_views.empty());
   m_progress->setVisible(false);
-  m_progress->setValue(0);
 }
 
 }  // namespace hogelscope

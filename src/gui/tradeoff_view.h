@@ -10,11 +10,11 @@
 #include "chart/tradeoff_chart.h"
 #include "study/tradeoff.h"
 
-class QProgressBar;
 class QPushButton;
 
 namespace hogelscope {
 
+class PolledBar;
 class TradeoffWorker;
 
 /// The chart alone.
@@ -68,7 +68,7 @@ class TradeoffView : public QWidget {
   TradeoffChartWidget* m_chart;
   QPushButton* m_measureButton;
   QPushButton* m_defaultButton;
-  QProgressBar* m_progress;
+  PolledBar* m_progress;
   bool m_isMeasuring = false;
 };
 

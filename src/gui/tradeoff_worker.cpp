@@ -19,12 +19,13 @@ TradeoffWorker::~TradeoffWorker() {
 void TradeoffWorker::start(const std::vector<View>& views) {
   if (m_thread.joinable()) m_thread.join();
   m_stops = false;
+  m_share = 0;
   m_thread = std::thread([this, views] { run(views); });
 }
 
 void TradeoffWorker::run(const std::vector<View>& views) {
-  const Progress progress = [this](double fraction) {
-    Q_EMIT advanced(fraction);
+  const Progress progress = [this](double share) {
+    m_share = share;
     return !m_stops;
   };
   try {

@@ -22,9 +22,10 @@ class TradeoffWorker : public QObject {
   void start(const std::vector<View>& views);
   /// One of the signals comes soon.
   void stop() { m_stops = true; }
+  /// How much is done, 0 … 1; to be asked (ViewWorker::readShare).
+  [[nodiscard]] double share() const { return m_share; }
 
  Q_SIGNALS:
-  void advanced(double fraction);
   void finished(const hogelscope::Tradeoff& tradeoff);
   void stopped();
   void failed(const QString& line);
@@ -33,6 +34,7 @@ class TradeoffWorker : public QObject {
   void run(const std::vector<View>& views);
 
   std::atomic<bool> m_stops = false;
+  std::atomic<double> m_share = 0;
   std::thread m_thread;
 };
 

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/plan.h"
 #include "core/scaled_view.h"
+#include "gui/queued_answer.h"
 #include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
@@ -54,9 +55,6 @@ QString planOf(const View& view) {
 }  // namespace
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
-  qRegisterMetaType<Scene>("hogelscope::Scene");
-  qRegisterMetaType<CertifiedLens>("hogelscope::CertifiedLens");
-  qRegisterMetaType<RenderedView>("hogelscope::RenderedView");
   m_thread = std::thread([this] { run(); });
 }
 
@@ -73,10 +71,18 @@ void ViewWorker::load(const Session& session) {
   {
     const std::lock_guard lock(m_mutex);
     m_toLoad = session;
+    ++m_asked;
     m_isReadingStopped = false;
     m_toRender.reset();
+    m_readShare = 0;
   }
   m_wake.notify_one();
+}
+
+/// From the thread.
+template <class Signal>
+void ViewWorker::send(Signal signal) {
+  queueAnswer(this, m_asked, m_number, signal);
 }
 
 void ViewWorker::stopReading() {
@@ -120,6 +126,7 @@ void ViewWorker::run() {
     m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
     if (m_ends) return;
     const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
+    m_number = m_asked;
     const std::optional<ViewRequest> request =
         session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
     lock.unlock();
@@ -131,27 +138,27 @@ void ViewWorker::run() {
     } catch (const Cancelled&) {
       // a newer request waits
     } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromUtf8(error.what()));
+      send([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
     }
   }
 }
 
 void ViewWorker::loadNow(const Session& session) {
   m_scene.reset();  // frees the old one's memory before the new one is read
-  Q_EMIT reading(0);
-  int percent = 0;
+  m_lens.reset();   // what was said of it may have been dropped
   try {
-    m_scene = loadScene(session, [&](double done) {
-      if (std::exchange(percent, int(100 * done)) != int(100 * done)) Q_EMIT reading(done);
-      return !hasNewer(true);
+    m_scene = loadScene(session, [this](double done) {
+      if (hasNewer(true)) return false;  // the share is the newer one's now
+      m_readShare = done;
+      return true;
     });
   } catch (const Cancelled&) {
-    const std::lock_guard lock(m_mutex);
-    if (m_isReadingStopped && !m_toLoad) Q_EMIT readingStopped();
+    send([this] { Q_EMIT readingStopped(); });  // heard only where nothing newer is asked for
     return;
   }
+  m_readShare = 1;
   if (m_scene->lightField->store() != nullptr) m_pace.stopped(firstFetch);
-  Q_EMIT loaded(*m_scene);
+  send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }
 
 /// A smaller picture is finished even if newer requests come, so that something moves however fast
@@ -190,15 +197,18 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   const double milliseconds = elapsed();
   m_pace.rendered(scale, milliseconds);
   const bool isOverview = view.lightField != scene.lightField;
-  Q_EMIT rendered({toQImage(image), maskOf(image), toQImage(other), maskOf(other), milliseconds,
-                   scale, isOverview, planOf(filter.GetChoice().view)});
+  const RenderedView result{
+      toQImage(image), maskOf(image), toQImage(other), maskOf(other),
+      milliseconds,    scale,         isOverview,      planOf(filter.GetChoice().view)};
+  send([this, result] { Q_EMIT rendered(result); });
 }
 
 void ViewWorker::certifyNow(const ViewRequest& request) {
   const LensKey key = lensKeyOf(request.state, request.sampling);
   if (key == m_lens) return;
   const Progress progress = [this](double) { return !hasNewer(false); };
-  Q_EMIT certified({key, certify(key, parallelRows, progress), lensGrid(key, progress)});
+  const CertifiedLens lens{key, certify(key, parallelRows, progress), lensGrid(key, progress)};
+  send([this, lens] { Q_EMIT certified(lens); });
   m_lens = key;
 }
 

@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QObject>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -49,6 +50,8 @@ struct ViewRequest {
   std::optional<Scene> other;         ///< the second light field
 };
 
+/// All signals come from the thread that the object lives in, and none that belongs to an older
+/// light field comes after load().
 class ViewWorker : public QObject {
   Q_OBJECT
 
@@ -61,13 +64,15 @@ class ViewWorker : public QObject {
   void load(const Session& session);
   /// There is no light field then until the next load().
   void stopReading();
+  /// How much of it has been read, 0 … 1. To be asked: a signal for each step of the reading would
+  /// come faster than a busy window can follow.
+  [[nodiscard]] double readShare() const { return m_readShare; }
   /// Renders once the light field is there, and not at all where it could not be read; an older
   /// rendering stops. Where it takes long a coarse picture comes first, and the full one when no
   /// newer request has come for a moment.
   void render(const ViewRequest& request);
 
  Q_SIGNALS:
-  void reading(double done);  ///< 0 … 1
   void loaded(const hogelscope::Scene& scene);
   void readingStopped();  ///< because it was asked for
   void rendered(const hogelscope::RenderedView& view);
@@ -76,6 +81,8 @@ class ViewWorker : public QObject {
   void failed(const QString& line);
 
  private:
+  template <class Signal>
+  void send(Signal signal);
   void run();
   void loadNow(const Session& session);
   void renderNow(const ViewRequest& request, vtkHogelViewFilter& filter);
@@ -92,7 +99,11 @@ class ViewWorker : public QObject {
   bool m_isReadingStopped = false;
   bool m_ends = false;
 
-  std::optional<Scene> m_scene;   ///< the thread's own, as all that follow
+  int m_asked = 0;  ///< the number of the latest load(); written under the mutex, too
+  std::atomic<double> m_readShare = 0;
+
+  int m_number = 0;  ///< of the load() that is served; the thread's own, as all below
+  std::optional<Scene> m_scene;
   std::optional<LensKey> m_lens;  ///< the one certified last
   ViewPace m_pace;
   QElapsedTimer m_timer;  ///< since the rendering began

@@ -2,6 +2,8 @@
 // Where the window and its docks are.
 #include "gui/window_layout.h"
 
+#include <QAction>
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QScreen>
 #include <QSettings>
@@ -14,6 +16,17 @@ namespace {
 /// Another one, and layouts that were saved before no longer count.
 constexpr int version = 1;
 
+/// One that is hidden, or behind another one, comes to the front; one that can be seen is closed.
+void toggle(QDockWidget* dock) {
+  if (dock->visibleRegion().isEmpty()) {
+    dock->show();
+    dock->raise();
+  } else {
+    dock->close();
+  }
+  dock->toggleViewAction()->setChecked(!dock->isHidden());
+}
+
 }  // namespace
 
 WindowLayout::WindowLayout(QMainWindow* window, QSplitter* splitter)
@@ -21,7 +34,13 @@ WindowLayout::WindowLayout(QMainWindow* window, QSplitter* splitter)
       m_window(window),
       m_splitter(splitter),
       m_docks(window->saveState(version)),
-      m_split(splitter->saveState()) {}
+      m_split(splitter->saveState()) {
+  for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+    QAction* action = dock->toggleViewAction();
+    disconnect(action, &QAction::triggered, dock, nullptr);  // Qt's would close a dock behind
+    connect(action, &QAction::triggered, this, [dock] { toggle(dock); });
+  }
+}
 
 void WindowLayout::save() const {
   QSettings settings;

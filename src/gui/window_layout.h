@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the window and its docks are, from one start to the next; kept in the settings.
+// Where the window and its docks are, from one start to the next; kept in the settings. What a
+// dock's key does.
 #pragma once
 
 #include <QByteArray>
@@ -14,7 +15,7 @@ class WindowLayout : public QObject {
   Q_OBJECT
 
  public:
-  /// What the window is now is what reset() goes back to. `window` owns it.
+  /// What the window is now, with all its docks, is what reset() goes back to. `window` owns it.
   WindowLayout(QMainWindow* window, QSplitter* splitter);
 
   void save() const;

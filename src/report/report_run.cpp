@@ -256,7 +256,7 @@ void ReportRun::writeAll() {
   m_report.comparisons = bdRows(m_report.summaries, m_request.groups);
   writeTables(m_folder, m_report);
   const DisplayParams& display = m_pairs.reference().display;
-  ReportPage page{m_request.sessionFile,
+  ReportPage page{m_request.name,
                   m_facts.lines,
                   display,
                   m_report.rows,

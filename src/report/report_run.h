@@ -26,8 +26,9 @@ struct ReportTest {
 std::vector<ReportTest> openTests(const Session& session, const std::vector<std::string>& files);
 
 struct ReportRequest {
-  std::string sessionFile;
-  Session session;  ///< its states are rendered; its tolerance is left aside
+  std::string name;         ///< of the session, in the page's heading
+  std::string sessionFile;  ///< empty where the session is not what a file holds
+  Session session;          ///< its states are rendered; its tolerance is left aside
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
   std::string output;                    ///< the folder, made if missing

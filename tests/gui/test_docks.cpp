@@ -36,21 +36,50 @@ class TestDocks : public DocksTest {
     QTRY_COMPARE(m_window->size(), QSize(1280, 800));
     QVERIFY(child<PictureView>("pictureView")->width() > 300);
     QVERIFY(list()->viewport()->height() >= 6 * list()->visualItemRect(list()->item(0)).height());
-    // Each dock is a tab that can be moved and closed.
-    for (const char* name : {"statesDock", "lightFieldDock", "displayDock", "cameraDock",
-                             "distortionDock", "psfDock"}) {
-      auto* dock = child<QDockWidget>(name);
-      QVERIFY2(dock->features().testFlag(QDockWidget::DockWidgetMovable), name);
-      dock->toggleViewAction()->trigger();
-      QVERIFY2(dock->isHidden(), name);
-      dock->toggleViewAction()->trigger();
-      QVERIFY2(!dock->isHidden(), name);
-    }
     auto* camera = child<QDockWidget>("cameraDock");
     camera->setFloating(true);
     QVERIFY(camera->isWindow() && camera->isVisible());
     camera->setFloating(false);
     QCOMPARE(m_window->tabifiedDockWidgets(child<QDockWidget>("cameraDock")).size(), 5);
+  }
+
+  /// A dock's key closes what can be seen, and brings to the front what cannot.
+  void aDocksKey() {
+    openSmall();
+    const auto toggle = [](const QDockWidget* dock) {
+      QAction* action = dock->toggleViewAction();
+      QTest::keySequence(dock->parentWidget(), action->shortcut());
+      QCoreApplication::processEvents();
+      QCOMPARE(action->isChecked(), !dock->isHidden());
+    };
+    const auto isSeen = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
+    QVERIFY(isSeen(child<QDockWidget>("cameraDock")));
+    for (const char* name : {"statesDock", "lightFieldDock", "displayDock", "cameraDock",
+                             "distortionDock", "psfDock"}) {
+      auto* dock = child<QDockWidget>(name);
+      QVERIFY2(dock->features().testFlag(QDockWidget::DockWidgetMovable), name);
+      if (!isSeen(dock)) {  // behind another one
+        toggle(dock);
+        QVERIFY2(isSeen(dock), name);
+      }
+      toggle(dock);
+      QVERIFY2(dock->isHidden(), name);
+      toggle(dock);
+      QVERIFY2(isSeen(dock), name);
+    }
+    auto* report = child<QDockWidget>("reportDock");
+    auto* tradeoff = child<QDockWidget>("tradeoffDock");
+    toggle(report);
+    QVERIFY(isSeen(report) && tradeoff->isHidden());
+    toggle(tradeoff);
+    QVERIFY(isSeen(tradeoff) && !isSeen(report) && !report->isHidden());
+    toggle(report);
+    QVERIFY(isSeen(report) && !isSeen(tradeoff) && !tradeoff->isHidden());
+    report->setFloating(true);
+    QCoreApplication::processEvents();
+    QVERIFY(isSeen(report) && isSeen(tradeoff));
+    toggle(report);
+    QVERIFY(report->isHidden() && isSeen(tradeoff));
   }
 
   void theDisplayMovesWithoutReading() {
@@ -99,6 +128,7 @@ class TestDocks : public DocksTest {
       editor<QSpinBox>("displayArea", name)->setValue(64);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 20×20 directions need"), 20000);
     QVERIFY(view() == before);
+    QVERIFY(child<PictureView>("pictureView")->notice().contains("64×64 hogels of 20×20"));
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0.7);  // nothing to render it from
     QTest::qWait(100);
     QVERIFY2(!message().startsWith("Reading"), qPrintable(message()));

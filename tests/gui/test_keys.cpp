@@ -23,6 +23,8 @@ class TestKeys : public WindowTest {
   void eachMotionHasItsKey();
   void whereverTheFocusIs();
   void notInFields();
+  void afterReturn_data();
+  void afterReturn();
   void aStrangePoseIsTold();
   void leakageSteps();
   void lensOffAndOn();
@@ -131,6 +133,44 @@ void TestKeys::notInFields() {
   // other keys of the window are none of a field's
   QTest::keyClick(border, Qt::Key_PageDown);
   QCOMPARE(m_model->currentIndex(), std::size_t(1));
+}
+
+void TestKeys::afterReturn_data() {
+  QTest::addColumn<bool>("isFloating");
+  QTest::newRow("in the window") << false;
+  QTest::newRow("in a floating dock") << true;
+}
+
+/// Return takes what was typed, and the next key is the camera's.
+void TestKeys::afterReturn() {
+  QFETCH(bool, isFloating);
+  auto* dock = child<QDockWidget>("cameraDock");
+  dock->setFloating(isFloating);
+  const auto type = [&](QWidget* field, const QString& text) {
+    QApplication::setActiveWindow(dock->window());
+    field->setFocus();
+    QTRY_VERIFY(field->hasFocus());
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_COMPARE(QApplication::focusWidget(), child<QWidget>("pictureView"));
+  };
+  type(editor<QDoubleSpinBox>("cameraArea", "eye.2"), "0.5");
+  QCOMPARE(eye().z, 0.5);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_W);
+  QCOMPARE(eye().z, 0.49);
+  type(editor<QDoubleSpinBox>("cameraArea", "eye.2"), "0.49");  // the same value
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_S);
+  QCOMPARE(eye().z, 0.5);
+  type(editor<QLineEdit>("cameraArea", "name"), "other");
+  QCOMPARE(m_model->current().camera.name, std::string("other"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_D);
+  QCOMPARE(eye().x, 0.01);
+  const int edits = m_model->undoStack()->count();
+  type(editor<QDoubleSpinBox>("cameraArea", "eye.0"), "");  // no number: as it was
+  QCOMPARE(m_model->undoStack()->count(), edits);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_A);
+  QVERIFY(std::abs(eye().x) < 1e-12);
 }
 
 void TestKeys::aStrangePoseIsTold() {

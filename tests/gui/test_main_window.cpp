@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
@@ -18,9 +19,11 @@
 #include "gui/picture_view.h"
 #include "gui/state_commands.h"
 #include "gui/tradeoff_view.h"
+#include "gui/tradeoff_worker.h"
 #include "gui/vtk_widget.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
+#include "tests/gui/busy_window.h"
 #include "tests/gui/shown_picture.h"
 
 using namespace hogelscope;
@@ -133,7 +136,13 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY(dock->isVisible());
     auto* measure = m_window->findChild<QPushButton*>("measureButton");
     auto* chart = m_window->findChild<TradeoffChartWidget*>();
+    QSignalSpy moved(dock->findChild<QProgressBar*>(), &QProgressBar::valueChanged);
     QTest::mouseClick(measure, Qt::LeftButton);
+    moved.clear();
+    const auto* worker = m_window->findChild<TradeoffWorker*>();
+    QVERIFY(sleepUntil([&] { return worker->share() > 0.5; }));
+    QCoreApplication::processEvents();
+    QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
     QTRY_VERIFY_WITH_TIMEOUT(!chart->chart().rows().empty(), 60000);
     const auto& rows = chart->chart().rows();
     const auto half = std::find_if(

@@ -342,7 +342,7 @@ class TestPictureView : public QObject {
 
   void nothingToShowIsSaid() {
     const QImage picture = grabbed();
-    m_view->setHint("Nothing here");
+    m_view->setNotice("Nothing here");
     m_view->setImages({});
     const QImage empty = grabbed();
     const QColor ground = empty.pixelColor(2, 2);
@@ -357,6 +357,8 @@ class TestPictureView : public QObject {
     QVERIFY(m_view->shownPicture().isNull());
     m_view->setImages(coordinates(200, 150, firstBlue), coordinates(100, 75, secondBlue));
     QVERIFY(m_view->otherImage().isNull());  // another size
+    QVERIFY(grabbed() != picture);
+    m_view->setNotice({});
     QCOMPARE(grabbed(), picture);
   }
 

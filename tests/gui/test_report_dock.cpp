@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -26,6 +27,7 @@
 #include "gui/vtk_widget.h"
 #include "io/session_file.h"
 #include "tests/cli/csv.h"
+#include "tests/gui/busy_window.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -73,6 +75,10 @@ class TestReportDock : public QObject {
   void stopsAndGoesOn();
   void errors();
   void editsAreNoted();
+  void unsavedEditsHaveAHeading();
+  void anUntitledSessionHasAHeading();
+  void aReportOfAnotherSessionIsNotTold();
+  void progressQueuesNothing();
   void addsCameraSets();
 
  private:
@@ -85,6 +91,13 @@ class TestReportDock : public QObject {
   }
   void click(const char* name) const {
     QTest::mouseClick(child<QPushButton>(name), Qt::LeftButton);
+  }
+  /// Of the page, with its command.
+  static QString heading(const QString& folder) {
+    const QString page = QString::fromUtf8(contentOf(folder + "/report.html"));
+    const QString heading = page.section("<h1>", 1).section("</h1>", 0, 0);
+    const QString title = page.section("<title>", 1).section("</title>", 0, 0);
+    return title.contains(heading.section(" of ", 1)) ? heading : "no title";
   }
   QString cell(int row, int column) const {
     auto* table = child<QTableView>("reportTable");
@@ -277,6 +290,74 @@ void TestReportDock::editsAreNoted() {
   QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
   QTest::keyClick(m_window.get(), Qt::Key_D, Qt::ControlModifier);  // duplicate
   QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 0);
+}
+
+void TestReportDock::unsavedEditsHaveAHeading() {
+  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());  // there is no page
+  open();
+  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
+  m_window->findChild<QScrollArea*>("cameraArea")
+      ->widget()
+      ->findChild<QDoubleSpinBox*>("eye.0")
+      ->setValue(0.05);
+  m_dock->addTest("b.png");
+  click("makeReportButton");
+  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  const QString name = m_folder->filePath("s.json") + " with unsaved changes";
+  QCOMPARE(heading("s-report"), "Perceived views of " + name);
+  QVERIFY(contentOf("s-report/report.html")
+              .contains(("made in the window, from " + name + "<").toUtf8()));
+  QVERIFY(m_window->saveSession(m_folder->filePath("s.json")));
+  child<QPushButton>("openPageButton")->setEnabled(false);
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QCOMPARE(heading("s-report"), "Perceived views of " + m_folder->filePath("s.json"));
+  QVERIFY(contentOf("s-report/report.html").contains("s.json, SHA-256 "));
+}
+
+void TestReportDock::anUntitledSessionHasAHeading() {
+  const QString quilt = m_folder->filePath("q_qs2x2a1.png");
+  writePicture(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
+  writePicture("t_qs2x2a1.png", 40, 40, [](int x, int y, int) { return float(x + 2 * y) / 120; });
+  QVERIFY(m_window->openSession(quilt));
+  QCOMPARE(child<QLineEdit>("reportFolder")->text(), m_folder->filePath("q_qs2x2a1-report"));
+  QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
+  m_dock->addTest("t_qs2x2a1.png");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QCOMPARE(heading("q_qs2x2a1-report"), QString("Perceived views of an untitled session"));
+  QVERIFY(contentOf("q_qs2x2a1-report/report.html")
+              .contains("made in the window, from an untitled session<"));
+}
+
+/// Neither what it found nor its page, where it ends while another session is opened.
+void TestReportDock::aReportOfAnotherSessionIsNotTold() {
+  open();
+  m_dock->addTest("b.png");
+  click("makeReportButton");
+  QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
+  QTest::qSleep(300);  // its end waits in the queue
+  writeFile("s2.json", contentOf("s.json"));
+  QVERIFY(m_window->openSession(m_folder->filePath("s2.json")));
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"), 30000);
+  QCOMPARE(child<QLabel>("reportNote")->text(), QString());
+  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
+}
+
+/// What is done while the window is busy is not painted step by step after it.
+void TestReportDock::progressQueuesNothing() {
+  open();
+  m_dock->addTest("b.png");
+  auto* bar = child<QProgressBar>("reportProgress");
+  QSignalSpy moved(bar, &QProgressBar::valueChanged);
+  click("makeReportButton");
+  QVERIFY(bar->isVisible());
+  moved.clear();
+  QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QVERIFY(!bar->isVisible());
+  QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
 }
 
 void TestReportDock::addsCameraSets() {

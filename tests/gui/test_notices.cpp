@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives the real window into states in which its picture is not right: what stands on it then,
+// that it cannot be saved, and that nothing of another session is shown.
+#include <QComboBox>
+#include <QDeadlineTimer>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QUndoStack>
+
+#include "core/fast_simulation.h"
+#include "gui/display_scene.h"
+#include "gui/picture_commands.h"
+#include "gui/picture_view.h"
+#include "gui/report_dock.h"
+#include "gui/scene_controller.h"
+#include "gui/view_worker.h"
+#include "io/light_field_file.h"
+#include "tests/gui/shown_picture.h"
+#include "tests/gui/window_test.h"
+
+using namespace hogelscope;
+
+namespace {
+
+constexpr int patience = 60000;    ///< milliseconds; machines may be busy
+const QColor violet(255, 0, 255);  ///< is in no other thing that the scene draws
+constexpr int enoughToSee = 100;   ///< pixels
+
+}  // namespace
+
+class TestNotices : public WindowTest {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void cleanup() { m_window.reset(); }
+  void withoutASession();
+  void openingDropsThePicture();
+  void theSceneForgetsTheSessionBefore();
+  void aHogelImageSaysWhatItNeeds();
+  void aPathThatCannotBeReadAndItsUndo();
+  void aStateThatCannotBeRendered();
+  void aNoticeIsPaintedOnTheDimmedPicture();
+  void aReportGoesOn();
+
+ private:
+  PictureView* view() const { return child<PictureView>("pictureView"); }
+  PictureCommands* commands() const { return m_window->findChild<PictureCommands*>(); }
+  QAction* action(const char* name) const { return child<QAction>(name); }
+  DisplayScene& scene() const { return m_window->findChild<SceneController*>()->scene(); }
+  QImage drawn() const { return m_window->findChild<VtkWidget*>()->grabFramebuffer(); }
+  bool isRight() const {
+    return view()->notice().isEmpty() && action("savePictureAction")->isEnabled() &&
+           action("copyPictureAction")->isEnabled();
+  }
+  /// Nothing can be taken for the right picture.
+  bool isWrong(const QString& why) const {
+    return view()->notice().contains(why) && !action("savePictureAction")->isEnabled() &&
+           !action("copyPictureAction")->isEnabled() && !commands()->savePicture("saved.png") &&
+           !QFileInfo::exists("saved.png");
+  }
+  Image expected() const {
+    return simulateFast(loadScene(m_model->session(), {}).view(m_model->current()));
+  }
+  /// After each step of the events that come until the light field was found not to be readable,
+  /// and a little longer.
+  template <class Condition>
+  bool staysTrue(Condition condition) const {
+    const QDeadlineTimer deadline(patience);
+    const auto isOver = [&] {
+      return view()->notice().contains("cannot be read") || deadline.hasExpired();
+    };
+    for (int turn = 0; turn < 50 || !isOver(); ++turn) {
+      if (!condition()) return false;
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    }
+    return true;
+  }
+  void openSmall() {
+    QVERIFY(m_window->openSession("s.json"));
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  }
+  /// The same states before a light field that is not there.
+  void openMissing() {
+    writeFile("missing.json", contentOf("s.json").replace("a.png", "missing.png"));
+    QVERIFY(m_window->openSession("missing.json"));
+  }
+  /// Under a pointer that has just come to the middle of the right half.
+  QString readOut() const {
+    const QPointF place(0.75 * view()->width(), 0.5 * view()->height());
+    QMouseEvent event(QEvent::MouseMove, place, view()->mapToGlobal(place), Qt::NoButton,
+                      Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(view(), &event);
+    return view()->readOut();
+  }
+  void typeFile(const QString& file) {
+    auto* line = editor<QLineEdit>("lightFieldArea", "file");
+    line->setText(file);
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+};
+
+void TestNotices::init() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  writeSmallSession();
+  showWindow({1000, 700});
+}
+
+void TestNotices::withoutASession() {
+  const QString hint("No view yet: open a session (Ctrl+O)");
+  QVERIFY(isWrong(hint));
+  QVERIFY(!m_window->openSession("none.json"));
+  QVERIFY(isWrong(hint));
+  openSmall();
+  openMissing();
+  QTRY_VERIFY_WITH_TIMEOUT(isWrong("missing.png"), patience);
+  QVERIFY(!view()->notice().contains("No view yet"));
+}
+
+/// Also where the last picture of the session before is still on its way.
+void TestNotices::openingDropsThePicture() {
+  openSmall();
+  for (const bool hasEdit : {false, true}) {
+    if (hasEdit) {
+      openSmall();
+      editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.05);
+      QTest::qSleep(500);  // it is made, but nobody has heard of it
+    }
+    openMissing();
+    QVERIFY2(isWrong("Reading missing.png"), qPrintable(view()->notice()));
+    QVERIFY(staysTrue([this] { return view()->image().isNull(); }));
+    QVERIFY(isWrong("missing.png: there is no such file"));
+    QVERIFY(view()->shownPicture().isNull());
+    QVERIFY(!view()->grab().toImage().isNull());
+  }
+  openSmall();  // and the right one comes back
+  QVERIFY(equals(view()->image(), expected()));
+}
+
+/// Its picture on the panel, and its views on the frusta.
+void TestNotices::theSceneForgetsTheSessionBefore() {
+  writePicture("a.png", 64, 64, [](int, int, int channel) { return channel == 1 ? 0.0F : 1.0F; });
+  openSmall();
+  key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+  QTRY_VERIFY_WITH_TIMEOUT(scene().panel().gridLines() == 0, patience);
+  QTRY_VERIFY_WITH_TIMEOUT(count(drawn(), violet) > enoughToSee, patience);
+  openMissing();
+  QVERIFY(staysTrue(
+      [this] { return scene().panel().gridLines() > 0 && count(drawn(), violet) < enoughToSee; }));
+  QVERIFY(isWrong("cannot be read"));
+}
+
+void TestNotices::aHogelImageSaysWhatItNeeds() {
+  openSmall();
+  QVERIFY(m_window->openSession("a.png"));
+  QVERIFY(view()->image().isNull());
+  QTRY_VERIFY_WITH_TIMEOUT(isWrong("give display.hogels and display.directions"), patience);
+  for (const char* name : {"hogels.0", "hogels.1"})
+    editor<QSpinBox>("displayArea", name)->setValue(16);
+  for (const char* name : {"directions.0", "directions.1"})
+    editor<QSpinBox>("displayArea", name)->setValue(4);
+  QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  QVERIFY(equals(view()->image(), expected()));
+}
+
+void TestNotices::aPathThatCannotBeReadAndItsUndo() {
+  openSmall();
+  const QImage before = view()->image().copy();
+  typeFile("elsewhere.png");
+  QVERIFY(isWrong("Reading elsewhere.png"));
+  QTRY_VERIFY_WITH_TIMEOUT(isWrong("elsewhere.png: there is no such file"), patience);
+  editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.05);  // nothing to render it from
+  m_model->setCurrentIndex(1);
+  QTest::qWait(100);
+  QVERIFY(isWrong("elsewhere.png: there is no such file"));
+  m_model->setCurrentIndex(0);
+  m_model->undoStack()->undo();
+  m_model->undoStack()->undo();
+  QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  QCOMPARE(view()->image(), before);
+  typeFile("elsewhere.png");
+  typeFile("a.png");  // the newer one wins, whatever the older one ends with
+  QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  QTest::qWait(100);
+  QVERIFY(isRight());
+}
+
+/// With the states' views in the scene, which cannot be rendered either; and while two light fields
+/// are compared.
+void TestNotices::aStateThatCannotBeRendered() {
+  openSmall();
+  editor<QSpinBox>("cameraArea", "res.0")->setValue(400);  // the scene's is smaller
+  key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+  QTRY_COMPARE_WITH_TIMEOUT(view()->image().width(), 400, patience);
+  auto* depth = editor<QDoubleSpinBox>("cameraArea", "eye.2");
+  for (const bool hasOther : {false, true}) {
+    if (hasOther) {
+      writePicture("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });
+      QVERIFY(commands()->compareWith("b.png"));
+      QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull() && isRight(), patience);
+    }
+    const QImage before = view()->shownPicture();
+    depth->setValue(0);  // the eye is the look-at point
+    QTRY_VERIFY_WITH_TIMEOUT(isWrong("lookat: is the eye itself"), patience);
+    QCOMPARE(view()->notice().contains("stop comparing"), hasOther);
+    QCOMPARE(readOut(), QString());
+    child<QComboBox>("stateBox")->setCurrentIndex(1);
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+    child<QComboBox>("stateBox")->setCurrentIndex(0);
+    QTRY_VERIFY_WITH_TIMEOUT(isWrong("lookat: is the eye itself"), patience);
+    m_model->undoStack()->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+    QCOMPARE(view()->shownPicture(), before);
+    QVERIFY(!readOut().isEmpty());
+  }
+}
+
+void TestNotices::aNoticeIsPaintedOnTheDimmedPicture() {
+  openSmall();
+  view()->setFixedSize(300, 400);
+  const QImage before = view()->grab().toImage();
+  typeFile("/a/path/that/is/too/long/for/one/line/of/the/view/at/its/least/width/none.png");
+  QTRY_VERIFY_WITH_TIMEOUT(isWrong("none.png: there is no such file"), patience);
+  const QImage after = view()->grab().toImage();
+  QCOMPARE(after.size(), before.size());
+  int white = 0;
+  int dimmed = 0;
+  for (int y = 0; y < after.height(); ++y)
+    for (int x = 0; x < after.width(); ++x) {
+      const bool isWhite = qGray(after.pixel(x, y)) > 200;
+      white += isWhite ? 1 : 0;
+      dimmed += qGray(after.pixel(x, y)) < qGray(before.pixel(x, y)) / 2 + 1 ? 1 : 0;
+      QVERIFY2(!isWhite || (x > 3 && x < after.width() - 4), "the text is cut off");
+    }
+  QVERIFY2(white > enoughToSee, qPrintable(QString::number(white)));
+  QVERIFY2(dimmed > after.width() * after.height() / 2, qPrintable(QString::number(dimmed)));
+}
+
+/// It has a light field of its own; and what it says of its tests is not about the picture.
+void TestNotices::aReportGoesOn() {
+  openSmall();
+  writePicture("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });
+  writePicture("tiny.png", 4, 4, [](int, int, int) { return 0.5F; });
+  auto* dock = m_window->findChild<ReportDock*>();
+  auto* note = child<QLabel>("reportNote");
+  action("reportDockAction")->trigger();
+  dock->addTest("b.png");
+  QTest::mouseClick(child<QPushButton>("makeReportButton"), Qt::LeftButton);
+  typeFile("elsewhere.png");
+  QTRY_VERIFY_WITH_TIMEOUT(note->text().contains("mean of the finite"), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(isWrong("elsewhere.png: there is no such file"), patience);
+  m_model->undoStack()->undo();
+  QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  dock->addTest("tiny.png");
+  QTest::mouseClick(child<QPushButton>("makeReportButton"), Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(note->text().contains("tiny.png"), patience);
+  QVERIFY(isRight());
+}
+
+int main(int argc, char** argv) {
+  return runWindowTest<TestNotices>(argc, argv);
+}
+#include "test_notices.moc"
