@@ -11,6 +11,8 @@
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
 #include "io/image_writer.h"
+#include "io/light_field_file.h"
+#include "io/output_folder.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
@@ -135,6 +137,9 @@ bool PictureCommands::savePicture(const QString& file) {
   for (int y = 0; y < picture.height(); ++y)
     rgb.insert(rgb.end(), picture.constScanLine(y), picture.constScanLine(y) + rowBytes);
   try {
+    const Session& session = m_model->session();
+    checkOutputs({file.toStdString()},
+                 openLightField(session.lightField, session.display)->files());
     writeImage(file.toStdString(), picture.width(), picture.height(), rgb);
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

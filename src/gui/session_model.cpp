@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/changed_field.h"
+#include "io/output_folder.h"
 #include "io/session_file.h"
 
 namespace hogelscope {
@@ -76,6 +77,7 @@ void SessionModel::openLightField(const QString& file) {
 
 void SessionModel::save(const QString& file) {
   check(m_session);
+  checkOutputs({file.toStdString()}, {m_session.lightField.file});
   saveSession(file.toStdString(), m_session);
   m_saved = m_session;
   m_file = file;

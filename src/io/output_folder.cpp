@@ -59,7 +59,7 @@ void checkOutputs(const std::vector<fs::path>& outputs, const std::vector<fs::pa
     if (found != read.end())
       throw InputError(
           output.string(), "cannot be written",
-          "it is " + found->second->string() + ", which is read: give another --output");
+          "it is " + found->second->string() + ", which is read: choose another name");
   }
 }
 

@@ -71,7 +71,7 @@ void TestOutputs::inputsAreKept_data() {
   const auto row = [](const char* name, const QStringList& arguments, const QString& output) {
     QTest::newRow(name) << arguments << output;
   };
-  const QString read = ", which is read: give another --output";
+  const QString read = ", which is read: choose another name";
   row("render over the light field", {"--render", "--session", "s.json", "--output", "."},
       "./a.png: cannot be written: it is a.png" + read);
   row("by another name", {"--render", "--session", "s.json", "--output", "link"},
@@ -118,7 +118,7 @@ void TestOutputs::reportKeepsItsViews() {
   const Outcome outcome =
       job({"--report", "--session", "v.json", "--test", "v.json", "--output", ".", "--images"});
   QCOMPARE(outcome.err, QByteArray("hogelscope: ./test1/000_001.png: cannot be written: it is "
-                                   "test1/000_001.png, which is read: give another --output\n"));
+                                   "test1/000_001.png, which is read: choose another name\n"));
   QCOMPARE(outcome.status, 2);
   QCOMPARE(contentOf("test1/000_001.png"), content);
 }
