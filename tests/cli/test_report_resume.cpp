@@ -127,10 +127,11 @@ void TestReportResume::stopped() {
     const int after = rowsIn(folder);
     QVERIFY(after >= before && after < 2 * stateCount);
     const QByteArray told = process.readAllStandardError();
-    if (signal == SIGINT)
-      QCOMPARE(told, "hogelscope: " + QByteArray::number(after) +
-                         " of 80 views are done; the same command goes on from there\n"
-                         "hogelscope: stopped; what is finished is kept\n");
+    // On a machine so busy that nothing hears the signal for a while nobody counts.
+    const QByteArray counted = "hogelscope: " + QByteArray::number(after) +
+                               " of 80 views are done; the same command goes on from there\n";
+    const QByteArray stopped = "hogelscope: stopped; what is finished is kept\n";
+    if (signal == SIGINT) QVERIFY2(told == counted + stopped || told == stopped, told);
     before = after;
   }
   const Outcome outcome = runHere(report(folder));
