@@ -73,6 +73,9 @@ std::string html(const ReportPage& page) {
   const std::string title = escaped(page.session);
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      std::string(reportPolicy) +
+      "\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
       title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
       "<h1>Perceived views of " + title + "</h1>\n" + whatWasTested(page) +

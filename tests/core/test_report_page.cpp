@@ -3,6 +3,7 @@
 // empty, its pictures byte for byte.
 #include "core/report_page.h"
 
+#include <QCryptographicHash>
 #include <QTest>
 #include <QXmlStreamReader>
 #include <cmath>
@@ -80,6 +81,7 @@ class TestReportPage : public QObject {
   void partsInOrder();
   void emptyPartsLeaveNoHeading();
   void oneFile();
+  void onlyItsOwnScriptRuns();
   void facts();
   void meansAndProblems();
   void oneTestHasNoRowOfAllTests();
@@ -157,6 +159,26 @@ void TestReportPage::oneFile() {
   page.remove("src=\"data:image/png;base64,");
   for (const char* outside : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"})
     QVERIFY2(!page.contains(outside), outside);
+}
+
+/// By its policy, which names style and script by their hashes and allows nothing inline besides.
+void TestReportPage::onlyItsOwnScriptRuns() {
+  const std::string page = html(fullPage());
+  const auto hashOf = [&page](const char* name) {
+    const QStringList texts = textsOf(page, name);
+    const QByteArray text = texts.value(0).toUtf8();
+    return texts.size() == 1
+               ? QString(QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64())
+               : QString("not one");
+  };
+  const QString policy =
+      QString(
+          "content=\"default-src 'none'; img-src data:; style-src 'sha256-%1'; script-src "
+          "'sha256-%2'; base-uri 'none'; form-action 'none'\"/>")
+          .arg(hashOf("style"), hashOf("script"));
+  QVERIFY2(contains(page, policy.toStdString()), qPrintable(policy));
+  QVERIFY(page.find(policy.toStdString()) < page.find("<style>"));
+  QVERIFY(!contains(page, " style=") && !contains(page, " onclick=") && !contains(page, "<a "));
 }
 
 void TestReportPage::facts() {
