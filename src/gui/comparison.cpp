@@ -61,6 +61,7 @@ void Comparison::read(int number, const Session& session, const QString& name) {
   };
   try {
     const Scene scene = loadScene(session, progress);
+    m_readShare = 1;
     queueAnswer(this, m_reading, number, [this, scene, name] { take(scene, name); });
   } catch (const Cancelled&) {
     // nobody waits for it

@@ -19,10 +19,9 @@
 #include "gui/main_window.h"
 #include "gui/session_model.h"
 #include "io/session_file.h"
+#include "tests/gui/patience.h"
 
 inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
-
-inline constexpr int patience = 60000;  ///< milliseconds; machines may be busy
 
 /// Presses a key in the next box, and keeps what the box says.
 class BoxAnswer : public QObject {
@@ -78,7 +77,7 @@ class HabitsTest : public QObject {
     m_window.reset();
     m_window = std::make_unique<hogelscope::MainWindow>();
     m_window->start(files);
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
   }
   void drop(const QStringList& files) {
     QMimeData data;

@@ -14,6 +14,7 @@
 #include "gui/vtk_widget.h"
 #include "io/light_field_file.h"
 #include "io/session_file.h"
+#include "tests/gui/pattern_file.h"
 #include "tests/gui/window_test.h"
 
 inline bool isNear(const hogelscope::Vec3& a, const hogelscope::Vec3& b, double tolerance) {
@@ -22,11 +23,24 @@ inline bool isNear(const hogelscope::Vec3& a, const hogelscope::Vec3& b, double 
 
 class SceneTest : public WindowTest {
  protected:
+  static constexpr const char* sampleFile = HOGELSCOPE_SOURCE_DIR "/data/table1.json";
+
   void start() {
-    showWindow({1400, 800});
-    hogelscope::Session session =
-        hogelscope::loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+    hogelscope::Session session = hogelscope::loadSession(sampleFile);
     session.lightField.file = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
+    start(session);
+  }
+  /// With few directions and small pictures, which are quick.
+  void startSmall() {
+    hogelscope::Session session =
+        hogelscope::loadSession(sampleFile, {"display.directions=[6,6]", "camera.res=[120,120]"});
+    session.lightField.file = m_folder.filePath("scene.png").toStdString();
+    if (!QFileInfo::exists(m_folder.filePath("scene.png")))
+      writePattern("scene", session.display, session.lightField.file);
+    start(session);
+  }
+  void start(hogelscope::Session session) {
+    showWindow({1400, 800});
     // Some side by side; the others are at one place with the first.
     for (std::size_t k = 1; k < 4; ++k) session.cameras[k].camera.eye.x = 0.25 * double(k) - 0.3;
     open(session);

@@ -50,7 +50,7 @@ class TestDockDrawings : public DocksTest {
     child<QDockWidget>("psfDock")->raise();
     auto* kernel = m_window->findChild<KernelView*>();
     auto* energy = child<QLabel>("energyLabel");
-    QTRY_VERIFY(kernel->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(kernel->isVisible(), patience);
     editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(2);
     editor<QSlider>("psfArea", "windowSize.slider")->setValue(3);
     QCOMPARE(editor<QSpinBox>("psfArea", "windowSize")->value(), 7);
@@ -79,20 +79,20 @@ class TestDockDrawings : public DocksTest {
     openSmall();
     child<QDockWidget>("distortionDock")->raise();
     auto* lens = m_window->findChild<LensView*>();
-    QTRY_VERIFY(lens->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(lens->isVisible(), patience);
     const QColor red(200, 40, 40);
     const QColor blue(52, 94, 150);
     for (const char* name : {"k1", "k2", "k3"})
       editor<QDoubleSpinBox>("distortionArea", name)->setValue(0);
-    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, blue) > 1000 && pixelsOf(lens, red) == 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, blue) > 1000 && pixelsOf(lens, red) == 0, patience);
     const int straight = pixelsOf(lens, blue);
     editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(-1.2);  // folds at r = 0.527
-    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) > 500, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) > 500, patience);
     QVERIFY(pixelsOf(lens, blue) != straight);
     auto* certificate = child<QLabel>("certificateLabel");
     QVERIFY(certificate->text().contains("have no ray: the lens folds"));
     editor<QComboBox>("lightFieldArea", "mapping")->setCurrentText("direct");
-    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) == 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) == 0, patience);
     lens->resize(1, 1);
     lens->grab();
   }
@@ -104,14 +104,14 @@ class TestDockDrawings : public DocksTest {
     auto* certificate = child<QLabel>("certificateLabel");
     auto* lens = m_window->findChild<LensView*>();
     const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };
-    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), patience);
     const QString before = certificate->text();
     const int blue = pixelsOf(lens, QColor(52, 94, 150));
     editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.2);
     QVERIFY(isGrey());
     QCOMPARE(certificate->text(), before);
     QVERIFY(pixelsOf(lens, QColor(52, 94, 150)) < blue / 10);
-    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), patience);
     QVERIFY(certificate->text() != before);
     editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.01);  // the lens stays
     QVERIFY(!isGrey());
@@ -121,7 +121,7 @@ class TestDockDrawings : public DocksTest {
     QVERIFY(!isGrey());
     child<QComboBox>("stateBox")->setCurrentIndex(3);
     QVERIFY(isGrey());
-    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled(), patience);
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0);  // the look-at: no camera
     QVERIFY(!certificate->text().isEmpty());
   }

@@ -33,7 +33,7 @@ class TestDocks : public DocksTest {
   void theWindowFitsASmallScreen() {
     openSmall();
     m_window->resize(1280, 800);
-    QTRY_COMPARE(m_window->size(), QSize(1280, 800));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1280, 800), patience);
     QVERIFY(child<PictureView>("pictureView")->width() > 300);
     QVERIFY(list()->viewport()->height() >= 6 * list()->visualItemRect(list()->item(0)).height());
     auto* camera = child<QDockWidget>("cameraDock");
@@ -95,10 +95,10 @@ class TestDocks : public DocksTest {
     QCOMPARE(m_model->undoStack()->undoText(), QString("Change samplesPerPixel"));
     QVERIFY(m_window->isWindowModified());
     const Image picture = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), picture), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), picture), patience);
     QCOMPARE(loaded.count(), 0);
     while (m_model->undoStack()->canUndo()) m_model->undoStack()->undo();
-    QTRY_VERIFY_WITH_TIMEOUT(view() == before, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(view() == before, patience);
     QCOMPARE(editor<QDoubleSpinBox>("displayArea", "size.0")->value(), 0.5);
   }
 
@@ -110,11 +110,11 @@ class TestDocks : public DocksTest {
     RenderedView last;
     connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
             [&](const RenderedView& view) { last = view; });
-    QTRY_VERIFY_WITH_TIMEOUT(!last.otherImage.isNull(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!last.otherImage.isNull(), patience);
     editor<QDoubleSpinBox>("displayArea", "size.0")->setValue(0.3);
     editor<QSpinBox>("lightFieldArea", "samplesPerPixel")->setValue(2);
     const Image picture = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(last.image, picture), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(last.image, picture), patience);
     QVERIFY(equals(last.otherImage, picture));
     disconnect(m_window->findChild<ViewWorker*>(), nullptr, this, nullptr);
   }
@@ -122,11 +122,12 @@ class TestDocks : public DocksTest {
   void hogelsThatDoNotFitAreToldAndMended() {
     openSmall();
     auto* contents = child<QLabel>("contentsLabel");
-    QTRY_VERIFY(contents->text().startsWith("128×128 hogels of 20×20 directions, 8 bit"));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        contents->text().startsWith("128×128 hogels of 20×20 directions, 8 bit"), patience);
     const QImage before = view().copy();
     for (const char* name : {"hogels.0", "hogels.1"})
       editor<QSpinBox>("displayArea", name)->setValue(64);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 20×20 directions need"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 20×20 directions need"), patience);
     QVERIFY(view() == before);
     QVERIFY(child<PictureView>("pictureView")->notice().contains("64×64 hogels of 20×20"));
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0.7);  // nothing to render it from
@@ -135,9 +136,9 @@ class TestDocks : public DocksTest {
     QCOMPARE(contents->text(), QString("Nothing is in memory."));
     for (const char* name : {"directions.0", "directions.1"})
       editor<QSpinBox>("displayArea", name)->setValue(40);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     const Image picture = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), picture), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), picture), patience);
     QVERIFY(contents->text().startsWith("64×64 hogels of 40×40 directions"));
   }
 
@@ -160,20 +161,22 @@ class TestDocks : public DocksTest {
     QVERIFY(!editor<QLineEdit>("lightFieldArea", "pattern")->isHidden());
     editor<QComboBox>("lightFieldArea", "rows")->setCurrentText("bottom-up");
     const Image flipped = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), flipped), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), flipped), patience);
 
     // A quilt: the layout follows, and the fields with it.
     const QString quilt = m_folder.filePath("q_qs2x2a1.png");
     writePicture(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
     m_window->findChild<LightFieldDock*>()->choose(quilt);
-    QTRY_VERIFY(child<QLabel>("contentsLabel")->text().startsWith("20×20 hogels of 4×1"));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        child<QLabel>("contentsLabel")->text().startsWith("20×20 hogels of 4×1"), patience);
     QCOMPARE(editor<QComboBox>("lightFieldArea", "layout")->currentText(), QString("quilt"));
     QVERIFY(editor<QLineEdit>("lightFieldArea", "pattern")->isHidden());
     auto* columns = editor<QSpinBox>("lightFieldArea", "columns");
     QVERIFY(columns->isVisibleTo(child<QScrollArea>("lightFieldArea")->widget()));
     QCOMPARE(columns->text(), QString("not given"));
     columns->setValue(4);
-    QTRY_VERIFY(child<QLabel>("contentsLabel")->text().startsWith("10×20 hogels of 8×1"));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        child<QLabel>("contentsLabel")->text().startsWith("10×20 hogels of 8×1"), patience);
     QVERIFY(m_window->saveSession(m_folder.filePath("around.json")));
     QVERIFY(loadSession(m_folder.filePath("around.json").toStdString()).cameras ==
             m_model->session().cameras);
@@ -183,13 +186,13 @@ class TestDocks : public DocksTest {
     writePicture(m_folder.filePath("plain.png"), 60, 60,
                  [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
     QVERIFY(m_window->openSession(m_folder.filePath("plain.png")));
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), patience);
     QVERIFY(!m_window->saveSession(m_folder.filePath("plain.json")));
     for (const char* name : {"hogels.0", "hogels.1"})
       editor<QSpinBox>("displayArea", name)->setValue(10);
     for (const char* name : {"directions.0", "directions.1"})
       editor<QSpinBox>("displayArea", name)->setValue(6);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QVERIFY(!view().isNull());
     QVERIFY(!m_window->openSession(m_folder.filePath("none.png")));
     QVERIFY(message().contains("none.png"));

@@ -9,7 +9,6 @@
 
 #include "gui/picture_view.h"
 #include "gui/view_worker.h"
-#include "tests/gui/busy_window.h"
 #include "tests/gui/habits_test.h"
 
 using namespace hogelscope;
@@ -174,7 +173,7 @@ class TestFiles : public HabitsTest {
     moved.clear();
     QTRY_COMPARE_WITH_TIMEOUT(loaded.count(), 1, patience);
     QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
-    QTRY_VERIFY(!bar->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), patience);
   }
 
  private:

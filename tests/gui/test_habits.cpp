@@ -102,7 +102,7 @@ class TestHabits : public HabitsTest {
   void showsTheManual() {
     action("manualAction")->trigger();
     auto* manual = m_window->findChild<ManualWindow*>();
-    QVERIFY(QTest::qWaitForWindowExposed(manual));
+    QVERIFY(QTest::qWaitForWindowExposed(manual, patience));
     auto* page = manual->findChild<ManualPage*>("manualPage");
     auto* contents = manual->findChild<QTreeWidget*>("manualContents");
     QFile file(HOGELSCOPE_SOURCE_DIR "/resources/manual/manual.md");

@@ -54,8 +54,8 @@ void TestKeyWindow::init() {
 
 void TestKeyWindow::openKeys() {
   key(Qt::Key_K, Qt::ControlModifier);
-  QTRY_VERIFY(m_window->findChild<KeyWindow*>() != nullptr);
-  QTRY_VERIFY(m_window->findChild<KeyWindow*>()->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<KeyWindow*>() != nullptr, patience);
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<KeyWindow*>()->isVisible(), patience);
 }
 
 int TestKeyWindow::rowOf(const char* action) const {
@@ -207,7 +207,7 @@ void TestKeyWindow::keptForNextTime() {
   m_window.reset();
   start();
   key(Qt::Key_F10);
-  QTRY_VERIFY(child<QDockWidget>("reportDock")->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(child<QDockWidget>("reportDock")->isVisible(), patience);
   openKeys();
   QCOMPARE(cell("reportDockAction", 2), QString("F10"));
   QCOMPARE(cell("reportDockAction", 3), QString("Ctrl+R"));
@@ -215,7 +215,7 @@ void TestKeyWindow::keptForNextTime() {
 
 /// One key for the same command of all pictures.
 void TestKeyWindow::picturesToo() {
-  QTRY_VERIFY_WITH_TIMEOUT(!child<PictureView>("pictureView")->image().isNull(), 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(!child<PictureView>("pictureView")->image().isNull(), patience);
   openKeys();
   press("zoomInAction", Qt::Key_F12);
   child<QDockWidget>("reportDock")->show();

@@ -149,11 +149,11 @@ void TestKeys::afterReturn() {
   const auto type = [&](QWidget* field, const QString& text) {
     QApplication::setActiveWindow(dock->window());
     field->setFocus();
-    QTRY_VERIFY(field->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(field->hasFocus(), patience);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
-    QTRY_COMPARE(QApplication::focusWidget(), child<QWidget>("pictureView"));
+    QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), child<QWidget>("pictureView"), patience);
   };
   type(editor<QDoubleSpinBox>("cameraArea", "eye.2"), "0.5");
   QCOMPARE(eye().z, 0.5);
@@ -254,7 +254,7 @@ void TestKeys::statesByPage() {
 void TestKeys::nothingIsOpen() {
   MainWindow empty;
   empty.show();
-  QVERIFY(QTest::qWaitForWindowExposed(&empty));
+  QVERIFY(QTest::qWaitForWindowExposed(&empty, patience));
   QApplication::setActiveWindow(&empty);
   for (const KeyMap::Command& command : empty.findChild<KeyMap*>()->commands())
     if (command.section.startsWith("Camera") || command.section == "Edit")

@@ -25,7 +25,6 @@ using namespace hogelscope;
 
 namespace {
 
-constexpr int patience = 60000;    ///< milliseconds; machines may be busy
 const QColor violet(255, 0, 255);  ///< is in no other thing that the scene draws
 constexpr int enoughToSee = 100;   ///< pixels
 

@@ -11,6 +11,7 @@
 
 #include "gui/picture_difference.h"
 #include "gui/view_pace.h"
+#include "tests/gui/patience.h"
 
 using namespace hogelscope;
 
@@ -87,7 +88,7 @@ class TestPictureView : public QObject {
     m_view->resize(400, 300);
     m_view->setImages(coordinates(200, 150, firstBlue));
     m_view->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get(), patience));
     QApplication::setActiveWindow(m_view.get());
     m_view->setFocus();
     lookAway();
@@ -99,7 +100,7 @@ class TestPictureView : public QObject {
     QCOMPARE(at({399, 299}), QColor(199, 149, firstBlue));
     QCOMPARE(at({201, 151}), QColor(100, 75, firstBlue));
     m_view->resize(500, 300);  // bars left and right, 50 wide
-    QTRY_COMPARE(m_view->width(), 500);
+    QTRY_COMPARE_WITH_TIMEOUT(m_view->width(), 500, patience);
     QCOMPARE(at({51, 1}), QColor(0, 0, firstBlue));
     QVERIFY(at({48, 1}) != QColor(0, 0, firstBlue));
   }
@@ -315,7 +316,7 @@ class TestPictureView : public QObject {
     lookAway();
     QCOMPARE(m_view->readOut(), QString());
     m_view->resize(500, 300);
-    QTRY_COMPARE(m_view->width(), 500);
+    QTRY_COMPARE_WITH_TIMEOUT(m_view->width(), 500, patience);
     look({20, 51});
     QCOMPARE(m_view->readOut(), QString());  // beside the picture
   }

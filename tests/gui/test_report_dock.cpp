@@ -27,7 +27,7 @@
 #include "gui/vtk_widget.h"
 #include "io/session_file.h"
 #include "tests/cli/csv.h"
-#include "tests/gui/busy_window.h"
+#include "tests/gui/patience.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -120,7 +120,7 @@ void TestReportDock::init() {
   m_window = std::make_unique<MainWindow>();
   m_window->resize(1600, 1000);
   m_window->show();
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
   QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
   m_dock = m_window->findChild<ReportDock*>();
 }
@@ -129,7 +129,7 @@ void TestReportDock::open(const QByteArray& res, const QByteArray& sampling) {
   writeFile("s.json", session(res, sampling));
   QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
-  QTRY_VERIFY(m_dock->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(m_dock->isVisible(), patience);
 }
 
 void TestReportDock::make() {
@@ -138,7 +138,7 @@ void TestReportDock::make() {
   m_dock->addTest("c.png");
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
-                           30000);
+                           patience);
 }
 
 void TestReportDock::makesAReport() {
@@ -187,7 +187,7 @@ void TestReportDock::namesStayWhenScrolledSideways() {
   auto* names = table->verticalHeader();
   QVERIFY(names->isVisible() && names->width() >= table->fontMetrics().horizontalAdvance("s0"));
   auto* bar = table->horizontalScrollBar();
-  QTRY_VERIFY(bar->maximum() > 0);
+  QTRY_VERIFY_WITH_TIMEOUT(bar->maximum() > 0, patience);
   bar->setValue(bar->maximum());
   QVERIFY(table->columnViewportPosition(0) < 0);  // the columns have moved, the names have not
   QCOMPARE(names->mapTo(table, QPoint(0, 0)).x(), table->frameWidth());
@@ -251,14 +251,14 @@ void TestReportDock::stopsAndGoesOn() {
   open("[800, 600]", R"({"samplesPerPixel": 8})");
   m_dock->addTest("b.png");
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 1).isEmpty(), 120000);
+  QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 1).isEmpty(), patience);
   QCOMPARE(child<QPushButton>("makeReportButton")->text(), QString("&Stop"));
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().startsWith("Stopped"), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().startsWith("Stopped"), patience);
   QVERIFY(QFileInfo::exists("s-report/report.journal"));
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
-                           60000);
+                           patience);
   QVERIFY(!QFileInfo::exists("s-report/report.journal"));
 }
 
@@ -266,11 +266,11 @@ void TestReportDock::errors() {
   writeGrey("small.png", 8, 8);
   open();
   // The picture's line would take the place of the error's.
-  QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), patience);
   m_dock->addTest("small.png");
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(
-      child<QLabel>("reportNote")->text().contains("small.png: size: is 8×8 px"), 30000);
+      child<QLabel>("reportNote")->text().contains("small.png: size: is 8×8 px"), patience);
   click("removeTestButton");
   QCOMPARE(child<QListWidget>("testList")->count(), 0);
   QVERIFY(!child<QPushButton>("makeReportButton")->isEnabled());
@@ -303,7 +303,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   m_dock->addTest("b.png");
   click("makeReportButton");
   QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
   const QString name = m_folder->filePath("s.json") + " with unsaved changes";
   QCOMPARE(heading("s-report"), "Perceived views of " + name);
   QVERIFY(contentOf("s-report/report.html")
@@ -311,7 +311,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   QVERIFY(m_window->saveSession(m_folder->filePath("s.json")));
   child<QPushButton>("openPageButton")->setEnabled(false);
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
   QCOMPARE(heading("s-report"), "Perceived views of " + m_folder->filePath("s.json"));
   QVERIFY(contentOf("s-report/report.html").contains("s.json, SHA-256 "));
 }
@@ -325,7 +325,7 @@ void TestReportDock::anUntitledSessionHasAHeading() {
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   m_dock->addTest("t_qs2x2a1.png");
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
   QCOMPARE(heading("q_qs2x2a1-report"), QString("Perceived views of an untitled session"));
   QVERIFY(contentOf("q_qs2x2a1-report/report.html")
               .contains("made in the window, from an untitled session<"));
@@ -340,7 +340,8 @@ void TestReportDock::aReportOfAnotherSessionIsNotTold() {
   QTest::qSleep(300);  // its end waits in the queue
   writeFile("s2.json", contentOf("s.json"));
   QVERIFY(m_window->openSession(m_folder->filePath("s2.json")));
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"),
+                           patience);
   QCOMPARE(child<QLabel>("reportNote")->text(), QString());
   QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
 }
@@ -355,7 +356,7 @@ void TestReportDock::progressQueuesNothing() {
   QVERIFY(bar->isVisible());
   moved.clear();
   QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), 30000);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
   QVERIFY(!bar->isVisible());
   QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
 }
@@ -364,7 +365,7 @@ void TestReportDock::addsCameraSets() {
   open();
   QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
   auto* sets = m_window->findChild<CameraSetView*>();
-  QTRY_VERIFY(sets->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(sets->isVisible(), patience);
   sets->findChild<QSpinBox*>("count")->setValue(7);
   auto* states = child<QComboBox>("stateBox");
   click("addSetButton");

@@ -22,7 +22,7 @@ class TestScene : public SceneTest {
   Q_OBJECT
 
  private Q_SLOTS:
-  void init() { start(); }
+  void init() { startSmall(); }
   void cleanup() { m_window.reset(); }
 
   void thePanelShowsWhatTheScenesEyeSees() {
@@ -51,24 +51,24 @@ class TestScene : public SceneTest {
       return seen > 5000 ? double(near) / seen : 0;
     };
     // The rest is the frusta, balls and axes before it, and the edges of hogels.
-    QTRY_VERIFY_WITH_TIMEOUT(shares() > 0.8, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(shares() > 0.8, patience);
     // The light leakage is the current state's.
     edit("eye.0", -0.25);
-    QTRY_VERIFY_WITH_TIMEOUT(shares() > 0.8, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(shares() > 0.8, patience);
   }
 
   void thePanelCanShowItsGrid() {
     press(Qt::Key_F5);
-    QTRY_COMPARE(scene().panel().gridLines(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
     press(Qt::Key_G, Qt::ControlModifier);
     QVERIFY(!child<QAction>("scenePanelPictureAction")->isChecked());
-    QTRY_VERIFY(count(drawn(), gridColour) > 1000);
+    QTRY_VERIFY_WITH_TIMEOUT(count(drawn(), gridColour) > 1000, patience);
     const int far = scene().panel().gridLines();
     QVERIFY2(far <= 2 * 65, qPrintable(QString::number(far)));  // not each of 128
     scene().renderer()->GetActiveCamera()->Dolly(8);
-    QTRY_COMPARE(scene().panel().gridLines(), 2 * 129);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 2 * 129, patience);
     press(Qt::Key_G, Qt::ControlModifier);
-    QTRY_COMPARE(scene().panel().gridLines(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
   }
 
   void theBallsKeepTheirSizeOnTheScreen() {
@@ -180,7 +180,7 @@ class TestScene : public SceneTest {
     QVERIFY2(readout().contains("outside the viewing zone"), qPrintable(readout()));
     edit("eye.2", 2);
     edit("eye.0", 0.1);
-    QTRY_VERIFY(readout().contains("% of the panel lights this eye"));
+    QTRY_VERIFY_WITH_TIMEOUT(readout().contains("% of the panel lights this eye"), patience);
   }
 
   void psnrColoursTheFrusta() {
@@ -199,16 +199,17 @@ class TestScene : public SceneTest {
     };
     QCOMPARE(frusta(bright) + bar(bright) + frusta(dark) + bar(dark), 0);
     controller()->showPsnr({20, 30, HUGE_VAL, std::nan(""), 20, 20});
-    QTRY_VERIFY(frusta(bright) > 50);  // the 2nd, and the 3rd that is identical
+    QTRY_VERIFY_WITH_TIMEOUT(frusta(bright) > 50,
+                             patience);  // the 2nd, and the 3rd that is identical
     QVERIFY(frusta(dark) > 50);
     QVERIFY(bar(bright) > 20 && bar(dark) > 20);
     controller()->showPsnr({});
-    QTRY_COMPARE(frusta(bright) + bar(bright) + frusta(dark) + bar(dark), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(frusta(bright) + bar(bright) + frusta(dark) + bar(dark), 0, patience);
     controller()->showPsnr({25});  // fewer than states, one value
     QTest::qWait(50);
     child<QComboBox>("stateBox")->setCurrentIndex(2);
     child<QAction>("duplicateAction")->trigger();
-    QTRY_COMPARE(count(drawn(), dark), 0);  // they are other states' now
+    QTRY_COMPARE_WITH_TIMEOUT(count(drawn(), dark), 0, patience);  // they are other states' now
   }
 
   void frustaCarryTheirViews() {
@@ -236,15 +237,15 @@ class TestScene : public SceneTest {
     child<QComboBox>("stateBox")->setCurrentIndex(3);
     QVERIFY(meanError() > 60);
     press(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_VERIFY2_WITH_TIMEOUT(meanError() < 25, qPrintable(QString::number(meanError())), 10000);
+    QTRY_VERIFY2_WITH_TIMEOUT(meanError() < 25, qPrintable(QString::number(meanError())), patience);
     press(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_VERIFY(meanError() > 60);
+    QTRY_VERIFY_WITH_TIMEOUT(meanError() > 60, patience);
   }
 
   void impossibleCamerasAndManyStatesDoNoHarm() {
     edit("eye.0", 0);
     edit("eye.2", 0);  // the eye is the look-at point
-    QTRY_VERIFY(readout().contains("outside the viewing zone"));
+    QTRY_VERIFY_WITH_TIMEOUT(readout().contains("outside the viewing zone"), patience);
     press(Qt::Key_F8);
     controller()->showPixel(10, 10);
     QTest::mouseMove(widget(), QPoint(200, 200));

@@ -61,9 +61,10 @@ class TestScenePicking : public SceneTest {
   void namesAppearUnderThePointer() {
     press(Qt::Key_F6);
     QTest::mouseMove(widget(), onScreen(cornerOf(m_session.cameras[3])));
-    QTRY_VERIFY2(QToolTip::text().startsWith("Fig 4: "), qPrintable(QToolTip::text()));
+    QTRY_VERIFY2_WITH_TIMEOUT(QToolTip::text().startsWith("Fig 4: "), qPrintable(QToolTip::text()),
+                              patience);
     QTest::mouseMove(widget(), QPoint(5, 5));
-    QTRY_VERIFY(!QToolTip::isVisible() || QToolTip::text().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!QToolTip::isVisible() || QToolTip::text().isEmpty(), patience);
   }
 
   void draggingTheBallsMovesEyeAndLookat() {

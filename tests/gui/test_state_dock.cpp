@@ -86,11 +86,12 @@ class TestStateDock : public DocksTest {
     child<QDockWidget>("statesDock")->hide();
     const auto type = [this](const QString& name) {
       child<QAction>("renameAction")->trigger();
-      QTRY_VERIFY(list()->isVisible() && list()->findChild<QLineEdit*>() != nullptr);
+      QTRY_VERIFY_WITH_TIMEOUT(list()->isVisible() && list()->findChild<QLineEdit*>() != nullptr,
+                               patience);
       auto* line = list()->findChild<QLineEdit*>();
       line->setText(name);
       QTest::keyClick(line, Qt::Key_Return);
-      QTRY_VERIFY(list()->findChild<QLineEdit*>() == nullptr);
+      QTRY_VERIFY_WITH_TIMEOUT(list()->findChild<QLineEdit*>() == nullptr, patience);
     };
     type("wide");
     QCOMPARE(names().front(), QString("wide"));

@@ -14,6 +14,7 @@
 #include "gui/view_worker.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
+#include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/io/documents.h"
 
@@ -63,7 +64,7 @@ void TestStoreView::init() {
   m_views.clear();
   m_window = std::make_unique<MainWindow>();
   m_window->show();
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
   QApplication::setActiveWindow(m_window.get());
   connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
           [this](const RenderedView& rendered) { m_views.push_back(rendered); });
@@ -71,7 +72,7 @@ void TestStoreView::init() {
 }
 
 void TestStoreView::theWholePictureFollowsTheOverview() {
-  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), 60000);
+  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   QVERIFY(m_views.size() >= 2);
   QVERIFY(m_views.front().isOverview && !m_views.back().isOverview);
   QVERIFY(!equals(m_views.front().image, simulateFast(m_whole.view(m_states[0]))));
@@ -84,23 +85,23 @@ void TestStoreView::theWholePictureFollowsTheOverview() {
 
 /// Keys move the camera: something is shown for each, and the whole picture in the end.
 void TestStoreView::followsTheEye() {
-  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), 60000);
+  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   m_views.clear();
   QAction* right = m_window->findChild<QAction*>("strafeRightAction");
   QVERIFY(right != nullptr);
   for (int k = 0; k < 5; ++k) {
     right->trigger();
     const std::size_t before = m_views.size();
-    QTRY_VERIFY_WITH_TIMEOUT(m_views.size() > before, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_views.size() > before, patience);
   }
-  QTRY_VERIFY_WITH_TIMEOUT(!m_views.back().isOverview, 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(!m_views.back().isOverview, patience);
   QVERIFY(!shows(m_states[0]));
   m_window->findChild<QComboBox*>("stateBox")->setCurrentIndex(3);
-  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[3]), 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[3]), patience);
 }
 
 void TestStoreView::aPixelIsTraced() {
-  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), 60000);
+  QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   Q_EMIT view()->pixelPicked(300, 300);
   const QString text = m_window->findChild<QLabel*>("sceneReadout")->text();
   QVERIFY2(text.contains("hogel i 64, j 64"), qPrintable(text));
@@ -118,7 +119,7 @@ void TestStoreView::aDamagedBlockIsTold() {
   m_window->show();
   QVERIFY(m_window->openSession("s2.json"));
   const auto line = [this] { return m_window->statusBar()->currentMessage(); };
-  QTRY_VERIFY2_WITH_TIMEOUT(line().contains("damaged.tif: "), qPrintable(line()), 30000);
+  QTRY_VERIFY2_WITH_TIMEOUT(line().contains("damaged.tif: "), qPrintable(line()), patience);
   QVERIFY2(line().contains("is damaged"), qPrintable(line()));
 }
 

@@ -11,6 +11,7 @@
 #include "gui/session_model.h"
 #include "gui/translations.h"
 #include "gui/vtk_widget.h"
+#include "tests/gui/patience.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -45,14 +46,14 @@ class WindowTest : public QObject {
     m_window = std::make_unique<hogelscope::MainWindow>();
     if (size.isValid()) m_window->resize(size);
     m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
     QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
     m_model = m_window->findChild<hogelscope::SessionModel*>();
   }
   /// Until its picture is shown.
   void open(const QString& file) {
     QVERIFY(m_window->openSession(file));
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
   }
 
   template <class T>

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture file of a light field in closed form.
+#pragma once
+
+#include <vector>
+
+#include "core/pattern.h"
+#include "io/image_writer.h"
+
+/// All hogels of a display as one image, as `--generate` makes it.
+inline void writePattern(const std::string& pattern, const hogelscope::DisplayParams& display,
+                         const std::string& file) {
+  const auto made = hogelscope::makePattern(pattern, display, {});
+  const int width = display.hogels[0] * display.directions[0];
+  const int height = display.hogels[1] * display.directions[1];
+  hogelscope::ImageRowWriter writer(file, width, height);
+  std::vector<std::uint8_t> row(3 * std::size_t(width));
+  for (int y = 0; y < height; ++y) {
+    made->row(y, row.data());
+    writer.write(row);
+  }
+  writer.finish();
+}
