@@ -26,6 +26,19 @@ class TestDocks : public DocksTest {
     return simulateFast(loadScene(session, {}).view(m_model->current()));
   }
 
+  void nothingReplacesWhatIsRead(const QString& lightField) {
+    const auto bytes = [&lightField] {
+      QFile file(lightField);
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray before = bytes();
+    QVERIFY(!m_window->saveSession(lightField));
+    QVERIFY(message().contains("which is read"));
+    QVERIFY(!m_window->findChild<PictureCommands*>()->savePicture(lightField));
+    QVERIFY(message().contains("which is read"));
+    QCOMPARE(bytes(), before);
+  }
+
  private Q_SLOTS:
   void init() { showWindow(); }
   void cleanup() { m_window.reset(); }
@@ -194,6 +207,7 @@ class TestDocks : public DocksTest {
       editor<QSpinBox>("displayArea", name)->setValue(6);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QVERIFY(!view().isNull());
+    nothingReplacesWhatIsRead(m_folder.filePath("plain.png"));
     QVERIFY(!m_window->openSession(m_folder.filePath("none.png")));
     QVERIFY(message().contains("none.png"));
     QVERIFY(m_window->windowTitle().startsWith("new session"));
