@@ -11,6 +11,7 @@
 
 #include "cli/stop_signals.h"
 #include "io/atomic_file.h"
+#include "io/temporary_files.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -27,7 +28,9 @@ class Child {
     if (m_process == 0) {
       catchSignals();
       const AtomicFile file("begun.txt");
-      writeFile(QString::fromStdString(file.temporary().string()), "half of it");
+      writeAll(file.descriptor(), "half of it", "begun.txt");
+      registerTemporary("named.part");  // as where the file system has no files without names
+      writeFile("named.part", "half of it");
       (void)!::write(ready[1], "!", 1);
       work();
       ::_exit(99);
