@@ -15,11 +15,11 @@ namespace hogelscope {
 
 int makeCameras(const Options& options) {
   const Session session = loadSelected(options);
+  const Session result = withCameras(session, loadCameraSet(options.subject, options.jobOverrides));
   if (!isSessionFile(options.output))
     throw InputError(options.output, "cannot be written", "a session's name ends in .json");
   // The session itself may be replaced by the one with more states; nothing that it reads may.
   checkOutputs({options.output}, {options.subject, options.calibration, session.lightField.file});
-  const Session result = withCameras(session, loadCameraSet(options.subject, options.jobOverrides));
   makeFolderOf(options.output);
   saveSession(options.output, result);
   if (!options.quiet)

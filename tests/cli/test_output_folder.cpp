@@ -74,8 +74,8 @@ void TestOutputFolder::isFoundFirst() {
     return runWithoutPrivileges(arguments + QStringList{"--output", output}, m_folder->path());
   };
   QVERIFY(QFile::setPermissions("locked", QFile::ReadOwner | QFile::ExeOwner));
-  const Outcome there = outcome(isFile ? "locked/o.png" : "locked");
-  const Outcome below = outcome(isFile ? "locked/new/o.png" : "locked/new");
+  const Outcome there = outcome(isFile ? "locked/o.json" : "locked");
+  const Outcome below = outcome(isFile ? "locked/new/o.json" : "locked/new");
   QVERIFY(QFile::setPermissions("locked", QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
   if (there.status == cannotDrop) QSKIP("root may write everywhere here");
   QCOMPARE(there.err, QByteArray("hogelscope: locked: cannot be written: Permission denied\n"));

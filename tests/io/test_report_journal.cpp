@@ -142,23 +142,23 @@ void TestReportJournal::panelErrors() {
 void TestReportJournal::strangePanelErrors_data() {
   QTest::addColumn<QByteArray>("head");
   QTest::addColumn<bool>("isRead");
-  QTest::newRow("whole") << QByteArray(R"({"key": "k", "states": [1, 2]})") << true;
-  QTest::newRow("a list") << QByteArray("[]") << false;
-  QTest::newRow("no states") << QByteArray(R"({"key": "k"})") << false;
-  QTest::newRow("a number") << QByteArray(R"({"key": "k", "states": 1e300})") << false;
-  QTest::newRow("beyond all rows") << QByteArray(R"({"key": "k", "states": [1e300]})") << false;
-  QTest::newRow("below 0") << QByteArray(R"({"key": "k", "states": [-1]})") << false;
-  QTest::newRow("half a row") << QByteArray(R"({"key": "k", "states": [0.5]})") << false;
+  QTest::newRow("whole") << QByteArray(R"("key": "k", "states": [1, 2])") << true;
+  QTest::newRow("no states") << QByteArray(R"("key": "k")") << false;
+  QTest::newRow("a number") << QByteArray(R"("key": "k", "states": 1e300)") << false;
+  QTest::newRow("beyond all rows") << QByteArray(R"("key": "k", "states": [1e300])") << false;
+  QTest::newRow("below 0") << QByteArray(R"("key": "k", "states": [-1])") << false;
+  QTest::newRow("half a row") << QByteArray(R"("key": "k", "states": [0.5])") << false;
   QByteArray keys;
   for (int k = 0; k < 300000; ++k) keys += "\"" + QByteArray::number(k) + "\": 1, ";
-  QTest::newRow("many keys") << "{" + keys + R"("key": "k", "states": [1]})" << false;
+  QTest::newRow("many keys") << keys + R"("key": "k", "states": [1])" << false;
 }
 
 void TestReportJournal::strangePanelErrors() {
   QFETCH(QByteArray, head);
   QFETCH(bool, isRead);
   constexpr qsizetype cells = 3 * sizeof(PanelError::Cell);
-  writeFile(m_folder->filePath("p"), head + "\n" + QByteArray(cells, '\0'));
+  writeFile(m_folder->filePath("p"),
+            R"({"hogelscope panel error":1,)" + head + "}\n" + QByteArray(cells, '\0'));
   QCOMPARE(loadPanelError(folder() / "p", "k", {2, 1, 1, 1}).has_value(), isRead);
 }
 

@@ -109,7 +109,7 @@ void TestStreams::anyMemory() {
   QCOMPARE(firstDifference(streamed(*file), whole), QString());
 }
 
-/// 21 rows in bands of 8: three times all views, each telling how far it is.
+/// 21 rows in bands of 8: three times all views, each of whose rows tells how far it is.
 void TestStreams::viewsAreReadOnceForEachBand() {
   const auto file = openLightField(paramsOf("views", Layout::views), {});
   allowMemory(std::size_t{2} * 8 * 4 * size.width() * std::size_t(size.dv));
@@ -122,7 +122,7 @@ void TestStreams::viewsAreReadOnceForEachBand() {
                  last = done;
                  return isOn;
                });
-  QCOMPARE(steps, 3 * size.du * size.dv + size.ny);
+  QCOMPARE(steps, 3 * size.du * size.dv * size.ny + size.ny);
 }
 
 QTEST_APPLESS_MAIN(TestStreams)
