@@ -26,7 +26,7 @@ using namespace hogelscope;
 namespace {
 
 constexpr int stateCount = 300;
-constexpr int uses = 25;
+constexpr int uses = 15;
 
 /// Counts what it delivers to the window; not what only time brings.
 class CountingApplication : public QApplication {
@@ -45,7 +45,7 @@ class CountingApplication : public QApplication {
 void writeSession() {
   Session session;
   session.display.hogels = {512, 512};
-  session.display.directions = {4, 4};
+  session.display.directions = {2, 2};
   session.sampling.samplesPerPixel = 8;
   session.lightField.file = "large.png";
   writePattern("spheres", session.display, session.lightField.file);
