@@ -29,15 +29,15 @@ int printVersion(const Options& /*options*/) {
   return 0;
 }
 
-std::string_view patternsHelp() {
-  static const std::string help = [] {
-    std::string text = "PATTERN is one of";
-    for (const PatternName& pattern : patternNames())
-      text += (&pattern == &patternNames().front() ? ": " : "; ") + std::string(pattern.name) +
-              " (" + std::string(pattern.help) + ")";
-    return text + ".";
-  }();
-  return help;
+/// "scene, spheres.", or with what each shows.
+std::string patternList(bool isExplained) {
+  std::string text;
+  for (const auto& [name, help] : patternNames()) {
+    if (!text.empty()) text += isExplained ? "; " : ", ";
+    text += name;
+    if (isExplained) text.append(" (").append(help).append(")");
+  }
+  return text + ".";
 }
 
 }  // namespace
@@ -86,9 +86,8 @@ const std::vector<Job>& jobs() {
       {Command::generate,
        "generate",
        "PATTERN",
-       "Writes a test light field of the session's display, of any size: scene, spheres, "
-       "directions, hogels, checkerboard, edge or crosstalk.",
-       patternsHelp(),
+       "Writes a test light field of the session's display, of any size: " + patternList(false),
+       "PATTERN is one of: " + patternList(true),
        "  hogelscope --generate scene --session s.json --output scene.png\n"
        "  hogelscope --generate scene --session s.json --output noisy.png --degrade noise:2\n"
        "  hogelscope --generate edge --session s.json --output edge.png --set pattern.depth=0.2 "

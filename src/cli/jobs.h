@@ -3,6 +3,7 @@
 // uses (flags.cpp).
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,8 +15,8 @@ struct Job {
   Command command;
   std::string_view name;   ///< of the option that asks for it
   std::string_view value;  ///< "" if none follows
-  std::string_view help;
-  std::string_view details;                ///< which --help JOB alone has
+  std::string help;
+  std::string details;                     ///< which --help JOB alone has
   std::string_view examples;               ///< command lines
   std::vector<std::string_view> sections;  ///< that --set knows for this job alone
   int (*run)(const Options& options);      ///< gives the exit status
