@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fuzzes a report's journal: what is added to one that was found is there when it is read again.
+#include "io/report_journal.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace hogelscope;
+
+void fuzz(std::string_view input) {
+  constexpr std::size_t row = 3;
+  (void)fileOf("report.journal", input);
+  mayRefuse([&] {
+    const std::size_t entries = [&] {
+      ReportJournal journal(folder(), "key");
+      journal.add(row, {}, "");
+      return journal.entries().size() + (journal.entries().contains(row) ? 0 : 1);
+    }();
+    const ReportJournal again(folder(), "key");
+    require(again.entries().size() == entries && again.entries().contains(row));
+  });
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fuzzes the names of views: the input's first line is the pattern, the others are files' names.
+#include <sstream>
+
+#include "io/view_files.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace hogelscope;
+
+namespace {
+
+bool isFileName(const std::string& name) {
+  return !name.empty() && name.size() < 256 && name != "." && name != ".." &&
+         name.find_first_of(std::string("/\0", 2)) == std::string::npos;
+}
+
+void checkGrid(const LightFieldParams& params) {
+  mayRefuse([&] {
+    const ViewFiles views = findViews(params, {0, 0});
+    require(views.rows > 0 &&
+            std::size_t(views.rows) * std::size_t(views.columns) == views.files.size());
+  });
+}
+
+}  // namespace
+
+void fuzz(std::string_view input) {
+  const std::filesystem::path views = folder() / "views";
+  std::filesystem::create_directory(views);
+  std::istringstream in{std::string(input)};
+  std::string pattern;
+  std::getline(in, pattern);
+  int files = 0;
+  for (std::string name; files < 12 && std::getline(in, name);)
+    if (isFileName(name) && std::ofstream(views / name)) ++files;
+  LightFieldParams params;
+  params.layout = Layout::views;
+  params.pattern = pattern;
+  params.file = views.string();
+  checkGrid(params);
+  params.file = (views / pattern).string();  // as printf's
+  checkGrid(params);
+  std::filesystem::remove_all(views);
+}
