@@ -44,6 +44,7 @@ class CheckedFile : public OIIO::Filesystem::IOProxy {
     return true;
   }
   std::size_t write(const void* data, std::size_t size) override {
+    if (size == 0) return 0;  // the data of WebP's last write may be null
     check(m_file != nullptr && std::fwrite(data, 1, size, m_file) == size);
     m_pos += int64_t(size);
     m_end = std::max(m_end, std::size_t(m_pos));
