@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "io/image_file.h"
 #include "io/light_field_file.h"
 #include "tests/io/pictures.h"
 #include "tests/io/refusal.h"
@@ -76,6 +77,8 @@ class TestBadLightFields : public QObject {
   void quilts() { checkReading(); }
   void attacks_data();
   void attacks();
+  void exrHeadersThatAskForGigabytes_data();
+  void exrHeadersThatAskForGigabytes();
 
  private:
   QTemporaryDir m_folder;
@@ -264,6 +267,35 @@ void TestBadLightFields::attacks() {
   QVERIFY(outcome.err.startsWith("hogelscope: "));
   QCOMPARE(outcome.err.count('\n'), 1);
   QVERIFY(outcome.err.size() < 1000);
+}
+
+void TestBadLightFields::exrHeadersThatAskForGigabytes_data() {
+  QTest::addColumn<QByteArray>("attribute");
+  QTest::addColumn<int>("at");  // bytes after the attribute's type
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QString>("name");
+  const QByteArray gigabytes("\0\0\0\x60", 4);
+  QTest::newRow("an attribute's size")
+      << QByteArray("compression\0compression", 23) << 1 << gigabytes << "compression";
+  // Behind the size: the first and the last pixel, x and y.
+  QTest::newRow("the table of chunks")
+      << QByteArray("dataWindow\0box2i", 16) << 17 << gigabytes << "dataWindow";
+}
+
+/// OpenEXR allocates what they ask for before it looks whether the file has it.
+void TestBadLightFields::exrHeadersThatAskForGigabytes() {
+  QFETCH(QByteArray, attribute);
+  QFETCH(int, at);
+  QFETCH(QByteArray, bytes);
+  QFETCH(QString, name);
+  writePicture("large.exr", 8, 6, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::HALF});
+  QByteArray content = contentOf("large.exr");
+  const qsizetype place = content.indexOf(attribute);
+  QVERIFY(place > 0);
+  content.replace(place + attribute.size() + at, bytes.size(), bytes);
+  writeFile("large.exr", content);
+  QCOMPARE(errorOf([] { ImageFile(std::filesystem::path("large.exr")); }),
+           "large.exr: is damaged: its " + name + " needs more than the file has");
 }
 
 QTEST_GUILESS_MAIN(TestBadLightFields)
