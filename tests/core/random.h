@@ -15,7 +15,9 @@ class Random {
   }
   /// In [min, max], both included.
   int integer(int min, int max) {
-    return min + static_cast<int>(m_engine() % static_cast<std::uint64_t>(max - min + 1));
+    const std::int64_t count = std::int64_t{max} - min + 1;
+    return static_cast<int>(
+        min + static_cast<std::int64_t>(m_engine() % static_cast<std::uint64_t>(count)));
   }
   bool flip() { return integer(0, 1) == 1; }
 
