@@ -74,8 +74,7 @@ Footprint LightFieldStore::stored(const Footprint& footprint) const {
 
 std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footprint,
                                                          const Progress& progress) {
-  if (auto last = lastSlice(); last && last->slice()->footprint.covers(footprint))
-    return last;
+  if (auto last = lastSlice(); last && last->slice()->footprint.covers(footprint)) return last;
   if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
       bytes > double(allowedMemory()))
     throw InputError("--memory", "a view needs " + bytesText(std::size_t(bytes)) +

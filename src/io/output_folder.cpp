@@ -57,9 +57,8 @@ void checkOutputs(const std::vector<fs::path>& outputs, const std::vector<fs::pa
     if (::stat(output.c_str(), &status) != 0) continue;
     const auto found = read.find({status.st_dev, status.st_ino});
     if (found != read.end())
-      throw InputError(
-          output.string(), "cannot be written",
-          "it is " + found->second->string() + ", which is read: choose another name");
+      throw InputError(output.string(), "cannot be written",
+                       "it is " + found->second->string() + ", which is read: choose another name");
   }
 }
 

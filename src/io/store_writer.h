@@ -10,8 +10,8 @@ namespace hogelscope {
 
 struct PackPlan {
   StoreHeader header;
-  std::size_t rows = 0;    ///< of the hogel image, that are in memory at once
-  std::size_t memory = 0;  ///< bytes that they take
+  std::size_t rows = 0;          ///< of the hogel image, that are in memory at once
+  std::size_t memory = 0;        ///< bytes that they take
   std::uint64_t storeBytes = 0;  ///< on the disk, about
 };
 

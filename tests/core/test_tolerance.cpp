@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "core/error.h"
-#include "core/scene_pattern.h"
 #include "core/scaled_view.h"
+#include "core/scene_pattern.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

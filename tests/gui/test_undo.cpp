@@ -116,10 +116,7 @@ void TestUndo::eachStatesCommandComesBack_data() {
       [](MainWindow& window) { window.findChild<StateCommands*>()->mergeStatesOf("s.json"); },
       "a|b|c|a 2|b 2|c 2", "Load states");
   row(
-      "rename",
-      [](MainWindow& window) {
-        window.findChild<StateCommands*>()->rename(1, "new");
-      },
+      "rename", [](MainWindow& window) { window.findChild<StateCommands*>()->rename(1, "new"); },
       "a|new|c", "Rename state");
 }
 
