@@ -32,7 +32,7 @@ class BoxAnswer : public QObject {
       if (box == nullptr || box->objectName() != name || !box->isVisible()) return;
       m_timer.stop();
       text = box->text() + box->informativeText();
-      QTimer::singleShot(20000, box, &QDialog::reject);  // rather than for ever
+      QTimer::singleShot(patience, box, &QDialog::reject);  // rather than for ever
       QTest::keyClick(box, key);
     });
     m_timer.start(20);

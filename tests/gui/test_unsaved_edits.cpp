@@ -26,7 +26,7 @@ class TestUnsavedEdits : public HabitsTest {
     environment.insert("HOGELSCOPE_CRASH", m_session);
     other.setProcessEnvironment(environment);
     other.start(QCoreApplication::applicationFilePath(), {});
-    QVERIFY(other.waitForFinished(60000));
+    QVERIFY(other.waitForFinished(patience));
     QCOMPARE(other.exitStatus(), QProcess::CrashExit);
     QCOMPARE(autosaved().size(), 1);
   }
@@ -182,7 +182,8 @@ int editAndDie(const QString& file) {
   auto* area = window.findChild<QScrollArea*>("cameraArea");
   area->widget()->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.0123);
   const QDir folder(autosaveFolder());
-  if (QTest::qWaitFor([&] { return !folder.entryList({"*.json"}, QDir::Files).isEmpty(); }, 20000))
+  if (QTest::qWaitFor([&] { return !folder.entryList({"*.json"}, QDir::Files).isEmpty(); },
+                      patience))
     ::kill(::getpid(), SIGKILL);
   return 1;
 }
