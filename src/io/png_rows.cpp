@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<unsigned char, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+/// What follows tells a damaged transfer, which libpng would report on stderr.
+constexpr std::array<unsigned char, 4> signature{0x89, 'P', 'N', 'G'};
 
 /// Deflate's limit: two bits, a length and a distance, stand for at most 258 bytes.
 constexpr double mostBytesPerByte = 1032;
