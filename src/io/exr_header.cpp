@@ -3,6 +3,7 @@
 // Layout: https://openexr.com/en/latest/OpenEXRFileLayout.html
 #include "io/exr_header.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -26,13 +27,18 @@ struct Attribute {
 
 class ExrHeader {
  public:
-  explicit ExrHeader(const PositionedFile& file) : m_file(file) {}
+  ExrHeader(const PositionedFile& file, bool isMultiPart)
+      : m_file(file), m_isMultiPart(isMultiPart) {}
 
   void check() {
     constexpr int mostAttributes = 10000;
     for (int k = 0; k < mostAttributes; ++k) {
       const std::optional<Attribute> attribute = next();
-      if (!attribute) return;  // OpenEXR says what is wrong, if anything is
+      if (!attribute) {
+        ++m_at;  // the end of a part's header; another part's may follow
+        if (!m_isMultiPart || !next()) return;
+        continue;
+      }
       if (attribute->size > m_file.size() - attribute->valueAt) refuse(attribute->name);
       if (attribute->name == "dataWindow") m_window = numbers<std::int32_t, 4>(*attribute);
       if (attribute->name == "tiles") m_tile = numbers<std::uint32_t, 2>(*attribute);
@@ -50,6 +56,10 @@ class ExrHeader {
     const std::size_t nameEnd = text.find('\0');
     const std::size_t typeEnd =
         nameEnd == std::string_view::npos ? nameEnd : text.find('\0', nameEnd + 1);
+    constexpr std::size_t longestName = 255;
+    if (std::min(nameEnd, count) > longestName ||
+        (nameEnd != 0 && count == bytes.size() && typeEnd == std::string_view::npos))
+      refuse("header");
     if (nameEnd == 0 || typeEnd == std::string_view::npos || typeEnd + 5 > count)
       return std::nullopt;
     Attribute attribute{std::string(text.substr(0, nameEnd)), m_at + typeEnd + 5};
@@ -83,6 +93,7 @@ class ExrHeader {
   }
 
   const PositionedFile& m_file;
+  bool m_isMultiPart;
   std::uint64_t m_at = 8;                  ///< after magic and version
   std::array<std::int32_t, 4> m_window{};  ///< x and y of the first and the last pixel
   std::array<std::uint32_t, 2> m_tile{};   ///< width and height; 0: lines
@@ -92,10 +103,12 @@ class ExrHeader {
 
 void checkExrHeader(const std::filesystem::path& path) {
   const PositionedFile file(path);
-  std::array<unsigned char, 4> found{};
-  if (file.readSome(0, std::as_writable_bytes(std::span(found))) < found.size() || found != magic)
+  std::array<unsigned char, 8> found{};  // magic, version and flags
+  if (file.readSome(0, std::as_writable_bytes(std::span(found))) < found.size() ||
+      !std::equal(magic.begin(), magic.end(), found.begin()))
     return;
-  ExrHeader(file).check();
+  constexpr unsigned multiPart = 0x10;  // of the second byte of version and flags
+  ExrHeader(file, (found[5] & multiPart) != 0).check();
 }
 
 }  // namespace hogelscope
