@@ -9,6 +9,8 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/error.h"
 #include "io/positioned_file.h"
@@ -19,8 +21,37 @@ namespace {
 
 constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
 
+/// Bytes of the types that have a fixed number of them. OpenEXR reads that many whatever the header
+/// says, so a header that says otherwise would be read here as another than it is there.
+constexpr auto sizes =
+    std::to_array<std::pair<std::string_view, std::uint32_t>>({{"box2f", 16},
+                                                               {"box2i", 16},
+                                                               {"chromaticities", 32},
+                                                               {"compression", 1},
+                                                               {"deepImageState", 1},
+                                                               {"double", 8},
+                                                               {"envmap", 1},
+                                                               {"float", 4},
+                                                               {"int", 4},
+                                                               {"keycode", 28},
+                                                               {"lineOrder", 1},
+                                                               {"m33d", 72},
+                                                               {"m33f", 36},
+                                                               {"m44d", 128},
+                                                               {"m44f", 64},
+                                                               {"rational", 8},
+                                                               {"tiledesc", 9},
+                                                               {"timecode", 8},
+                                                               {"v2d", 16},
+                                                               {"v2f", 8},
+                                                               {"v2i", 8},
+                                                               {"v3d", 24},
+                                                               {"v3f", 12},
+                                                               {"v3i", 12}});
+
 struct Attribute {
   std::string name;
+  std::string type;
   std::uint64_t valueAt = 0;
   std::uint32_t size = 0;
 };
@@ -40,6 +71,7 @@ class ExrHeader {
         continue;
       }
       if (attribute->size > m_file.size() - attribute->valueAt) refuse(attribute->name);
+      checkType(*attribute);
       if (attribute->name == "dataWindow") m_window = numbers<std::int32_t, 4>(*attribute);
       if (attribute->name == "tiles") m_tile = numbers<std::uint32_t, 2>(*attribute);
       m_at = attribute->valueAt + attribute->size;
@@ -62,9 +94,52 @@ class ExrHeader {
       refuse("header");
     if (nameEnd == 0 || typeEnd == std::string_view::npos || typeEnd + 5 > count)
       return std::nullopt;
-    Attribute attribute{std::string(text.substr(0, nameEnd)), m_at + typeEnd + 5};
+    Attribute attribute{std::string(text.substr(0, nameEnd)),
+                        std::string(text.substr(nameEnd + 1, typeEnd - nameEnd - 1)),
+                        m_at + typeEnd + 5};
     std::memcpy(&attribute.size, &text[typeEnd + 1], sizeof(attribute.size));
     return attribute;
+  }
+
+  /// The value ends where its type says that it ends.
+  void checkType(const Attribute& attribute) const {
+    const auto* known =
+        std::ranges::find(sizes, attribute.type, &decltype(sizes)::value_type::first);
+    if (known != sizes.end() && attribute.size != known->second) refuseSize(attribute);
+    if (attribute.type == "preview") {
+      const auto [width, height] = numbers<std::uint32_t, 2>(attribute);
+      if (8 + 4.0 * width * height != attribute.size) refuseSize(attribute);
+    }
+    if (attribute.type == "chlist" || attribute.type == "stringvector") {
+      std::string value(attribute.size, '\0');
+      m_file.read(attribute.valueAt, std::as_writable_bytes(std::span(value)));
+      if (!(attribute.type == "chlist" ? isChannelList(value) : isStringVector(value)))
+        refuseSize(attribute);
+    }
+  }
+
+  /// Names, each with 16 bytes of its channel, and an empty name.
+  static bool isChannelList(std::string_view value) {
+    constexpr std::size_t channel = 16;
+    for (;;) {
+      const std::size_t end = value.find('\0');
+      if (end == 0) return value.size() == 1;
+      if (end == std::string_view::npos || value.size() - end - 1 < channel) return false;
+      value.remove_prefix(end + 1 + channel);
+    }
+  }
+
+  /// Strings, each after its length.
+  static bool isStringVector(std::string_view value) {
+    while (!value.empty()) {
+      std::uint32_t length = 0;
+      if (value.size() < sizeof(length)) return false;
+      std::memcpy(&length, value.data(), sizeof(length));
+      value.remove_prefix(sizeof(length));
+      if (length > value.size()) return false;
+      value.remove_prefix(length);
+    }
+    return true;
   }
 
   template <class T, std::size_t count>
@@ -90,6 +165,11 @@ class ExrHeader {
   [[noreturn]] void refuse(const std::string& attribute) const {
     throw InputError(m_file.path().string(), "is damaged",
                      "its " + attribute + " needs more than the file has");
+  }
+
+  [[noreturn]] void refuseSize(const Attribute& attribute) const {
+    throw InputError(m_file.path().string(), "is damaged",
+                     "its " + attribute.name + " is longer or shorter than a " + attribute.type);
   }
 
   const PositionedFile& m_file;

@@ -273,13 +273,20 @@ void TestBadLightFields::exrHeadersThatAskForGigabytes_data() {
   QTest::addColumn<QByteArray>("attribute");
   QTest::addColumn<int>("at");  // bytes after the attribute's type
   QTest::addColumn<QByteArray>("bytes");
-  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("problem");
   const QByteArray gigabytes("\0\0\0\x60", 4);
-  QTest::newRow("an attribute's size")
-      << QByteArray("compression\0compression", 23) << 1 << gigabytes << "compression";
+  QTest::newRow("an attribute's size") << QByteArray("compression\0compression", 23) << 1
+                                       << gigabytes << "compression needs more than the file has";
   // Behind the size: the first and the last pixel, x and y.
-  QTest::newRow("the table of chunks")
-      << QByteArray("dataWindow\0box2i", 16) << 17 << gigabytes << "dataWindow";
+  QTest::newRow("the table of chunks") << QByteArray("dataWindow\0box2i", 16) << 17 << gigabytes
+                                       << "dataWindow needs more than the file has";
+  // OpenEXR reads on from the type's end, not from the size's: the next attribute is another there.
+  QTest::newRow("a size that is not the type's")
+      << QByteArray("channels\0chlist", 15) << 1 << QByteArray("\x36\0\0\0", 4)
+      << "channels is longer or shorter than a chlist";
+  QTest::newRow("a window of 15 bytes")
+      << QByteArray("displayWindow\0box2i", 19) << 1 << QByteArray("\x0f\0\0\0", 4)
+      << "displayWindow is longer or shorter than a box2i";
 }
 
 /// OpenEXR allocates what they ask for before it looks whether the file has it.
@@ -287,7 +294,7 @@ void TestBadLightFields::exrHeadersThatAskForGigabytes() {
   QFETCH(QByteArray, attribute);
   QFETCH(int, at);
   QFETCH(QByteArray, bytes);
-  QFETCH(QString, name);
+  QFETCH(QString, problem);
   writePicture("large.exr", 8, 6, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::HALF});
   QByteArray content = contentOf("large.exr");
   const qsizetype place = content.indexOf(attribute);
@@ -295,7 +302,7 @@ void TestBadLightFields::exrHeadersThatAskForGigabytes() {
   content.replace(place + attribute.size() + at, bytes.size(), bytes);
   writeFile("large.exr", content);
   QCOMPARE(errorOf([] { ImageFile(std::filesystem::path("large.exr")); }),
-           "large.exr: is damaged: its " + name + " needs more than the file has");
+           "large.exr: is damaged: its " + problem);
 }
 
 QTEST_GUILESS_MAIN(TestBadLightFields)
