@@ -66,6 +66,7 @@ class ExrHeader {
     for (int k = 0; k < mostAttributes; ++k) {
       const std::optional<Attribute> attribute = next();
       if (!attribute) {
+        checkChunks();
         ++m_at;  // the end of a part's header; another part's may follow
         if (!m_isMultiPart || !next()) return;
         continue;
@@ -73,10 +74,11 @@ class ExrHeader {
       if (attribute->size > m_file.size() - attribute->valueAt) refuse(attribute->name);
       checkType(*attribute);
       if (attribute->name == "dataWindow") m_window = numbers<std::int32_t, 4>(*attribute);
+      if (attribute->name == "compression") m_compression = numbers<std::uint8_t, 1>(*attribute)[0];
       if (attribute->name == "tiles") m_tile = numbers<std::uint32_t, 2>(*attribute);
       m_at = attribute->valueAt + attribute->size;
-      checkChunks();
     }
+    refuse("header");
   }
 
  private:
@@ -150,16 +152,20 @@ class ExrHeader {
     return values;
   }
 
-  /// The file has eight bytes for each chunk: a tile, or at most 256 lines.
+  /// The file has eight bytes for each chunk: a tile, or at most 256 lines. And no compression
+  /// packs more pixels into a byte: deflate ends at 1032 bytes, DWA was seen at 2767 pixels.
   void checkChunks() const {
     constexpr double mostLines = 256;
     const double width = double(m_window[2]) - m_window[0] + 1;
     const double height = double(m_window[3]) - m_window[1] + 1;
     const bool isTiled = m_tile[0] > 0 && m_tile[1] > 0;
     const double chunks = isTiled ? width / m_tile[0] * (height / m_tile[1]) : height / mostLines;
-    if (8 * chunks > double(m_file.size())) refuse("dataWindow");
-    constexpr double mostPixelsPerByte = 1 << 17;  // of anything compressed
-    if (double(m_tile[0]) * m_tile[1] > mostPixelsPerByte * double(m_file.size())) refuse("tiles");
+    const bool isDwa = m_compression >= 8;
+    const auto bytes = double(m_file.size());
+    const double pixelsPerByte = isDwa ? 1 << 14 : 1 << 10;
+    if (8 * chunks > bytes || width * height > pixelsPerByte * bytes) refuse("dataWindow");
+    constexpr double tilePixelsPerByte = 1 << 17;  // a tile may be larger than the picture
+    if (double(m_tile[0]) * m_tile[1] > tilePixelsPerByte * bytes) refuse("tiles");
   }
 
   [[noreturn]] void refuse(const std::string& attribute) const {
@@ -176,6 +182,7 @@ class ExrHeader {
   bool m_isMultiPart;
   std::uint64_t m_at = 8;                  ///< after magic and version
   std::array<std::int32_t, 4> m_window{};  ///< x and y of the first and the last pixel
+  std::uint8_t m_compression = 0;          ///< as in the file; 8 and 9 are DWAA and DWAB
   std::array<std::uint32_t, 2> m_tile{};   ///< width and height; 0: lines
 };
 

@@ -280,6 +280,9 @@ void TestBadLightFields::exrHeadersThatAskForGigabytes_data() {
   // Behind the size: the first and the last pixel, x and y.
   QTest::newRow("the table of chunks") << QByteArray("dataWindow\0box2i", 16) << 17 << gigabytes
                                        << "dataWindow needs more than the file has";
+  QTest::newRow("lines of 16 million pixels")
+      << QByteArray("dataWindow\0box2i", 16) << 13 << QByteArray("\0\0\xfe\0", 4)
+      << "dataWindow needs more than the file has";
   // OpenEXR reads on from the type's end, not from the size's: the next attribute is another there.
   QTest::newRow("a size that is not the type's")
       << QByteArray("channels\0chlist", 15) << 1 << QByteArray("\x36\0\0\0", 4)
