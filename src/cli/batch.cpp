@@ -12,13 +12,13 @@
 #include "cli/jobs.h"
 #include "cli/progress_bar.h"
 #include "core/error.h"
+#include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "io/image_writer.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/output_folder.h"
 #include "io/session_file.h"
 #include "report/passing_pictures.h"
-#include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {

@@ -6,10 +6,10 @@
 
 #include "core/fast_simulation.h"
 #include "core/lens_certificate.h"
-#include "core/report.h"
+#include "core/parallel.h"
 #include "core/scaled_view.h"
+#include "core/text.h"
 #include "core/tolerance.h"
-#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 

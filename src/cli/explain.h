@@ -6,7 +6,7 @@
 
 #include "core/progress.h"
 #include "core/simulate.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 
 namespace hogelscope {
 

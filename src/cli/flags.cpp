@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "core/report.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

@@ -11,15 +11,15 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "core/error.h"
-#include "core/pattern.h"
-#include "core/report.h"
+#include "core/parallel.h"
+#include "core/pattern_list.h"
+#include "core/text.h"
 #include "io/degradation.h"
 #include "io/image_writer.h"
 #include "io/machine.h"
 #include "io/output_folder.h"
 #include "io/pattern_params.h"
 #include "io/session_file.h"
-#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 

@@ -8,9 +8,10 @@
 
 #include "cli/inputs.h"
 #include "core/error.h"
-#include "core/report.h"
+#include "core/text.h"
 #include "io/image_file.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
+#include "io/view_layouts.h"
 #include "io/light_field_store.h"
 #include "io/session_file.h"
 #include "io/view_files.h"

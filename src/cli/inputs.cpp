@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "core/error.h"
-#include "core/report.h"
+#include "core/text.h"
 #include "io/session_file.h"
 #include "report/passing_pictures.h"
 

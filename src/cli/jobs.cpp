@@ -13,7 +13,7 @@
 #include "cli/report_job.h"
 #include "cli/stability_job.h"
 #include "cli/tradeoff_job.h"
-#include "core/pattern.h"
+#include "core/pattern_list.h"
 
 namespace hogelscope {
 
@@ -32,7 +32,7 @@ int printVersion(const Options& /*options*/) {
 /// "scene, spheres.", or with what each shows.
 std::string patternList(bool isExplained) {
   std::string text;
-  for (const auto& [name, help] : patternNames()) {
+  for (const auto& [name, help, make] : patterns()) {
     if (!text.empty()) text += isExplained ? "; " : ", ";
     text += name;
     if (isExplained) text.append(" (").append(help).append(")");

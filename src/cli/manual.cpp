@@ -4,8 +4,8 @@
 
 #include "core/camera_set.h"
 #include "core/pattern.h"
-#include "core/report.h"
 #include "core/session.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

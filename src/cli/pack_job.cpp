@@ -7,10 +7,11 @@
 
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
-#include "core/report.h"
+#include "core/text.h"
 #include "io/machine.h"
 #include "io/output_folder.h"
 #include "io/positioned_file.h"
+#include "io/scene.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
 

@@ -11,6 +11,7 @@
 #include "cli/progress_bar.h"
 #include "cli/report_groups.h"
 #include "core/summary_page.h"
+#include "core/text.h"
 #include "report/report_run.h"
 
 namespace hogelscope {

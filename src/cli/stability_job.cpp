@@ -8,12 +8,12 @@
 #include "chart/stability_map.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
+#include "core/parallel.h"
 #include "core/plan.h"
 #include "io/atomic_file.h"
 #include "io/calibration_file.h"
 #include "io/output_folder.h"
 #include "study/stability.h"
-#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 

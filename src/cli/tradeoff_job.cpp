@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --tradeoff: speed against accuracy of every method on the session's own states.
 #include "cli/tradeoff_job.h"
+#include "core/parallel.h"
 
 #include <filesystem>
 #include <iostream>
@@ -11,10 +12,9 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "io/atomic_file.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/output_folder.h"
 #include "study/tradeoff.h"
-#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 

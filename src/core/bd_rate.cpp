@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bjøntegaard's deltas by monotone piecewise cubics.
 #include "core/bd_rate.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/report.h"
 
 namespace hogelscope {
 

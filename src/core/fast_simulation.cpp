@@ -9,7 +9,7 @@
 #include <mutex>
 
 #include "core/error.h"
-#include "core/footprint.h"
+#include "core/view_footprint.h"
 
 namespace hogelscope {
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/fast_simulation.h"
-
 namespace hogelscope {
 
 namespace {
@@ -20,20 +18,6 @@ std::size_t total(const std::vector<CellRange>& ranges) {
 bool coversAll(const std::vector<CellRange>& a, const std::vector<CellRange>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const CellRange& x, const CellRange& y) { return x.covers(y); });
-}
-
-/// The directions that a ray's cell takes light from, with those of its neighbour hogels.
-struct Reach {
-  int hogels;
-  int directions;
-};
-
-void widen(std::vector<CellRange>& ranges, int cell, int direction, const Reach& reach, int count) {
-  const CellRange range{std::max(direction - reach.directions, 0),
-                        std::min(direction + reach.directions, count - 1)};
-  const int last = std::min(cell + reach.hogels, int(ranges.size()) - 1);
-  for (int k = std::max(cell - reach.hogels, 0); k <= last; ++k)
-    ranges[std::size_t(k)].include(range);
 }
 
 }  // namespace
@@ -59,29 +43,6 @@ bool Footprint::covers(const Footprint& other) const {
 void Footprint::include(const Footprint& other) {
   for (std::size_t i = 0; i < u.size(); ++i) u[i].include(other.u[i]);
   for (std::size_t j = 0; j < v.size(); ++j) v[j].include(other.v[j]);
-}
-
-Footprint footprint(const FastSimulation& simulation, const View& view, int y, int x0, int x1) {
-  const auto [nx, ny, du, dv] = view.lightField->size();
-  Footprint result{std::vector<CellRange>(std::size_t(nx)),
-                   std::vector<CellRange>(std::size_t(ny))};
-  const Reconstruction reconstruction = view.sampling.reconstruction;
-  const Reach reach{
-      reconstruction == Reconstruction::quadrilinear ? 1 : 0,
-      simulation.plan().psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
-  CellBatch batch;
-  const int n = view.sampling.samplesPerPixel;
-  for (int x = x0; x < x1; x += batchSize)
-    for (int s = 0; s < n * n; ++s) {
-      const int count = std::min(batchSize, x1 - x);
-      simulation.cells(y, x, count, s % n, s / n, batch);
-      for (std::size_t k = 0; k < std::size_t(count); ++k) {
-        if (batch.seen[k] == 0) continue;
-        widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, du);
-        widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, dv);
-      }
-    }
-  return result;
 }
 
 }  // namespace hogelscope

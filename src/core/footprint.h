@@ -9,9 +9,6 @@
 
 namespace hogelscope {
 
-class FastSimulation;
-struct View;
-
 /// Cells [first, last]; empty where last < first.
 struct CellRange {
   int first = 0;
@@ -37,8 +34,5 @@ struct Footprint {
   void include(const Footprint& other);
   bool operator==(const Footprint&) const = default;
 };
-
-/// Of pixels [x0, x1) of row y: their rays, interpolation and leakage. `view` is the simulation's.
-Footprint footprint(const FastSimulation& simulation, const View& view, int y, int x0, int x1);
 
 }  // namespace hogelscope

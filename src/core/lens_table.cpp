@@ -6,10 +6,6 @@
 
 namespace hogelscope {
 
-void serialRows(int count, const std::function<void(int begin, int end)>& rows) {
-  rows(0, count);
-}
-
 std::size_t LensTable::bytes(const LensKey& key) {
   const auto samples = std::size_t(key.samplesPerPixel) * std::size_t(key.samplesPerPixel);
   return samples * std::size_t(key.res[0]) * std::size_t(key.res[1]) * 2 * sizeof(double);

@@ -4,21 +4,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <list>
 #include <memory>
 #include <vector>
 
 #include "core/lens_rays.h"
+#include "core/parallel.h"
 
 namespace hogelscope {
-
-/// Runs `rows(begin, end)` over [0, count), perhaps on several threads. What it throws stops the
-/// others before their next piece, and is thrown here.
-using ParallelRows =
-    std::function<void(int count, const std::function<void(int begin, int end)>& rows)>;
-/// On the calling thread.
-void serialRows(int count, const std::function<void(int begin, int end)>& rows);
 
 class LensTable {
  public:

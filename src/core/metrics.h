@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/image.h"
-#include "core/lens_table.h"
+#include "core/parallel.h"
 
 namespace hogelscope {
 

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "core/view_footprint.h"
+
 namespace hogelscope {
 
 namespace {

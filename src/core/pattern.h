@@ -3,10 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/display.h"
 
@@ -28,17 +24,5 @@ class Pattern {
   /// several threads.
   virtual void row(int y, std::uint8_t* rgb) const = 0;
 };
-
-/// What a pattern is called, and what it shows.
-struct PatternName {
-  std::string_view name;
-  std::string_view help;
-};
-
-const std::vector<PatternName>& patternNames();
-
-/// Throws InputError: a name that is not known, a display without hogels or directions.
-std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParams& display,
-                                     const PatternParams& params);
 
 }  // namespace hogelscope

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a view needs to have modelled, and what not.
 #include "core/plan.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/report.h"
 
 namespace hogelscope {
 

@@ -2,37 +2,11 @@
 // The report's rows as CSV, and what they amount to.
 #include "core/report.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <string_view>
-#include <utility>
+
+#include "core/text.h"
 
 namespace hogelscope {
-
-namespace {
-
-/// Would a spreadsheet take the text for a formula? A number is none, whatever its sign.
-bool isFormula(const std::string& text) {
-  static const std::array<std::string_view, 11> beginnings{"=",  "+",  "-",  "@",  "\t", "\r",
-                                                           "\n", "＝", "＋", "－", "＠"};
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (stop == end && error == std::errc()) return false;
-  return std::ranges::any_of(beginnings,
-                             [&text](std::string_view sign) { return text.starts_with(sign); });
-}
-
-}  // namespace
-
-std::string csvCell(const std::string& text) {
-  std::string harmless = isFormula(text) ? "'" + text : text;
-  if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;
-  std::string cell = "\"";
-  for (const char c : harmless) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
-}
 
 MeanSums meanSums(const ReportRow& row, double weight) {
   const Metrics& m = row.metrics;
@@ -77,21 +51,6 @@ ReportSummary summarise(const std::vector<ReportRow>& rows) {
   static_cast<ReportMeans&>(summary) = meansOf(sums.data());
   summary.weighted = meansOf(weighted.data());
   return summary;
-}
-
-std::string numberText(double value) {
-  if (std::isnan(value)) return "nan";  // to_chars may write -nan
-  std::array<char, 40> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
-std::string bytesText(std::size_t bytes) {
-  if (bytes < 1000) return std::to_string(bytes) + " bytes";
-  const auto tenths = [bytes](double unit) { return std::round(10 * double(bytes) / unit) / 10; };
-  for (const auto& [unit, name] : {std::pair(1e3, " kB"), std::pair(1e6, " MB")})
-    if (tenths(unit) < 1000) return numberText(tenths(unit)) + name;
-  return numberText(tenths(1e9)) + " GB";
 }
 
 std::string csv(const std::vector<ReportRow>& rows) {

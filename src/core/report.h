@@ -49,15 +49,6 @@ ReportMeans meansOf(const double* sums);  ///< of a MeanSums
 
 ReportSummary summarise(const std::vector<ReportRow>& rows);
 
-/// The shortest text that reads back as the same number; "inf", "nan".
-std::string numberText(double value);
-/// "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
-std::string bytesText(std::size_t bytes);
-
-/// A text as a cell of a CSV file (RFC 4180). What a spreadsheet would take for a formula gets an
-/// apostrophe in front, so that it stays a text (OWASP, CSV injection).
-std::string csvCell(const std::string& text);
-
 /// `report.csv`, RFC 4180, lines end in \n.
 std::string csv(const std::vector<ReportRow>& rows);
 

@@ -6,6 +6,7 @@
 #include "core/report_plots.h"
 #include "core/report_style.h"
 #include "core/summary_page.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

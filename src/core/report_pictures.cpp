@@ -4,6 +4,7 @@
 
 #include "core/html.h"
 #include "core/report_plots.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

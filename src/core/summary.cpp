@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a report's rows amount to.
 #include "core/summary.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/session.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 
 namespace hogelscope {
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "io/light_field_file.h"
+#include "io/scene.h"
 
 class QLabel;
 

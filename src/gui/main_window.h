@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/session.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "study/tradeoff.h"
 
 class QComboBox;

@@ -11,7 +11,7 @@
 #include "gui/session_model.h"
 #include "gui/view_worker.h"
 #include "io/image_writer.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/output_folder.h"
 #include "ui_main_window.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gui/scene_worker.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 
 namespace Ui {
 class MainWindow;

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/light_field_file.h"
+#include "io/scene.h"
 
 class vtkHogelViewFilter;
 

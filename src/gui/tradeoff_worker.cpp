@@ -3,7 +3,7 @@
 #include "gui/tradeoff_worker.h"
 
 #include "core/error.h"
-#include "vtk/parallel_rows.h"
+#include "core/parallel.h"
 
 namespace hogelscope {
 

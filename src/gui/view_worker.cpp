@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "core/plan.h"
 #include "core/scaled_view.h"
 #include "gui/queued_answer.h"
-#include "vtk/parallel_rows.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {

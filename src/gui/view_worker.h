@@ -15,7 +15,7 @@
 #include "core/lens_grid.h"
 #include "core/session.h"
 #include "gui/view_pace.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "study/tradeoff.h"
 
 class vtkHogelViewFilter;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "io/light_field_store.h"
 #include "io/texel_placement.h"
 
 namespace hogelscope {
@@ -30,9 +29,6 @@ class HogelImage : public LightFieldFile {
       : m_params(params),
         m_image(params.file),
         m_size{display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]} {
-    if (LightFieldStore::isStore(params.file))
-      throw InputError(params.file, "lightField.layout",
-                       "is \"hogels\", but the file is a store: give \"pack\"");
     if (m_size.nx < 1 || m_size.ny < 1 || m_size.du < 1 || m_size.dv < 1)
       throw InputError(params.file, "size",
                        "is " + pixels(m_image.width(), m_image.height()) +

@@ -2,6 +2,9 @@
 // Layout "hogels": one picture of hogel tiles, (i·du + u, j·dv + v).
 #pragma once
 
+#include <memory>
+
+#include "core/display.h"
 #include "io/light_field_file.h"
 
 namespace hogelscope {

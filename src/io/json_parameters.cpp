@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/report.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/error.h"
-#include "core/side_by_side.h"
+#include "core/parallel.h"
 #include "io/block_cache.h"
 #include "io/tile_codec.h"
 

@@ -4,8 +4,9 @@
 #include <stdexcept>
 
 #include "core/error.h"
-#include "core/report.h"
+#include "core/text.h"
 #include "io/light_field_store.h"
+#include "io/machine.h"
 #include "io/tile_codec.h"
 
 namespace hogelscope {

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "io/light_field_store.h"
+#include "io/machine.h"
 #include "io/tile_codec.h"
 
 namespace hogelscope {

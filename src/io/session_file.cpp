@@ -9,7 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/image_file.h"
 #include "io/json_parameters.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/light_field_store.h"
 
 namespace hogelscope {

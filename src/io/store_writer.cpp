@@ -8,8 +8,9 @@
 #include <chrono>
 #include <cstring>
 
+#include "core/session.h"
 #include "core/error.h"
-#include "core/report.h"
+#include "core/text.h"
 #include "io/band_packer.h"
 #include "io/json_parameters.h"
 #include "io/machine.h"

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 #include "core/error.h"
+#include "io/machine.h"
 #include "io/texel_placement.h"
 #include "io/view_files.h"
 
@@ -181,6 +183,14 @@ std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
 
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params) {
   return std::make_unique<QuiltImage>(params);
+}
+
+std::array<int, 2> quiltTilesFromName(const std::string& file) {
+  static const std::regex suffix(R"(.*_qs(\d{1,4})x(\d{1,4})a[0-9.]+)");
+  std::smatch groups;
+  const std::string stem = fs::path(file).stem().string();
+  if (!std::regex_match(stem, groups, suffix)) return {0, 0};
+  return {std::stoi(groups[1]), std::stoi(groups[2])};
 }
 
 }  // namespace hogelscope

@@ -2,6 +2,11 @@
 // Layouts "views" and "quilt": pictures of the same direction of all hogels.
 #pragma once
 
+#include <array>
+#include <memory>
+#include <string>
+
+#include "core/display.h"
 #include "io/light_field_file.h"
 
 namespace hogelscope {
@@ -12,5 +17,8 @@ std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
 
 /// One picture of a row of views. Throws InputError that names it.
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params);
+
+/// Columns and rows that a quilt's name says (…_qs8x6a0.75.png); 0 where it does not.
+std::array<int, 2> quiltTilesFromName(const std::string& file);
 
 }  // namespace hogelscope

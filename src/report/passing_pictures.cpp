@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "core/passing_view.h"
-#include "core/report.h"
+#include "core/text.h"
+#include "io/machine.h"
+#include "io/scene.h"
 
 namespace hogelscope {
 

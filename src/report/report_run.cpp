@@ -9,7 +9,7 @@
 #include <mutex>
 #include <numeric>
 
-#include "core/side_by_side.h"
+#include "core/parallel.h"
 #include "core/step_progress.h"
 #include "io/atomic_file.h"
 #include "io/output_folder.h"
@@ -19,7 +19,6 @@
 #include "report/report_facts.h"
 #include "report/report_files.h"
 #include "report/view_pairs.h"
-#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 

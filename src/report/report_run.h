@@ -11,7 +11,7 @@
 #include "core/progress.h"
 #include "core/report_page.h"
 #include "core/summary.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 
 namespace hogelscope {
 

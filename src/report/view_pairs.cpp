@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pictures that a report compares.
+#include "core/parallel.h"
 #include "report/view_pairs.h"
 
 #include <array>
@@ -7,7 +8,6 @@
 #include <future>
 #include <new>
 
-#include "vtk/parallel_rows.h"
 
 namespace hogelscope {
 

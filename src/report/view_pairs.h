@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/fast_simulation.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "report/passing_pictures.h"
 
 namespace hogelscope {

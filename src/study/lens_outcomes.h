@@ -4,7 +4,8 @@
 
 #include <array>
 
-#include "core/lens_table.h"
+#include "core/lens_rays.h"
+#include "core/parallel.h"
 #include "study/inverse_methods.h"
 
 namespace hogelscope {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/plan.h"
-#include "core/report.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

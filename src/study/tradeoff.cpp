@@ -8,8 +8,8 @@
 
 #include "core/fast_simulation.h"
 #include "core/metrics.h"
-#include "core/report.h"
 #include "core/scaled_view.h"
+#include "core/text.h"
 
 namespace hogelscope {
 

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/parallel.h"
 #include "core/scaled_view.h"
-#include "parallel_rows.h"
 
 vtkStandardNewMacro(vtkHogelViewFilter);
 

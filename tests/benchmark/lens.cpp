@@ -5,7 +5,6 @@
 #include "core/lens_table.h"
 #include "core/plan.h"
 #include "tests/benchmark/scene.h"
-#include "vtk/parallel_rows.h"
 
 namespace benchmarks {
 

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "core/fast_simulation.h"
-#include "vtk/parallel_rows.h"
+#include "core/parallel.h"
 
 namespace benchmarks {
 

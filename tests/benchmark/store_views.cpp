@@ -7,10 +7,10 @@
 #include <cstdio>
 
 #include "core/fast_simulation.h"
+#include "core/parallel.h"
 #include "core/scaled_view.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/session_file.h"
-#include "vtk/parallel_rows.h"
 
 namespace {
 

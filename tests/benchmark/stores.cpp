@@ -12,7 +12,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/light_field_store.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include "core/fast_simulation.h"
 #include "core/for_each_machine.h"
 #include "core/panel_error.h"
+#include "core/parallel.h"
 #include "tests/benchmark/scene.h"
-#include "vtk/parallel_rows.h"
 
 namespace benchmarks {
 

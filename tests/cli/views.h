@@ -2,7 +2,7 @@
 // The pictures that the program should make, by the reference engine.
 #pragma once
 
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/session_file.h"
 
 /// One for each state.

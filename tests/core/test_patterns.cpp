@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/pattern.h"
+#include "core/pattern_list.h"
 #include "core/sphere_pattern.h"
 
 using namespace hogelscope;

@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "core/summary_page.h"
+#include "core/text.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

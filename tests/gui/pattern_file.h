@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/pattern.h"
+#include "core/pattern_list.h"
 #include "io/image_writer.h"
 
 /// All hogels of a display as one image, as `--generate` makes it.

@@ -12,7 +12,7 @@
 #include "gui/display_scene.h"
 #include "gui/scene_controller.h"
 #include "gui/vtk_widget.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/session_file.h"
 #include "tests/gui/pattern_file.h"
 #include "tests/gui/window_test.h"

@@ -11,7 +11,7 @@
 #include "gui/light_field_dock.h"
 #include "gui/picture_commands.h"
 #include "gui/view_worker.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_picture.h"
 

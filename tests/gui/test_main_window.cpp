@@ -21,7 +21,7 @@
 #include "gui/tradeoff_view.h"
 #include "gui/tradeoff_worker.h"
 #include "gui/vtk_widget.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/session_file.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"

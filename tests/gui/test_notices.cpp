@@ -17,7 +17,7 @@
 #include "gui/report_dock.h"
 #include "gui/scene_controller.h"
 #include "gui/view_worker.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/gui/window_test.h"
 

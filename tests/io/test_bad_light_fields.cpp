@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "io/image_file.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "tests/io/pictures.h"
 #include "tests/io/refusal.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/session.h"
 #include "io/image_writer.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/panel_error_file.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"

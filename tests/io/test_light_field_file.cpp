@@ -3,7 +3,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/light_field_file.h"
+#include "io/scene.h"
+#include "io/view_layouts.h"
 #include "tests/io/pictures.h"
 #include "tests/io/texels.h"
 

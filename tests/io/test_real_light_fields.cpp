@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/camera.h"
-#include "io/light_field_file.h"
+#include "io/scene.h"
 #include "io/session_file.h"
 #include "tests/io/documents.h"
 #include "tests/io/texels.h"

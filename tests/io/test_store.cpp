@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "io/light_field_store.h"
+#include "io/scene.h"
 #include "io/session_file.h"
 #include "io/store_writer.h"
 #include "tests/io/documents.h"

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "io/light_field_store.h"
+#include "io/scene.h"
 #include "io/store_writer.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "io/light_field_store.h"
+#include "io/scene.h"
 #include "io/store_writer.h"
 #include "tests/io/light_fields.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
+#include "io/scene.h"
 #include "report/passing_pictures.h"
 
 #include <QTemporaryDir>

@@ -8,9 +8,9 @@
 
 #include "core/error.h"
 #include "core/fast_simulation.h"
+#include "core/parallel.h"
 #include "core/scaled_view.h"
 #include "tests/core/random_scene.h"
-#include "vtk/parallel_rows.h"
 
 using namespace hogelscope;
 

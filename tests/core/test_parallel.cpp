@@ -8,7 +8,7 @@
 #include <mutex>
 #include <set>
 
-#include "core/side_by_side.h"
+#include "core/parallel.h"
 #include "core/step_progress.h"
 
 using namespace hogelscope;
@@ -115,4 +115,4 @@ void TestSideBySide::progressForThreads() {
 }
 
 QTEST_GUILESS_MAIN(TestSideBySide)
-#include "test_side_by_side.moc"
+#include "test_parallel.moc"
