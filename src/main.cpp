@@ -10,9 +10,9 @@
 
 #include "cli/batch.h"
 #include "cli/stop_signals.h"
-#include "core/error.h"
-#include "gui/application.h"
-#include "io/machine.h"
+#include "core/base/error.h"
+#include "gui/app/application.h"
+#include "io/files/system_limits.h"
 
 namespace {
 

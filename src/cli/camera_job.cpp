@@ -6,10 +6,10 @@
 #include <iostream>
 
 #include "cli/inputs.h"
-#include "core/error.h"
-#include "io/camera_set_file.h"
-#include "io/output_folder.h"
-#include "io/session_file.h"
+#include "core/base/error.h"
+#include "io/documents/camera_set_file.h"
+#include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
 
 namespace hogelscope {
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "core/fast_simulation.h"
-#include "core/lens_certificate.h"
-#include "core/parallel.h"
-#include "core/scaled_view.h"
-#include "core/text.h"
-#include "core/tolerance.h"
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/engine/adaptive_method.h"
+#include "core/engine/fast_simulation.h"
+#include "core/engine/scaled_view.h"
+#include "core/lens/lens_certificate.h"
 
 namespace hogelscope {
 

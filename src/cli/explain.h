@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "core/progress.h"
-#include "core/simulate.h"
-#include "io/scene.h"
+#include "core/base/progress.h"
+#include "core/optics/simulate.h"
+#include "io/scene/scene.h"
 
 namespace hogelscope {
 

@@ -10,16 +10,16 @@
 
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
-#include "core/error.h"
-#include "core/parallel.h"
-#include "core/pattern_list.h"
-#include "core/text.h"
-#include "io/degradation.h"
-#include "io/image_writer.h"
-#include "io/machine.h"
-#include "io/output_folder.h"
-#include "io/pattern_params.h"
-#include "io/session_file.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/content/pattern_list.h"
+#include "io/documents/pattern_params.h"
+#include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
+#include "io/files/system_limits.h"
+#include "io/images/degradation.h"
+#include "io/images/image_writer.h"
 
 namespace hogelscope {
 

@@ -7,14 +7,14 @@
 #include <sstream>
 
 #include "cli/inputs.h"
-#include "core/error.h"
-#include "core/text.h"
-#include "io/image_file.h"
-#include "io/scene.h"
-#include "io/view_layouts.h"
-#include "io/light_field_store.h"
-#include "io/session_file.h"
-#include "io/view_files.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/documents/session_file.h"
+#include "io/images/image_file.h"
+#include "io/layouts/view_files.h"
+#include "io/layouts/view_layouts.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
 
 namespace hogelscope {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <iostream>
 
-#include "core/error.h"
-#include "core/text.h"
-#include "io/session_file.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/documents/session_file.h"
 #include "report/passing_pictures.h"
 
 namespace hogelscope {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "core/session.h"
-#include "io/light_field_file.h"
+#include "core/optics/session.h"
+#include "io/layouts/light_field_file.h"
 
 namespace hogelscope {
 

@@ -13,7 +13,7 @@
 #include "cli/report_job.h"
 #include "cli/stability_job.h"
 #include "cli/tradeoff_job.h"
-#include "core/pattern_list.h"
+#include "core/content/pattern_list.h"
 
 namespace hogelscope {
 

@@ -2,10 +2,10 @@
 // The manual's table of parameters, as a visitor of their descriptions.
 #include "cli/manual.h"
 
-#include "core/camera_set.h"
-#include "core/pattern.h"
-#include "core/session.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/cameras/camera_set.h"
+#include "core/content/pattern.h"
+#include "core/optics/session.h"
 
 namespace hogelscope {
 

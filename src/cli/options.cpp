@@ -6,8 +6,8 @@
 
 #include "cli/flags.h"
 #include "cli/jobs.h"
-#include "core/error.h"
-#include "core/parameters.h"
+#include "core/base/error.h"
+#include "core/base/parameters.h"
 
 namespace hogelscope {
 

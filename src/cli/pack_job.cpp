@@ -7,13 +7,13 @@
 
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
-#include "core/text.h"
-#include "io/machine.h"
-#include "io/output_folder.h"
-#include "io/positioned_file.h"
-#include "io/scene.h"
-#include "io/session_file.h"
-#include "io/store_writer.h"
+#include "core/base/text.h"
+#include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
+#include "io/files/random_access_file.h"
+#include "io/files/system_limits.h"
+#include "io/scene/scene.h"
+#include "io/store/store_writer.h"
 
 namespace hogelscope {
 
@@ -58,7 +58,8 @@ int packJob(const Options& options) {
   pack(*file, plan, options.output, options.threads, bar.progress());
   bar.done();
   if (!options.quiet)
-    std::cout << options.output << ": " << bytesText(PositionedFile(options.output).size()) << "\n";
+    std::cout << options.output << ": " << bytesText(RandomAccessFile(options.output).size())
+              << "\n";
   return 0;
 }
 

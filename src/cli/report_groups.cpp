@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/parameters.h"
-#include "io/folders.h"
+#include "core/base/error.h"
+#include "core/base/parameters.h"
+#include "io/files/folders.h"
 
 namespace hogelscope {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "core/summary.h"
+#include "core/metrics/summary.h"
 
 namespace hogelscope {
 

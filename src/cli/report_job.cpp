@@ -10,8 +10,8 @@
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
 #include "cli/report_groups.h"
-#include "core/summary_page.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "report/page/summary_page.h"
 #include "report/report_run.h"
 
 namespace hogelscope {

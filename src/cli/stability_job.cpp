@@ -8,11 +8,11 @@
 #include "chart/stability_map.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
-#include "core/parallel.h"
-#include "core/plan.h"
-#include "io/atomic_file.h"
-#include "io/calibration_file.h"
-#include "io/output_folder.h"
+#include "core/base/parallel.h"
+#include "core/engine/plan.h"
+#include "io/documents/calibration_file.h"
+#include "io/files/atomic_file.h"
+#include "io/files/output_folder.h"
 #include "study/stability.h"
 
 namespace hogelscope {

@@ -16,7 +16,7 @@
 #include <system_error>
 #include <thread>
 
-#include "io/temporary_files.h"
+#include "io/files/temporary_files.h"
 
 namespace hogelscope {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --tradeoff: speed against accuracy of every method on the session's own states.
 #include "cli/tradeoff_job.h"
-#include "core/parallel.h"
 
 #include <filesystem>
 #include <iostream>
@@ -11,9 +10,10 @@
 #include "chart/tradeoff_chart.h"
 #include "cli/inputs.h"
 #include "cli/progress_bar.h"
-#include "io/atomic_file.h"
-#include "io/scene.h"
-#include "io/output_folder.h"
+#include "core/base/parallel.h"
+#include "io/files/atomic_file.h"
+#include "io/files/output_folder.h"
+#include "io/scene/scene.h"
 #include "study/tradeoff.h"
 
 namespace hogelscope {

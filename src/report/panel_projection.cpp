@@ -2,7 +2,7 @@
 // A test's error projected onto the panel.
 #include "report/panel_projection.h"
 
-#include "io/panel_error_file.h"
+#include "io/documents/panel_error_file.h"
 
 namespace hogelscope {
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <set>
 
-#include "core/panel_error.h"
+#include "core/metrics/panel_error.h"
 #include "report/view_pairs.h"
 
 namespace hogelscope {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/passing_view.h"
-#include "core/text.h"
-#include "io/machine.h"
-#include "io/scene.h"
+#include "core/base/text.h"
+#include "core/engine/streaming_renderer.h"
+#include "io/files/system_limits.h"
+#include "io/scene/scene.h"
 
 namespace hogelscope {
 
@@ -21,7 +21,7 @@ InputError tooLarge(std::size_t bytes, std::size_t memory) {
 
 struct Passenger {
   std::size_t state;
-  std::unique_ptr<PassingView> view;
+  std::unique_ptr<StreamingRenderer> view;
 };
 
 /// Views whose slices fit in memory together.
@@ -31,7 +31,7 @@ class Group {
 
   /// False where there is no room for it beside the others.
   bool add(Passenger& passenger) {
-    const PassingView& view = *passenger.view;
+    const StreamingRenderer& view = *passenger.view;
     const auto& lens = view.lens();
     const bool isNew = lens && std::find(m_lenses.begin(), m_lenses.end(), *lens) == m_lenses.end();
     const std::size_t bytes = view.bytes() + (isNew ? LensTable::bytes(*lens) : 0);
@@ -62,7 +62,8 @@ std::vector<Group> grouped(const std::vector<View>& views, std::size_t memory, L
   groups.emplace_back(memory);
   for (std::size_t k = 0; k < views.size(); ++k) {
     try {
-      Passenger next{k, std::make_unique<PassingView>(views[k], tables, parallelRows, progress)};
+      Passenger next{k,
+                     std::make_unique<StreamingRenderer>(views[k], tables, parallelRows, progress)};
       if (!groups.back().add(next)) groups.emplace_back(memory).add(next);
     } catch (const InputError& error) {
       pictures[k].problem = error.what();

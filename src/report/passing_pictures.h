@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/fast_simulation.h"
-#include "io/light_field_file.h"
+#include "core/engine/fast_simulation.h"
+#include "io/layouts/light_field_file.h"
 
 namespace hogelscope {
 

@@ -4,8 +4,8 @@
 
 #include <QDateTime>
 
-#include "core/sampling.h"
-#include "io/session_file.h"
+#include "core/optics/sampling.h"
+#include "io/documents/session_file.h"
 #include "report/file_hash.h"
 #include "report/versions.h"
 

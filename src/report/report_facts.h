@@ -2,7 +2,7 @@
 // What was tested, for the report's page; and the key by which a run knows its own unfinished work.
 #pragma once
 
-#include "core/report_page.h"
+#include "report/page/report_page.h"
 #include "report/report_run.h"
 
 namespace hogelscope {

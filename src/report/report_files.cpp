@@ -2,9 +2,9 @@
 // The files of a report.
 #include "report/report_files.h"
 
-#include "core/difference.h"
-#include "io/atomic_file.h"
-#include "io/image_writer.h"
+#include "core/metrics/difference.h"
+#include "io/files/atomic_file.h"
+#include "io/images/image_writer.h"
 
 namespace hogelscope {
 

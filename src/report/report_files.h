@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/panel_error.h"
+#include "core/metrics/panel_error.h"
 #include "report/report_run.h"
 #include "report/view_pairs.h"
 

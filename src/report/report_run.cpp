@@ -9,12 +9,12 @@
 #include <mutex>
 #include <numeric>
 
-#include "core/parallel.h"
-#include "core/step_progress.h"
-#include "io/atomic_file.h"
-#include "io/output_folder.h"
-#include "io/report_journal.h"
-#include "io/session_file.h"
+#include "core/base/parallel.h"
+#include "core/base/step_progress.h"
+#include "io/documents/report_journal.h"
+#include "io/documents/session_file.h"
+#include "io/files/atomic_file.h"
+#include "io/files/output_folder.h"
 #include "report/panel_projection.h"
 #include "report/report_facts.h"
 #include "report/report_files.h"

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/progress.h"
-#include "core/report_page.h"
-#include "core/summary.h"
-#include "io/scene.h"
+#include "core/base/progress.h"
+#include "core/metrics/summary.h"
+#include "io/scene/scene.h"
+#include "report/page/report_page.h"
 
 namespace hogelscope {
 

@@ -6,7 +6,7 @@
 
 #include <QtGlobal>
 
-#include "io/library_versions.h"
+#include "io/images/library_versions.h"
 
 namespace hogelscope {
 

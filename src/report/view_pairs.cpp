@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pictures that a report compares.
-#include "core/parallel.h"
 #include "report/view_pairs.h"
 
 #include <array>
@@ -8,6 +7,7 @@
 #include <future>
 #include <new>
 
+#include "core/base/parallel.h"
 
 namespace hogelscope {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/fast_simulation.h"
-#include "io/scene.h"
+#include "core/engine/fast_simulation.h"
+#include "io/scene/scene.h"
 #include "report/passing_pictures.h"
 
 namespace hogelscope {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
-#include "core/psf.h"
-#include "core/report.h"
+#include "core/metrics/report_rows.h"
+#include "core/optics/psf.h"
 
 namespace hogelscope {
 

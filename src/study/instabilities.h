@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/lens_table.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/lens/lens_table.h"
 
 namespace hogelscope {
 

@@ -4,7 +4,7 @@
 
 #include <opencv2/calib3d.hpp>
 
-#include "core/quick_inverse.h"
+#include "core/lens/batch_undistort.h"
 
 namespace hogelscope {
 
@@ -54,7 +54,7 @@ Points byOurs(const Distortion& lens, const Points& distorted, const Progress& p
     x.push_back(p.x);
     y.push_back(p.y);
   }
-  QuickInverse(lens, progress).undistort(x.data(), y.data(), int(x.size()));
+  BatchUndistort(lens, progress).undistort(x.data(), y.data(), int(x.size()));
   Points ideal;
   for (std::size_t k = 0; k < x.size(); ++k) ideal.push_back({x[k], y[k]});
   return ideal;

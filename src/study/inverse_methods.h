@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/distortion.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/optics/distortion.h"
 
 namespace hogelscope {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/plan.h"
+#include "core/engine/plan.h"
 
 namespace hogelscope {
 

@@ -2,7 +2,7 @@
 // Which ways to invert a lens hold, over planes of two of its coefficients.
 #pragma once
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 #include "study/lens_outcomes.h"
 
 namespace hogelscope {

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/lens_rays.h"
-#include "core/parallel.h"
+#include "core/base/parallel.h"
+#include "core/lens/lens_rays.h"
 #include "study/inverse_methods.h"
 
 namespace hogelscope {

@@ -2,7 +2,7 @@
 // The reference engine's geometry in a precision of choice: what floats cost.
 #pragma once
 
-#include "core/simulate.h"
+#include "core/optics/simulate.h"
 
 namespace hogelscope {
 

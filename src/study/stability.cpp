@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/plan.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/engine/plan.h"
 
 namespace hogelscope {
 

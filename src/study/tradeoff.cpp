@@ -6,10 +6,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/fast_simulation.h"
-#include "core/metrics.h"
-#include "core/scaled_view.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/engine/fast_simulation.h"
+#include "core/engine/scaled_view.h"
+#include "core/metrics/metrics.h"
 
 namespace hogelscope {
 

@@ -2,9 +2,9 @@
 // Speed against accuracy: every method on the same views, timed and compared with the reference.
 #pragma once
 
-#include "core/lens_table.h"
-#include "core/progress.h"
-#include "core/simulate.h"
+#include "core/base/progress.h"
+#include "core/lens/lens_table.h"
+#include "core/optics/simulate.h"
 #include "study/tradeoff_row.h"
 
 namespace hogelscope {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/fast_simulation.h"
+#include "core/engine/fast_simulation.h"
 #include "study/instabilities.h"
 #include "study/single_precision.h"
 

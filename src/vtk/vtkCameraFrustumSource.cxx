@@ -14,7 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "atlas.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 vtkStandardNewMacro(vtkCameraFrustumSource);
 

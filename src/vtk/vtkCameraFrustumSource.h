@@ -19,7 +19,7 @@
 #include <array>
 #include <vector>
 
-#include "core/camera.h"
+#include "core/optics/camera.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 namespace hogelscope

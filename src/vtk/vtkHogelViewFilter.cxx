@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include "core/parallel.h"
-#include "core/scaled_view.h"
+#include "core/base/parallel.h"
+#include "core/engine/scaled_view.h"
 
 vtkStandardNewMacro(vtkHogelViewFilter);
 

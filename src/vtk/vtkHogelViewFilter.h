@@ -16,10 +16,10 @@
 
 #include <string>
 
-#include "core/fast_simulation.h"
-#include "core/image.h"
-#include "core/progress.h"
-#include "core/tolerance.h"
+#include "core/base/progress.h"
+#include "core/engine/adaptive_method.h"
+#include "core/engine/fast_simulation.h"
+#include "core/optics/image.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelViewFilter : public vtkImageAlgorithm

@@ -2,8 +2,8 @@
 // Lens tables against cv::undistortPoints, whose five iterations are not exact.
 #include <opencv2/calib3d.hpp>
 
-#include "core/lens_table.h"
-#include "core/plan.h"
+#include "core/engine/plan.h"
+#include "core/lens/lens_table.h"
 #include "tests/benchmark/scene.h"
 
 namespace benchmarks {

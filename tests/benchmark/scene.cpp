@@ -10,8 +10,8 @@
 #include <cstring>
 #include <numbers>
 
-#include "core/fast_simulation.h"
-#include "core/parallel.h"
+#include "core/base/parallel.h"
+#include "core/engine/fast_simulation.h"
 
 namespace benchmarks {
 

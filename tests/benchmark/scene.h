@@ -7,7 +7,7 @@
 
 #include <functional>
 
-#include "core/simulate.h"
+#include "core/optics/simulate.h"
 
 namespace benchmarks {
 

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/fast_simulation.h"
-#include "core/parallel.h"
-#include "core/scaled_view.h"
-#include "io/scene.h"
-#include "io/session_file.h"
+#include "core/base/parallel.h"
+#include "core/engine/fast_simulation.h"
+#include "core/engine/scaled_view.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
 
 namespace {
 

@@ -11,9 +11,9 @@
 #include <numbers>
 #include <set>
 
-#include "core/error.h"
-#include "io/scene.h"
-#include "io/light_field_store.h"
+#include "core/base/error.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
 
 namespace {
 

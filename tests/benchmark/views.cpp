@@ -3,10 +3,10 @@
 // addresses worked out before.
 #include <opencv2/imgproc.hpp>
 
-#include "core/fast_simulation.h"
-#include "core/for_each_machine.h"
-#include "core/panel_error.h"
-#include "core/parallel.h"
+#include "core/base/multiversioned.h"
+#include "core/base/parallel.h"
+#include "core/engine/fast_simulation.h"
+#include "core/metrics/panel_error.h"
 #include "tests/benchmark/scene.h"
 
 namespace benchmarks {
@@ -100,7 +100,7 @@ Reads readsOf(View (*make)(int), int across, int hogelsAcross, int poseCount) {
   return reads;
 }
 
-FOR_EACH_MACHINE
+MULTIVERSIONED
 void addWords(const std::uint32_t* texels, const std::uint32_t* address, int count,
               std::uint32_t* redBlue, std::uint32_t* green) {
   for (int k = 0; k < count; ++k) {
@@ -110,7 +110,7 @@ void addWords(const std::uint32_t* texels, const std::uint32_t* address, int cou
   }
 }
 
-FOR_EACH_MACHINE
+MULTIVERSIONED
 void loadWords(const std::uint32_t* texels, const std::uint32_t* address, int count,
                std::uint32_t* out) {
   for (int k = 0; k < count; ++k) out[k] = texels[address[k]];

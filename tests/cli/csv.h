@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry.h"
-#include "core/metrics.h"
+#include "core/base/geometry.h"
+#include "core/metrics/metrics.h"
 
 /// A line of RFC 4180 as its cells.
 inline QStringList cellsOf(const QByteArray& line) {

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"

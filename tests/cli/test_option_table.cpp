@@ -9,7 +9,7 @@
 #include "cli/batch.h"
 #include "cli/flags.h"
 #include "cli/jobs.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 

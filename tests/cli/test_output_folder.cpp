@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/output_folder.h"
+#include "io/files/output_folder.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"

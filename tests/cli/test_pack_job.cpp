@@ -7,7 +7,7 @@
 #include <QTest>
 #include <csignal>
 
-#include "io/light_field_store.h"
+#include "io/store/light_field_store.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"

@@ -10,8 +10,8 @@
 #include <functional>
 
 #include "cli/stop_signals.h"
-#include "io/atomic_file.h"
-#include "io/temporary_files.h"
+#include "io/files/atomic_file.h"
+#include "io/files/temporary_files.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -2,8 +2,8 @@
 // The pictures that the program should make, by the reference engine.
 #pragma once
 
-#include "io/scene.h"
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
 
 /// One for each state.
 inline std::vector<hogelscope::Image> simulated(const hogelscope::Session& session) {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/optics/simulate.h"
 #include "tests/core/lens_oracle.h"
 
 namespace brute {

@@ -2,7 +2,7 @@
 // Camera sets before one panel, for the tests of regions and of the states that are made of them.
 #pragma once
 
-#include "core/camera_set.h"
+#include "core/cameras/camera_set.h"
 
 inline constexpr std::array<double, 2> panel{0.5, 0.3};
 

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/fast_simulation.h"
+#include "core/engine/fast_simulation.h"
 #include "tests/core/extreme_scene.h"
 
 /// Code values and mask, rows from the top.

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/bd_rate.h"
+#include "core/metrics/bd_rate.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

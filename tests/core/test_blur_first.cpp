@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/fast_simulation.h"
+#include "core/engine/fast_simulation.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-#include "core/distortion.h"
+#include "core/optics/distortion.h"
 #include "tests/core/lens_oracle.h"
 
 using namespace hogelscope;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/camera.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/optics/camera.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests difference pictures: their values and their gain.
-#include "core/difference.h"
+#include "core/metrics/difference.h"
 
 #include <QTest>
 #include <stdexcept>

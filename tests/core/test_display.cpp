@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/display.h"
+#include "core/optics/display.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-#include "core/distortion.h"
+#include "core/optics/distortion.h"
 #include "tests/core/lens_oracle.h"
 #include "tests/core/random.h"
 

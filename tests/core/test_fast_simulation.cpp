@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fast engine gives the reference's pixels, over random scenes with all options.
-#include "core/fast_simulation.h"
+#include "core/engine/fast_simulation.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A view from a slice of the light field, fetched or kept while the light field passes, is the view
 // from all of it, over random scenes with all options.
-#include "core/footprint.h"
+#include "core/light_field/footprint.h"
 
 #include <QTest>
 #include <algorithm>
 
-#include "core/passing_view.h"
-#include "core/scaled_view.h"
+#include "core/engine/scaled_view.h"
+#include "core/engine/streaming_renderer.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;
@@ -124,7 +124,7 @@ void TestFootprint::aPassingViewIsTheView() {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const RandomScene scene = sceneOf(seed);
     LensTables tables;
-    PassingView passing(stored(scene.view, nullptr), tables, serialRows);
+    StreamingRenderer passing(stored(scene.view, nullptr), tables, serialRows);
     passing.begin(tables, serialRows);
     pass(*scene.view.lightField, [&](int j, int v, const auto* rgb) {
       if (v == 0 && j > 0) passing.finish(j - 1);
@@ -158,9 +158,9 @@ void TestFootprint::aViewNeedsLittle() {
   const auto cutter = std::make_shared<Cutter>(scene.view.lightField);
   QVERIFY(simulateFast(stored(scene.view, cutter)) == simulateFast(scene.view));
   // u changes by 0.01·60/2 = 0.3 from column to column: at most two a column, 77 or so in all.
-  const PassingView passing = [&] {
+  const StreamingRenderer passing = [&] {
     LensTables tables;
-    return PassingView(stored(scene.view, nullptr), tables, serialRows);
+    return StreamingRenderer(stored(scene.view, nullptr), tables, serialRows);
   }();
   QVERIFY2(passing.bytes() < 4 * cutter->texels / 10,
            qPrintable(QString("%1 of %2 bytes").arg(passing.bytes()).arg(4 * cutter->texels)));

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/geometry.h"
+#include "core/base/geometry.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The drawing of a lens: its lines against the model's formula, its fold against closed forms.
-#include "core/lens_grid.h"
+#include "core/lens/lens_grid.h"
 
 #include <QTest>
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/image.h"
-#include "core/light_field.h"
+#include "core/light_field/light_field.h"
+#include "core/optics/image.h"
 
 using namespace hogelscope;
 

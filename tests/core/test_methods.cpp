@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "core/fast_simulation.h"
-#include "core/scaled_view.h"
+#include "core/engine/fast_simulation.h"
+#include "core/engine/scaled_view.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -6,7 +6,7 @@
 #include <opencv2/quality/qualityssim.hpp>
 #include <stdexcept>
 
-#include "core/metrics.h"
+#include "core/metrics/metrics.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

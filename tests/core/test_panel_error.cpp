@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the error on the panel: its sums against a brute-force loop, its figures and pictures
 // against what was put in.
-#include "core/panel_error.h"
+#include "core/metrics/panel_error.h"
 
 #include <QTest>
 #include <cmath>
 #include <limits>
 #include <thread>
 
-#include "core/colour_map.h"
-#include "core/panel_error_figures.h"
+#include "core/base/colour_map.h"
+#include "core/metrics/panel_error_figures.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

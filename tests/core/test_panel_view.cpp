@@ -2,8 +2,8 @@
 // The panel's own picture: each of its pixels is the ray from the eye to that place of the panel.
 #include <QtTest>
 
-#include "core/panel_view.h"
-#include "core/pixel_trace.h"
+#include "core/optics/panel_view.h"
+#include "core/optics/pixel_trace.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

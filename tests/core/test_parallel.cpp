@@ -8,8 +8,8 @@
 #include <mutex>
 #include <set>
 
-#include "core/parallel.h"
-#include "core/step_progress.h"
+#include "core/base/parallel.h"
+#include "core/base/step_progress.h"
 
 using namespace hogelscope;
 

@@ -2,8 +2,8 @@
 // Tests how input errors read, and the name that a mistyped one was meant to be.
 #include <QTest>
 
-#include "core/error.h"
-#include "core/parameters.h"
+#include "core/base/error.h"
+#include "core/base/parameters.h"
 
 using namespace hogelscope;
 

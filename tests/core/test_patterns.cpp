@@ -3,9 +3,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/pattern_list.h"
-#include "core/sphere_pattern.h"
+#include "core/base/error.h"
+#include "core/content/pattern_list.h"
+#include "core/content/sphere_pattern.h"
 
 using namespace hogelscope;
 

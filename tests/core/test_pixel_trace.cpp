@@ -3,8 +3,8 @@
 // renderer's rays, and counted taps.
 #include <QtTest>
 
-#include "core/error.h"
-#include "core/pixel_trace.h"
+#include "core/base/error.h"
+#include "core/optics/pixel_trace.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

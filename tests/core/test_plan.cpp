@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each decision of the plan: that it is taken, and that the picture stays the reference's.
-#include "core/plan.h"
+#include "core/engine/plan.h"
 
 #include <QTest>
 
-#include "core/fast_simulation.h"
-#include "core/lens_certificate.h"
+#include "core/engine/fast_simulation.h"
+#include "core/lens/lens_certificate.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

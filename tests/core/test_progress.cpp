@@ -2,7 +2,7 @@
 // Tests what long work says of the time left.
 #include <QTest>
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 using namespace hogelscope;
 

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/psf.h"
+#include "core/optics/psf.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

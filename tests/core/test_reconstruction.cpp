@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/simulate.h"
+#include "core/optics/simulate.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

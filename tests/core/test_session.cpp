@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/session.h"
+#include "core/optics/session.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -3,8 +3,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/simulate.h"
+#include "core/base/error.h"
+#include "core/optics/simulate.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests adding, copying, moving, naming and removing camera states.
-#include "core/states.h"
+#include "core/cameras/state_list_edits.h"
 
 #include <QTest>
 #include <cmath>
 
-#include "core/changed_field.h"
+#include "core/cameras/edit_name.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/statistics.h"
+#include "core/metrics/statistics.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

@@ -4,12 +4,12 @@
 #include <QTest>
 #include <algorithm>
 
-#include "core/lens_certificate.h"
-#include "core/lens_grid.h"
-#include "core/metrics.h"
-#include "core/panel_error.h"
-#include "core/passing_view.h"
-#include "core/tolerance.h"
+#include "core/engine/adaptive_method.h"
+#include "core/engine/streaming_renderer.h"
+#include "core/lens/lens_certificate.h"
+#include "core/lens/lens_grid.h"
+#include "core/metrics/metrics.h"
+#include "core/metrics/panel_error.h"
 
 using namespace hogelscope;
 
@@ -160,7 +160,8 @@ class TestStop : public QObject {
         LightFieldSize{8, 8, 8, 8}, StoredType::uint8, std::shared_ptr<TexelStore>());
     SecondTime stop;
     LensTables tables;
-    QVERIFY_EXCEPTION_THROWN(PassingView(view, tables, serialRows, stop.progress()), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(StreamingRenderer(view, tables, serialRows, stop.progress()),
+                             Cancelled);
   }
 
   void metricsOfLargePictures() {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tolerance: the error that results stays within what the probe said, over many scenes.
-#include "core/tolerance.h"
+#include "core/engine/adaptive_method.h"
 
 #include <QTest>
 #include <cmath>
 #include <thread>
 
-#include "core/error.h"
-#include "core/scaled_view.h"
-#include "core/scene_pattern.h"
+#include "core/base/error.h"
+#include "core/content/scene_pattern.h"
+#include "core/engine/scaled_view.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/quick_inverse.h"
+#include "core/lens/batch_undistort.h"
 #include "tests/core/lens_oracle.h"
 #include "tests/core/random.h"
 
@@ -179,7 +179,7 @@ void TestUndistort::theQuickInverseIsTheSame() {
   int none = 0;
   for (int repeat = 0; repeat < 1000; ++repeat) {
     const Distortion lens(randomLens(random, repeat % 2 == 0 ? 1 : 0.05));
-    const QuickInverse quick(lens);
+    const BatchUndistort quick(lens);
     constexpr int count = 150;  // more than a batch
     std::array<double, count> x;
     std::array<double, count> y;

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 /// Each fuzzer defines it: reads `input` and stops the program (require) where the outcome is
 /// wrong.

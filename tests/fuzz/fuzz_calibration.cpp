@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes OpenCV calibrations, YAML and JSON, and lists of cameras: a session can have what is read.
-#include "core/states.h"
-#include "io/calibration_file.h"
+#include "core/cameras/state_list_edits.h"
+#include "io/documents/calibration_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

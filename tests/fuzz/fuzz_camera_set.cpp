@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes camera set documents, up to the states that they make.
-#include "core/states.h"
-#include "io/camera_set_file.h"
+#include "core/cameras/state_list_edits.h"
+#include "io/documents/camera_set_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes keys.json.
-#include "io/key_map_file.h"
+#include "io/documents/key_map_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

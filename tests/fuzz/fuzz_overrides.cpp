@@ -2,8 +2,8 @@
 // Fuzzes --set: each line of the input is one, of a session and of a camera set.
 #include <sstream>
 
-#include "io/camera_set_file.h"
-#include "io/session_file.h"
+#include "io/documents/camera_set_file.h"
+#include "io/documents/session_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the file of a panel error on its way.
-#include "io/panel_error_file.h"
+#include "io/documents/panel_error_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes pictures of the formats that light fields come in: EXR, JPEG, PNG, TIFF.
-#include "io/image_file.h"
+#include "io/images/image_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

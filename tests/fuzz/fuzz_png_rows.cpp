@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the rows of PNGs of every kind.
-#include "io/png_rows.h"
+#include "io/images/png_rows.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

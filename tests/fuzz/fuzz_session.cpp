@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes session documents: what is read and written again reads the same.
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes stores: opened, read whole, as rows, by a view's footprint and as an overview; and an
 // unfinished one that packing goes on with.
-#include "io/light_field_store.h"
-#include "io/store_output.h"
+#include "io/store/light_field_store.h"
+#include "io/store/store_output.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

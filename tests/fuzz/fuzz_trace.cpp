@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes viewers' traces: time rises.
-#include "io/trace_file.h"
+#include "io/documents/trace_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -2,7 +2,7 @@
 // Fuzzes the names of views: the input's first line is the pattern, the others are files' names.
 #include <sstream>
 
-#include "io/view_files.h"
+#include "io/layouts/view_files.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

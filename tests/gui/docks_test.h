@@ -4,8 +4,8 @@
 
 #include <QListWidget>
 
-#include "gui/picture_view.h"
-#include "io/session_file.h"
+#include "gui/view/picture_view.h"
+#include "io/documents/session_file.h"
 #include "tests/gui/window_test.h"
 
 inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");

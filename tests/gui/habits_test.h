@@ -15,10 +15,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/autosave_entry.h"
-#include "gui/main_window.h"
-#include "gui/session_model.h"
-#include "io/session_file.h"
+#include "gui/app/main_window.h"
+#include "gui/files/autosave_entry.h"
+#include "gui/session/session_model.h"
+#include "io/documents/session_file.h"
 #include "tests/gui/patience.h"
 
 inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/pattern_list.h"
-#include "io/image_writer.h"
+#include "core/content/pattern_list.h"
+#include "io/images/image_writer.h"
 
 /// All hogels of a display as one image, as `--generate` makes it.
 inline void writePattern(const std::string& pattern, const hogelscope::DisplayParams& display,

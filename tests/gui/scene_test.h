@@ -9,11 +9,11 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 
-#include "gui/display_scene.h"
-#include "gui/scene_controller.h"
-#include "gui/vtk_widget.h"
-#include "io/scene.h"
-#include "io/session_file.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/scene/vtk_widget.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
 #include "tests/gui/pattern_file.h"
 #include "tests/gui/window_test.h"
 

@@ -15,12 +15,12 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/key_window.h"
-#include "gui/main_window.h"
-#include "gui/picture_commands.h"
-#include "gui/picture_view.h"
-#include "gui/report_dock.h"
-#include "gui/vtk_widget.h"
+#include "gui/app/main_window.h"
+#include "gui/docks/report_dock.h"
+#include "gui/keys/key_window.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/view/picture_commands.h"
+#include "gui/view/picture_view.h"
 
 using namespace hogelscope;
 

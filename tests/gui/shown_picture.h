@@ -6,7 +6,7 @@
 #include <QImage>
 #include <algorithm>
 
-#include "core/image.h"
+#include "core/optics/image.h"
 
 /// In all pixels.
 inline bool equals(const QImage& shown, const hogelscope::Image& expected) {

@@ -6,9 +6,9 @@
 #include <QLabel>
 #include <QSlider>
 
-#include "core/colour_map.h"
-#include "gui/kernel_view.h"
-#include "gui/lens_view.h"
+#include "core/base/colour_map.h"
+#include "gui/docks/kernel_view.h"
+#include "gui/docks/lens_view.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_picture.h"
 

@@ -7,11 +7,11 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "core/fast_simulation.h"
-#include "gui/light_field_dock.h"
-#include "gui/picture_commands.h"
-#include "gui/view_worker.h"
-#include "io/scene.h"
+#include "core/engine/fast_simulation.h"
+#include "gui/docks/light_field_dock.h"
+#include "gui/view/picture_commands.h"
+#include "gui/view/view_worker.h"
+#include "io/scene/scene.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_picture.h"
 

@@ -7,8 +7,8 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "gui/picture_view.h"
-#include "gui/view_worker.h"
+#include "gui/view/picture_view.h"
+#include "gui/view/view_worker.h"
 #include "tests/gui/habits_test.h"
 
 using namespace hogelscope;

@@ -13,11 +13,11 @@
 #include <QSlider>
 #include <algorithm>
 
-#include "gui/display_scene.h"
-#include "gui/picture_view.h"
-#include "gui/scene_controller.h"
-#include "gui/view_worker.h"
-#include "io/session_file.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/view/picture_view.h"
+#include "gui/view/view_worker.h"
+#include "io/documents/session_file.h"
 #include "tests/gui/pattern_file.h"
 #include "tests/gui/window_test.h"
 

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "gui/manual_window.h"
+#include "gui/app/manual_window.h"
 #include "report/versions.h"
 #include "tests/gui/habits_test.h"
 

@@ -8,11 +8,11 @@
 #include <QTableWidget>
 #include <set>
 
-#include "gui/key_field.h"
-#include "gui/key_map.h"
-#include "gui/key_window.h"
-#include "gui/picture_view.h"
-#include "io/key_map_file.h"
+#include "gui/keys/key_field.h"
+#include "gui/keys/key_map.h"
+#include "gui/keys/key_window.h"
+#include "gui/view/picture_view.h"
+#include "io/documents/key_map_file.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;

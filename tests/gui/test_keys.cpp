@@ -7,8 +7,8 @@
 #include <QLineEdit>
 #include <QUndoStack>
 
-#include "core/camera_motion.h"
-#include "gui/key_map.h"
+#include "core/cameras/camera_motion.h"
+#include "gui/keys/key_map.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;

@@ -13,16 +13,16 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "core/fast_simulation.h"
-#include "core/scaled_view.h"
-#include "gui/main_window.h"
-#include "gui/picture_view.h"
-#include "gui/state_commands.h"
-#include "gui/tradeoff_view.h"
-#include "gui/tradeoff_worker.h"
-#include "gui/vtk_widget.h"
-#include "io/scene.h"
-#include "io/session_file.h"
+#include "core/engine/fast_simulation.h"
+#include "core/engine/scaled_view.h"
+#include "gui/app/main_window.h"
+#include "gui/docks/tradeoff_view.h"
+#include "gui/docks/tradeoff_worker.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/session/state_commands.h"
+#include "gui/view/picture_view.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
 

@@ -10,14 +10,14 @@
 #include <QSpinBox>
 #include <QUndoStack>
 
-#include "core/fast_simulation.h"
-#include "gui/display_scene.h"
-#include "gui/picture_commands.h"
-#include "gui/picture_view.h"
-#include "gui/report_dock.h"
-#include "gui/scene_controller.h"
-#include "gui/view_worker.h"
-#include "io/scene.h"
+#include "core/engine/fast_simulation.h"
+#include "gui/docks/report_dock.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/view/picture_commands.h"
+#include "gui/view/picture_view.h"
+#include "gui/view/view_worker.h"
+#include "io/scene/scene.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/gui/window_test.h"
 

@@ -6,8 +6,8 @@
 #include <QSlider>
 #include <QtTest>
 
-#include "core/session.h"
-#include "gui/parameter_form.h"
+#include "core/optics/session.h"
+#include "gui/widgets/parameter_form.h"
 
 using namespace hogelscope;
 

@@ -2,15 +2,15 @@
 // The widget for pictures alone: zoom, pan, linked views, the ways to compare, read-out and mask,
 // by what it paints. Positions are worked out here from the definition of one to one: one picture
 // pixel on one pixel of the screen.
-#include "gui/picture_view.h"
+#include "gui/view/picture_view.h"
 
 #include <QAction>
 #include <QSignalSpy>
 #include <QtTest>
 #include <cmath>
 
-#include "gui/picture_difference.h"
-#include "gui/view_pace.h"
+#include "gui/view/picture_difference.h"
+#include "gui/view/view_pace.h"
 #include "tests/gui/patience.h"
 
 using namespace hogelscope;

@@ -20,12 +20,12 @@
 #include <QtTest>
 #include <cmath>
 
-#include "gui/camera_set_view.h"
-#include "gui/main_window.h"
-#include "gui/picture_view.h"
-#include "gui/report_dock.h"
-#include "gui/vtk_widget.h"
-#include "io/session_file.h"
+#include "gui/app/main_window.h"
+#include "gui/docks/camera_set_view.h"
+#include "gui/docks/report_dock.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/view/picture_view.h"
+#include "io/documents/session_file.h"
 #include "tests/cli/csv.h"
 #include "tests/gui/patience.h"
 #include "tests/io/documents.h"

@@ -4,9 +4,9 @@
 
 #include <QAction>
 
-#include "core/fast_simulation.h"
-#include "core/panel_view.h"
-#include "gui/main_window.h"
+#include "core/engine/fast_simulation.h"
+#include "core/optics/panel_view.h"
+#include "gui/app/main_window.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_picture.h"
 

@@ -4,8 +4,8 @@
 #include <QSignalSpy>
 #include <QToolTip>
 
-#include "core/pixel_trace.h"
-#include "gui/picture_view.h"
+#include "core/optics/pixel_trace.h"
+#include "gui/view/picture_view.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_picture.h"
 

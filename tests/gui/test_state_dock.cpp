@@ -7,8 +7,8 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "gui/state_commands.h"
-#include "gui/state_dock.h"
+#include "gui/docks/state_dock.h"
+#include "gui/session/state_commands.h"
 #include "tests/gui/docks_test.h"
 
 using namespace hogelscope;

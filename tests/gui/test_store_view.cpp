@@ -7,13 +7,13 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "core/fast_simulation.h"
-#include "gui/light_field_dock.h"
-#include "gui/main_window.h"
-#include "gui/picture_view.h"
-#include "gui/view_worker.h"
-#include "io/session_file.h"
-#include "io/store_writer.h"
+#include "core/engine/fast_simulation.h"
+#include "gui/app/main_window.h"
+#include "gui/docks/light_field_dock.h"
+#include "gui/view/picture_view.h"
+#include "gui/view/view_worker.h"
+#include "io/documents/session_file.h"
+#include "io/store/store_writer.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/io/documents.h"

@@ -6,10 +6,10 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-#include "gui/scene_text.h"
-#include "gui/state_commands.h"
-#include "gui/translations.h"
-#include "gui/view_worker.h"
+#include "gui/app/translations.h"
+#include "gui/scene/scene_text.h"
+#include "gui/session/state_commands.h"
+#include "gui/view/view_worker.h"
 
 using namespace hogelscope;
 

@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <QUndoStack>
 
-#include "gui/state_commands.h"
-#include "io/session_file.h"
+#include "gui/session/state_commands.h"
+#include "io/documents/session_file.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;

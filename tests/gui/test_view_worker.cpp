@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that the rendering thread leaves what takes minutes for a newer request.
-#include "gui/view_worker.h"
+#include "gui/view/view_worker.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 
 using namespace hogelscope;
 

@@ -7,10 +7,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/main_window.h"
-#include "gui/session_model.h"
-#include "gui/translations.h"
-#include "gui/vtk_widget.h"
+#include "gui/app/main_window.h"
+#include "gui/app/translations.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/session/session_model.h"
 #include "tests/gui/patience.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"

@@ -7,7 +7,7 @@
 #include <QFile>
 #include <functional>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 /// A document by its sections; each is JSON.
 struct Sections {

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "io/light_field_file.h"
+#include "io/layouts/light_field_file.h"
 #include "tests/io/pictures.h"
 #include "tests/io/texels.h"
 

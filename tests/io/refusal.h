@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 

@@ -3,8 +3,8 @@
 #include <QTemporaryDir>
 #include <cmath>
 
-#include "io/image_file.h"
-#include "io/scene.h"
+#include "io/images/image_file.h"
+#include "io/scene/scene.h"
 #include "tests/io/pictures.h"
 #include "tests/io/refusal.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/core/random.h"
 #include "tests/io/documents.h"
 

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/camera_set_file.h"
+#include "io/documents/camera_set_file.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

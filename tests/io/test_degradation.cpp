@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "io/degradation.h"
+#include "io/images/degradation.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

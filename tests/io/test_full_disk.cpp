@@ -8,12 +8,12 @@
 #include <csignal>
 #include <functional>
 
-#include "core/session.h"
-#include "io/image_writer.h"
-#include "io/scene.h"
-#include "io/panel_error_file.h"
-#include "io/session_file.h"
-#include "io/store_writer.h"
+#include "core/optics/session.h"
+#include "io/documents/panel_error_file.h"
+#include "io/documents/session_file.h"
+#include "io/images/image_writer.h"
+#include "io/scene/scene.h"
+#include "io/store/store_writer.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

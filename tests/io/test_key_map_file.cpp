@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the file of keys: what is saved comes back, what is no such file is one line.
-#include "io/key_map_file.h"
+#include "io/documents/key_map_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>

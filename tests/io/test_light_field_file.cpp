@@ -3,8 +3,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/scene.h"
-#include "io/view_layouts.h"
+#include "io/layouts/view_layouts.h"
+#include "io/scene/scene.h"
 #include "tests/io/pictures.h"
 #include "tests/io/texels.h"
 

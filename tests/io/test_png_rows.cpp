@@ -4,7 +4,7 @@
 #include <QTest>
 #include <QtEndian>
 
-#include "io/image_file.h"
+#include "io/images/image_file.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 

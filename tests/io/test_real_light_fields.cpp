@@ -4,9 +4,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/camera.h"
-#include "io/scene.h"
-#include "io/session_file.h"
+#include "core/optics/camera.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/texels.h"
 

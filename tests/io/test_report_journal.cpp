@@ -4,8 +4,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "io/panel_error_file.h"
-#include "io/report_journal.h"
+#include "io/documents/panel_error_file.h"
+#include "io/documents/report_journal.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -3,8 +3,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/scene.h"
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 

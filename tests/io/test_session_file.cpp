@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -10,7 +10,7 @@
 #include <QTest>
 #include <csignal>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

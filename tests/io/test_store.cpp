@@ -4,10 +4,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/light_field_store.h"
-#include "io/scene.h"
-#include "io/session_file.h"
-#include "io/store_writer.h"
+#include "io/documents/session_file.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
+#include "io/store/store_writer.h"
 #include "tests/io/documents.h"
 #include "tests/io/light_fields.h"
 

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <limits>
 
-#include "core/error.h"
-#include "io/light_field_store.h"
-#include "io/scene.h"
-#include "io/store_writer.h"
+#include "core/base/error.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
+#include "io/store/store_writer.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 #include "tests/io/texels.h"
@@ -50,7 +50,7 @@ void packUntil(const std::string& output, int rows) {
 
 /// Of all pages of the file, whole or not.
 int pagesOf(const char* file) {
-  const PositionedFile opened(file);
+  const RandomAccessFile opened(file);
   int pages = 0;
   for (TiffLink link = firstLink(opened); link.next != 0; ++pages)
     link = readPage(opened, link.next).link;
@@ -96,7 +96,7 @@ void TestStoreDamage::init() {
 }
 
 void TestStoreDamage::flippedBitsAreFound() {
-  const PositionedFile file("store.tif");
+  const RandomAccessFile file("store.tif");
   const TiffPage page = readPage(file, firstLink(file).next).page;
   std::uint64_t at = 0;
   std::memcpy(&at, m_bytes.constData() + page.offsetsAt + 8, sizeof(at));
@@ -143,7 +143,7 @@ void TestStoreDamage::aCircleOfPagesIsRefused() {
   writeFile("s.tif", m_bytes);
   QByteArray changed = m_bytes;
   {
-    const PositionedFile file("s.tif");
+    const RandomAccessFile file("s.tif");
     const std::uint64_t first = firstLink(file).next;
     const TiffLink link = readPage(file, first).link;
     std::memcpy(changed.data() + link.nextAt, &first, sizeof(first));

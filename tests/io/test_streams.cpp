@@ -3,9 +3,9 @@
 // there is for it.
 #include <QTemporaryDir>
 
-#include "io/light_field_store.h"
-#include "io/scene.h"
-#include "io/store_writer.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
+#include "io/store/store_writer.h"
 #include "tests/io/light_fields.h"
 
 using namespace hogelscope;

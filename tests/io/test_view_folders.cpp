@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/scene.h"
+#include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 #include "tests/io/texels.h"

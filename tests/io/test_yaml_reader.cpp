@@ -5,7 +5,7 @@
 #include <QTest>
 #include <opencv2/core.hpp>
 
-#include "io/yaml_reader.h"
+#include "io/json/yaml_reader.h"
 #include "tests/core/random.h"
 #include "tests/io/documents.h"
 

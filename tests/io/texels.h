@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/light_field.h"
+#include "core/light_field/light_field.h"
 
 using ExpectedTexel = std::function<hogelscope::Rgb(const hogelscope::TexelIndex&)>;
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
-#include "io/scene.h"
+#include "io/scene/scene.h"
 #include "report/passing_pictures.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/session_file.h"
+#include "io/documents/session_file.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 

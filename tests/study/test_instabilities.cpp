@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/simulate.h"
+#include "core/optics/simulate.h"
 #include "study/instabilities.h"
 #include "study/single_precision.h"
 

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/lens_certificate.h"
+#include "core/lens/lens_certificate.h"
 #include "study/stability.h"
 #include "tests/core/lens_oracle.h"
 

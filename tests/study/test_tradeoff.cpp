@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "core/error.h"
-#include "core/fast_simulation.h"
-#include "core/parallel.h"
-#include "core/scaled_view.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/engine/fast_simulation.h"
+#include "core/engine/scaled_view.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -7,7 +7,7 @@
 
 #include <QtTest>
 
-#include "core/simulate.h"
+#include "core/optics/simulate.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 using namespace hogelscope;

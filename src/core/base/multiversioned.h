@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// MULTIVERSIONED before a function: GCC compiles it for AVX-512, AVX2 and the baseline, and
+// chooses at the program's start.
+#pragma once
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
+#define MULTIVERSIONED __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define MULTIVERSIONED
+#endif

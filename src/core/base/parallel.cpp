@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work on several threads.
+#include "core/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <execution>
+#include <mutex>
+#include <numeric>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace hogelscope {
+
+namespace {
+
+/// The first exception of several threads, and the next piece of work, which ends with it.
+class Pieces {
+ public:
+  explicit Pieces(std::size_t count) : m_count(count) {}
+
+  /// Calls `work(first, last)` for pieces of `length` until there are none.
+  template <class Work>
+  void run(std::size_t length, const Work& work) noexcept {
+    try {
+      for (std::size_t k = m_next.fetch_add(length); k < m_count; k = m_next.fetch_add(length))
+        work(k, std::min(k + length, m_count));
+    } catch (...) {
+      m_next = m_count;
+      const std::lock_guard lock(m_mutex);
+      if (!m_thrown) m_thrown = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (m_thrown) std::rethrow_exception(m_thrown);
+  }
+
+ private:
+  std::size_t m_count;
+  std::atomic<std::size_t> m_next = 0;
+  std::mutex m_mutex;
+  std::exception_ptr m_thrown;
+};
+
+int coreCount() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+std::atomic<int> theThreadCount = coreCount();
+
+}  // namespace
+
+void serialRows(int count, const std::function<void(int begin, int end)>& rows) {
+  rows(0, count);
+}
+
+void parallelRows(int count, const std::function<void(int begin, int end)>& rows) {
+  constexpr int grain = 4;
+  Pieces pieces(std::size_t(std::max(count, 0)));
+  std::vector<int> workers(std::size_t(std::clamp(count / grain, 1, threadCount())));
+  std::for_each(std::execution::par, workers.begin(), workers.end(), [&](int) {
+    pieces.run(grain, [&](std::size_t begin, std::size_t end) { rows(int(begin), int(end)); });
+  });
+  pieces.rethrow();
+}
+
+int threadCount() {
+  return theThreadCount;
+}
+
+void setThreads(int count) {
+  theThreadCount = count > 0 ? std::min(count, coreCount()) : coreCount();
+}
+
+void sideBySide(std::size_t count, int workers,
+                const std::function<void(std::size_t k, std::size_t worker)>& work) {
+  Pieces pieces(count);
+  const auto run = [&](std::size_t worker) {
+    pieces.run(1, [&](std::size_t k, std::size_t) { work(k, worker); });
+  };
+  std::vector<std::jthread> threads;
+  try {
+    for (int worker = 1; worker < workers; ++worker) threads.emplace_back(run, std::size_t(worker));
+  } catch (const std::system_error&) {
+    // The machine allows no more threads: those that there are do all the work.
+  }
+  run(0);
+  threads.clear();  // waits
+  pieces.rethrow();
+}
+
+}  // namespace hogelscope

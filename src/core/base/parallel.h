@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work on several threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace hogelscope {
+
+/// Runs `rows(begin, end)` over [0, count), perhaps on several threads. An exception stops the
+/// other threads before their next piece and is rethrown on the calling thread.
+using ParallelRows =
+    std::function<void(int count, const std::function<void(int begin, int end)>& rows)>;
+/// ParallelRows on the calling thread.
+void serialRows(int count, const std::function<void(int begin, int end)>& rows);
+/// ParallelRows on threadCount() threads, for pieces that take microseconds to milliseconds.
+void parallelRows(int count, const std::function<void(int begin, int end)>& rows);
+
+/// The number of threads of parallelRows() in this process.
+int threadCount();
+/// 0 means one for each core, which is also the most.
+void setThreads(int count);
+
+/// Calls `work(k, worker)` for every k below `count`, in their order, on `workers` threads numbered
+/// from 0: for pieces that read files or take long. An exception stops the other threads before
+/// their next piece and is rethrown on the calling thread.
+void sideBySide(std::size_t count, int workers,
+                const std::function<void(std::size_t k, std::size_t worker)>& work);
+
+}  // namespace hogelscope

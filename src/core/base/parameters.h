@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one declaration per parameter: a struct's `describe` tells a visitor each field's name,
+// value, range, unit and help. JSON, forms, --set, --help and the manual are such visitors.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "core/base/geometry.h"
+
+namespace hogelscope {
+
+/// What values are allowed: min to max. Integers go in steps from min; for real numbers the step
+/// is only a form's. A default outside its own range means "not given" and is never written.
+struct Range {
+  double min = 0;
+  double max = 0;
+  double step = 1;
+  bool mayBeLeftOut = false;  ///< a real number is notGiven then, an integer min - 1
+};
+
+/// A real number that was left out: outside every range.
+constexpr double notGiven = std::numeric_limits<double>::lowest();
+
+struct Field {
+  std::string_view name;
+  std::string_view help;
+  std::string_view unit = {};
+  Range range = {};
+  std::span<const std::string_view> choices = {};  ///< names of an enumeration, in its order
+};
+
+class ParameterVisitor {
+ public:
+  virtual ~ParameterVisitor() = default;
+
+  /// Comes first in every `describe`.
+  virtual void group(std::string_view name, std::string_view help) = 0;
+
+  void field(std::string_view name, double& value, Range range, std::string_view unit,
+             std::string_view help) {
+    numbers({name, help, unit, range}, {&value, 1}, false);
+  }
+  void field(std::string_view name, int& value, Range range, std::string_view unit,
+             std::string_view help) {
+    integers({name, help, unit, range}, {&value, 1}, false);
+  }
+  template <std::size_t N>
+  void field(std::string_view name, std::array<double, N>& value, Range range,
+             std::string_view unit, std::string_view help) {
+    numbers({name, help, unit, range}, value, true);
+  }
+  template <std::size_t N>
+  void field(std::string_view name, std::array<int, N>& value, Range range, std::string_view unit,
+             std::string_view help) {
+    integers({name, help, unit, range}, value, true);
+  }
+  void field(std::string_view name, Vec3& value, Range range, std::string_view unit,
+             std::string_view help) {
+    std::array<double, 3> list{value.x, value.y, value.z};
+    numbers({name, help, unit, range}, list, true);
+    value = {list[0], list[1], list[2]};
+  }
+  void field(std::string_view name, bool& value, std::string_view help) {
+    flag({name, help}, value);
+  }
+  void field(std::string_view name, std::string& value, std::string_view help) {
+    text({name, help}, value);
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void field(std::string_view name, Enum& value, std::span<const std::string_view> names,
+             std::string_view help) {
+    int index = static_cast<int>(value);
+    choice({name, help, {}, {}, names}, index);
+    value = static_cast<Enum>(index);
+  }
+
+ protected:
+  /// A list of numbers, or one number where `isList` is false.
+  virtual void numbers(const Field& field, std::span<double> values, bool isList) = 0;
+  virtual void integers(const Field& field, std::span<int> values, bool isList) = 0;
+  virtual void flag(const Field& field, bool& value) = 0;
+  virtual void text(const Field& field, std::string& value) = 0;
+  virtual void choice(const Field& field, int& index) = 0;
+};
+
+/// The name nearest to a mistyped one (edit distance), or "" if none is near.
+std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
+
+}  // namespace hogelscope

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long work tells where it stands.
+#include "core/base/progress.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+
+namespace hogelscope {
+
+namespace {
+
+class SharedProgress {
+ public:
+  explicit SharedProgress(Progress listener) : m_listener(std::move(listener)) {}
+
+  bool tell(double done) {
+    using Clock = std::chrono::steady_clock;
+    constexpr Clock::duration pause = std::chrono::milliseconds(20);
+    const auto isTold = [this] { return m_stops || Clock::now() < m_next.load(); };
+    if (isTold()) return !m_stops;
+    const std::unique_lock lock(m_mutex, std::try_to_lock);
+    if (!lock || isTold()) return !m_stops;  // another thread is telling, or has
+    m_farthest = std::max(m_farthest, done);
+    if (!m_listener(m_farthest)) m_stops = true;
+    m_next = Clock::now() + pause;
+    return !m_stops;
+  }
+
+ private:
+  Progress m_listener;
+  std::atomic<bool> m_stops = false;
+  std::atomic<std::chrono::steady_clock::time_point> m_next{};
+  std::mutex m_mutex;  ///< guards m_farthest, and calls of the listener
+  double m_farthest = 0;
+};
+
+}  // namespace
+
+Progress forThreads(Progress listener) {
+  if (!listener) return {};
+  const auto shared = std::make_shared<SharedProgress>(std::move(listener));
+  return [shared](double done) { return shared->tell(done); };
+}
+
+std::string timeLeft(double secondsSoFar, double done) {
+  constexpr double least = 2;  // seconds before a guess is worth showing
+  if (secondsSoFar < least || done <= 0.01 || done >= 1) return {};
+  const auto seconds = std::llround(secondsSoFar * (1 - done) / done);
+  std::array<char, 40> text{};
+  if (seconds >= 3600)
+    std::snprintf(text.data(), text.size(), "%lld:%02lld:%02lld left", seconds / 3600,
+                  seconds / 60 % 60, seconds % 60);
+  else
+    std::snprintf(text.data(), text.size(), "%lld:%02lld left", seconds / 60, seconds % 60);
+  return text.data();
+}
+
+}  // namespace hogelscope

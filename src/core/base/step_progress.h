@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Progress of work in steps of different length, done on several threads.
+#pragma once
+
+#include <atomic>
+
+#include "core/base/progress.h"
+
+namespace hogelscope {
+
+class StepProgress {
+ public:
+  explicit StepProgress(Progress listener) : m_listener(forThreads(std::move(listener))) {}
+
+  void expect(double steps) { m_total += steps; }
+  /// A step of such a length has been done. Throws Cancelled.
+  void finish(double steps = 1);
+  /// Within steps, which take part in nothing: may be called often, from every thread.
+  [[nodiscard]] Progress within();
+  /// Of one step: moves on while the step does.
+  [[nodiscard]] Progress of(double steps);
+
+ private:
+  [[nodiscard]] bool tell(double within) const;
+
+  Progress m_listener;
+  double m_total = 0;
+  std::atomic<double> m_done = 0;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Test content in closed form for light fields of any size: one row of the hogel image at a time.
+#pragma once
+
+#include <cstdint>
+
+#include "core/optics/display.h"
+
+namespace hogelscope {
+
+/// What --generate makes of a pattern: `pattern` in --set. Lengths in metres, angles in degrees.
+struct PatternParams {
+  double depth = 0.1;
+  double period = 0.05;
+  double angle = 5;
+};
+
+void describe(ParameterVisitor& v, PatternParams& p);
+
+class Pattern {
+ public:
+  virtual ~Pattern() = default;
+  /// Row y of the hogel image (layout `hogels`): 8-bit RGB of its nx·du pixels. May be called from
+  /// several threads.
+  virtual void row(int y, std::uint8_t* rgb) const = 0;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The patterns by their names.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/content/pattern.h"
+
+namespace hogelscope {
+
+struct NamedPattern {
+  std::string_view name;
+  std::string_view help;  ///< what it shows
+  std::unique_ptr<Pattern> (*make)(const DisplayParams& display, const PatternParams& params);
+};
+
+const std::vector<NamedPattern>& patterns();
+
+/// Throws InputError for an unknown name and for a display without hogels or directions.
+std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParams& display,
+                                     const PatternParams& params);
+
+}  // namespace hogelscope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Patterns of one formula a pixel: codes of the pixel's own place, and what lies on a plane.
+#pragma once
+
+#include <functional>
+
+#include "core/content/pattern.h"
+
+namespace hogelscope {
+
+/// Codes a pair of indices below 4096 as R = a mod 256, G = b mod 256, B = ⌊a/256⌋ + 16 ⌊b/256⌋.
+class CodePattern : public Pattern {
+ public:
+  enum Kind { directions, hogels, sides };  ///< sides: u < du/2 red (255, 0, 0), else blue
+
+  /// Throws InputError where an index does not fit.
+  CodePattern(const DisplayParams& display, Kind kind);
+  void row(int y, std::uint8_t* rgb) const override;
+
+ private:
+  LightFieldSize m_size;
+  Kind m_kind;
+};
+
+/// A plane parallel to the panel, sampled by the ray of each directional pixel's middle. Squares
+/// have a corner on the axis; the one right above it is white. The edge goes through the axis: dark
+/// (64) to its left, bright (191) to its right.
+class PlanePattern : public Pattern {
+ public:
+  enum Kind { checkerboard, edge };
+
+  PlanePattern(const DisplayParams& display, const PatternParams& params, Kind kind);
+  void row(int y, std::uint8_t* rgb) const override;
+
+ private:
+  [[nodiscard]] std::uint8_t value(double x, double y) const;
+
+  Display m_display;
+  PatternParams m_params;
+  Kind m_kind;
+  Vec2 m_normal;  ///< of the edge, to its bright side
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The "scene" pattern: straight lines and lettering at known depths.
+#pragma once
+
+#include "core/content/pattern.h"
+
+namespace hogelscope {
+
+/// A scene of the display's own size: a wall with a ruled grid and lettering behind the panel, a
+/// lettered card in it, a ball and a bar in front. Depths are fractions of the panel's width.
+class ScenePattern : public Pattern {
+ public:
+  explicit ScenePattern(const DisplayParams& display);
+
+  void row(int y, std::uint8_t* rgb) const override;
+
+  /// The light of one directional pixel: the mean over its angle and its hogel's area.
+  [[nodiscard]] Rgb texel(const TexelIndex& at) const;
+
+ private:
+  [[nodiscard]] Rgb light(const PanelRay& ray) const;
+
+  Display m_display;
+  double m_scale;  ///< half the panel's smaller side, metres
+  Vec2 m_hogelPitch;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// sampling.tolerance: the cheapest way to a picture whose error is small enough.
+#include "core/engine/adaptive_method.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <random>
+
+#include "core/engine/scaled_view.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Neighbouring pixels [x0, x1) of row y: rays work in batches.
+struct Run {
+  int y;
+  int x0;
+  int x1;
+};
+
+/// About 3 % of the picture in runs spread evenly over it, each at a random place of its share; at
+/// least 512 of them, or all there are.
+std::vector<Run> probeRuns(const std::array<int, 2>& res) {
+  constexpr int length = 8;
+  constexpr int least = 512;
+  constexpr double part = 0.03;
+  const int perRow = (res[0] + length - 1) / length;
+  const int all = perRow * res[1];
+  const int count = std::min(all, std::max(least, int(part * all)));
+  std::mt19937_64 random(20260722);
+  std::vector<Run> runs;
+  for (int k = 0; k < count; ++k) {
+    const auto first = int(std::int64_t(all) * k / count);
+    const auto next = int(std::int64_t(all) * (k + 1) / count);
+    const int at = first + int(random() % std::uint64_t(next - first));
+    const int x0 = at % perRow * length;
+    runs.push_back({at / perRow, x0, std::min(x0 + length, res[0])});
+  }
+  return runs;
+}
+
+/// Renders the pixels of runs, and for a smaller picture those around them.
+class Prober {
+ public:
+  Prober(const View& asked, LensTables& tables, const ParallelRows& parallelRows,
+         const Progress& progress)
+      : m_scale(asked.method.scale),
+        m_simulation(reduced(asked), tables, parallelRows, progress),
+        m_image((asked.state.camera.res[0] + m_scale - 1) / m_scale,
+                (asked.state.camera.res[1] + m_scale - 1) / m_scale) {}
+
+  void render(const Run& run) {
+    if (m_scale == 1) return row(run.y, run.x0, run.x1);
+    const int first = std::max(run.x0 / m_scale - 1, 0);
+    const int last = std::min(run.x1 / m_scale + 2, m_image.width);
+    const int bottom = std::min(run.y / m_scale + 1, m_image.height - 1);
+    for (int y = std::max(run.y / m_scale - 1, 0); y <= bottom; ++y) row(y, first, last);
+  }
+
+  [[nodiscard]] const Image& image() const { return m_image; }
+
+ private:
+  void row(int y, int x0, int x1) {
+    const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
+    m_simulation.row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+  }
+
+  int m_scale;
+  FastSimulation m_simulation;
+  Image m_image;  ///< black but for what was rendered
+};
+
+/// What one run has.
+struct RunError {
+  double squares = 0;  ///< over pixels and channels
+  int pixels = 0;
+};
+
+RunError errorOf(const Run& run, const Image& reference, const Image& image, int scale) {
+  RunError error{0, run.x1 - run.x0};
+  for (int x = run.x0; x < run.x1; ++x) {
+    const auto rgb = enlargedPixel(image, scale, x, run.y);
+    const std::size_t at = 3 * (std::size_t(run.y) * std::size_t(reference.width) + std::size_t(x));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double d = double(rgb[c]) - double(reference.rgb[at + c]);
+      error.squares += d * d;
+    }
+  }
+  return error;
+}
+
+/// Mean squared errors, of the probe and as a limit for the picture.
+struct Estimate {
+  double mean = 0;
+  double limit = 0;
+};
+
+/// Runs are the independent samples of a ratio, squares over pixels. Three standard errors, and
+/// twice as much again as the worst run gives to the mean: errors that are rare are met by few of
+/// the runs.
+Estimate estimate(const std::vector<RunError>& errors, bool isWhole) {
+  double squares = 0;
+  double values = 0;
+  double worst = 0;
+  for (const RunError& error : errors) {
+    squares += error.squares;
+    values += 3.0 * error.pixels;
+    worst = std::max(worst, error.squares);
+  }
+  const double mean = squares / values;
+  if (isWhole) return {mean, mean};
+  double deviations = 0;
+  for (const RunError& error : errors) {
+    const double d = error.squares - mean * 3 * error.pixels;
+    deviations += d * d;
+  }
+  return {mean, mean + (3 * std::sqrt(deviations) + 2 * worst) / values};
+}
+
+/// About the time of a picture, in units of one summed texel: a copied texel takes less than one, a
+/// ray that sums some more than its texels, each pixel of a picture that is scaled up some again.
+double cost(const View& view) {
+  constexpr double copying = 1;
+  constexpr double summing = 4;
+  constexpr double enlarging = 3;
+  const Plan made = plan(view);
+  const int window = 2 * made.psfReach + 1;
+  const int corners = 1 << 2 * static_cast<int>(view.sampling.reconstruction);
+  const double ray = made.copiesTexels ? copying : summing + double(corners) * window * window;
+  const double samples = view.sampling.samplesPerPixel;
+  const double scale = view.method.scale;
+  return ray * samples * samples / scale / scale + (scale > 1 ? enlarging : 0);
+}
+
+/// All that is cheaper than the view, in one thing or several, from the cheapest on.
+std::vector<View> cheaper(const View& view) {
+  std::vector<double> dropped{Method{}.droppedTaps};
+  for (int reach = (view.state.psf.windowSize - 1) / 2; reach-- > 0;)
+    dropped.push_back(1.001 * leakageLoss(view.state.psf, reach) + Method{}.droppedTaps);
+  std::vector<std::pair<double, View>> views;
+  for (const int scale : {1, 2, 4})
+    for (int how = 0; how <= static_cast<int>(view.sampling.reconstruction); ++how)
+      for (int n = view.sampling.samplesPerPixel; n >= 1; n /= 2)
+        for (const double taps : dropped) {
+          View candidate = view;
+          candidate.sampling.reconstruction = static_cast<Reconstruction>(how);
+          candidate.sampling.samplesPerPixel = n;
+          candidate.method.droppedTaps = taps;
+          candidate.method.scale = scale;
+          views.emplace_back(cost(candidate), candidate);
+        }
+  const double most = cost(view);
+  std::stable_sort(views.begin(), views.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<View> sorted;
+  for (const auto& [costs, candidate] : views)
+    if (costs < most) sorted.push_back(candidate);
+  return sorted;
+}
+
+/// Fewer seen pixels than this say too little about the picture, and it takes little time anyway.
+constexpr int leastSeen = 500;
+
+class Probe {
+ public:
+  Probe(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+        const Progress& progress)
+      : m_res(view.state.camera.res),
+        m_runs(probeRuns(m_res)),
+        m_tables(tables),
+        m_parallelRows(parallelRows),
+        m_progress(progress) {
+    for (const Run& run : m_runs) m_pixels += run.x1 - run.x0;
+    Prober prober(view, m_tables, m_parallelRows, m_progress);
+    m_parallelRows(int(m_runs.size()), [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) prober.render(m_runs[std::size_t(k)]);
+    });
+    m_reference = prober.image();
+  }
+
+  [[nodiscard]] int pixels() const { return m_pixels; }
+  [[nodiscard]] bool saysEnough() const {
+    return isWhole() || std::count(m_reference.seen.begin(), m_reference.seen.end(),
+                                   std::uint8_t{255}) >= leastSeen;
+  }
+
+  /// None as soon as the error is certainly above `allowed`, a mean square.
+  [[nodiscard]] std::optional<Estimate> measure(const View& candidate, double allowed) const {
+    constexpr int parts = 4;
+    Prober prober(candidate, m_tables, m_parallelRows, m_progress);
+    // What is scaled up shares pixels between runs, and has few of them.
+    const ParallelRows rows = candidate.method.scale == 1 ? m_parallelRows : serialRows;
+    std::vector<RunError> errors(m_runs.size());
+    const auto count = int(m_runs.size());
+    for (int part = 0; part < parts; ++part) {
+      const int first = count * part / parts;
+      rows(count * (part + 1) / parts - first, [&](int begin, int end) {
+        const std::size_t last = std::size_t(first) + std::size_t(end);
+        for (std::size_t k = std::size_t(first) + std::size_t(begin); k < last; ++k) {
+          prober.render(m_runs[k]);
+          errors[k] = errorOf(m_runs[k], m_reference, prober.image(), candidate.method.scale);
+        }
+      });
+      double squares = 0;
+      for (const RunError& error : errors) squares += error.squares;
+      if (squares > allowed * 3 * m_pixels) return std::nullopt;
+    }
+    const Estimate found = estimate(errors, isWhole());
+    return found.limit <= allowed ? std::optional(found) : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] bool isWhole() const { return m_pixels == m_res[0] * m_res[1]; }
+
+  std::array<int, 2> m_res;
+  std::vector<Run> m_runs;
+  LensTables& m_tables;
+  const ParallelRows& m_parallelRows;
+  const Progress& m_progress;
+  Image m_reference;  ///< black but for the runs
+  int m_pixels = 0;
+};
+
+}  // namespace
+
+Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+              const Progress& progress) {
+  Choice choice{view};
+  if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
+  if (view.lightField->slice() != nullptr && view.lightField->store() == nullptr) return choice;
+  const std::vector<View> candidates = cheaper(view);
+  if (candidates.empty()) return choice;
+  const Probe probe(view, tables, parallelRows, progress);
+  choice.pixels = probe.pixels();
+  if (!probe.saysEnough()) return choice;
+  const double allowed = view.sampling.tolerance * view.sampling.tolerance;
+  for (const View& candidate : candidates) {
+    const std::optional<Estimate> found = probe.measure(candidate, allowed);
+    if (!found) continue;
+    choice.view = candidate;
+    choice.rmse = std::sqrt(found->mean);
+    choice.limit = std::sqrt(found->limit);
+    break;
+  }
+  return choice;
+}
+
+std::string text(const Choice& choice) {
+  if (choice.pixels == 0) return "nothing is cheaper";
+  const SamplingParams& sampling = choice.view.sampling;
+  const Plan made = plan(choice.view);
+  std::array<char, 300> line{};
+  std::snprintf(
+      line.data(), line.size(),
+      "%s, %d×%d rays a pixel, %d tap(s), %s; RMS error %.3g code values over a probe of %d "
+      "pixels, at most %.3g with 99 %% confidence",
+      nameOf(sampling.reconstruction).data(), sampling.samplesPerPixel, sampling.samplesPerPixel,
+      (2 * made.psfReach + 1) * (2 * made.psfReach + 1),
+      choice.view.method.scale == 1   ? "full size"
+      : choice.view.method.scale == 2 ? "half size, scaled up"
+                                      : "quarter size, scaled up",
+      choice.rmse, choice.pixels, choice.limit);
+  return line.data();
+}
+
+}  // namespace hogelscope

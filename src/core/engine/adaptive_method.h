@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// sampling.tolerance: the cheapest way to a picture whose error is small enough, found by a probe
+// of the picture's own pixels.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/engine/fast_simulation.h"
+
+namespace hogelscope {
+
+/// What is rendered in the place of a view, and what the probe measured. Errors are RMS over pixels
+/// and channels of 8-bit pictures, in code values.
+struct Choice {
+  View view;         ///< its method and sampling may take less than the one asked for
+  double rmse = 0;   ///< over the probe
+  double limit = 0;  ///< the error over the whole picture is not above, with 99 % confidence
+  int pixels = 0;    ///< of the probe; 0 where there was none
+};
+
+/// The view itself where its tolerance is 0, it has a method already, nothing is cheaper, its light
+/// field is neither in memory nor in a store, or the probe sees too little of the panel.
+/// Deterministic: the probe's pixels depend on the picture's size alone. `progress` may say stop;
+/// then it throws Cancelled.
+Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+              const Progress& progress = {});
+
+/// One line for --explain and the window.
+std::string text(const Choice& choice);
+
+}  // namespace hogelscope

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loops that the time goes into: batches of rays become texel addresses, and those light. Plain
+// loops that the compiler vectorises, once for each kind of machine (AVX-512, AVX2, baseline).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/light_field/block_layout.h"
+#include "core/light_field/light_field.h"
+
+namespace hogelscope {
+
+/// Rays that are worked on together: small enough for the first-level cache.
+constexpr int batchSize = 128;
+
+/// From a point (x, y, 1) of the image plane to real-valued hogel and direction (docs/formulas.md,
+/// Hit): the direction in the display frame is x·right + y·down + forward, its slopes a = d.x/d.z
+/// and b = d.y/d.z, and every index is affine in them.
+struct HitMap {
+  std::array<double, 3> right{};
+  std::array<double, 3> down{};
+  std::array<double, 3> forward{};
+  std::array<double, 4> constant{};  ///< of i, j, u, v at slope 0
+  std::array<double, 4> slope{};     ///< i and u along a, j and v along b
+  std::array<int, 4> count{};        ///< cells of each axis
+  bool isSingle = false;             ///< float arithmetic
+};
+
+/// Cells of a batch, and for interpolation the place in them: 0 at the cell's beginning, 1 at its
+/// end.
+struct CellBatch {
+  std::array<std::array<std::uint32_t, batchSize>, 4> cell;
+  std::array<std::array<float, batchSize>, 4> place;
+  std::array<std::uint8_t, batchSize> seen;
+};
+
+/// Rays that are known to hit: only addresses, of a light field that is all in memory. A coordinate
+/// that rounding put on a border is taken back to the last cell.
+void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
+                     int count, std::uint32_t* address);
+
+/// Any rays, the same; those that see nothing get `unseen`.
+void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
+               int count, std::uint32_t unseen, std::uint32_t* address);
+
+/// Cells, places and seen; cell 0 where nothing is seen.
+void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
+
+/// The same with hogel lenses that are even in angle: `fieldOfView` in radians, u and v.
+void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
+                      const double* y, int count, CellBatch& batch);
+
+/// Addresses and weights of the two cells of an axis whose centres lie around each place of a whole
+/// batch, the first ones in [0, batchSize), the second ones after them.
+void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
+           std::uint32_t* offset, float* weight);
+
+/// Asks for the cache lines of texels.
+template <class T>
+inline void prefetch(const Texel<T>* texels, const std::uint32_t* address, int count) {
+#if defined(__GNUC__)
+  for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
+#endif
+}
+
+void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
+            Texel<std::uint8_t>* out);
+
+/// Three bytes a texel.
+void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
+/// 0 where the address is `unseen`, else 255.
+void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
+
+/// Sums of a batch, a channel each.
+struct LightBatch {
+  alignas(64) std::array<float, batchSize> r;
+  alignas(64) std::array<float, batchSize> g;
+  alignas(64) std::array<float, batchSize> b;
+};
+
+/// `taps` texels of each ray of a batch: tap t of ray k is at base[k] + offset[t][k], its weight is
+/// share[t] or weight[t][k], times scale[k] where there is one.
+struct TapBatch {
+  int taps = 0;
+  const std::uint32_t* base = nullptr;
+  const std::array<std::uint32_t, batchSize>* offset = nullptr;
+  const float* share = nullptr;
+  const std::array<float, batchSize>* weight = nullptr;
+  const float* scale = nullptr;
+};
+
+/// Adds the weighted code values of the taps (encoded light).
+void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,
+                LightBatch& sum);
+void accumulate(const Texel<std::uint16_t>* texels, const TapBatch& taps, int count,
+                LightBatch& sum);
+void accumulate(const Texel<float>* texels, const TapBatch& taps, int count, LightBatch& sum);
+
+/// Adds the weighted linear light of the taps.
+template <class T>
+void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, LightBatch& sum);
+
+}  // namespace hogelscope

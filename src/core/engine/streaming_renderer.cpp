@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture of a light field that passes by once.
+#include "core/engine/streaming_renderer.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "core/engine/view_footprint.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Rows of hogels that a piece of a picture reads.
+CellRange hogelRows(const Footprint& footprint) {
+  const auto& v = footprint.v;
+  const auto isNeeded = [](const CellRange& range) { return !range.isEmpty(); };
+  const auto first = std::find_if(v.begin(), v.end(), isNeeded);
+  if (first == v.end()) return {};
+  const auto last = std::find_if(v.rbegin(), v.rend(), isNeeded);
+  return {int(first - v.begin()), int(v.rend() - last) - 1};
+}
+
+}  // namespace
+
+StreamingRenderer::StreamingRenderer(const View& view, LensTables& tables,
+                                     const ParallelRows& parallelRows, const Progress& progress)
+    : m_view(view), m_progress(progress), m_due(std::size_t(view.lightField->size().ny)) {
+  const FastSimulation rays(view, tables, parallelRows, progress);
+  if (rays.lens() != nullptr) m_lens = lensKeyOf(view.state, view.sampling, view.method);
+  const auto [width, height] = view.state.camera.res;
+  Footprint all = view.lightField->slice()->footprint;
+  std::vector<int> lastUse(m_due.size());
+  std::mutex mutex;
+  const auto add = [&](const Piece& piece) {
+    const Footprint read = hogelscope::footprint(rays, view, piece.y, piece.x0, piece.x1);
+    const CellRange rows = hogelRows(read);
+    if (rows.isEmpty()) return;
+    const std::lock_guard lock(mutex);
+    all.include(read);
+    m_due[std::size_t(rows.last)].push_back(piece);
+    int& used = lastUse[std::size_t(rows.first)];
+    used = std::max(used, rows.last);
+  };
+  parallelRows(height, [&, width = width](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < width; x += batchSize) add({y, x, std::min(x + batchSize, width)});
+  });
+  m_slice = rollingLayout(all, lastUse);
+}
+
+std::size_t StreamingRenderer::bytes() const {
+  return std::size_t(m_slice.texels) * memoryBytes(m_view.lightField->type());
+}
+
+void StreamingRenderer::begin(LensTables& tables, const ParallelRows& parallelRows) {
+  m_texels =
+      std::make_shared<LightField>(m_view.lightField->size(), m_view.lightField->type(), m_slice);
+  View view = m_view;
+  view.lightField = m_texels;
+  m_simulation.emplace(view, tables, parallelRows, m_progress);
+  m_image = Image(m_view.state.camera.res[0], m_view.state.camera.res[1]);
+}
+
+void StreamingRenderer::finish(int j) {
+  for (const auto& [y, x0, x1] : m_due[std::size_t(j)]) {
+    const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
+    m_simulation->row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+  }
+}
+
+Image StreamingRenderer::takeImage() {
+  m_simulation.reset();
+  m_texels.reset();
+  return std::move(m_image);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of a batch of rays as a sum over taps along four axes.
+#include "core/engine/texel_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hogelscope {
+
+namespace {
+
+std::uint32_t clampedCell(int cell, int cells) {
+  return static_cast<std::uint32_t>(std::clamp(cell, 0, cells - 1));
+}
+
+constexpr int vectorLanes = 16;
+int wholeVectors(int count) {
+  return (count + vectorLanes - 1) / vectorLanes * vectorLanes;
+}
+
+}  // namespace
+
+TexelFilter::TexelFilter(const View& view, const Plan& plan)
+    : m_lightField(view.lightField),
+      m_reconstruction(view.sampling.reconstruction),
+      m_leaks(plan.psfReach > 0),
+      m_sumsLinear(plan.sumsLinear) {
+  const auto [nx, ny, du, dv] = m_lightField->size();
+  m_cells = {nx, ny, du, dv};
+  m_weights = {axisWeights(view.state.psf, plan.psfReach, du),
+               axisWeights(view.state.psf, plan.psfReach, dv)};
+}
+
+TexelFilter::AxisWeights TexelFilter::axisWeights(const PsfParams& psf, int reach, int cells) {
+  AxisWeights axis;
+  axis.cells = cells;
+  axis.reach = std::min(reach, cells - 1);
+  const std::size_t window = 2 * std::size_t(axis.reach) + 1;
+  axis.weights.resize(std::size_t(cells) * window);
+  for (int cell = 0; cell < cells; ++cell) {
+    std::vector<double> weights(window);
+    double total = 0;
+    for (int x = -reach; x <= reach; ++x) {
+      const double s = reach > 0 ? x / psf.sigma : 0;
+      const double weight = std::exp(-s * s / 2);
+      int tap = cell + x;
+      if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
+      const bool inside = tap >= 0 && tap < cells;
+      const int place = tap - cell + axis.reach;
+      if (inside) weights[std::size_t(place)] += weight;
+      if (inside || psf.border == PsfBorder::black) total += weight;
+    }
+    std::transform(weights.begin(), weights.end(),
+                   &axis.weights[std::size_t(cell) * weights.size()],
+                   [total](double weight) { return static_cast<float>(weight / total); });
+  }
+  if (axis.reach == reach) {
+    axis.firstInner = reach;
+    axis.lastInner = cells - 1 - reach;
+  }
+  return axis;
+}
+
+const AxisLayout& TexelFilter::layoutOf(std::size_t axis) const {
+  const BlockLayout& layout = m_lightField->layout();
+  return *std::array{&layout.i, &layout.j, &layout.u, &layout.v}[axis];
+}
+
+/// One tap: the cell itself.
+void TexelFilter::nearestTap(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
+  static constexpr float whole = 1;
+  taps.taps = 1;
+  taps.share = &whole;
+  taps.offset.resize(1);
+  const AxisLayout layout = layoutOf(axis);
+  for (std::size_t k = 0; k < batchSize; ++k) taps.offset[0][k] = layout(batch.cell[axis][k]);
+}
+
+/// Two taps: the cells whose centres lie around the hit.
+void TexelFilter::linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
+  taps.taps = 2;
+  taps.share = nullptr;
+  taps.offset.resize(2);
+  taps.weight.resize(2);
+  pairs(layoutOf(axis), m_cells[axis], batch.cell[axis].data(), batch.place[axis].data(),
+        taps.offset[0].data(), taps.weight[0].data());
+}
+
+/// Direction axes without interpolation: the window of each ray's cell.
+void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
+  const AxisWeights& weights = m_weights[axis - 2];
+  const AxisLayout layout = layoutOf(axis);
+  const auto& cell = batch.cell[axis];
+  taps.taps = 2 * weights.reach + 1;
+  taps.offset.resize(std::size_t(taps.taps));
+  taps.weight.resize(taps.offset.size());
+  const auto [low, high] = std::minmax_element(cell.begin(), cell.end());
+  const bool isInner = int(*low) >= weights.firstInner && int(*high) <= weights.lastInner;
+  taps.share = isInner ? weights.of(weights.firstInner) : nullptr;
+  for (int t = 0; t < taps.taps; ++t) {
+    const int step = t - weights.reach;
+    auto& offset = taps.offset[std::size_t(t)];
+    if (isInner) {
+      for (std::size_t k = 0; k < batchSize; ++k)
+        offset[k] = layout(cell[k] + static_cast<std::uint32_t>(step));
+      continue;
+    }
+    for (std::size_t k = 0; k < batchSize; ++k) {
+      offset[k] = layout(clampedCell(int(cell[k]) + step, weights.cells));
+      taps.weight[std::size_t(t)][k] = weights.of(int(cell[k]))[t];
+    }
+  }
+}
+
+/// Direction axes with interpolation: the windows of the two cells around the hit, one tap apart.
+void TexelFilter::interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
+  const AxisWeights& weights = m_weights[axis - 2];
+  const AxisLayout layout = layoutOf(axis);
+  const int window = 2 * weights.reach + 1;
+  taps.taps = window + 1;
+  taps.share = nullptr;
+  taps.offset.resize(std::size_t(taps.taps));
+  taps.weight.resize(taps.offset.size());
+  for (std::size_t k = 0; k < batchSize; ++k) {
+    const float place = batch.place[axis][k];
+    const int left = int(batch.cell[axis][k]) - (place < 0.5F ? 1 : 0);
+    const float share = place < 0.5F ? place + 0.5F : place - 0.5F;
+    const int first = std::max(left, 0);
+    const int second = std::min(left + 1, weights.cells - 1);
+    for (int t = 0; t < taps.taps; ++t) {
+      const int fromSecond = t - (second - first);
+      taps.offset[std::size_t(t)][k] =
+          layout(clampedCell(first - weights.reach + t, weights.cells));
+      taps.weight[std::size_t(t)][k] =
+          (t < window ? (1 - share) * weights.of(first)[t] : 0) +
+          (fromSecond >= 0 && fromSecond < window ? share * weights.of(second)[fromSecond] : 0);
+    }
+  }
+}
+
+void TexelFilter::tapsOf(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
+  const Reconstruction reconstruction = m_reconstruction;
+  const bool isHogel = axis < 2;
+  const bool interpolates = isHogel ? reconstruction == Reconstruction::quadrilinear
+                                    : reconstruction != Reconstruction::nearest;
+  const bool leaks = !isHogel && m_leaks;
+  if (leaks)
+    interpolates ? interpolatedTaps(axis, batch, taps) : directionTaps(axis, batch, taps);
+  else
+    interpolates ? linearTaps(axis, batch, taps) : nearestTap(axis, batch, taps);
+}
+
+void TexelFilter::addTaps(int count, const TapBatch& taps, LightBatch& sum) const {
+  std::visit(
+      [&](const auto& texels) {
+        if (m_sumsLinear)
+          accumulateLinear(texels.data(), taps, count, sum);
+        else
+          accumulate(texels.data(), taps, count, sum);
+      },
+      m_lightField->texels());
+}
+
+void TexelFilter::sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const {
+  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, batch, scratch[axis]);
+  const auto& [i, j, u, v] = scratch;
+  sum = {};
+  std::array<std::uint32_t, batchSize> base;
+  std::array<float, batchSize> scale;
+  std::vector<float> share(std::size_t(u.taps));
+  const bool isUniform = u.share != nullptr && v.share != nullptr && i.taps * j.taps == 1;
+  for (int t = 0; t < i.taps * j.taps * v.taps; ++t) {
+    const auto ti = std::size_t(t % i.taps);
+    const auto tj = std::size_t(t / i.taps % j.taps);
+    const auto tv = std::size_t(t / i.taps / j.taps);
+    for (std::size_t k = 0; k < batchSize; ++k)
+      base[k] = i.offset[ti][k] + j.offset[tj][k] + v.offset[tv][k];
+    TapBatch taps{u.taps, base.data(), u.offset.data(), u.share, u.weight.data(), nullptr};
+    if (isUniform) {
+      for (std::size_t tu = 0; tu < share.size(); ++tu) share[tu] = u.share[tu] * v.share[tv];
+      taps.share = share.data();
+    } else {
+      for (std::size_t k = 0; k < batchSize; ++k) {
+        const float hogel = i.taps == 2 ? i.weight[ti][k] * j.weight[tj][k] : 1;
+        scale[k] = hogel * (v.share != nullptr ? v.share[tv] : v.weight[tv][k]);
+      }
+      taps.scale = scale.data();
+    }
+    addTaps(wholeVectors(count), taps, sum);
+  }
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of a batch of rays as a sum over taps along four axes, hogels i, j and directions u, v:
+// one tap where nothing is interpolated or leaks, two for an interpolation, a window for leakage.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/engine/plan.h"
+#include "core/engine/row_kernels.h"
+
+namespace hogelscope {
+
+/// Taps of a batch along one axis: tap t of ray k adds offset[t][k] to its address.
+struct AxisTaps {
+  int taps = 1;
+  const float* share = nullptr;  ///< weights that all rays have; null: `weight`
+  std::vector<std::array<std::uint32_t, batchSize>> offset;
+  std::vector<std::array<float, batchSize>> weight;
+};
+
+class TexelFilter {
+ public:
+  /// What a thread works with.
+  using Scratch = std::array<AxisTaps, 4>;
+
+  TexelFilter(const View& view, const Plan& plan);
+
+  /// The light of the batch's first `count` rays, in what is summed. All lanes' cells must lie in
+  /// the light field.
+  void sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const;
+
+ private:
+  /// Weights along one direction axis for each cell of it.
+  struct AxisWeights {
+    int reach = 0;
+    int cells = 0;
+    int firstInner = 0;  ///< cells [firstInner, lastInner] have all taps inside
+    int lastInner = -1;
+    std::vector<float> weights;  ///< (2·reach + 1) for each cell, normalised; 0 outside
+    [[nodiscard]] const float* of(int cell) const {
+      return &weights[std::size_t(cell) * std::size_t(2 * reach + 1)];
+    }
+  };
+
+  static AxisWeights axisWeights(const PsfParams& psf, int reach, int cells);
+  void tapsOf(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void nearestTap(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void directionTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const;
+  void addTaps(int count, const TapBatch& taps, LightBatch& sum) const;
+  [[nodiscard]] const AxisLayout& layoutOf(std::size_t axis) const;
+
+  std::shared_ptr<const LightField> m_lightField;
+  Reconstruction m_reconstruction;
+  bool m_leaks;
+  bool m_sumsLinear;
+  std::array<int, 4> m_cells;
+  std::array<AxisWeights, 2> m_weights;  ///< along u and v
+};
+
+}  // namespace hogelscope

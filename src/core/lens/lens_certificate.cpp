@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far a lens can be trusted.
+#include "core/lens/lens_certificate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <mutex>
+#include <numbers>
+
+namespace hogelscope {
+
+namespace {
+
+/// The model's Jacobian is symmetric.
+double leastEigenvalue(const Jacobian& j) {
+  return (j.xx + j.yy - std::hypot(j.xx - j.yy, 2 * j.xy)) / 2;
+}
+
+/// Marches along a direction in steps in which the eigenvalue cannot reach 0.
+double singularAt(const Distortion& distortion, double angle, double farthest) {
+  double radius = 0;
+  while (radius < farthest) {
+    const double next = 1.2 * radius + 0.05;
+    const Vec2 here{radius * std::cos(angle), radius * std::sin(angle)};
+    const double safe = leastEigenvalue(distortion.jacobian(here)) /
+                        std::max(distortion.secondDerivativeBound(next), 1e-300);
+    if (!(safe > 1e-9 * (1 + radius))) return radius;
+    radius += std::min(next - radius, safe);
+  }
+  return farthest;
+}
+
+/// Adds a row of rays to a certificate; lengths in it are squared.
+void add(const LensKey& key, int y, const double* idealX, const double* idealY,
+         LensCertificate& squared) {
+  const Distortion distortion(key.distortion);
+  for (int x = 0; x < key.res[0]; ++x) {
+    ++squared.pixels;
+    const Vec2 ideal{idealX[x], idealY[x]};
+    if (std::isnan(ideal.x)) {
+      ++squared.withoutRay;
+      continue;
+    }
+    squared.reach = std::max(squared.reach, ideal.x * ideal.x + ideal.y * ideal.y);
+    if (key.mapping == LensMapping::direct) continue;
+    const Vec2 back = distortion.distort(ideal);
+    const double dx = key.focalLength.x * back.x + key.centre.x - x;
+    const double dy = key.focalLength.y * back.y + key.centre.y - y;
+    squared.worstResidual = std::max(squared.worstResidual, dx * dx + dy * dy);
+  }
+}
+
+}  // namespace
+
+double validRadius(const Distortion& distortion, const Progress& progress) {
+  constexpr double farthest = 100;
+  constexpr int directions = 720;
+  double radius = farthest;
+  for (int k = 0; k < directions; ++k) {
+    hearStop(progress);
+    radius =
+        std::min(radius, singularAt(distortion, 2 * std::numbers::pi * k / directions, radius));
+  }
+  return radius < farthest ? radius : std::numeric_limits<double>::infinity();
+}
+
+LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
+                        const Progress& progress) {
+  const Progress heard = forThreads(progress);
+  LensKey key = lens;
+  key.samplesPerPixel = 1;
+  const LensRays rays(key, heard);
+  std::mutex mutex;
+  LensCertificate all;
+  parallelRows(key.res[1], [&](int begin, int end) {
+    std::vector<double> x(std::size_t(key.res[0]));
+    std::vector<double> y(x.size());
+    LensCertificate part;
+    for (int row = begin; row < end; ++row) {
+      hearStop(heard);
+      rays.row(row, 0, 0, 0, key.res[0], x.data(), y.data());
+      add(key, row, x.data(), y.data(), part);
+    }
+    const std::lock_guard lock(mutex);
+    all.reach = std::max(all.reach, part.reach);
+    all.worstResidual = std::max(all.worstResidual, part.worstResidual);
+    all.withoutRay += part.withoutRay;
+    all.pixels += part.pixels;
+  });
+  all.validRadius = validRadius(Distortion(key.distortion), heard);
+  all.reach = std::sqrt(all.reach);
+  all.worstResidual = std::sqrt(all.worstResidual);
+  return all;
+}
+
+std::string text(const LensCertificate& certificate) {
+  const auto degrees = [](double slope) { return std::atan(slope) * 180 / std::numbers::pi; };
+  std::array<char, 300> line{};
+  if (std::isinf(certificate.validRadius))
+    std::snprintf(line.data(), line.size(), "one-to-one everywhere");
+  else
+    std::snprintf(line.data(), line.size(), "one-to-one within r = %.4f (%.2f° off the axis)",
+                  certificate.validRadius, degrees(certificate.validRadius));
+  const std::string range = line.data();
+  std::snprintf(line.data(), line.size(),
+                "; the picture's rays reach r = %.4f (%.2f°), worst residual %.1e px, %zu of %zu "
+                "pixels have no ray",
+                certificate.reach, degrees(certificate.reach), certificate.worstResidual,
+                certificate.withoutRay, certificate.pixels);
+  return range + line.data();
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rays of a lens for a picture, row by row.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/lens/batch_undistort.h"
+#include "core/optics/method.h"
+#include "core/optics/sampling.h"
+
+namespace hogelscope {
+
+/// All that a picture's rays in the camera frame depend on.
+struct LensKey {
+  DistortionParams distortion;
+  LensMapping mapping = LensMapping::exact;
+  std::array<int, 2> res{};
+  Vec2 focalLength;  ///< pixels, across and down
+  Vec2 centre;       ///< pixels
+  int samplesPerPixel = 1;
+  LensInverse inverse = LensInverse::exact;
+  int steps = 0;  ///< of the inverse
+  bool operator==(const LensKey&) const = default;
+};
+
+class LensRays {
+ public:
+  /// `progress` is BatchUndistort's. Throws Cancelled.
+  explicit LensRays(const LensKey& key, const Progress& progress = {});
+
+  /// Ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy) of samplesPerPixel²; not
+  /// numbers where there is no ray. Throws Cancelled.
+  void row(int y, int sx, int sy, int x0, int count, double* idealX, double* idealY) const;
+
+ private:
+  [[nodiscard]] Vec2 onSensor(double px, double py) const;
+  void invert(double* x, double* y, int count) const;
+  void makeNodes();
+  [[nodiscard]] Vec2 betweenNodes(double px, double py) const;
+
+  LensKey m_key;
+  BatchUndistort m_exact;
+  int m_nodesAcross = 0;
+  std::vector<double> m_nodeX;  ///< LensInverse::table: rows of exact ideal points
+  std::vector<double> m_nodeY;
+};
+
+}  // namespace hogelscope

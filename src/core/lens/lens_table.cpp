@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rays of a lens, one for each (sub-)pixel of a picture.
+#include "core/lens/lens_table.h"
+
+#include <algorithm>
+
+namespace hogelscope {
+
+std::size_t LensTable::bytes(const LensKey& key) {
+  const auto samples = std::size_t(key.samplesPerPixel) * std::size_t(key.samplesPerPixel);
+  return samples * std::size_t(key.res[0]) * std::size_t(key.res[1]) * 2 * sizeof(double);
+}
+
+LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress)
+    : m_key(key), m_x(bytes(key) / (2 * sizeof(double))), m_y(m_x.size()) {
+  const Progress heard = forThreads(progress);
+  const LensRays rays(key, heard);
+  const int n = key.samplesPerPixel;
+  parallelRows(key.res[1] * n * n, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      hearStop(heard);
+      const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
+      rays.row(row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first], &m_y[first]);
+    }
+  });
+}
+
+std::size_t LensTable::at(int y, int sx, int sy) const {
+  const auto n = std::size_t(m_key.samplesPerPixel);
+  return ((std::size_t(y) * n + std::size_t(sy)) * n + std::size_t(sx)) * std::size_t(m_key.res[0]);
+}
+
+std::shared_ptr<const LensTable> LensTables::get(const LensKey& key,
+                                                 const ParallelRows& parallelRows,
+                                                 const Progress& progress) {
+  const auto found = std::find_if(m_entries.begin(), m_entries.end(),
+                                  [&key](const Entry& entry) { return entry.key == key; });
+  if (found != m_entries.end()) {
+    m_entries.splice(m_entries.begin(), m_entries, found);
+    return m_entries.front().table;
+  }
+  std::size_t used = LensTable::bytes(key);
+  for (auto entry = m_entries.begin(); entry != m_entries.end();) {
+    used += LensTable::bytes(entry->key);
+    entry = used > largestBytes ? m_entries.erase(entry) : std::next(entry);
+  }
+  m_entries.push_front({key, std::make_shared<const LensTable>(key, parallelRows, progress)});
+  return m_entries.front().table;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light field: every hogel's directional pixels, in memory.
+#include "core/light_field/light_field.h"
+
+#include <stdexcept>
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> layoutNames{"hogels", "views", "quilt", "pack"};
+constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
+constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
+
+double codeValue(std::uint8_t stored) {
+  return stored;
+}
+double codeValue(std::uint16_t stored) {
+  return stored / 257.0;
+}
+double codeValue(float stored) {
+  return static_cast<double>(stored) * 255.0;
+}
+
+}  // namespace
+
+void describe(ParameterVisitor& v, LightFieldParams& p) {
+  auto& [file, layout, incoming, rows, columns, pattern, shear, quiltColumns, quiltRows] = p;
+  v.group("lightField", "The display's content: a file and how it is laid out.");
+  v.field(
+      "file", file,
+      "Image (hogels, quilt), folder or %-pattern of images (views), store (pack); relative to the "
+      "session.");
+  v.field(
+      "layout", layout, layoutNames,
+      "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, or a "
+      "store of blocks (--pack).");
+  v.field("incoming", incoming,
+          "Directions were recorded looking into the scene: both u and v are flipped.");
+  if (layout == Layout::views) {
+    v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
+    v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
+    v.field("pattern", pattern,
+            "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
+            "a coordinate, * anything. Empty: the known ones are tried.");
+    v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
+            "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
+            "by whole pixels, rounded.");
+  }
+  if (layout == Layout::quilt) {
+    v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",
+            "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
+    v.field("rows", quiltRows, {1, 4096, 1, true}, "views",
+            "Rows of views, the first one at the bottom.");
+  }
+}
+
+namespace {
+
+LightField::Texels blackTexels(std::size_t count, StoredType type) {
+  switch (type) {
+    case StoredType::uint8:
+      return TexelArray<std::uint8_t>(count);
+    case StoredType::uint16:
+      return TexelArray<std::uint16_t>(count);
+    default:
+      return TexelArray<float>(count);
+  }
+}
+
+}  // namespace
+
+LightField::LightField(LightFieldSize size, StoredType type,
+                       const std::array<std::uint32_t, 4>& block)
+    : m_size(size),
+      m_layout(size, block),
+      m_texels(blackTexels(std::size_t(m_layout.texels) + 1, type)) {}
+
+LightField::LightField(LightFieldSize size, const Values& values)
+    : LightField(size, static_cast<StoredType>(values.index())) {
+  std::visit(
+      [&](const auto& list) {
+        if (list.size() != 3 * size.width() * size.height())
+          throw std::invalid_argument("LightField: not three values for each directional pixel");
+        auto rgb = list.data();
+        const auto [nx, ny, du, dv] = size;
+        for (int y = 0; y < ny * dv; ++y)
+          for (int x = 0; x < nx * du; ++x, rgb += 3) set({x / du, y / dv, x % du, y % dv}, rgb);
+      },
+      values);
+}
+
+LightField::LightField(LightFieldSize size, StoredType type, SliceLayout slice)
+    : m_size(size),
+      m_slice(std::make_shared<const SliceLayout>(std::move(slice))),
+      m_layout(*m_slice),
+      m_texels(blackTexels(std::size_t(m_layout.texels) + 1, type)) {}
+
+LightField::LightField(LightFieldSize size, StoredType type, std::shared_ptr<TexelStore> store)
+    : LightField(size, type,
+                 sliceLayout({std::vector<CellRange>(std::size_t(size.nx)),
+                              std::vector<CellRange>(std::size_t(size.ny))})) {
+  m_store = std::move(store);
+}
+
+template <class T>
+void LightField::takeRow(int j, int v, const T* rgb) {
+  for (const auto& [i, u] : m_slice->runs)
+    setRun({i, j, u.first, v}, int(u.size()), rgb + 3 * (std::ptrdiff_t(i) * m_size.du + u.first));
+}
+
+template void LightField::takeRow(int, int, const std::uint8_t*);
+template void LightField::takeRow(int, int, const std::uint16_t*);
+template void LightField::takeRow(int, int, const float*);
+
+std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
+  const BlockLayout layout(size, standardBlock);
+  return (std::size_t(layout.texels) + 1) * memoryBytes(type);
+}
+
+Rgb LightField::texel(const TexelIndex& at) const {
+  if (m_store) {
+    Footprint one = m_slice->footprint;
+    one.u[std::size_t(at.i)] = {at.u, at.u};
+    one.v[std::size_t(at.j)] = {at.v, at.v};
+    return m_store->slice(one, {})->texel(at);
+  }
+  return std::visit(
+      [address = m_layout.address(at)](const auto& list) {
+        const auto& stored = list[address];
+        return Rgb{codeValue(stored.r), codeValue(stored.g), codeValue(stored.b)};
+      },
+      m_texels);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The difference of two pictures as a picture.
+#include "core/metrics/difference.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+
+namespace hogelscope {
+
+namespace {
+
+/// `counts` of the values 0 … 255.
+int gainFor(const std::array<std::size_t, 256>& counts) {
+  std::size_t above = 0;  // values larger than `largest`
+  const std::size_t all = std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
+  std::size_t largest = 255;
+  while (largest > 0 && 1000 * (above + counts[largest]) <= all) above += counts[largest--];
+  int gain = 1;
+  while (largest > 0 && 2 * gain * static_cast<int>(largest) <= 255) gain *= 2;
+  return gain;
+}
+
+}  // namespace
+
+DifferencePicture differencePicture(const Image& reference, const Image& test) {
+  if (reference.width != test.width || reference.height != test.height)
+    throw std::invalid_argument("differencePicture: pictures of different sizes");
+  DifferencePicture result{Image(reference.width, reference.height)};
+  Image& image = result.image;
+  std::array<std::size_t, 256> counts{};
+  for (std::size_t k = 0; k < image.rgb.size(); ++k) {
+    const int difference = std::abs(reference.rgb[k] - test.rgb[k]);
+    image.rgb[k] = static_cast<std::uint8_t>(difference);
+    ++counts[static_cast<std::size_t>(difference)];
+  }
+  result.gain = gainFor(counts);
+  for (std::uint8_t& value : image.rgb)
+    value = static_cast<std::uint8_t>(std::min(255, value * result.gain));
+  for (std::size_t k = 0; k < image.seen.size(); ++k)
+    image.seen[k] = std::min(reference.seen[k], test.seen[k]);
+  return result;
+}
+
+}  // namespace hogelscope

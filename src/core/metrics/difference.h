@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The difference of two pictures as a picture, for the report's page.
+#pragma once
+
+#include "core/optics/image.h"
+
+namespace hogelscope {
+
+struct DifferencePicture {
+  Image image;   ///< gain · |reference − test|, each channel; seen where both are
+  int gain = 1;  ///< the largest power of two that cuts off at most a thousandth of the values
+                 ///< that differ, so that one outlier does not hide the rest; 1 for none
+};
+
+/// Throws std::invalid_argument where the sizes differ.
+DifferencePicture differencePicture(const Image& reference, const Image& test);
+
+}  // namespace hogelscope

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The squared error of views, thrown back onto the panel.
+#include "core/metrics/panel_error.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "core/base/multiversioned.h"
+#include "core/engine/fast_simulation.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// In place of a cell: the pixel counts nowhere.
+constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+std::size_t product(int a, int b) {
+  return std::size_t(a) * std::size_t(b);
+}
+
+/// One exact ray through each pixel's centre, whatever the picture was made of.
+View raysThroughCentres(View view) {
+  view.sampling.samplesPerPixel = 1;
+  view.method = {};
+  // Nothing is to be fetched.
+  view.lightField = std::make_shared<const LightField>(view.lightField->size(), StoredType::uint8,
+                                                       std::shared_ptr<TexelStore>());
+  return view;
+}
+
+MULTIVERSIONED
+void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
+                        std::uint32_t* __restrict squares) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const int red = a[3 * k] - b[3 * k];
+    const int green = a[3 * k + 1] - b[3 * k + 1];
+    const int blue = a[3 * k + 2] - b[3 * k + 2];
+    squares[k] = static_cast<std::uint32_t>(red * red + green * green + blue * blue);
+  }
+}
+
+/// Row-major indices of the cells along two axes of a batch, where a pixel is seen by all.
+MULTIVERSIONED
+void cellIndices(const CellBatch& batch, std::size_t axis, int columns, const std::uint8_t* seenA,
+                 const std::uint8_t* seenB, int count, std::uint32_t* __restrict at) {
+  const std::uint32_t* column = batch.cell[axis].data();
+  const std::uint32_t* row = batch.cell[axis + 1].data();
+  const std::uint8_t* seen = batch.seen.data();
+  const auto width = static_cast<std::uint32_t>(columns);
+  for (int k = 0; k < count; ++k) {
+    const bool counts = (seen[k] & seenA[k] & seenB[k]) != 0;
+    at[k] = counts ? row[k] * width + column[k] : nowhere;
+  }
+}
+
+/// Neighbours often meet one cell, so it is written once for all of them.
+void addTo(std::vector<PanelError::Cell>& cells, const std::vector<std::uint32_t>& at,
+           const std::vector<std::uint32_t>& squares) {
+  for (std::size_t k = 0; k < at.size();) {
+    const std::uint32_t index = at[k];
+    PanelError::Cell sum;
+    for (; k < at.size() && at[k] == index; ++k) {
+      sum.squares += squares[k];
+      ++sum.pixels;
+    }
+    if (index == nowhere) continue;
+    cells[index].squares += sum.squares;
+    cells[index].pixels += sum.pixels;
+  }
+}
+
+void checkSizes(const View& view, const LightFieldSize& size, const Image& reference,
+                const Image& test) {
+  const auto [width, height] = view.state.camera.res;
+  for (const Image* image : {&reference, &test})
+    if (image->width != width || image->height != height)
+      throw std::invalid_argument("PanelError: a picture is not of the state's size");
+  if (Display(view.display).size() != size)
+    throw std::invalid_argument("PanelError: a display of another size");
+}
+
+}  // namespace
+
+PanelError::PanelError(const LightFieldSize& size)
+    : m_size(size), m_hogels(product(size.nx, size.ny)), m_directions(product(size.du, size.dv)) {}
+
+PanelError::PanelError(const LightFieldSize& size, std::vector<Cell> hogels,
+                       std::vector<Cell> directions)
+    : m_size(size), m_hogels(std::move(hogels)), m_directions(std::move(directions)) {
+  if (m_hogels.size() != product(size.nx, size.ny) ||
+      m_directions.size() != product(size.du, size.dv))
+    throw std::invalid_argument("PanelError: sums of another size");
+}
+
+void PanelError::resize(std::size_t pixels) {
+  for (auto* list : {&m_pixels.hogel, &m_pixels.direction, &m_pixels.squares}) list->resize(pixels);
+}
+
+void PanelError::add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                     const Image& reference, const Image& test, const Progress& progress) {
+  checkSizes(view, m_size, reference, test);
+  const FastSimulation rays(raysThroughCentres(view), tables, parallelRows, progress);
+  resize(reference.pixelCount());
+  const auto batchAt = [&](int y, int x0, int count) {
+    CellBatch batch;
+    rays.cells(y, x0, count, 0, 0, batch);
+    const std::size_t at = product(y, reference.width) + std::size_t(x0);
+    const std::uint8_t* seenA = &reference.seen[at];
+    const std::uint8_t* seenB = &test.seen[at];
+    cellIndices(batch, 0, m_size.nx, seenA, seenB, count, &m_pixels.hogel[at]);
+    cellIndices(batch, 2, m_size.du, seenA, seenB, count, &m_pixels.direction[at]);
+    squaredDifferences(&reference.rgb[3 * at], &test.rgb[3 * at], std::size_t(count),
+                       &m_pixels.squares[at]);
+  };
+  parallelRows(reference.height, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < reference.width; x += batchSize)
+        batchAt(y, x, std::min(batchSize, reference.width - x));
+  });
+  // On this thread: pixels of many rows meet one cell.
+  addTo(m_hogels, m_pixels.hogel, m_pixels.squares);
+  addTo(m_directions, m_pixels.direction, m_pixels.squares);
+}
+
+}  // namespace hogelscope

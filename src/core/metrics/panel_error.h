@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a test light field's error comes from: the squared error of its views, thrown back onto the
+// hogels and the directions that the pixels showed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/lens/lens_table.h"
+#include "core/optics/image.h"
+#include "core/optics/simulate.h"
+
+namespace hogelscope {
+
+/// Sums over all states of one test. Every pixel seen in both pictures counts for the one hogel and
+/// the one direction that the ray through its centre meets; light leakage, interpolation and
+/// several samples per pixel change nothing of that, and a pixel whose centre meets none counts
+/// nowhere. Whole numbers, so that the order of the states does not matter.
+class PanelError {
+ public:
+  struct Cell {
+    std::uint64_t squares = 0;  ///< Σ Δr² + Δg² + Δb² of 8-bit values
+    std::uint64_t pixels = 0;
+    bool operator==(const Cell&) const = default;
+  };
+
+  explicit PanelError(const LightFieldSize& size);
+  /// From sums that were kept. Throws std::invalid_argument where they are not of this size.
+  PanelError(const LightFieldSize& size, std::vector<Cell> hogels, std::vector<Cell> directions);
+
+  /// Adds the pictures of one state. Rays are the fast engine's. Throws InputError as Simulation
+  /// does, std::invalid_argument where a size is another, Cancelled: then nothing is added.
+  void add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+           const Image& reference, const Image& test, const Progress& progress = {});
+
+  [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  /// ny rows of nx, row 0 the top.
+  [[nodiscard]] const std::vector<Cell>& hogels() const { return m_hogels; }
+  /// dv rows of du, row 0 the light that leaves upwards, column 0 the light that leaves to the
+  /// left.
+  [[nodiscard]] const std::vector<Cell>& directions() const { return m_directions; }
+
+ private:
+  /// What each pixel of the picture in hand adds, and where; kept, since new memory costs more time
+  /// than the sums.
+  struct Pixels {
+    std::vector<std::uint32_t> hogel;
+    std::vector<std::uint32_t> direction;
+    std::vector<std::uint32_t> squares;
+  };
+
+  void resize(std::size_t pixels);
+
+  LightFieldSize m_size;
+  std::vector<Cell> m_hogels;
+  std::vector<Cell> m_directions;
+  Pixels m_pixels;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the error on the panel amounts to.
+#include "core/metrics/panel_error_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/base/colour_map.h"
+#include "core/base/text.h"
+
+namespace hogelscope {
+
+namespace {
+
+using Cells = std::vector<PanelError::Cell>;
+
+double meanOf(const PanelError::Cell& cell) {
+  return double(cell.squares) / (3 * double(cell.pixels));  // 0/0 is not a number
+}
+
+bool isCheaper(const PanelError::Cell& a, const PanelError::Cell& b) {
+  return a.squares < b.squares;
+}
+
+/// The share of the cells met that hold half of the squares.
+double halfShare(Cells cells) {
+  std::erase_if(cells, [](const PanelError::Cell& cell) { return cell.pixels == 0; });
+  std::sort(cells.begin(), cells.end(),
+            [](const auto& a, const auto& b) { return isCheaper(b, a); });
+  std::uint64_t total = 0;
+  for (const PanelError::Cell& cell : cells) total += cell.squares;
+  std::uint64_t sum = 0;
+  std::size_t count = 0;
+  while (sum < total - total / 2) sum += cells[count++].squares;
+  return count == 0 ? 0 : double(count) / double(cells.size());
+}
+
+std::array<int, 2> costliest(const Cells& cells, int columns) {
+  const auto at = int(std::max_element(cells.begin(), cells.end(), isCheaper) - cells.begin());
+  return {at % columns, at / columns};
+}
+
+double degreesOf(double slope) {
+  return std::atan(slope) * 180 / std::numbers::pi;
+}
+
+/// "12.0° right" of -12 … 12.
+std::string angleText(double degrees, const char* negative, const char* positive) {
+  return rounded(std::abs(degrees), 1) + "° " + (degrees < 0 ? negative : positive);
+}
+
+std::string percent(double share) {
+  return rounded(100 * share, share < 0.1 ? 1 : 0) + " %";
+}
+
+/// How many pixels wide and high a cell becomes: whole numbers, as near to `shape` as they can be.
+std::array<int, 2> blockOf(const std::array<int, 2>& cells, const std::array<double, 2>& shape) {
+  constexpr double least = 256;
+  const double wanted = least / std::max(shape[0], shape[1]);
+  const std::size_t dense = cells[0] * shape[1] >= cells[1] * shape[0] ? 0 : 1;
+  const std::size_t other = 1 - dense;
+  std::array<int, 2> block{};
+  block[dense] = std::max(1, int(std::ceil(wanted * shape[dense] / cells[dense] - 1e-9)));
+  const double scale = block[dense] * cells[dense] / shape[dense];
+  const double largest = std::ceil(2 * least / cells[other]);  // odd shapes stay small
+  block[other] = int(std::clamp(std::round(scale * shape[other] / cells[other]), 1.0, largest));
+  return block;
+}
+
+Image picture(const Cells& cells, const std::array<int, 2>& count,
+              const std::array<double, 2>& shape) {
+  const double end = scaleEnd(cells);
+  const auto [blockWidth, blockHeight] = blockOf(count, shape);
+  Image image(count[0] * blockWidth, count[1] * blockHeight);
+  std::fill(image.seen.begin(), image.seen.end(), std::uint8_t{255});
+  std::size_t at = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const PanelError::Cell& cell =
+          cells[std::size_t(y / blockHeight) * std::size_t(count[0]) + std::size_t(x / blockWidth)];
+      const double mean = meanOf(cell);
+      for (const std::uint8_t value : falseColour(end > 0 ? mean / end : mean))
+        image.rgb[at++] = value;
+    }
+  return image;
+}
+
+}  // namespace
+
+double scaleEnd(const Cells& cells) {
+  std::vector<double> means;
+  for (const PanelError::Cell& cell : cells)
+    if (cell.pixels > 0) means.push_back(meanOf(cell));
+  if (means.empty()) return 0;
+  std::sort(means.begin(), means.end());
+  const double end = means[std::size_t(std::ceil(0.99 * double(means.size()))) - 1];
+  return end > 0 ? end : means.back();
+}
+
+PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display) {
+  PanelErrorFigures figures;
+  figures.hogelScale = scaleEnd(error.hogels());
+  figures.directionScale = scaleEnd(error.directions());
+  figures.hogelShare = halfShare(error.hogels());
+  figures.directionShare = halfShare(error.directions());
+  figures.hogel = costliest(error.hogels(), error.size().nx);
+  const auto [u, v] = costliest(error.directions(), error.size().du);
+  const Vec2 slopes = Display(display).rayOf({0, 0, u, v}).slopes;
+  figures.direction = {degreesOf(slopes.x), degreesOf(slopes.y)};
+  return figures;
+}
+
+std::string text(const PanelErrorFigures& figures) {
+  if (!(figures.hogelShare > 0)) return "No pixel seen in both pictures differs.";
+  return "Half of the squared error comes from " + percent(figures.hogelShare) +
+         " of the hogels seen and from " + percent(figures.directionShare) +
+         " of the directions seen; the costliest hogel is (" + std::to_string(figures.hogel[0]) +
+         ", " + std::to_string(figures.hogel[1]) + "), the costliest direction is " +
+         angleText(figures.direction.x, "left", "right") + ", " +
+         angleText(figures.direction.y, "down", "up") + ".";
+}
+
+std::vector<float> meanSquares(const Cells& cells) {
+  std::vector<float> plane;
+  for (const PanelError::Cell& cell : cells) plane.push_back(static_cast<float>(meanOf(cell)));
+  return plane;
+}
+
+std::vector<float> pixelCounts(const Cells& cells) {
+  std::vector<float> plane;
+  for (const PanelError::Cell& cell : cells) plane.push_back(static_cast<float>(cell.pixels));
+  return plane;
+}
+
+Image hogelPicture(const PanelError& error, const DisplayParams& display) {
+  return picture(error.hogels(), display.hogels, display.size);
+}
+
+Image directionPicture(const PanelError& error, const DisplayParams& display) {
+  return picture(error.directions(), display.directions, display.fov);
+}
+
+}  // namespace hogelscope

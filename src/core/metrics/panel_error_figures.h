@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the error on the panel amounts to: planes for files, false-colour pictures, words.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/metrics/panel_error.h"
+#include "core/optics/display.h"
+#include "core/optics/image.h"
+
+namespace hogelscope {
+
+/// "Costliest" is what holds most of the squared error, summed over all views.
+struct PanelErrorFigures {
+  double hogelScale = 0;      ///< MSE at the end of the picture's colours, see `scaleEnd`
+  double directionScale = 0;  ///< likewise
+  /// How few of the cells that pixels fell on hold half of the squared error; 0 where there is
+  /// none.
+  double hogelShare = 0;
+  double directionShare = 0;
+  std::array<int, 2> hogel{};  ///< i, j of the costliest
+  Vec2 direction;              ///< the costliest: degrees to the right and up, as the light leaves
+};
+
+PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display);
+
+/// One sentence.
+std::string text(const PanelErrorFigures& figures);
+
+/// Mean squared error of each cell, per channel: squares / (3·pixels). Not a number where no pixel
+/// fell.
+std::vector<float> meanSquares(const std::vector<PanelError::Cell>& cells);
+/// Pixels of each cell.
+std::vector<float> pixelCounts(const std::vector<PanelError::Cell>& cells);
+
+/// The 99th percentile of the cells' mean squared errors, so that one outlier does not hide the
+/// rest; the largest where that is 0.
+double scaleEnd(const std::vector<PanelError::Cell>& cells);
+
+/// False colours of the mean squared errors from 0 to the figures' scales, grey where no pixel
+/// fell. Each cell is a block of pixels, so that small panels are 256 or more along their longer
+/// side, in the shape of the panel or of the angular field.
+Image hogelPicture(const PanelError& error, const DisplayParams& display);
+Image directionPicture(const PanelError& error, const DisplayParams& display);
+
+}  // namespace hogelscope

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pinhole camera of a state.
+#include "core/optics/camera.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace {
+
+RigidTransform frameOf(const CameraParams& p) {
+  const Vec3 forward = normalise(p.lookat - p.eye);
+  if (forward == Vec3{}) throw InputError("lookat", "is the eye itself: the camera looks nowhere");
+  const Vec3 right = cross(forward, normalise(p.up));
+  // The sine of the angle between forward and up; below this the roll is rounding noise.
+  if (!(length(right) > 1e-9))
+    throw InputError("up", p.up == Vec3{} ? "is zero: give the direction that is up in the picture"
+                                          : "is parallel to the line from eye to lookat");
+  const Vec3 unitRight = normalise(right);
+  return {unitRight, cross(forward, unitRight), forward, p.eye};
+}
+
+double orElse(double value, double otherwise) {
+  return value == notGiven ? otherwise : value;
+}
+
+Vec2 focalLengthOf(const CameraParams& p, const IntrinsicsParams& intrinsics) {
+  if (intrinsics.isGiven()) return {intrinsics.fx, orElse(intrinsics.fy, intrinsics.fx)};
+  const double f = p.res[1] / 2.0 / std::tan(radians(p.fov) / 2);
+  return {f, f};
+}
+
+}  // namespace
+
+void describe(ParameterVisitor& v, CameraParams& p) {
+  auto& [name, eye, lookat, up, fov, res, weight] = p;
+  v.group("camera", "A camera state: where it stands, where it looks, what it takes.");
+  v.field("name", name, "Names the state and its picture's file.");
+  v.field("eye", eye, {-1e6, 1e6, 0.01}, "m", "The pinhole, in the world.");
+  v.field("lookat", lookat, {-1e6, 1e6, 0.01}, "m", "A point in the middle of the picture.");
+  v.field("up", up, {-1e6, 1e6, 0.1}, "", "The direction that is up in the picture.");
+  v.field("fov", fov, {0.01, 179.9, 0.1}, "°",
+          "Vertical field of view; not used where intrinsics are given.");
+  v.field("res", res, {1, 16384, 1}, "px", "Width and height of the picture.");
+  v.field("weight", weight, {0, 1e6, 0.1}, "", "How much the state counts in weighted means.");
+}
+
+void describe(ParameterVisitor& v, IntrinsicsParams& p) {
+  auto& [fx, fy, cx, cy] = p;
+  v.group("intrinsics", "A calibrated camera's, instead of fov; pixel centres are at integers.");
+  v.field("fx", fx, {1e-3, 1e8, 1, true}, "px", "Focal length across.");
+  v.field("fy", fy, {1e-3, 1e8, 1, true}, "px", "Focal length down; left out: fx, square pixels.");
+  v.field("cx", cx, {-1e6, 1e6, 1, true}, "px",
+          "Where the axis meets the picture; left out: its middle.");
+  v.field("cy", cy, {-1e6, 1e6, 1, true}, "px", "The same, from the top.");
+}
+
+Camera::Camera(const CameraParams& params, const IntrinsicsParams& intrinsics)
+    : m_worldFromCamera(frameOf(params)),
+      m_focal(focalLengthOf(params, intrinsics)),
+      m_centre{orElse(intrinsics.cx, (params.res[0] - 1) / 2.0),
+               orElse(intrinsics.cy, (params.res[1] - 1) / 2.0)} {}
+
+}  // namespace hogelscope

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pinhole camera of a state: pose, field of view, resolution; its frame is OpenCV's.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/base/geometry.h"
+#include "core/base/parameters.h"
+
+namespace hogelscope {
+
+/// The camera part of a state. Lengths in metres, `fov` is the vertical angle in degrees.
+struct CameraParams {
+  std::string name;
+  Vec3 eye{0, 0, 0.559};
+  Vec3 lookat;
+  Vec3 up{0, 1, 0};
+  double fov = 60;
+  std::array<int, 2> res{600, 600};
+  double weight = 1;
+  bool operator==(const CameraParams&) const = default;
+};
+
+void describe(ParameterVisitor& v, CameraParams& p);
+
+/// A calibrated camera's `intrinsics`, in pixels of the state's own pictures; they take the place
+/// of `fov` where fx is given. Without fy the pixels are square, without cx or cy the axis goes
+/// through the picture's middle.
+struct IntrinsicsParams {
+  double fx = notGiven;
+  double fy = notGiven;
+  double cx = notGiven;
+  double cy = notGiven;
+  [[nodiscard]] bool isGiven() const { return fx != notGiven; }
+  bool operator==(const IntrinsicsParams&) const = default;
+};
+
+void describe(ParameterVisitor& v, IntrinsicsParams& p);
+
+/// +x right, +y down, +z forward; pixel centres at integers, (w-1)/2, (h-1)/2 on the axis where no
+/// intrinsics say otherwise.
+class Camera {
+ public:
+  /// Throws InputError ("lookat" or "up") where eye, lookat and up give no frame.
+  explicit Camera(const CameraParams& params, const IntrinsicsParams& intrinsics = {});
+
+  /// Columns right, down, forward; origin at the eye.
+  [[nodiscard]] const RigidTransform& worldFromCamera() const { return m_worldFromCamera; }
+  /// Focal lengths in pixels, across and down: both (h/2) / tan(fov/2) without intrinsics.
+  [[nodiscard]] Vec2 focalLength() const { return m_focal; }
+  /// Principal point in pixels.
+  [[nodiscard]] Vec2 centre() const { return m_centre; }
+  /// The point (x, y, 1) of the image plane under a pixel, in the camera frame.
+  [[nodiscard]] Vec2 normalised(double px, double py) const {
+    return {(px - m_centre.x) / m_focal.x, (py - m_centre.y) / m_focal.y};
+  }
+
+ private:
+  RigidTransform m_worldFromCamera;
+  Vec2 m_focal;
+  Vec2 m_centre;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The display: where a ray meets the panel, and which directional pixel it sees there.
+#include "core/optics/display.h"
+
+#include <cmath>
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> lensNames{"rectilinear", "equiangular"};
+
+/// The hogel lens: a slope to its place in the angular field, -1/2 … 1/2. `fov` in degrees.
+double fieldFromSlope(HogelLens lens, double slope, double fov) {
+  if (lens == HogelLens::equiangular) return std::atan(slope) / radians(fov);
+  return slope / (2 * std::tan(radians(fov) / 2));
+}
+
+/// Its inverse.
+double slopeFromField(HogelLens lens, double field, double fov) {
+  if (lens == HogelLens::equiangular) return std::tan(field * radians(fov));
+  return field * 2 * std::tan(radians(fov) / 2);
+}
+
+bool inside(double index, int count) {
+  return index >= 0 && index < count;
+}
+
+}  // namespace
+
+void describe(ParameterVisitor& v, DisplayParams& p) {
+  auto& [position, orientation, size, hogels, directions, fov, lens] = p;
+  v.group("display", "The panel: where it stands, its hogels and their directional pixels.");
+  v.field("position", position, {-1e6, 1e6, 0.01}, "m", "The panel's centre in the world.");
+  v.field("orientation", orientation, {-360, 360, 1}, "°",
+          "Rotations about x, y, z, applied y first, then x, then z.");
+  v.field("size", size, {1e-6, 1e6, 0.01}, "m", "Width and height of the panel.");
+  v.field("hogels", hogels, {1, 65536, 1, true}, "",
+          "Columns and rows of hogels; may be left out where the light field's file says it.");
+  v.field("directions", directions, {1, 65536, 1, true}, "px",
+          "Directional pixels of a hogel, across and down; may be left out likewise.");
+  v.field("fov", fov, {0.01, 179.9, 1}, "°",
+          "Full angles into which a hogel sends light, across and down.");
+  v.field("lens", lens, lensNames,
+          "How a hogel's lens spreads its pixels: evenly in slope, or evenly in angle.");
+}
+
+Display::Display(const DisplayParams& params)
+    : m_params(params),
+      m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
+      m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()) {}
+
+std::optional<Hit> Display::place(const Vec3& eye, const Vec3& direction) const {
+  if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
+  const double a = direction.x / direction.z;
+  const double b = direction.y / direction.z;
+  const double x = eye.x - eye.z * a;
+  const double y = eye.y - eye.z * b;
+  return Hit{
+      (x / m_params.size[0] + 0.5) * m_size.nx,
+      (0.5 - y / m_params.size[1]) * m_size.ny,
+      m_size.du * (0.5 + fieldFromSlope(m_params.lens, a, m_params.fov[0])),
+      m_size.dv * (0.5 - fieldFromSlope(m_params.lens, b, m_params.fov[1])),
+  };
+}
+
+bool Display::isOnPanel(const Hit& place) const {
+  return inside(place.i, m_size.nx) && inside(place.j, m_size.ny);
+}
+
+bool Display::isInField(const Hit& place) const {
+  return inside(place.u, m_size.du) && inside(place.v, m_size.dv);
+}
+
+std::optional<Hit> Display::hit(const Vec3& eye, const Vec3& direction) const {
+  const std::optional<Hit> there = place(eye, direction);
+  return there && isOnPanel(*there) && isInField(*there) ? there : std::nullopt;
+}
+
+Vec2 Display::slopes(double u, double v) const {
+  return {slopeFromField(m_params.lens, u / m_size.du - 0.5, m_params.fov[0]),
+          slopeFromField(m_params.lens, 0.5 - v / m_size.dv, m_params.fov[1])};
+}
+
+Vec2 Display::position(double i, double j) const {
+  return {(i / m_size.nx - 0.5) * m_params.size[0], (0.5 - j / m_size.ny) * m_params.size[1]};
+}
+
+PanelRay Display::rayOf(const TexelIndex& at) const {
+  return {position(at.i + 0.5, at.j + 0.5), slopes(at.u + 0.5, at.v + 0.5)};
+}
+
+}  // namespace hogelscope

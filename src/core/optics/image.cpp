@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a value becomes a pixel.
+#include "core/optics/image.h"
+
+#include <cmath>
+
+namespace hogelscope {
+
+Image hogelPicture(const LightField& lightField, int i, int j) {
+  Image image(lightField.size().du, lightField.size().dv);
+  auto to = image.rgb.begin();
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const Rgb light = lightField.texel({i, j, u, v});
+      for (const double value : {light.r, light.g, light.b}) *to++ = quantised(value);
+    }
+  }
+  image.seen.assign(image.pixelCount(), 255);
+  return image;
+}
+
+std::uint8_t quantised(double codeValue) {
+  if (!(codeValue > 0)) return 0;
+  if (codeValue >= 255) return 255;
+  return static_cast<std::uint8_t>(std::floor(codeValue + 0.5));
+}
+
+}  // namespace hogelscope

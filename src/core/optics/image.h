@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture that a camera state takes: 8-bit RGB and the mask of the pixels seen.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/light_field/light_field.h"
+
+namespace hogelscope {
+
+/// Row 0 is the top. Not seen = black, and 0 in the mask; seen = 255.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;   ///< 3·width·height
+  std::vector<std::uint8_t> seen;  ///< width·height
+  static constexpr std::size_t bytesPerPixel = 4;
+
+  Image() = default;
+  Image(int w, int h)
+      : width(w), height(h), rgb(3 * std::size_t(w) * std::size_t(h)), seen(rgb.size() / 3) {}
+  [[nodiscard]] std::size_t pixelCount() const { return seen.size(); }
+  bool operator==(const Image&) const = default;
+};
+
+/// Hogel (i, j)'s own picture, one pixel for each direction: column u, row v. All of it is seen.
+Image hogelPicture(const LightField& lightField, int i, int j);
+
+/// Code value to 8 bits: rounds half up, limits to 0 … 255.
+std::uint8_t quantised(double codeValue);
+
+}  // namespace hogelscope

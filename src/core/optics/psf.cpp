@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The point spread function, as a sum that reads like docs/formulas.md, Light leakage.
+#include "core/optics/psf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace hogelscope {
+
+namespace {
+constexpr std::array<std::string_view, 3> borderNames{"renormalise", "clamp", "black"};
+constexpr std::array<std::string_view, 2> lightNames{"encoded", "linear"};
+}  // namespace
+
+void describe(ParameterVisitor& v, PsfParams& p) {
+  auto& [sigma, windowSize, border, light] = p;
+  v.group("psf", "Light leakage between the directional pixels of a hogel: a Gaussian window.");
+  v.field("sigma", sigma, {0, 20, 0.01}, "px",
+          "Standard deviation; above 0 unless windowSize is 1.");
+  v.field("windowSize", windowSize, {1, 99, 2}, "px",
+          "Full width of the window, odd: 1, 3, 5, …; 1 is no leakage.");
+  v.field("border", border, borderNames,
+          "At the hogel's edge: weigh what is inside, repeat the edge pixel, or lose the light.");
+  v.field("light", light, lightNames,
+          "Sum the stored values, as the paper does, or sum linear light (decoded from sRGB).");
+}
+
+double energyInWindow(const PsfParams& params) {
+  if (params.windowSize == 1) return 1;
+  const double axis = std::erf(params.windowSize / (2 * std::numbers::sqrt2 * params.sigma));
+  return axis * axis;
+}
+
+int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v) {
+  const int reach = (params.windowSize - 1) / 2;
+  const auto along = [&](int at, int count) {
+    return std::min(at + reach, count - 1) - std::max(at - reach, 0) + 1;
+  };
+  return along(u, size.du) * along(v, size.dv);
+}
+
+bool cutsTooMuch(const PsfParams& params) {
+  return energyInWindow(params) < 0.99;
+}
+
+std::vector<double> kernel(const PsfParams& params) {
+  std::vector<double> weights = Psf(params).weights();
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+double linearFromEncoded(double codeValue) {
+  const double s = codeValue / 255;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+double encodedFromLinear(double linear) {
+  const double s = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return 255 * s;
+}
+
+Rgb decoded(LightModel light, const Rgb& c) {
+  if (light == LightModel::encoded) return c;
+  return {linearFromEncoded(c.r), linearFromEncoded(c.g), linearFromEncoded(c.b)};
+}
+
+Rgb encoded(LightModel light, const Rgb& c) {
+  if (light == LightModel::encoded) return c;
+  return {encodedFromLinear(c.r), encodedFromLinear(c.g), encodedFromLinear(c.b)};
+}
+
+Psf::Psf(const PsfParams& params) : m_params(params), m_reach((params.windowSize - 1) / 2) {
+  for (int y = -m_reach; y <= m_reach; ++y)
+    for (int x = -m_reach; x <= m_reach; ++x) m_weights.push_back(weight(x, y));
+}
+
+/// W(x, y); squared after the division, so that a tiny sigma gives 0 and not NaN.
+double Psf::weight(int x, int y) const {
+  if (m_reach == 0) return 1;
+  const double sx = x / m_params.sigma;
+  const double sy = y / m_params.sigma;
+  return std::exp(-(sx * sx + sy * sy) / 2);
+}
+
+Rgb Psf::leaked(const LightField& lightField, const TexelIndex& at) const {
+  const auto& [nx, ny, du, dv] = lightField.size();
+  Rgb sum;
+  double total = 0;
+  auto w = m_weights.begin();
+  for (int y = -m_reach; y <= m_reach; ++y) {
+    for (int x = -m_reach; x <= m_reach; ++x, ++w) {
+      TexelIndex tap{at.i, at.j, at.u + x, at.v + y};
+      if (m_params.border == PsfBorder::clamp) {
+        tap.u = std::clamp(tap.u, 0, du - 1);
+        tap.v = std::clamp(tap.v, 0, dv - 1);
+      }
+      const bool inside = tap.u >= 0 && tap.u < du && tap.v >= 0 && tap.v < dv;
+      if (inside) sum = sum + *w * decoded(m_params.light, lightField.texel(tap));
+      if (inside || m_params.border == PsfBorder::black) total += *w;
+    }
+  }
+  return {sum.r / total, sum.g / total, sum.b / total};
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The point spread function: a directional pixel's light leaks into the directions around it.
+#pragma once
+
+#include <vector>
+
+#include "core/base/parameters.h"
+#include "core/light_field/light_field.h"
+
+namespace hogelscope {
+
+enum class PsfBorder { renormalise, clamp, black };
+enum class LightModel { encoded, linear };
+
+/// A state's `psf`. `sigma` in directional pixels; `windowSize` is the odd full width, 1 = none.
+struct PsfParams {
+  double sigma = 0.67;
+  int windowSize = 1;
+  PsfBorder border = PsfBorder::renormalise;
+  LightModel light = LightModel::encoded;
+  bool operator==(const PsfParams&) const = default;
+};
+
+void describe(ParameterVisitor& v, PsfParams& p);
+
+/// The part of the Gaussian's energy within the window: erf(windowSize / (2√2 σ))², 1 at 1.
+double energyInWindow(const PsfParams& params);
+/// More than 1 % of it is not.
+bool cutsTooMuch(const PsfParams& params);
+
+/// The window's weights, row by row, as fractions of their sum; they need a sigma above 0 where
+/// windowSize > 1.
+std::vector<double> kernel(const PsfParams& params);
+
+/// How many directional pixels add up to the light of direction (u, v) of a hogel.
+int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);
+
+/// sRGB's transfer function (IEC 61966-2-1), code values to linear 0 … 1 and back.
+double linearFromEncoded(double codeValue);
+double encodedFromLinear(double linear);
+/// The same for the three channels; `encoded` light stays as it is.
+Rgb decoded(LightModel light, const Rgb& codeValues);
+Rgb encoded(LightModel light, const Rgb& summed);
+
+class Psf {
+ public:
+  /// `params.sigma` must be above 0 where windowSize > 1.
+  explicit Psf(const PsfParams& params);
+
+  /// P'(u, v) of docs/formulas.md, Light leakage, for one directional pixel, in the light that is
+  /// summed: code values, or linear 0 … 1 (`encoded` takes it back).
+  [[nodiscard]] Rgb leaked(const LightField& lightField, const TexelIndex& at) const;
+  /// W(x, y), windowSize² of them, row by row.
+  [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
+
+ private:
+  [[nodiscard]] double weight(int x, int y) const;
+
+  PsfParams m_params;
+  int m_reach;  ///< n = (windowSize - 1) / 2
+  std::vector<double> m_weights;
+};
+
+}  // namespace hogelscope

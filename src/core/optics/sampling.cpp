@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The session's `sampling`.
+#include "core/optics/sampling.h"
+
+namespace hogelscope {
+
+namespace {
+constexpr std::array<std::string_view, 2> mappingNames{"exact", "direct"};
+constexpr std::array<std::string_view, 3> reconstructionNames{"nearest", "bilinear",
+                                                              "quadrilinear"};
+}  // namespace
+
+void describe(ParameterVisitor& v, SamplingParams& p) {
+  auto& [mapping, reconstruction, samplesPerPixel, tolerance] = p;
+  v.group("sampling", "How the simulated view is taken.");
+  v.field("mapping", mapping, mappingNames,
+          "Lens: exact inverts the distortion, as a real camera; direct applies it, as the paper.");
+  v.field("reconstruction", reconstruction, reconstructionNames,
+          "The display as built, or interpolated between directions, or between hogels too.");
+  v.field("samplesPerPixel", samplesPerPixel, {1, 64, 1}, "",
+          "n takes n×n rays in each pixel; rays that see nothing count as black.");
+  v.field("tolerance", tolerance, {0, 100, 0.1}, "code values",
+          "RMS error up to which a cheaper way to the picture is taken; 0: none.");
+}
+
+std::string_view nameOf(Reconstruction reconstruction) {
+  return reconstructionNames[static_cast<std::size_t>(reconstruction)];
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rules of a session that no single field can know.
+#include "core/optics/session.h"
+
+#include <cstdio>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/optics/state_name.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string statePath(std::size_t index) {
+  return "cameras[" + std::to_string(index) + "]";
+}
+
+}  // namespace
+
+void check(const CameraState& state, const std::string& path) {
+  checkStateName(state.camera.name, path);
+  try {
+    const Camera camera(state.camera);
+  } catch (const InputError& error) {
+    throw InputError(path + "." + error.what(), "");
+  }
+  const auto& [fx, fy, cx, cy] = state.intrinsics;
+  if ((fx != notGiven && !(fx > 0)) || (fy != notGiven && !(fy > 0)))
+    throw InputError(path + ".intrinsics.fx", "and fy are focal lengths, above 0 px");
+  if (!state.intrinsics.isGiven() && state.intrinsics != IntrinsicsParams{})
+    throw InputError(path + ".intrinsics.fx", "is missing: intrinsics need at least fx, in pixels");
+  if (state.psf.windowSize > 1 && !(state.psf.sigma > 0))
+    throw InputError(path + ".psf.sigma",
+                     "is 0 with a windowSize of " + std::to_string(state.psf.windowSize) +
+                         ": give a sigma above 0, or windowSize 1 for no leakage");
+}
+
+void check(const Session& session) {
+  if (session.lightField.file.empty())
+    throw InputError("lightField.file", "is missing: name the image or folder to show");
+  for (const auto& [name, pair] : {std::pair("display.hogels", session.display.hogels),
+                                   std::pair("display.directions", session.display.directions)})
+    if ((pair[0] > 0) != (pair[1] > 0))
+      throw InputError(name, "has one number only: give both, across and down, or neither");
+  const bool given = session.display.hogels[0] > 0 && session.display.directions[0] > 0;
+  if (session.lightField.layout == Layout::hogels && !given)
+    throw InputError(session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
+                     "is missing: a hogel image does not say it");
+  if (session.cameras.empty())
+    throw InputError("cameras", "is empty: give at least one camera state");
+  std::map<std::u32string, std::size_t> seen;
+  for (std::size_t index = 0; index < session.cameras.size(); ++index) {
+    const CameraState& state = session.cameras[index];
+    check(state, statePath(index));
+    const auto [first, isNew] = seen.emplace(caseFolded(state.camera.name), index);
+    if (isNew) continue;
+    const std::string& other = session.cameras[first->second].camera.name;
+    throw InputError(statePath(index) + ".name",
+                     "\"" + state.camera.name + "\" is also " + statePath(first->second) +
+                         (other == state.camera.name ? "" : ", \"" + other + "\"") +
+                         "; every state has a name of its own" +
+                         (other == state.camera.name ? "" : ", whatever its case"));
+  }
+}
+
+std::vector<std::string> warnings(const Session& session) {
+  std::map<std::string, std::vector<std::string>> statesOf;
+  for (const CameraState& state : session.cameras) {
+    if (!cutsTooMuch(state.psf)) continue;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "psf: a window of %d keeps %.1f %% of the Gaussian of sigma %g; widen it",
+                  state.psf.windowSize, 100 * energyInWindow(state.psf), state.psf.sigma);
+    statesOf[text.data()].push_back(state.camera.name);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [what, states] : statesOf) {
+    const std::size_t others = states.size() - 1;
+    lines.push_back(states.front() +
+                    (others == 0 ? "" : " and " + std::to_string(others) + " more") + ": " + what);
+  }
+  return lines;
+}
+
+DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile) {
+  const auto agree = [](std::array<int, 2> given, std::array<int, 2> found, const char* what) {
+    if (given[0] > 0 && given != found) {
+      const auto text = [](std::array<int, 2> n) {
+        return std::to_string(n[0]) + "×" + std::to_string(n[1]);
+      };
+      throw InputError(what,
+                       "is " + text(given) + ", but the light field's file has " + text(found));
+    }
+    return found;
+  };
+  DisplayParams result = display;
+  result.hogels = agree(display.hogels, {fromFile.nx, fromFile.ny}, "display.hogels");
+  result.directions = agree(display.directions, {fromFile.du, fromFile.dv}, "display.directions");
+  return result;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The reference engine, to be read against docs/formulas.md.
+#include "core/optics/simulate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace {
+
+RigidTransform displayFromCameraOf(const Display& display, const Camera& camera) {
+  const RigidTransform& world = camera.worldFromCamera();
+  const RigidTransform& displayFromWorld = display.displayFromWorld();
+  return {displayFromWorld.direction(world.xAxis), displayFromWorld.direction(world.yAxis),
+          displayFromWorld.direction(world.zAxis), displayFromWorld.point(world.origin)};
+}
+
+/// The two cells whose centres lie around a real-valued index, and the second one's share. At the
+/// border both are the edge cell.
+struct Neighbours {
+  std::array<int, 2> cell;
+  double share;
+};
+
+Neighbours neighbours(double index, int count, bool interpolate) {
+  const int nearest = static_cast<int>(index);
+  if (!interpolate) return {{nearest, nearest}, 0};
+  const double left = std::floor(index - 0.5);
+  const int cell = static_cast<int>(left);
+  return {{std::max(cell, 0), std::min(cell + 1, count - 1)}, index - 0.5 - left};
+}
+
+}  // namespace
+
+std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping,
+                               const Vec2& onSensor) {
+  return mapping == LensMapping::exact ? distortion.undistort(onSensor)
+                                       : distortion.distort(onSensor);
+}
+
+Simulation::Simulation(View view)
+    : m_view(std::move(view)),
+      m_display(m_view.display),
+      m_camera(m_view.state.camera, m_view.state.intrinsics),
+      m_distortion(m_view.state.distortion),
+      m_psf(m_view.state.psf),
+      m_displayFromCamera(displayFromCameraOf(m_display, m_camera)) {
+  if (!m_view.lightField) throw InputError("lightField", "is not loaded");
+  (void)resolved(m_view.display, m_view.lightField->size());
+}
+
+std::optional<Hit> Simulation::hitOf(double px, double py) const {
+  const std::optional<Vec2> p =
+      idealPoint(m_distortion, m_view.sampling.mapping, m_camera.normalised(px, py));
+  if (!p) return std::nullopt;
+  return m_display.hit(m_displayFromCamera.origin, m_displayFromCamera.direction({p->x, p->y, 1}));
+}
+
+Rgb Simulation::reconstructed(const Hit& hit) const {
+  const LightFieldSize& size = m_display.size();
+  const Reconstruction reconstruction = m_view.sampling.reconstruction;
+  const bool hogelsToo = reconstruction == Reconstruction::quadrilinear;
+  const bool directions = reconstruction != Reconstruction::nearest;
+  const std::array axes{
+      neighbours(hit.i, size.nx, hogelsToo), neighbours(hit.j, size.ny, hogelsToo),
+      neighbours(hit.u, size.du, directions), neighbours(hit.v, size.dv, directions)};
+  Rgb sum;
+  for (unsigned corner = 0; corner < 16; ++corner) {
+    std::array<int, 4> index{};
+    double weight = 1;
+    for (unsigned axis = 0; axis < 4; ++axis) {
+      const unsigned side = corner >> axis & 1U;
+      index[axis] = axes[axis].cell[side];
+      weight *= side == 1 ? axes[axis].share : 1 - axes[axis].share;
+    }
+    if (weight > 0)
+      sum =
+          sum + weight * m_psf.leaked(*m_view.lightField, {index[0], index[1], index[2], index[3]});
+  }
+  return sum;
+}
+
+std::optional<Rgb> Simulation::ray(double px, double py) const {
+  const std::optional<Hit> hit = hitOf(px, py);
+  if (!hit) return std::nullopt;
+  return reconstructed(*hit);
+}
+
+std::optional<Rgb> Simulation::pixel(int x, int y) const {
+  const int n = m_view.sampling.samplesPerPixel;
+  bool seen = false;
+  Rgb sum;
+  for (int sy = 0; sy < n; ++sy) {
+    for (int sx = 0; sx < n; ++sx) {
+      const std::optional<Rgb> sample = ray(x + (sx + 0.5) / n - 0.5, y + (sy + 0.5) / n - 0.5);
+      seen = seen || sample;
+      if (sample) sum = sum + *sample;
+    }
+  }
+  if (!seen) return std::nullopt;
+  const double rays = double(n) * n;
+  return encoded(m_view.state.psf.light, {sum.r / rays, sum.g / rays, sum.b / rays});
+}
+
+void Simulation::render(int x, int y, Image& image) const {
+  const std::optional<Rgb> colour = pixel(x, y);
+  if (!colour) return;
+  const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
+  image.seen[at] = 255;
+  image.rgb[3 * at] = quantised(colour->r);
+  image.rgb[3 * at + 1] = quantised(colour->g);
+  image.rgb[3 * at + 2] = quantised(colour->b);
+}
+
+Image simulate(const View& view) {
+  const Simulation simulation(view);
+  const auto [width, height] = view.state.camera.res;
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) simulation.render(x, y, image);
+  return image;
+}
+
+}  // namespace hogelscope

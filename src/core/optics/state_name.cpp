@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of camera states: NAME.png and NAME.mask.png are files.
+#include "core/optics/state_name.h"
+
+#include <algorithm>
+#include <array>
+#include <locale>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// How many bytes follow the first one of a character, and its own bits; none for no first byte.
+std::optional<std::pair<int, char32_t>> leadOf(unsigned char byte) {
+  if (byte < 0x80) return std::pair{0, char32_t(byte)};
+  if (byte >= 0xC2 && byte < 0xE0) return std::pair{1, char32_t(byte & 0x1FU)};
+  if (byte >= 0xE0 && byte < 0xF0) return std::pair{2, char32_t(byte & 0x0FU)};
+  if (byte >= 0xF0 && byte < 0xF5) return std::pair{3, char32_t(byte & 0x07U)};
+  return std::nullopt;
+}
+
+/// None for what is not UTF-8.
+std::optional<std::u32string> decoded(const std::string& text) {
+  constexpr std::array<char32_t, 4> least{0, 0x80, 0x800, 0x10000};
+  std::u32string characters;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto lead = leadOf(static_cast<unsigned char>(text[at++]));
+    if (!lead) return std::nullopt;
+    auto [more, character] = *lead;
+    for (int k = 0; k < more; ++k) {
+      const unsigned byte = at < text.size() ? static_cast<unsigned char>(text[at++]) : 0U;
+      if ((byte & 0xC0U) != 0x80U) return std::nullopt;
+      character = character << 6U | (byte & 0x3FU);
+    }
+    const bool isSurrogate = character >= 0xD800 && character < 0xE000;
+    if (character < least[std::size_t(more)] || character > 0x10FFFF || isSurrogate)
+      return std::nullopt;
+    characters += character;
+  }
+  return characters;
+}
+
+/// Characters that control a terminal, end a line, turn the direction of writing or show nothing.
+/// The joiners U+200C and U+200D are none: some scripts need them.
+bool isControl(char32_t c) {
+  constexpr std::array<std::pair<char32_t, char32_t>, 9> ranges{{{0x00, 0x1F},
+                                                                 {0x7F, 0x9F},
+                                                                 {0xAD, 0xAD},
+                                                                 {0x61C, 0x61C},
+                                                                 {0x200B, 0x200B},
+                                                                 {0x200E, 0x200F},
+                                                                 {0x2028, 0x202E},
+                                                                 {0x2060, 0x206F},
+                                                                 {0xFEFF, 0xFEFF}}};
+  return std::ranges::any_of(
+      ranges, [c](const auto& range) { return c >= range.first && c <= range.second; });
+}
+
+/// Windows gives these to devices, with any extension.
+bool isDevice(const std::u32string& folded) {
+  std::u32string base = folded.substr(0, folded.find(U'.'));
+  base.erase(base.find_last_not_of(U' ') + 1);
+  for (const char32_t* name : {U"con", U"prn", U"aux", U"nul", U"conin$", U"conout$"})
+    if (base == name) return true;
+  const bool isPort = base.starts_with(U"com") || base.starts_with(U"lpt");
+  return isPort && base.size() == 4 &&
+         std::u32string_view(U"0123456789¹²³").find(base[3]) != std::u32string_view::npos;
+}
+
+/// Knows the case of all letters; the C locale, where it is missing, those of ASCII.
+const std::locale& unicodeLocale() {
+  static const std::locale locale = [] {
+    try {
+      return std::locale("C.UTF-8");
+    } catch (const std::runtime_error&) {
+      return std::locale::classic();
+    }
+  }();
+  return locale;
+}
+
+}  // namespace
+
+std::u32string caseFolded(const std::string& name) {
+  auto characters = decoded(name);
+  if (!characters) return {name.begin(), name.end()};
+  const auto& letters = std::use_facet<std::ctype<wchar_t>>(unicodeLocale());
+  // By way of the capital, which some small letters share: σ and ς.
+  for (char32_t& c : *characters) c = char32_t(letters.tolower(letters.toupper(wchar_t(c))));
+  return *characters;
+}
+
+void checkStateName(const std::string& name, const std::string& path) {
+  constexpr std::size_t longest = 200;
+  const auto refuse = [&](const std::string& why) { throw InputError(path + ".name", why); };
+  if (name.empty()) refuse("is missing: every state has a name of its own");
+  if (name.size() > longest) refuse("is longer than 200 bytes");
+  const auto characters = decoded(name);
+  if (!characters) refuse("is not UTF-8");
+  if (std::ranges::any_of(*characters, isControl))
+    refuse("has a control character or one that changes the direction of writing");
+  const std::string shown = "\"" + name + "\" ";
+  if (name.find_first_of("/\\") != std::string::npos)
+    refuse(shown + "has a slash; it names the picture's file");
+  if (name.front() == '.') refuse(shown + "begins with a dot; it names the picture's file");
+  if (name.front() == ' ' || name.back() == ' ' || name.back() == '.')
+    refuse(shown + "begins or ends with a space, or ends with a dot; it names the picture's file");
+  const std::u32string folded = caseFolded(name);
+  if (folded.ends_with(U".mask")) refuse(shown + "ends with .mask, which names the masks");
+  if (isDevice(folded))
+    refuse(shown + "is a device's name on Windows; it names the picture's file");
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts the desktop app.
+#include "gui/app/application.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "gui/app/main_window.h"
+#include "gui/app/translations.h"
+#include "gui/scene/vtk_widget.h"
+
+namespace hogelscope {
+
+int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
+  // Qt would end the process with a longer text.
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
+    throw InputError("window", "there is no display server (DISPLAY is not set)",
+                     "batch mode needs none, see --help");
+  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
+  const QApplication application(argc, argv);
+  QApplication::setApplicationName("Hogelscope");
+  QApplication::setApplicationVersion(HOGELSCOPE_VERSION);
+  QApplication::setOrganizationName("Hogelscope");
+  installTranslations();
+  MainWindow window;
+  QStringList names;
+  for (const std::string& file : files) names.append(QString::fromStdString(file));
+  window.start(names);
+  return QApplication::exec();
+}
+
+}  // namespace hogelscope

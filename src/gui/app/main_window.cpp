@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The main window: puts scene, simulated view, docks and menus together.
+#include "gui/app/main_window.h"
+
+#include <vtkObject.h>
+
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <utility>
+
+#include "gui/app/colours.h"
+#include "gui/app/help_commands.h"
+#include "gui/app/messages.h"
+#include "gui/app/window_layout.h"
+#include "gui/docks/distortion_dock.h"
+#include "gui/docks/light_field_dock.h"
+#include "gui/docks/psf_dock.h"
+#include "gui/docks/state_dock.h"
+#include "gui/files/file_commands.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/session/camera_commands.h"
+#include "gui/session/edit_commands.h"
+#include "gui/session/session_forms.h"
+#include "gui/session/session_model.h"
+#include "gui/session/state_commands.h"
+#include "gui/view/picture_commands.h"
+#include "gui/view/view_worker.h"
+#include "gui/widgets/reading_bar.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_ui(std::make_unique<Ui::MainWindow>()),
+      m_model(new SessionModel(this)),
+      m_worker(new ViewWorker(this)),
+      m_stateBox(new QComboBox(this)) {
+  vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
+  m_ui->setupUi(this);
+  m_messages = new Messages(this);
+  m_ui->splitter->setSizes({1000, 1000});
+  m_scene = new SceneController(*m_ui, m_model, this);
+  m_stateBox->setObjectName("stateBox");
+  m_stateBox->setToolTip(tr("The current camera state"));
+  m_stateBox->setMinimumContentsLength(24);
+  m_stateBox->setFocusPolicy(Qt::TabFocus);  // after a click, keys still move the camera
+  m_ui->toolBar->addWidget(m_stateBox);
+  addDocks();
+  arrangeDocks();
+  connectActions();
+  connectModel();
+  connectDocks();
+  connectWorker();
+  addHabits();
+  addEditing();
+  showTitle();
+}
+
+MainWindow::~MainWindow() {
+  hide();          // a field that loses the focus takes what was typed, while there is a session
+  delete m_scene;  // before the widget that it draws into
+}
+
+void MainWindow::addDocks() {
+  m_ui->lightFieldArea->setWidget(m_lightField = new LightFieldDock(m_model));
+  m_ui->displayArea->setWidget(stacked({contentForm(m_model, &Session::display)}));
+  m_ui->cameraArea->setWidget(stacked(
+      {stateForm(m_model, &CameraState::camera), stateForm(m_model, &CameraState::intrinsics)}));
+  m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
+  m_ui->psfArea->setWidget(new PsfDock(m_model));
+  auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
+  auto* states = new StateDock(m_model, commands);
+  m_ui->statesDock->setWidget(states);
+  connect(commands, &StateCommands::nameAsked, this, [this, states] {
+    m_ui->statesDock->show();
+    m_ui->statesDock->raise();
+    states->editName();
+  });
+  connect(commands, &StateCommands::failed, m_messages, &Messages::fail);
+  connect(commands, &StateCommands::done, m_messages, &Messages::say);
+}
+
+/// In the order of the line, one behind the other below the list of states: each is seen whole, and
+/// all fits into 1280 × 800.
+void MainWindow::arrangeDocks() {
+  const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
+                                        m_ui->cameraDock,     m_ui->distortionDock,
+                                        m_ui->psfDock,        m_ui->cameraSetDock};
+  m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
+    if (k > 0) tabifyDockWidget(parts[k - 1], parts[k]);
+  }
+  for (QDockWidget* dock : {m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
+    m_ui->viewMenu->addAction(dock->toggleViewAction());
+  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
+  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
+    dock->hide();
+  m_ui->cameraDock->raise();
+  const int states = m_ui->statesDock->sizeHint().height();  // a few rows
+  resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {states, 800 - states}, Qt::Vertical);
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::connectActions() {
+  connect(m_stateBox, &QComboBox::currentIndexChanged, this,
+          [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
+  m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
+  m_ui->toolBar->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
+  int digit = Qt::Key_1;
+  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
+                            m_ui->lightFieldDock, m_ui->displayDock, m_ui->statesDock})
+    dock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key(digit++));
+  m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
+  m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
+  m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
+}
+
+void MainWindow::connectModel() {
+  for (const auto signal :
+       {&SessionModel::opened, &SessionModel::saved, &SessionModel::edited,
+        &SessionModel::currentChanged, &SessionModel::statesChanged, &SessionModel::contentChanged})
+    connect(m_model, signal, m_messages, &Messages::dismiss);
+  connect(m_model, &SessionModel::opened, this, &MainWindow::showSession);
+  connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
+  connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);
+  connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
+  connect(m_model, &SessionModel::contentChanged, this, &MainWindow::showContent);
+  connect(m_model, &SessionModel::statesChanged, this, &MainWindow::showStates);
+  connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
+}
+
+void MainWindow::connectDocks() {
+  connect(m_ui->tradeoffView, &TradeoffView::failed, m_messages, &Messages::fail);
+  connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
+          [this](const std::optional<NamedMethod>& method) {
+            m_method = method;
+            render();
+          });
+  m_ui->reportPanel->setModel(m_model);
+  connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::fail);
+  connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
+  m_ui->cameraSetView->setModel(m_model);
+  connect(m_ui->cameraSetView, &CameraSetView::failed, m_messages, &Messages::fail);
+  connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
+  m_pictures = new PictureCommands(*m_ui, m_model, this);
+  for (const ParameterForm* form : findChildren<ParameterForm*>())
+    connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
+  connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
+  connect(m_pictures, &PictureCommands::failed, m_messages, &Messages::fail);
+  connect(m_pictures, &PictureCommands::done, m_messages, &Messages::say);
+}
+
+/// Last: keys are given to all actions.
+void MainWindow::addEditing() {
+  auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
+  connect(camera, &CameraCommands::failed, m_messages, &Messages::fail);
+  auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
+  connect(edit, &EditCommands::failed, m_messages, &Messages::fail);
+  edit->readKeys();
+}
+
+/// Back to the view, from a floating dock too: keys are commands again.
+void MainWindow::leaveForm() {
+  activateWindow();
+  m_ui->pictureView->setFocus();
+}
+
+void MainWindow::connectWorker() {
+  connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
+  connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
+  connect(m_worker, &ViewWorker::failed, this, &MainWindow::showFailure);
+  connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // of an older reading
+  connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
+  connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
+  connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
+}
+
+void MainWindow::render() {
+  if (!m_loaded) return;  // take() renders
+  m_worker->render(
+      {m_model->current(), m_display, m_model->session().sampling, m_method, m_pictures->other()});
+}
+
+void MainWindow::showView(const RenderedView& view) {
+  m_pictures->show(view);
+  const int views = view.otherImage.isNull() ? 1 : 2;
+  const QString form = views == 1 ? tr("%1 × %2 px in %3 ms, %4 views/s, %5")
+                                  : tr("%1 × %2 px, both in %3 ms, %4 views/s, %5");
+  QString line = form.arg(view.image.width())
+                     .arg(view.image.height())
+                     .arg(view.milliseconds, 0, 'f', 1)
+                     .arg(1000 * views / view.milliseconds, 0, 'f', 0)
+                     .arg(view.plan);
+  if (view.isOverview)
+    line += tr(", overview: the rest is being fetched");
+  else if (view.scale > 1)
+    line += tr(", resolution 1/%1").arg(view.scale);
+  if (m_method) line += tr(", method: %1").arg(QString::fromStdString(m_method->name));
+  m_messages->say(line);
+}
+
+/// To the measurement: the states as they are in the session now.
+void MainWindow::offerViews() {
+  std::vector<View> views;
+  if (m_loaded)
+    for (const CameraState& state : m_model->session().cameras)
+      views.push_back(m_loaded->view(state));
+  m_ui->tradeoffView->setViews(views);
+}
+
+bool MainWindow::openSession(const QString& file) {
+  return m_files->open(file);
+}
+
+bool MainWindow::saveSession(const QString& file) {
+  return m_files->save(file);
+}
+
+bool MainWindow::importCalibration(const QString& file) {
+  return m_files->importCalibration(file);
+}
+
+void MainWindow::start(const QStringList& files) {
+  m_layout->restore();
+  show();
+  m_files->offerRecovery();
+  m_files->take(files);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(m_files->mayLeave());
+  if (!event->isAccepted()) return;
+  m_layout->save();
+  m_files->end();
+}
+
+/// Files, help, colours, layout: classes that only need to be there.
+void MainWindow::addHabits() {
+  m_files = new FileCommands(*m_ui, m_model, this);
+  connect(m_files, &FileCommands::done, m_messages, &Messages::say);
+  connect(m_files, &FileCommands::failed, m_messages, &Messages::fail);
+  connect(m_files, &FileCommands::comparisonAsked, m_pictures, &PictureCommands::compareWith);
+  new HelpCommands(*m_ui, this);
+  new Colours(m_ui->coloursMenu, this);
+  m_layout = new WindowLayout(this, m_ui->splitter);
+  connect(m_ui->resetLayoutAction, &QAction::triggered, m_layout, &WindowLayout::reset);
+  m_readingBar = new ReadingBar(
+      tr("Light field"), [this] { return m_worker->readShare(); }, this);
+  m_readingBar->setObjectName("readingBar");
+  statusBar()->addPermanentWidget(m_readingBar);
+  connect(m_worker, &ViewWorker::loaded, m_readingBar, &QWidget::hide);
+  connect(m_worker, &ViewWorker::failed, m_readingBar, &QWidget::hide);
+  connect(m_worker, &ViewWorker::readingStopped, m_readingBar, &QWidget::hide);
+  connect(m_readingBar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
+}
+
+/// No picture is better than that of another light field.
+void MainWindow::showStopped() {
+  const QString line = tr("Stopped reading %1; to read it, open the session again")
+                           .arg(QString::fromStdString(m_model->session().lightField.file));
+  m_pictures->drop(line);
+  m_messages->say(line);
+}
+
+/// What the worker could not do, on the picture until it can.
+void MainWindow::showFailure(const QString& line) {
+  const QString what =
+      m_loaded ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
+  QString advice = tr("Correct it in the docks, undo the edit, or choose another state.");
+  if (!m_loaded)
+    advice =
+        tr("Correct it in the Light field or Display dock, undo the edit, or open the session "
+           "again.");
+  else if (m_pictures->other())
+    advice += tr(" Where it is the other light field's fault, stop comparing.");
+  m_pictures->doubt(what + "\n\n" + line + "\n\n" + advice);
+}
+
+/// Fills the list of states again.
+void MainWindow::showStates() {
+  const QSignalBlocker quiet(m_stateBox);
+  m_stateBox->clear();
+  for (const CameraState& state : m_model->session().cameras)
+    m_stateBox->addItem(QString::fromStdString(state.camera.name));
+  offerViews();
+  showCurrent();
+}
+
+void MainWindow::showSession() {
+  m_method.reset();
+  m_isNew = true;
+  m_ui->tradeoffView->forgetChoice();
+  m_pictures->drop({});
+  load();
+  showStates();
+}
+
+void MainWindow::load() {
+  m_asked = m_model->session();
+  m_display = m_asked.display;
+  m_loaded.reset();  // the old one's memory is free before the new one is read
+  m_ui->reportPanel->setReference(std::nullopt);
+  m_lightField->setScene(std::nullopt);
+  m_scene->setScene(std::nullopt);
+  m_worker->load(m_asked);
+  m_readingBar->show();
+  const QString line = tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file));
+  m_pictures->doubt(line);
+  m_messages->say(line);
+}
+
+/// What has been read, with the session's display and sampling as they are now.
+void MainWindow::take(const Scene& scene) {
+  m_loaded = scene;
+  m_pictures->doubt(tr("Rendering …"));
+  showContent();
+  if (std::exchange(m_isNew, false)) m_scene->scene().fit();
+}
+
+/// A light field that is in memory is not read again where only the panel's pose, size or lens or
+/// the sampling are others.
+void MainWindow::showContent() {
+  if (!m_loaded || !readTheSame(m_asked, m_model->session())) {
+    load();
+  } else {
+    m_loaded->display = resolved(m_model->session().display, m_loaded->lightField->size());
+    m_loaded->sampling = m_model->session().sampling;
+    m_display = m_loaded->display;
+    m_lightField->setScene(m_loaded);
+    m_scene->setScene(m_loaded);
+    m_ui->reportPanel->setReference(m_loaded);
+  }
+  offerViews();
+  showCurrent();
+}
+
+void MainWindow::showCurrent() {
+  const QSignalBlocker quiet(m_stateBox);
+  const auto index = int(m_model->currentIndex());
+  m_stateBox->setItemText(index, QString::fromStdString(m_model->current().camera.name));
+  m_stateBox->setCurrentIndex(index);
+  render();
+  showTitle();
+}
+
+void MainWindow::showTitle() {
+  const QString name = !m_model->file().isEmpty()           ? QFileInfo(m_model->file()).fileName()
+                       : m_model->session().cameras.empty() ? tr("no session")
+                                                            : tr("new session");
+  setWindowTitle(tr("%1[*] – Hogelscope").arg(name));
+  setWindowModified(m_model->isModified());
+  setWindowFilePath(m_model->file());
+  const bool isOpen = !m_model->session().cameras.empty();
+  for (QAction* action : {m_ui->saveAction, m_ui->saveAsAction, m_ui->importAction})
+    action->setEnabled(isOpen);
+  for (QWidget* part : std::initializer_list<QWidget*>{
+           m_ui->cameraMenu, m_ui->statesMenu, m_ui->displayArea, m_ui->cameraArea,
+           m_ui->distortionArea, m_ui->psfArea, m_ui->statesDock->widget()})
+    part->setEnabled(isOpen);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The main window: puts scene, simulated view, docks and menus together. It decides nothing.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "core/optics/session.h"
+#include "io/scene/scene.h"
+#include "study/tradeoff.h"
+
+class QComboBox;
+
+namespace Ui {
+class MainWindow;
+}
+
+namespace hogelscope {
+
+class DistortionDock;
+class FileCommands;
+class LightFieldDock;
+class Messages;
+class PictureCommands;
+class ReadingBar;
+class SceneController;
+class SessionModel;
+class ViewWorker;
+class WindowLayout;
+struct RenderedView;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
+  /// command line (FileCommands::take).
+  void start(const QStringList& files);
+  /// None of these asks; what goes wrong is told by Messages. True if it is done. What opens is a
+  /// session document, or a light field (an image or a folder), which a new session is made around.
+  bool openSession(const QString& file);
+  bool saveSession(const QString& file);
+  /// Into the current state.
+  bool importCalibration(const QString& file);
+
+ private:
+  void connectActions();
+  void connectModel();
+  void addDocks();
+  void arrangeDocks();
+  void connectDocks();
+  void connectWorker();
+  void addEditing();
+  void addHabits();
+  void closeEvent(QCloseEvent* event) override;
+  void leaveForm();
+  void showFailure(const QString& line);
+  void showStopped();
+  void showSession();
+  void showContent();
+  void load();
+  void take(const Scene& scene);
+  void showCurrent();
+  void showTitle();
+  void render();
+  void showView(const RenderedView& view);
+  void offerViews();
+  void showStates();
+
+  std::unique_ptr<Ui::MainWindow> m_ui;
+  SessionModel* m_model;
+  ViewWorker* m_worker;
+  Messages* m_messages = nullptr;
+  FileCommands* m_files = nullptr;
+  WindowLayout* m_layout = nullptr;
+  ReadingBar* m_readingBar = nullptr;
+  QComboBox* m_stateBox;
+  SceneController* m_scene;
+  PictureCommands* m_pictures = nullptr;
+  DistortionDock* m_distortion = nullptr;
+  LightFieldDock* m_lightField = nullptr;
+  DisplayParams m_display;              ///< resolved
+  bool m_isNew = false;                 ///< the session: the scene has to be fitted to it
+  std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be
+  Session m_asked;                      ///< whose light field was read last, or is read
+  std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The lens distortion dock: the current state's lens, a drawing of it, how far it can be trusted,
+// and the import of a calibration.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/lens/lens_rays.h"
+
+class QAction;
+class QLabel;
+
+namespace hogelscope {
+
+class LensView;
+class SessionModel;
+struct CertifiedLens;
+
+class DistortionDock : public QWidget {
+  Q_OBJECT
+
+ public:
+  DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent = nullptr);
+
+  /// Grey from the moment when the current state has another lens.
+  void showLens(const CertifiedLens& lens);
+
+ private:
+  void noteEdits();
+
+  SessionModel* m_model;
+  std::optional<LensKey> m_shown;
+  LensView* m_lens;
+  QLabel* m_certificate;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light field dock.
+#include "gui/docks/light_field_dock.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <array>
+
+#include "gui/session/session_forms.h"
+#include "gui/widgets/file_dialogs.h"
+
+namespace hogelscope {
+
+LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
+    : QWidget(parent), m_model(model), m_contents(new QLabel) {
+  m_contents->setObjectName("contentsLabel");
+  m_contents->setToolTip(tr("What has been read"));
+  m_contents->setWordWrap(true);
+  m_contents->setMargin(9);
+  auto* fileButton = button("chooseFileButton", tr("Choose &file…"),
+                            tr("Another picture: hogels, or a quilt of views"));
+  auto* folderButton = button("chooseFolderButton", tr("Choose f&older…"),
+                              tr("Another folder of views (sub-aperture pictures)"));
+  connect(fileButton, &QPushButton::clicked, this, &LightFieldDock::askFile);
+  connect(folderButton, &QPushButton::clicked, this, &LightFieldDock::askFolder);
+  auto* buttons = new QWidget;
+  auto* row = new QHBoxLayout(buttons);
+  row->addWidget(fileButton);
+  row->addWidget(folderButton);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stacked({contentForm(m_model, &Session::lightField), buttons, m_contents,
+                             contentForm(m_model, &Session::sampling)}));
+  const auto enable = [this, buttons] { buttons->setEnabled(!m_model->session().cameras.empty()); };
+  connect(m_model, &SessionModel::opened, this, enable);
+  enable();
+  setScene(std::nullopt);
+}
+
+void LightFieldDock::setScene(const std::optional<Scene>& scene) {
+  if (!scene) return m_contents->setText(tr("Nothing is in memory."));
+  const LightFieldSize& size = scene->lightField->size();
+  const std::array<QString, 3> types{tr("8 bit"), tr("16 bit"), tr("floating point")};
+  const LightField& lightField = *scene->lightField;
+  const QString where = lightField.store() != nullptr
+                            ? tr("in a store, of which each view reads what it needs")
+                            : tr("%1 in memory")
+                                  .arg(locale().formattedDataSize(
+                                      qint64(LightField::bytes(size, lightField.type()))));
+  m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"
+                         "as one hogel image: %6×%7 px; %8")
+                          .arg(size.nx)
+                          .arg(size.ny)
+                          .arg(size.du)
+                          .arg(size.dv)
+                          .arg(types[std::size_t(lightField.type())])
+                          .arg(size.width())
+                          .arg(size.height())
+                          .arg(where));
+}
+
+void LightFieldDock::choose(const QString& file) {
+  Session content = m_model->session();
+  content.lightField = withFile(content.lightField, file.toStdString());
+  m_model->setContent(content);
+}
+
+void LightFieldDock::askFile() {
+  const QString file =
+      chooseFile(this, tr("Choose light field"),
+                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+  if (!file.isEmpty()) choose(file);
+}
+
+void LightFieldDock::askFolder() {
+  const QString folder = chooseFolder(this, tr("Choose folder of views"));
+  if (!folder.isEmpty()) choose(folder);
+}
+
+}  // namespace hogelscope

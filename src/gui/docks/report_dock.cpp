@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report dock.
+#include "gui/docks/report_dock.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QStyle>
+#include <QTableView>
+#include <QUrl>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gui/docks/report_pictures.h"
+#include "gui/docks/report_table.h"
+#include "gui/docks/report_worker.h"
+#include "gui/session/session_forms.h"
+#include "gui/session/session_model.h"
+#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/polled_bar.h"
+#include "report/page/summary_page.h"
+
+namespace hogelscope {
+
+namespace {
+
+QWidget* beside(std::initializer_list<QWidget*> widgets) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* widget : widgets) layout->addWidget(widget);
+  return row;
+}
+
+/// In the report's heading.
+std::string nameOf(const SessionModel& model) {
+  const std::string file = model.file().toStdString();
+  if (!model.isModified()) return file;
+  return file.empty() ? "an untitled session" : file + " with unsaved changes";
+}
+
+/// Named after the session, or after its light field where it has no file yet.
+QString folderBeside(const SessionModel& model) {
+  const QString lightField = QString::fromStdString(model.session().lightField.file);
+  const QFileInfo info(QDir::cleanPath(model.file().isEmpty() ? lightField : model.file()));
+  return info.path() + "/" + info.completeBaseName() + "-report";
+}
+
+}  // namespace
+
+ReportDock::ReportDock(QWidget* parent)
+    : QWidget(parent),
+      m_worker(new ReportWorker(this)),
+      m_table(new ReportTable(this)),
+      m_sorted(new QSortFilterProxyModel(this)),
+      m_testList(new QListWidget),
+      m_folder(new QLineEdit),
+      m_makeButton(button("makeReportButton", {},
+                          tr("Renders every state from the session's light "
+                             "field and from each test, and compares"))),
+      m_pageButton(
+          button("openPageButton", tr("&Open page"), tr("Shows report.html in the web browser"))),
+      m_progress(new PolledBar([this] { return m_worker->share(); })),
+      m_note(new QLabel),
+      m_stale(new QLabel(tr("The session has been edited since this report was made."))),
+      m_rows(new QTableView),
+      m_pictures(new ReportPictures) {
+  m_sorted->setSourceModel(m_table);
+  m_sorted->setSortRole(ReportTable::sortRole);
+  m_rows->setObjectName("reportTable");
+  m_rows->setMinimumWidth(210);
+  m_rows->setModel(m_sorted);
+  m_rows->setSortingEnabled(true);
+  m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as the report has them
+  m_rows->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_rows->horizontalHeader()->setSortIndicatorClearable(true);  // by a third click
+  m_rows->verticalHeader()->setMaximumWidth(fontMetrics().averageCharWidth() * 20);
+  m_rows->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  m_rows->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  m_rows->horizontalHeader()->setDefaultSectionSize(
+      fontMetrics().horizontalAdvance("PSNR seen, dB ") + 16);
+  auto* parts = new QSplitter;
+  parts->addWidget(makeSettings());
+  parts->addWidget(m_rows);
+  parts->addWidget(m_pictures);
+  parts->setSizes({280, 420, 800});
+  parts->setChildrenCollapsible(false);
+  auto* layout = new QHBoxLayout(this);
+  layout->addWidget(parts);
+  m_pageButton->setEnabled(false);
+  connectAll();
+  showIdle();
+}
+
+QWidget* ReportDock::makeSettings() {
+  m_testList->setObjectName("testList");
+  m_testList->setToolTip(tr("The light fields that are compared with the session's own"));
+  m_testList->setMaximumHeight(90);
+  m_folder->setObjectName("reportFolder");
+  m_folder->setToolTip(
+      tr("Where report.html, report.csv and the pictures go; an older report there is replaced"));
+  m_note->setObjectName("reportNote");
+  m_note->setWordWrap(true);
+  m_stale->setObjectName("reportStale");
+  m_stale->setWordWrap(true);
+  m_stale->hide();
+  m_progress->setObjectName("reportProgress");
+  auto* addFile = button("addTestButton", tr("&Add…"), tr("An image or a session"));
+  auto* addFolder = button("addTestFolderButton", tr("Add &folder…"), tr("A folder of views"));
+  auto* remove = button("removeTestButton", tr("&Remove"), tr("The one that is marked"));
+  auto* choose = button("reportFolderButton", tr("Choose…"), tr("Another folder"));
+  connect(addFile, &QPushButton::clicked, this, &ReportDock::askTest);
+  connect(addFolder, &QPushButton::clicked, this, &ReportDock::askTestFolder);
+  connect(choose, &QPushButton::clicked, this, &ReportDock::askFolder);
+  connect(remove, &QPushButton::clicked, this, [this] {
+    delete m_testList->currentItem();
+    showIdle();
+  });
+  auto* settings = new QWidget;
+  auto* layout = new QVBoxLayout(settings);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(new QLabel(tr("Test light fields")));
+  layout->addWidget(m_testList);
+  layout->addWidget(beside({addFile, addFolder, remove}));
+  layout->addWidget(new QLabel(tr("Report folder")));
+  layout->addWidget(beside({m_folder, choose}));
+  layout->addWidget(beside({m_makeButton, m_pageButton}));
+  layout->addWidget(m_progress);
+  layout->addWidget(m_stale);
+  layout->addWidget(m_note);
+  layout->addStretch();
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidget(settings);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumWidth(settings->minimumSizeHint().width() +
+                        style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+  return area;
+}
+
+void ReportDock::connectAll() {
+  connect(m_makeButton, &QPushButton::clicked, this, &ReportDock::makeOrStop);
+  connect(m_pageButton, &QPushButton::clicked, this, &ReportDock::openPage);
+  connect(m_rows->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &ReportDock::showChosen);
+  connect(m_progress, &QProgressBar::valueChanged, this, &ReportDock::showTimeLeft);
+  connect(m_worker, &ReportWorker::rowFinished, this, &ReportDock::showRow);
+  connect(m_worker, &ReportWorker::finished, this, [this](const Report& report) {
+    showIdle();
+    if (m_table->rowCount() == 0) return;  // of another session
+    m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
+    m_pageButton->setEnabled(true);
+    if (!chosenRow()) chooseState(m_model->currentIndex());
+  });
+  connect(m_worker, &ReportWorker::stopped, this, [this] {
+    showIdle();
+    m_note->setText(tr("Stopped. What is finished is kept: the same report goes on from there."));
+  });
+  connect(m_worker, &ReportWorker::failed, this, [this](const QString& line) {
+    showIdle();
+    m_note->setText(line);
+    Q_EMIT failed(line);
+  });
+}
+
+void ReportDock::setModel(SessionModel* model) {
+  m_model = model;
+  connect(model, &SessionModel::opened, this, [this] {
+    forget();
+    setFolder(folderBeside(*m_model));
+  });
+  connect(model, &SessionModel::edited, this, &ReportDock::noteEdits);
+  connect(model, &SessionModel::statesChanged, this, &ReportDock::noteEdits);
+  connect(model, &SessionModel::currentChanged, this,
+          [this] { chooseState(m_model->currentIndex()); });
+  showIdle();
+}
+
+/// Rows of another session are not shown any more, and a report that is under way stops.
+void ReportDock::forget() {
+  if (m_isAtWork) stop();
+  m_table->begin(0);
+  m_note->clear();
+  m_stale->hide();
+  m_pageButton->setEnabled(false);
+  m_pictures->clear();
+  tellPsnr();
+  if (!m_isAtWork) showIdle();
+}
+
+void ReportDock::noteEdits() {
+  if (m_table->rowCount() == 0) return showIdle();
+  const auto nameOf = [](const CameraState& state) { return state.camera.name; };
+  if (!std::ranges::equal(m_request.session.cameras, m_model->session().cameras, {}, nameOf,
+                          nameOf))
+    return forget();
+  Session reported = m_request.session;
+  reported.sampling.tolerance = m_model->session().sampling.tolerance;
+  m_stale->setVisible(reported != m_model->session());
+}
+
+void ReportDock::setReference(const std::optional<Scene>& scene) {
+  m_reference = scene;
+}
+
+void ReportDock::askTest() {
+  const QStringList files =
+      chooseFiles(this, tr("Add test light fields"),
+                  tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff "
+                     "*.exr *.json);;All files (*)"));
+  for (const QString& file : files) addTest(file);
+}
+
+void ReportDock::askTestFolder() {
+  const QString folder = chooseFolder(this, tr("Add a folder of views"));
+  if (!folder.isEmpty()) addTest(folder);
+}
+
+void ReportDock::addTest(const QString& file) {
+  m_testList->addItem(file);
+  m_testList->setCurrentRow(m_testList->count() - 1);
+  if (!m_isAtWork) showIdle();
+}
+
+void ReportDock::askFolder() {
+  const QString folder = chooseFolder(this, tr("Folder of the report"));
+  if (!folder.isEmpty()) setFolder(folder);
+}
+
+void ReportDock::setFolder(const QString& folder) {
+  m_folder->setText(folder);
+}
+
+void ReportDock::openPage() {
+  const QString page = QString::fromStdString(m_request.output) + "/report.html";
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+    Q_EMIT failed(tr("%1: no web browser could be started for it").arg(page));
+}
+
+void ReportDock::makeOrStop() {
+  if (m_isAtWork) return stop();
+  start();
+}
+
+void ReportDock::start() {
+  m_tests.clear();
+  for (int k = 0; k < m_testList->count(); ++k)
+    m_tests.push_back(m_testList->item(k)->text().toStdString());
+  m_request = {};
+  m_request.session = m_model->session();
+  m_request.session.sampling.tolerance = 0;  // differences are the light fields'
+  const bool isEdited = m_model->isModified();
+  m_request.name = nameOf(*m_model);
+  if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
+  m_request.output = m_folder->text().toStdString();
+  m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
+  m_request.images = true;  // what a click on a row shows
+  m_request.reference = m_reference;
+  if (m_request.reference) m_request.reference->sampling.tolerance = 0;
+  m_table->begin(m_request.session.cameras.size() * m_tests.size());
+  m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
+  m_pictures->clear();
+  m_test = 0;
+  tellPsnr();
+  m_isAtWork = true;
+  m_note->clear();
+  m_stale->hide();
+  m_pageButton->setEnabled(false);
+  m_makeButton->setText(tr("&Stop"));
+  m_clock.start();
+  m_worker->start(m_request, m_tests);
+  m_progress->setVisible(true);
+}
+
+void ReportDock::stop() {
+  m_worker->stop();
+  m_makeButton->setText(tr("Stopping…"));
+  m_makeButton->setEnabled(false);
+}
+
+void ReportDock::showIdle() {
+  m_isAtWork = false;
+  m_makeButton->setText(tr("&Make report"));
+  m_makeButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&
+                           m_testList->count() > 0);
+  m_progress->setVisible(false);
+}
+
+void ReportDock::showTimeLeft() {
+  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, m_worker->share());
+  m_progress->setFormat("%p % " + QString::fromStdString(left));
+}
+
+void ReportDock::showRow(std::size_t index, const ReportRow& row) {
+  m_table->set(index, row);
+  if (chosenRow() == index) showPictures(index);
+  tellPsnr();
+}
+
+void ReportDock::tellPsnr() {
+  std::vector<double> dB;
+  if (m_table->rowCount() > 0) {
+    dB.assign(m_request.session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t state = 0; state < dB.size(); ++state)
+      if (const auto& row = m_table->row(state * m_tests.size() + m_test); row)
+        dB[state] = psnr(row->metrics.mse);
+  }
+  if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
+  Q_EMIT psnrChanged(dB);
+}
+
+std::optional<std::size_t> ReportDock::chosenRow() const {
+  const QModelIndex current = m_sorted->mapToSource(m_rows->currentIndex());
+  if (!current.isValid()) return std::nullopt;
+  return std::size_t(current.row());
+}
+
+void ReportDock::showChosen() {
+  const std::optional<std::size_t> row = chosenRow();
+  if (!row || m_tests.empty()) return;
+  if (const std::size_t test = *row % m_tests.size(); test != m_test) {
+    m_test = test;
+    tellPsnr();
+  }
+  showPictures(*row);
+  m_model->setCurrentIndex(*row / m_tests.size());
+}
+
+void ReportDock::showPictures(std::size_t index) {
+  const std::optional<ReportRow>& row = m_table->row(index);
+  if (!row) return m_pictures->clear();
+  QImage reference;
+  QImage test;
+  if (row->problem.empty()) {
+    const QString folder = QString::fromStdString(m_request.output);
+    const QString name = "/" + QString::fromStdString(row->state) + ".png";
+    reference.load(folder + "/reference" + name);
+    test.load(folder + "/test" + QString::number(index % m_tests.size() + 1) + name);
+  }
+  m_pictures->setPictures(QString::fromStdString(row->state), reference, test);
+}
+
+void ReportDock::chooseState(std::size_t state) {
+  const std::size_t row = state * m_tests.size() + m_test;
+  if (m_tests.empty() || row >= std::size_t(m_table->rowCount()) || chosenRow() == row) return;
+  m_rows->selectRow(m_sorted->mapFromSource(m_table->index(int(row), 0)).row());
+}
+
+}  // namespace hogelscope

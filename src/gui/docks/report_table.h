@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A report's rows as a table, filled while the report is made. The states' names head the rows.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "core/metrics/report_rows.h"
+
+namespace hogelscope {
+
+class ReportTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { test, psnrColumn, psnrSeenColumn, ssimColumn, seenColumn, columns };
+  /// By which a column is sorted: numbers as numbers.
+  static constexpr int sortRole = Qt::UserRole;
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// So many rows, none of which is known yet.
+  void begin(std::size_t rows);
+  void set(std::size_t index, const ReportRow& row);
+  [[nodiscard]] const std::optional<ReportRow>& row(std::size_t index) const {
+    return m_rows[index];
+  }
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                    int role) const override;
+
+ private:
+  [[nodiscard]] QVariant rowHeader(int section, int role) const;
+
+  std::vector<std::optional<ReportRow>> m_rows;
+};
+
+}  // namespace hogelscope

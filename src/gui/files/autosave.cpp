@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the edited session on disk.
+#include "gui/files/autosave.h"
+
+#include <QFile>
+#include <QUuid>
+
+#include "gui/session/session_model.h"
+#include "gui/widgets/message_boxes.h"
+#include "io/files/atomic_file.h"
+
+namespace hogelscope {
+
+namespace {
+
+QString newBase() {
+  return autosaveFolder() + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
+}
+
+}  // namespace
+
+Autosave::Autosave(SessionModel* model, QObject* parent)
+    : QObject(parent), m_model(model), m_entry(newBase()) {
+  m_timer.setSingleShot(true);
+  m_timer.setInterval(std::chrono::seconds(3));
+  connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
+  connect(model, &SessionModel::edited, this, &Autosave::writeSoon);
+  connect(model, &SessionModel::statesChanged, this, &Autosave::writeSoon);
+  connect(model, &SessionModel::contentChanged, this, &Autosave::writeSoon);
+  connect(model, &SessionModel::saved, this, &Autosave::forget);
+  connect(model, &SessionModel::opened, this, [this] {
+    forget();
+    if (m_model->isModified()) write();  // recovered
+  });
+}
+
+/// Not put off by the edits that follow: a slider may move for minutes.
+void Autosave::writeSoon() {
+  if (!m_timer.isActive()) m_timer.start();
+}
+
+/// What cannot be written now, because the disk is full or two values do not go together yet, is
+/// tried again; the one before stays meanwhile.
+void Autosave::write() {
+  if (!m_model->isModified()) return forget();
+  try {
+    check(m_model->session());
+    makeFolder(autosaveFolder().toStdString());
+    if (!m_entry.lock()) return m_timer.start();
+    m_entry.write(m_model->session(), m_model->file());
+  } catch (const std::exception&) {
+    m_timer.start();
+  }
+}
+
+void Autosave::forget() {
+  m_timer.stop();
+  m_entry.remove();
+}
+
+void Autosave::offerRecovery(QWidget* window) {
+  for (const auto& entry : abandonedEntries()) {
+    const Recovery answer = askRecovery(window, entry->document(), entry->time());
+    if (answer == Recovery::discard) entry->remove();
+    if (answer == Recovery::recover && recover(*entry)) return;
+  }
+}
+
+/// The one on disk goes only when this program has written its own.
+bool Autosave::recover(AutosaveEntry& entry) {
+  try {
+    m_model->recover(entry.sessionFile(), entry.document());
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+  if (!m_model->isModified() || QFile::exists(m_entry.sessionFile())) entry.remove();
+  return true;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The File menu.
+#include "gui/files/file_commands.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "gui/files/autosave.h"
+#include "gui/files/file_drop.h"
+#include "gui/files/recent_files.h"
+#include "gui/session/session_model.h"
+#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/message_boxes.h"
+#include "io/documents/calibration_file.h"
+#include "io/documents/session_file.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window)
+    : QObject(window),
+      m_model(model),
+      m_window(window),
+      m_recent(new RecentFiles(ui.recentMenu, this)),
+      m_autosave(new Autosave(model, this)) {
+  connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
+  connect(ui.openLightFieldAction, &QAction::triggered, this, &FileCommands::askLightField);
+  connect(ui.openFolderAction, &QAction::triggered, this, &FileCommands::askFolder);
+  connect(ui.saveAction, &QAction::triggered, this, &FileCommands::saveOrAsk);
+  connect(ui.saveAsAction, &QAction::triggered, this, &FileCommands::askSaveAs);
+  connect(ui.importAction, &QAction::triggered, this, &FileCommands::askImport);
+  connect(ui.quitAction, &QAction::triggered, window, &QWidget::close);
+  connect(m_recent, &RecentFiles::chosen, this, [this](const QString& file) {
+    if (mayLeave()) open(file);
+  });
+  connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
+  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::take,
+          Qt::QueuedConnection);
+}
+
+template <class Action>
+bool FileCommands::guarded(Action action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+bool FileCommands::open(const QString& file) {
+  return guarded([&] {
+    if (isSessionFile(file.toStdString())) {
+      m_model->open(file);
+      m_recent->add(file);
+    } else {
+      m_model->openLightField(file);
+    }
+    rememberFolderOf(file);
+  });
+}
+
+bool FileCommands::save(const QString& file) {
+  return guarded([&] {
+    m_model->save(file);
+    m_recent->add(file);
+    rememberFolderOf(file);
+    Q_EMIT done(tr("Saved %1").arg(file));
+  });
+}
+
+bool FileCommands::importCalibration(const QString& file) {
+  return guarded([&] {
+    CameraState state = m_model->current();
+    apply(loadCalibration(file.toStdString()), state);
+    m_model->setCurrent(state);
+  });
+}
+
+void FileCommands::take(const QStringList& files) {
+  QStringList sorted = files;  // the session comes first
+  std::stable_partition(sorted.begin(), sorted.end(),
+                        [](const QString& file) { return isSessionFile(file.toStdString()); });
+  for (qsizetype k = 0; k < sorted.size(); ++k) takeOne(sorted[k], k == 0);
+}
+
+/// Only the first can be the session to open: a second one is a light field to compare with.
+void FileCommands::takeOne(const QString& file, bool isFirst) {
+  const QString suffix = QFileInfo(file).suffix().toLower();
+  const bool isCalibration = suffix == "yml" || suffix == "yaml";
+  const bool isOpen = !m_model->session().cameras.empty();
+  if (isFirst && (isSessionFile(file.toStdString()) || !(isOpen || isCalibration))) {
+    if (mayLeave()) open(file);
+  } else if (!isOpen) {
+    Q_EMIT failed(tr("%1: needs an open session (*.json)").arg(file));
+  } else if (isCalibration) {
+    importCalibration(file);
+  } else {
+    Q_EMIT comparisonAsked(file);
+  }
+}
+
+bool FileCommands::mayLeave() {
+  if (!m_model->isModified()) return true;
+  const QString name =
+      m_model->file().isEmpty() ? tr("The session") : QFileInfo(m_model->file()).fileName();
+  const Unsaved answer = askUnsaved(m_window, name);
+  return answer == Unsaved::save ? saveOrAsk() : answer == Unsaved::discard;
+}
+
+void FileCommands::end() {
+  m_autosave->forget();
+}
+
+void FileCommands::offerRecovery() {
+  m_autosave->offerRecovery(m_window);
+}
+
+bool FileCommands::saveOrAsk() {
+  return m_model->file().isEmpty() ? askSaveAs() : save(m_model->file());
+}
+
+bool FileCommands::askSaveAs() {
+  const QString file =
+      chooseNewFile(m_window, tr("Save session as"), QFileInfo(m_model->file()).fileName(),
+                    tr("Sessions (*.json)"));
+  return !file.isEmpty() && save(file);
+}
+
+void FileCommands::askOpen() {
+  const QString file = chooseFile(m_window, tr("Open session"), tr("Sessions (*.json)"));
+  if (!file.isEmpty() && mayLeave()) open(file);
+}
+
+void FileCommands::askLightField() {
+  const QString file =
+      chooseFile(m_window, tr("Open light field"),
+                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+  if (!file.isEmpty() && mayLeave()) open(file);
+}
+
+void FileCommands::askFolder() {
+  const QString folder = chooseFolder(m_window, tr("Open folder of views"));
+  if (!folder.isEmpty() && mayLeave()) open(folder);
+}
+
+void FileCommands::askImport() {
+  const QString file = chooseFile(m_window, tr("Import OpenCV calibration"),
+                                  tr("Calibrations (*.yml *.yaml *.json)"));
+  if (!file.isEmpty()) importCalibration(file);
+}
+
+}  // namespace hogelscope

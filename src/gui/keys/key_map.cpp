@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All commands of a window and their keys.
+#include "gui/keys/key_map.h"
+
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSet>
+#include <QStandardPaths>
+#include <QToolBar>
+#include <algorithm>
+
+#include "io/documents/key_map_file.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string fileName() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation);
+  return (folder + "/keys.json").toStdString();
+}
+
+/// A menu's text without mnemonic and dots.
+QString plain(QString text) {
+  return text.remove('&').remove(QStringLiteral("…"));
+}
+
+template <class Widget>
+Widget* holderOf(const QAction* action) {
+  for (QObject* object : action->associatedObjects())
+    if (auto* widget = qobject_cast<Widget*>(object)) return widget;
+  return nullptr;
+}
+
+/// "Camera, Large steps"; an action in no menu is its widget's own.
+QString sectionOf(const QAction* action) {
+  if (const auto* menu = holderOf<QMenu>(action)) {
+    const QString above = sectionOf(menu->menuAction());
+    return above.isEmpty() ? plain(menu->title()) : above + ", " + plain(menu->title());
+  }
+  const auto* widget = holderOf<QWidget>(action);
+  if (widget == nullptr || widget->accessibleName().isEmpty()) return {};
+  return KeyMap::tr("%1 that has the focus").arg(widget->accessibleName());
+}
+
+/// The widgets whose focus a command needs; none for those that work anywhere in the window.
+QSet<QWidget*> focusWidgetsOf(const QList<QPointer<QAction>>& actions) {
+  QSet<QWidget*> widgets;
+  for (const QPointer<QAction>& action : actions) {
+    if (action == nullptr || action->shortcutContext() != Qt::WidgetShortcut) continue;
+    for (QObject* object : action->associatedObjects())
+      if (auto* widget = qobject_cast<QWidget*>(object);
+          widget != nullptr && qobject_cast<QMenu*>(object) == nullptr)
+        widgets.insert(widget);
+  }
+  return widgets;
+}
+
+bool isCommand(const QAction* action) {
+  const QString name = action->objectName();
+  return !name.isEmpty() && !name.startsWith('_') && !name.startsWith("qt_") &&
+         !action->isSeparator() && action->menu() == nullptr;
+}
+
+bool isKey(const QKeySequence& key, const std::string& text) {
+  if (text.empty()) return true;
+  for (int k = 0; k < key.count(); ++k)
+    if (key[uint(k)].key() == Qt::Key_unknown) return false;
+  return !key.isEmpty();
+}
+
+}  // namespace
+
+KeyMap::KeyMap(QMainWindow* window) : QObject(window) {
+  const auto nameToggle = [](const QWidget* part, QAction* toggle, const QString& help) {
+    toggle->setObjectName(part->objectName() + "Action");
+    toggle->setToolTip(help.arg(part->windowTitle()));
+  };
+  for (auto* dock : window->findChildren<QDockWidget*>())
+    nameToggle(dock, dock->toggleViewAction(), tr("Shows, brings to the front or hides: %1"));
+  for (auto* bar : window->findChildren<QToolBar*>())
+    nameToggle(bar, bar->toggleViewAction(), tr("Shows or hides: %1"));
+  for (QAction* action : window->findChildren<QAction*>())
+    if (isCommand(action)) addAction(action);
+  std::ranges::stable_sort(m_commands, {}, &Command::section);
+}
+
+void KeyMap::addAction(QAction* action) {
+  const auto same = std::ranges::find(m_commands, action->objectName(), &Command::name);
+  if (same != m_commands.end()) {
+    same->actions.append(action);
+    return;
+  }
+  const QString title = plain(action->text());
+  const QString help = action->toolTip();
+  m_commands.push_back({action->objectName(),
+                        sectionOf(action),
+                        title,
+                        help == title ? QString() : help,
+                        {action},
+                        action->shortcuts(),
+                        action->shortcuts()});
+}
+
+/// Never both at once: each needs the focus of a widget that the other has not.
+bool KeyMap::areApart(const Command& a, const Command& b) {
+  const QSet<QWidget*> of = focusWidgetsOf(a.actions);
+  const QSet<QWidget*> others = focusWidgetsOf(b.actions);
+  return !of.isEmpty() && !others.isEmpty() && !of.intersects(others);
+}
+
+std::vector<std::size_t> KeyMap::conflictsOf(std::size_t command) const {
+  std::vector<std::size_t> others;
+  const auto isUsed = [&](const QKeySequence& key) {
+    return m_commands[command].keys.contains(key);
+  };
+  for (std::size_t k = 0; k < m_commands.size(); ++k)
+    if (k != command && std::ranges::any_of(m_commands[k].keys, isUsed) &&
+        !areApart(m_commands[k], m_commands[command]))
+      others.push_back(k);
+  return others;
+}
+
+void KeyMap::assign(Command& command, const QList<QKeySequence>& keys) {
+  command.keys = keys;
+  for (const QPointer<QAction>& action : command.actions)
+    if (action != nullptr) action->setShortcuts(keys);
+}
+
+void KeyMap::setKey(std::size_t command, const QKeySequence& key) {
+  assign(m_commands.at(command), key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key});
+  finish();
+}
+
+void KeyMap::reset(std::size_t command) {
+  assign(m_commands.at(command), m_commands.at(command).defaults);
+  finish();
+}
+
+void KeyMap::resetAll() {
+  for (Command& command : m_commands) assign(command, command.defaults);
+  finish();
+}
+
+/// Tells and saves.
+void KeyMap::finish() {
+  Q_EMIT changed();
+  KeyTexts texts;
+  for (const Command& command : m_commands)
+    if (command.keys != command.defaults) {
+      const QKeySequence key = command.keys.value(0);
+      texts[command.name.toStdString()] = key.toString(QKeySequence::PortableText).toStdString();
+    }
+  try {
+    saveKeyTexts(fileName(), texts);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void KeyMap::load() {
+  if (!QFileInfo::exists(QString::fromStdString(fileName()))) return;
+  try {
+    for (const auto& [name, text] : loadKeyTexts(fileName())) {
+      const QString wanted = QString::fromStdString(name);
+      const auto command = std::ranges::find(m_commands, wanted, &Command::name);
+      if (command == m_commands.end()) continue;  // of another version
+      const auto key =
+          QKeySequence::fromString(QString::fromStdString(text), QKeySequence::PortableText);
+      if (isKey(key, text))
+        assign(*command, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key});
+      else
+        Q_EMIT failed(
+            tr("%1: keys.%2: \"%3\" is not a key")
+                .arg(QString::fromStdString(fileName()), wanted, QString::fromStdString(text)));
+    }
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+  Q_EMIT changed();
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps single-key shortcuts out of fields, and lets undo through where a field has nothing to
+// undo.
+#include "gui/keys/typing_guard.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+
+namespace hogelscope {
+
+namespace {
+
+bool isText(const QKeyEvent& key) {
+  const Qt::KeyboardModifiers others = key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+  return others == Qt::NoModifier && key.key() < Qt::Key_Escape;
+}
+
+/// The field itself, or the one in a spin box.
+const QLineEdit* lineOf(const QObject* watched) {
+  const auto* line = qobject_cast<const QLineEdit*>(watched);
+  if (line == nullptr && qobject_cast<const QAbstractSpinBox*>(watched) != nullptr)
+    line = watched->findChild<const QLineEdit*>();
+  return line;
+}
+
+/// Undo or redo of typing, where there is none.
+bool isIdle(const QLineEdit& line, const QKeyEvent& key) {
+  return (key.matches(QKeySequence::Undo) && !line.isUndoAvailable()) ||
+         (key.matches(QKeySequence::Redo) && !line.isRedoAvailable());
+}
+
+}  // namespace
+
+TypingGuard::TypingGuard(QObject* parent) : QObject(parent) {
+  QCoreApplication::instance()->installEventFilter(this);
+}
+
+bool TypingGuard::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return false;
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  if (qobject_cast<QComboBox*>(watched) != nullptr && isText(key)) {
+    event->accept();
+    return true;
+  }
+  const QLineEdit* line = lineOf(watched);
+  return line != nullptr && isIdle(*line, key);  // unaccepted: the shortcut goes on
+}
+
+}  // namespace hogelscope

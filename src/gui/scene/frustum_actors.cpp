@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frusta of all states in the 3-D scene.
+#include "gui/scene/frustum_actors.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTexture.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/optics/viewing_zone.h"
+#include "gui/scene/scene_actor.h"
+#include "vtk/line_picker.h"
+#include "vtk/vtkCameraFrustumSource.h"
+
+namespace hogelscope {
+
+namespace {
+
+using Colour = std::array<unsigned char, 3>;
+constexpr Colour currentColour{255, 166, 38};
+constexpr Colour otherColour{140, 191, 153};
+constexpr Colour outsideColour{200, 120, 120};
+
+}  // namespace
+
+FrustumActors::FrustumActors(vtkRenderer* renderer) {
+  addToScene(renderer, m_otherPictures, m_others->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
+  addToScene(renderer, m_markedPicture, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
+  addToScene(renderer, m_otherLines, m_others->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
+  addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
+  m_markedLines->GetProperty()->SetLineWidth(3);
+  m_markedLines->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
+  for (vtkActor* pictures : {m_otherPictures.Get(), m_markedPicture.Get()})
+    pictures->SetTexture(m_pictures.texture());
+  setPicturesVisible(false);
+  renderer->AddViewProp(m_psnr.bar());
+}
+
+FrustumActors::~FrustumActors() = default;
+
+void FrustumActors::show(const DisplayParams& display, const std::vector<CameraState>& states,
+                         std::size_t current) {
+  m_display = display;
+  m_states = states;
+  m_current = current;
+  m_pictures.setCount(states.size());
+  update();
+}
+
+void FrustumActors::showPsnr(const std::vector<double>& values) {
+  m_psnr.setValues(values);
+  update();
+}
+
+void FrustumActors::update() {
+  std::vector<CameraFrustum> others;
+  std::vector<CameraFrustum> marked;
+  for (std::size_t k = 0; k < m_states.size(); ++k) {
+    const CameraParams& camera = m_states[k].camera;
+    const bool isOutside = shareSeenFrom(m_display, camera.eye) == 0;
+    Colour colour = k == m_current ? currentColour : isOutside ? outsideColour : otherColour;
+    if (m_psnr.hasValue(k)) colour = m_psnr.colour(k);
+    (k == m_current ? marked : others)
+        .push_back({camera, m_states[k].intrinsics, int(k), colour, isOutside});
+  }
+  m_others->SetFrusta(others);
+  m_marked->SetFrusta(marked);
+  m_others->SetAtlasColumns(m_pictures.columns());
+  m_marked->SetAtlasColumns(m_pictures.columns());
+}
+
+void FrustumActors::setPicturesVisible(bool areVisible) {
+  m_otherPictures->SetVisibility(areVisible);
+  m_markedPicture->SetVisibility(areVisible);
+}
+
+void FrustumActors::putPicture(std::size_t state, vtkImageData* picture) {
+  m_pictures.put(state, picture);
+}
+
+std::vector<int> FrustumActors::statesAt(vtkRenderer* renderer, const ScreenPlace& place) const {
+  vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      renderer->GetTiledAspectRatio(), -1, 1);
+  std::vector<int> found;
+  std::vector<int> all;
+  for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get()}) {
+    source->Update();
+    found = hogelscope::statesAt(source->GetOutput(0), clipFromWorld, place);
+    std::copy(found.begin(), found.end(), std::back_inserter(all));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace hogelscope

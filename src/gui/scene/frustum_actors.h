@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frusta of all states in the 3-D scene: the current one marked, those outside the viewing zone
+// dashed, coloured by PSNR where there is one, with their pictures where wanted.
+#pragma once
+
+#include <vtkNew.h>
+
+#include <vector>
+
+#include "core/optics/session.h"
+#include "gui/scene/psnr_scale.h"
+#include "gui/scene/state_pictures.h"
+
+class vtkActor;
+class vtkCameraFrustumSource;
+class vtkRenderer;
+
+namespace hogelscope {
+
+struct ScreenPlace;
+
+class FrustumActors {
+ public:
+  explicit FrustumActors(vtkRenderer* renderer);
+  ~FrustumActors();
+  FrustumActors(const FrustumActors&) = delete;
+  FrustumActors& operator=(const FrustumActors&) = delete;
+
+  void show(const DisplayParams& display, const std::vector<CameraState>& states,
+            std::size_t current);
+  /// In dB, by state; empty: none.
+  void showPsnr(const std::vector<double>& values);
+  void setPicturesVisible(bool areVisible);
+  void putPicture(std::size_t state, vtkImageData* picture);
+  void clearPictures() { m_pictures.clear(); }
+  /// The states whose frusta are drawn at a place of the screen, in ascending order.
+  [[nodiscard]] std::vector<int> statesAt(vtkRenderer* renderer, const ScreenPlace& place) const;
+
+ private:
+  void update();
+
+  DisplayParams m_display;
+  std::vector<CameraState> m_states;
+  std::size_t m_current = 0;
+  PsnrScale m_psnr;
+  StatePictures m_pictures;
+  vtkNew<vtkCameraFrustumSource> m_others;
+  vtkNew<vtkCameraFrustumSource> m_marked;
+  vtkNew<vtkActor> m_otherLines;
+  vtkNew<vtkActor> m_markedLines;
+  vtkNew<vtkActor> m_otherPictures;
+  vtkNew<vtkActor> m_markedPicture;
+};
+
+}  // namespace hogelscope

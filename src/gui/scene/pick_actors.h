@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is picked, in the 3-D scene: a hogel's angular field with its own picture, a pixel's ray.
+#pragma once
+
+#include <vtkNew.h>
+
+#include <string>
+
+#include "core/optics/display.h"
+
+class vtkActor;
+class vtkHogelFieldSource;
+class vtkImageData;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkTexture;
+
+namespace hogelscope {
+
+class PickActors {
+ public:
+  explicit PickActors(vtkRenderer* renderer);
+  ~PickActors();
+  PickActors(const PickActors&) = delete;
+  PickActors& operator=(const PickActors&) = delete;
+
+  /// With its indices below it; `picture` has a pixel for each of the hogel's directions.
+  void showHogel(const DisplayParams& display, int i, int j, vtkImageData* picture);
+  /// In the world, metres.
+  void showRay(const Vec3& from, const Vec3& to);
+  void hideHogel();
+  void hideRay();
+  [[nodiscard]] bool hasHogel() const;
+  [[nodiscard]] bool hasRay() const;
+  /// Of the hogel; "" where there is none.
+  [[nodiscard]] std::string label() const;
+
+ private:
+  vtkNew<vtkHogelFieldSource> m_field;
+  vtkNew<vtkActor> m_rays;
+  vtkNew<vtkActor> m_end;
+  vtkNew<vtkTexture> m_picture;
+  vtkNew<vtkTextActor> m_label;
+  vtkNew<vtkPolyData> m_line;
+  vtkNew<vtkActor> m_ray;
+};
+
+}  // namespace hogelscope

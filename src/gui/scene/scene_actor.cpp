@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A part of the 3-D scene that is drawn as it is, unlit; labels.
+#include "gui/scene/scene_actor.h"
+
+#include <vtkCoordinate.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+namespace hogelscope {
+
+void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
+                const std::array<double, 3>& colour, SceneLevel level) {
+  const vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  if (level == SceneLevel::panel)
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 4);
+  else
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -4);
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->LightingOff();
+  renderer->AddActor(actor);
+}
+
+void makePlain(vtkTextProperty* text) {
+  text->SetFontSize(14);
+  text->SetColor(0.85, 0.85, 0.85);
+  text->ItalicOff();
+  text->BoldOff();
+  text->ShadowOff();
+}
+
+/// Not vtkBillboardTextActor3D: its translucency takes a pass over the whole picture.
+void addLabel(vtkRenderer* renderer, vtkTextActor* label) {
+  makePlain(label->GetTextProperty());
+  label->GetTextProperty()->SetJustificationToCentered();
+  label->GetTextProperty()->SetVerticalJustificationToTop();
+  label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  renderer->AddViewProp(label);
+}
+
+}  // namespace hogelscope

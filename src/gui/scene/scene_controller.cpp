@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Joins the 3-D scene with the session, its rendering thread and the Scene menu.
+#include "gui/scene/scene_controller.h"
+
+#include <QToolTip>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/optics/panel_view.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_text.h"
+#include "gui/scene/vtk_picture.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/session/session_model.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Of a store the overview's: to fetch all directions of one hogel takes longer than a click
+/// should.
+VtkPicture hogelPictureOf(const LightField& lightField, int i, int j) {
+  if (lightField.store() == nullptr) return vtkPicture(hogelPicture(lightField, i, j), {0, 0, 0});
+  try {
+    const auto small = lightField.store()->overview();
+    const int smallI = i * small->size().nx / lightField.size().nx;
+    const int smallJ = j * small->size().ny / lightField.size().ny;
+    return vtkPicture(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
+  } catch (const InputError&) {  // it is damaged: the simulated view says so
+    return vtkPicture(Image(1, 1), {0, 0, 0});
+  }
+}
+
+}  // namespace
+
+SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent)
+    : QObject(parent),
+      m_form(form),
+      m_model(model),
+      m_worker(new SceneWorker(this)),
+      m_scene(std::make_unique<DisplayScene>(*form.sceneWidget, nullptr)) {
+  connectActions();
+  connectModel();
+  connectScene();
+  showText();
+  m_scene->fit();
+}
+
+SceneController::~SceneController() = default;
+
+void SceneController::connectActions() {
+  const auto on = [this](QAction* action, auto slot) {
+    connect(action, &QAction::triggered, this, slot);
+  };
+  on(m_form.fitAction, [this] { m_scene->fit(); });
+  on(m_form.sceneFrontAction, [this] { m_scene->lookFrom(SceneSide::front); });
+  on(m_form.sceneTopAction, [this] { m_scene->lookFrom(SceneSide::top); });
+  on(m_form.sceneSideAction, [this] { m_scene->lookFrom(SceneSide::side); });
+  // Keys of the scene itself: elsewhere arrows mean something else.
+  const auto onScene = [this, on](QAction* action, auto slot) {
+    m_form.sceneWidget->addAction(action);
+    on(action, slot);
+  };
+  constexpr double step = 5;  // degrees
+  onScene(m_form.sceneLeftAction, [this] { m_scene->turn(-step, 0); });
+  onScene(m_form.sceneRightAction, [this] { m_scene->turn(step, 0); });
+  onScene(m_form.sceneUpAction, [this] { m_scene->turn(0, step); });
+  onScene(m_form.sceneDownAction, [this] { m_scene->turn(0, -step); });
+  onScene(m_form.sceneNearerAction, [this] { m_scene->approach(1.1); });
+  onScene(m_form.sceneFartherAction, [this] { m_scene->approach(1 / 1.1); });
+  on(m_form.sceneForgetAction, [this] { removePicks(); });
+  on(m_form.sceneLookThroughAction, [this] { m_scene->lookThrough(m_model->current()); });
+  on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
+  on(m_form.scenePanelPictureAction, [this] { renderPanel(); });
+  on(m_form.sceneStatePicturesAction, [this] { renderStates(); });
+}
+
+void SceneController::connectModel() {
+  connect(m_model, &SessionModel::opened, this, [this] {
+    m_scene->frusta().showPsnr({});
+    forgetPicks();
+    setScene(std::nullopt);
+    m_scene->fit();
+  });
+  connect(m_model, &SessionModel::currentChanged, this, [this] {
+    forgetPicks();
+    refresh();
+  });
+  connect(m_model, &SessionModel::statesChanged, this, [this] {
+    m_scene->frusta().showPsnr({});  // they were other states'
+    forgetPicks();
+    refresh();
+  });
+  connect(m_model, &SessionModel::edited, this, [this] {
+    tracePixel();
+    refresh();
+  });
+}
+
+void SceneController::connectScene() {
+  connect(m_form.sceneWidget, &VtkWidget::clicked, this, &SceneController::pickAt);
+  connect(m_form.sceneWidget, &VtkWidget::hovered, this, &SceneController::nameAt);
+  connect(m_scene.get(), &DisplayScene::eyeChanged, this, &SceneController::renderPanel);
+  connect(m_worker, &SceneWorker::panelRendered, this, [this](const VtkPicture& picture) {
+    if (!m_form.scenePanelPictureAction->isChecked()) return;
+    m_scene->panel().setPicture(picture);
+    m_scene->redraw();
+  });
+  connect(m_worker, &SceneWorker::stateRendered, this,
+          [this](int index, const VtkPicture& picture) {
+            m_scene->frusta().putPicture(std::size_t(index), picture);
+            m_scene->redraw();
+          });
+  const auto moved = [this](Vec3 CameraParams::*point) {
+    return [this, point](const Vec3& to) {
+      CameraState state = m_model->current();
+      state.camera.*point = to;
+      m_model->setCurrent(state);
+    };
+  };
+  connect(&m_scene->handles(), &SceneHandles::eyeDragged, this, moved(&CameraParams::eye));
+  connect(&m_scene->handles(), &SceneHandles::lookatDragged, this, moved(&CameraParams::lookat));
+}
+
+void SceneController::setScene(const std::optional<Scene>& scene) {
+  m_loaded = scene;
+  m_display = scene ? scene->display : m_model->session().display;
+  m_worker->setScene(scene);
+  if (!scene) {
+    m_scene->panel().setPicture(nullptr);
+    m_scene->frusta().clearPictures();
+  }
+  refresh();
+}
+
+void SceneController::showPsnr(const std::vector<double>& dB) {
+  m_scene->frusta().showPsnr(dB);
+  m_scene->redraw();
+}
+
+/// The model changed.
+void SceneController::refresh() {
+  m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
+  renderPanel();
+  renderStates();
+  showText();
+}
+
+/// With a pixel for each of the screen's; with fewer where each costs more.
+void SceneController::renderPanel() {
+  const CameraState current = m_model->current();
+  const double longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
+  const auto pixels = [&](double side) {
+    return int(std::clamp(side / m_scene->pixelOnPanel(), 1.0, longest));
+  };
+  const auto [width, height] = m_display.size;
+  const std::optional<CameraState> state =
+      panelState(m_display, m_scene->eye().eye, {pixels(width), pixels(height)});
+  if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || !state) {
+    m_scene->panel().setPicture(nullptr);
+    return m_scene->redraw();
+  }
+  CameraState seen = *state;
+  seen.psf = current.psf;
+  m_worker->renderPanel(seen);
+}
+
+void SceneController::renderStates() {
+  const bool areShown = m_form.sceneStatePicturesAction->isChecked();
+  m_scene->frusta().setPicturesVisible(areShown);
+  if (areShown && m_loaded)
+    m_worker->renderStates(m_model->session().cameras, m_model->currentIndex());
+  m_scene->redraw();
+}
+
+void SceneController::setStateFromScene() {
+  const CameraParams eye = m_scene->eye();
+  CameraState state = m_model->current();
+  state.camera.eye = eye.eye;
+  state.camera.lookat = eye.lookat;
+  state.camera.up = eye.up;
+  m_model->setCurrent(state);
+}
+
+/// Where several frusta are drawn at one place, the one after the current one.
+void SceneController::pickAt(int x, int y) {
+  const std::vector<int> states = m_scene->statesAt(x, y);
+  if (states.empty()) {
+    const std::optional<Hit> hogel = m_scene->hogelAt(x, y);
+    if (hogel) showHogel(int(hogel->i), int(hogel->j));
+    return;
+  }
+  const auto next = std::upper_bound(states.begin(), states.end(), int(m_model->currentIndex()));
+  const int picked = next == states.end() ? states.front() : *next;
+  m_model->setCurrentIndex(std::size_t(picked));
+  Q_EMIT statePicked(picked);
+}
+
+void SceneController::nameAt(int x, int y) {
+  constexpr std::size_t mostNames = 12;
+  QStringList names;
+  const std::vector<int> states = m_scene->statesAt(x, y);
+  for (const int index : states) {
+    if (std::size_t(names.size()) == mostNames) {
+      names << tr("and %1 more").arg(states.size() - mostNames);
+      break;
+    }
+    names << SceneText::eye(m_model->session().cameras[std::size_t(index)], m_display);
+  }
+  if (names.isEmpty()) return QToolTip::hideText();
+  QToolTip::showText(QCursor::pos(), names.join('\n'), m_form.sceneWidget);
+}
+
+void SceneController::forgetPicks() {
+  m_pixel.reset();
+  m_pickText.clear();
+  m_scene->picked().hideHogel();
+  m_scene->picked().hideRay();
+}
+
+void SceneController::removePicks() {
+  forgetPicks();
+  showText();
+  m_scene->redraw();
+}
+
+void SceneController::showHogel(int i, int j) {
+  forgetPicks();
+  if (!m_loaded) return;
+  m_scene->picked().showHogel(m_display, i, j, hogelPictureOf(*m_loaded->lightField, i, j));
+  m_pickText = SceneText::hogel(m_display, i, j);
+  showText();
+  m_scene->redraw();
+}
+
+void SceneController::showPixel(int x, int y) {
+  m_pixel = QPoint(x, y);
+  tracePixel();
+  showText();
+  m_scene->redraw();
+}
+
+void SceneController::tracePixel() {
+  if (!m_pixel) return;
+  const QPoint pixel = *m_pixel;
+  forgetPicks();
+  const CameraState state = m_model->current();
+  const auto [width, height] = state.camera.res;
+  if (!m_loaded || !QRect(0, 0, width, height).contains(pixel)) return;
+  try {
+    const PixelTrace traced = trace(m_loaded->view(state), pixel.x(), pixel.y());
+    m_pixel = pixel;
+    m_pickText = SceneText::pixel(pixel.x(), pixel.y(), traced);
+    if (traced.end == RayEnd::noRay) return;
+    m_scene->picked().showRay(traced.eye, traced.target);
+    if (traced.end == RayEnd::misses) return;
+    const int i = int(traced.place->i);
+    const int j = int(traced.place->j);
+    m_scene->picked().showHogel(m_display, i, j, hogelPictureOf(*m_loaded->lightField, i, j));
+  } catch (const InputError&) {
+    // a camera without a frame: the simulated view says so
+  }
+}
+
+void SceneController::showText() {
+  m_form.sceneForgetAction->setEnabled(!m_pickText.isEmpty());
+  if (m_model->session().cameras.empty()) return m_form.sceneReadout->clear();
+  const QString hint = tr("Click a frustum, a hogel, or a pixel of the simulated view.");
+  m_form.sceneReadout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +
+                               (m_pickText.isEmpty() ? hint : m_pickText));
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Joins the 3-D scene with the session, its rendering thread and the Scene menu.
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gui/scene/scene_worker.h"
+#include "io/scene/scene.h"
+
+namespace Ui {
+class MainWindow;
+}
+
+namespace hogelscope {
+
+class DisplayScene;
+class SessionModel;
+
+class SceneController : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Takes the scene's widget, its read-out and its actions from the form.
+  SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent);
+  ~SceneController() override;
+
+  /// The session's light field, with its display; none while it is read.
+  void setScene(const std::optional<Scene>& scene);
+  /// Colours the frusta, by state, in dB; empty: no longer. Infinite is identical, NaN no view.
+  void showPsnr(const std::vector<double>& dB);
+  /// A pixel of the current state's simulated view: its ray and what that meets. A pixel outside
+  /// the picture ends that.
+  void showPixel(int x, int y);
+  [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
+
+ Q_SIGNALS:
+  /// A click on a frustum made this state current.
+  void statePicked(int index);
+
+ private:
+  void connectActions();
+  void connectModel();
+  void connectScene();
+  void refresh();
+  void forgetPicks();
+  void removePicks();
+  void pickAt(int x, int y);
+  void nameAt(int x, int y);
+  void showHogel(int i, int j);
+  void tracePixel();
+  void showText();
+  void renderPanel();
+  void renderStates();
+  void setStateFromScene();
+
+  const Ui::MainWindow& m_form;
+  SessionModel* m_model;
+  SceneWorker* m_worker;
+  std::unique_ptr<DisplayScene> m_scene;
+  DisplayParams m_display;        ///< as far as it is known
+  std::optional<Scene> m_loaded;  ///< none while a light field is read
+  std::optional<QPoint> m_pixel;  ///< picked, of the current state's view
+  QString m_pickText;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two balls in the 3-D scene that are dragged.
+#include "gui/scene/scene_handles.h"
+
+#include <vtkCommand.h>
+#include <vtkHandleWidget.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSphereHandleRepresentation.h>
+
+namespace hogelscope {
+
+namespace {
+
+Vec3 positionOf(vtkSphereHandleRepresentation* ball) {
+  double p[3];
+  ball->GetWorldPosition(p);
+  return {p[0], p[1], p[2]};
+}
+
+void move(vtkSphereHandleRepresentation* ball, const Vec3& to) {
+  double p[3] = {to.x, to.y, to.z};
+  ball->SetWorldPosition(p);
+}
+
+}  // namespace
+
+SceneHandles::SceneHandles(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor,
+                           QObject* parent)
+    : QObject(parent), m_renderer(renderer), m_interactor(interactor) {
+  setUp(m_eye, {1.00, 0.65, 0.15});
+  setUp(m_lookat, {0.95, 0.90, 0.75});
+}
+
+SceneHandles::~SceneHandles() {
+  for (Handle* handle : {&m_eye, &m_lookat}) {
+    handle->widget->RemoveAllObservers();
+    handle->widget->SetInteractor(nullptr);
+  }
+}
+
+void SceneHandles::setUp(Handle& handle, const std::array<double, 3>& colour) {
+  handle.ball->SetHandleSize(12);  // pixels
+  handle.ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  handle.ball->GetSelectedProperty()->SetColor(1, 1, 1);
+  handle.widget->SetRepresentation(handle.ball);
+  handle.widget->SetInteractor(m_interactor);
+  handle.widget->SetDefaultRenderer(m_renderer);
+  handle.widget->ManagesCursorOff();
+  handle.widget->AllowHandleResizeOff();
+  handle.widget->AddObserver(vtkCommand::InteractionEvent, this, &SceneHandles::onDrag);
+}
+
+void SceneHandles::onDrag(vtkObject* widget, unsigned long, void*) {
+  if (widget == m_eye.widget.Get()) Q_EMIT eyeDragged(positionOf(m_eye.ball));
+  if (widget == m_lookat.widget.Get()) Q_EMIT lookatDragged(positionOf(m_lookat.ball));
+}
+
+void SceneHandles::place(const Vec3& eye, const Vec3& lookat) {
+  move(m_eye.ball, eye);
+  move(m_lookat.ball, lookat);
+  m_isPlaced = true;
+  update();
+}
+
+void SceneHandles::hide() {
+  m_isPlaced = false;
+  update();
+}
+
+void SceneHandles::setSceneEye(const Vec3& sceneEye) {
+  m_sceneEye = sceneEye;
+  update();
+}
+
+void SceneHandles::update() {
+  const double near = 0.05 * length(positionOf(m_eye.ball) - positionOf(m_lookat.ball));
+  for (Handle* handle : {&m_eye, &m_lookat}) {
+    const bool isShown = m_isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
+    handle->ball->Modified();  // else it keeps its size in metres, not in pixels
+    if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
+    if (isShown) handle->ball->BuildRepresentation();  // its bounds count when the scene is fitted
+  }
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two balls in the 3-D scene that are dragged to move a camera's eye and look-at point.
+#pragma once
+
+#include <vtkNew.h>
+
+#include <QObject>
+#include <array>
+
+#include "core/base/geometry.h"
+
+class vtkHandleWidget;
+class vtkObject;
+class vtkRenderer;
+class vtkRenderWindowInteractor;
+class vtkSphereHandleRepresentation;
+
+namespace hogelscope {
+
+class SceneHandles : public QObject {
+  Q_OBJECT
+
+ public:
+  SceneHandles(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, QObject* parent);
+  ~SceneHandles() override;
+
+  /// In the world, metres. They are shown once placed.
+  void place(const Vec3& eye, const Vec3& lookat);
+  void hide();
+  /// Who looks through a ball, or nearly, would see nothing but that: it is not shown.
+  void setSceneEye(const Vec3& sceneEye);
+
+ Q_SIGNALS:
+  void eyeDragged(const hogelscope::Vec3& eye);
+  void lookatDragged(const hogelscope::Vec3& lookat);
+
+ private:
+  struct Handle {
+    vtkNew<vtkHandleWidget> widget;
+    vtkNew<vtkSphereHandleRepresentation> ball;
+  };
+  void setUp(Handle& handle, const std::array<double, 3>& colour);
+  void update();
+  void onDrag(vtkObject* widget, unsigned long event, void* data);
+
+  vtkRenderer* m_renderer;
+  vtkRenderWindowInteractor* m_interactor;
+  Handle m_eye;
+  Handle m_lookat;
+  bool m_isPlaced = false;
+  Vec3 m_sceneEye;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the read-out under the 3-D scene says, with units.
+#include "gui/scene/scene_text.h"
+
+#include <cmath>
+
+#include "core/optics/viewing_zone.h"
+
+namespace hogelscope {
+
+namespace {
+
+QString number(double value, int decimals) {
+  return QString::number(value, 'f', decimals);
+}
+
+int whole(double index) {
+  return static_cast<int>(std::floor(index));
+}
+
+}  // namespace
+
+QString SceneText::eye(const CameraState& state, const DisplayParams& display) {
+  const QString name = QString::fromStdString(state.camera.name);
+  const double share = shareSeenFrom(display, state.camera.eye);
+  if (share == 0) return tr("%1: ⚠ outside the viewing zone, no hogel lights this eye").arg(name);
+  return tr("%1: %2 % of the panel lights this eye").arg(name, number(100 * share, 1));
+}
+
+QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
+  const std::string_view end = words(trace.end);
+  QString text = tr("Pixel (%1, %2): %3")
+                     .arg(x)
+                     .arg(y)
+                     .arg(QString::fromUtf8(end.data(), qsizetype(end.size())));
+  if (trace.colour)
+    text += tr(" · colour %1 %2 %3 (of 255)")
+                .arg(number(trace.colour->r, 1), number(trace.colour->g, 1),
+                     number(trace.colour->b, 1));
+  if (trace.taps > 0) text += tr(" · %n leakage taps", "", trace.taps);
+  if (!trace.place) return text;
+  const Hit& at = *trace.place;
+  if (trace.end != RayEnd::misses)
+    text += tr("\nhogel i %1, j %2 · direction u %3, v %4 (at %5, %6, %7, %8)")
+                .arg(whole(at.i))
+                .arg(whole(at.j))
+                .arg(whole(at.u))
+                .arg(whole(at.v))
+                .arg(number(at.i, 2), number(at.j, 2), number(at.u, 2), number(at.v, 2));
+  return text + tr("\npanel x %1 m, y %2 m · slopes dx/dz %3, dy/dz %4")
+                    .arg(number(trace.position.x, 4), number(trace.position.y, 4),
+                         number(trace.slopes.x, 4), number(trace.slopes.y, 4));
+}
+
+QString SceneText::hogelName(int i, int j) {
+  return tr("hogel %1, %2").arg(i).arg(j);
+}
+
+QString SceneText::hogel(const DisplayParams& display, int i, int j) {
+  const Vec2 middle = Display(display).position(i + 0.5, j + 0.5);
+  return tr("Hogel i %1, j %2 at x %3 m, y %4 m: %5 × %6 directions over %7° × %8°")
+      .arg(i)
+      .arg(j)
+      .arg(number(middle.x, 4), number(middle.y, 4))
+      .arg(display.directions[0])
+      .arg(display.directions[1])
+      .arg(display.fov[0])
+      .arg(display.fov[1]);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Renders the 3-D scene's pictures on a thread of its own.
+#include "gui/scene/scene_worker.h"
+
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/engine/scaled_view.h"
+#include "gui/scene/vtk_picture.h"
+#include "gui/widgets/queued_answer.h"
+#include "vtk/vtkHogelViewFilter.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// A state's picture in the scene is about this wide or high, in pixels.
+constexpr int smallSide = 192;
+
+/// None where it cannot be rendered, or was stopped.
+std::optional<Image> pictureOf(const View& view, vtkHogelViewFilter& filter) {
+  try {
+    filter.SetView(reduced(view));  // throws where the camera has no frame
+    return filter.GetImage();
+  } catch (const Cancelled&) {
+    return std::nullopt;
+  } catch (const std::exception&) {
+    return std::nullopt;  // the simulated view says why
+  }
+}
+
+/// For the looks of it only: as fast as can be.
+View quick(const View& asked) {
+  View view = overview(asked);
+  view.sampling.tolerance = 0;
+  view.sampling.samplesPerPixel = 1;
+  return view;
+}
+
+}  // namespace
+
+SceneWorker::SceneWorker(QObject* parent) : QObject(parent) {
+  m_thread = std::thread([this] { run(); });
+}
+
+SceneWorker::~SceneWorker() {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_ends = true;
+  }
+  m_wake.notify_one();
+  m_thread.join();
+}
+
+void SceneWorker::setScene(const std::optional<Scene>& scene) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_newScene = scene;
+    m_isSceneNew = true;
+    ++m_asked;
+    m_panel.reset();
+    m_states.clear();
+    m_done.clear();
+  }
+  m_wake.notify_one();
+}
+
+void SceneWorker::renderPanel(const CameraState& state) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_panel = state;
+  }
+  m_wake.notify_one();
+}
+
+void SceneWorker::renderStates(const std::vector<CameraState>& states, std::size_t first) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_states = states;
+    m_done.resize(states.size());
+    m_first = first;
+  }
+  m_wake.notify_one();
+}
+
+std::optional<std::size_t> SceneWorker::nextState() const {
+  for (std::size_t k = 0; k < m_states.size(); ++k) {
+    const std::size_t index = (m_first + k) % m_states.size();
+    if (m_done[index] != m_states[index]) return index;
+  }
+  return std::nullopt;
+}
+
+bool SceneWorker::hasWork() const {
+  return m_ends || m_isSceneNew || (m_scene && (m_panel || nextState()));
+}
+
+bool SceneWorker::mustStop() {
+  const std::lock_guard lock(m_mutex);
+  return m_ends || m_isSceneNew;
+}
+
+/// True if there is another one now.
+bool SceneWorker::takeScene() {
+  if (!std::exchange(m_isSceneNew, false)) return false;
+  m_scene = std::exchange(m_newScene, std::nullopt);
+  m_number = m_asked;
+  return true;
+}
+
+void SceneWorker::run() {
+  const vtkNew<vtkHogelViewFilter> filter;
+  filter->SetProgress([this](double) { return !mustStop(); });
+  for (;;) {
+    std::unique_lock lock(m_mutex);
+    m_wake.wait(lock, [this] { return hasWork(); });
+    if (m_ends) return;
+    const bool isNew = takeScene();
+    const std::optional<CameraState> panel =
+        m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
+    lock.unlock();
+    if (isNew) filter->SetView({});  // it may hold the last reference to the old light field
+    if (!m_scene) continue;
+    if (!panel) {
+      renderNextState(*filter);
+      continue;
+    }
+    const std::optional<Image> image = pictureOf(quick(m_scene->view(*panel)), *filter);
+    if (!image) continue;
+    queueAnswer(this, m_asked, m_number, [this, picture = vtkPicture(*image, panelColour)] {
+      Q_EMIT panelRendered(picture);
+    });
+  }
+}
+
+void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {
+  std::optional<CameraState> state;
+  std::size_t index = 0;
+  {
+    const std::lock_guard lock(m_mutex);
+    const std::optional<std::size_t> next = nextState();
+    if (!next) return;
+    index = *next;
+    state = m_states[index];
+    m_done[index] = state;
+  }
+  View view = quick(m_scene->view(*state));
+  const auto [width, height] = state->camera.res;
+  view.method.scale = (std::max(width, height) + smallSide - 1) / smallSide;
+  const VtkPicture picture =
+      vtkPicture(pictureOf(view, filter).value_or(Image(1, 1)), {0, 0, 0});  // or black
+  queueAnswer(this, m_asked, m_number,
+              [this, index, picture] { Q_EMIT stateRendered(int(index), picture); });
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures as textures of the 3-D scene.
+#include "gui/scene/vtk_picture.h"
+
+#include <algorithm>
+
+namespace hogelscope {
+
+vtkSmartPointer<vtkImageData> vtkPicture(const Image& image,
+                                         const std::array<std::uint8_t, 3>& unseen) {
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(image.width, image.height, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* to = static_cast<std::uint8_t*>(picture->GetScalarPointer());
+  for (int y = image.height - 1; y >= 0; --y) {
+    for (int x = 0; x < image.width; ++x, to += 3) {
+      const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
+      std::copy_n(image.seen[at] != 0 ? &image.rgb[3 * at] : unseen.data(), 3, to);
+    }
+  }
+  return picture;
+}
+
+}  // namespace hogelscope

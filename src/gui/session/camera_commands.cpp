@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Camera menu.
+#include "gui/session/camera_commands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/session/session_model.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Finds the range of one number in a description.
+class RangeOf : public ParameterVisitor {
+ public:
+  explicit RangeOf(std::string_view name) : m_name(name) {
+    PsfParams psf;
+    describe(*this, psf);
+  }
+  Range range;
+
+ private:
+  void group(std::string_view, std::string_view) override {}
+  void numbers(const Field& field, std::span<double>, bool) override { take(field); }
+  void integers(const Field& field, std::span<int>, bool) override { take(field); }
+  void flag(const Field&, bool&) override {}
+  void text(const Field&, std::string&) override {}
+  void choice(const Field&, int&) override {}
+  void take(const Field& field) {
+    if (field.name == m_name) range = field.range;
+  }
+
+  std::string_view m_name;
+};
+
+}  // namespace
+
+struct CameraCommands::MotionCommand {
+  const char* name;
+  QString title;
+  QString help;  ///< %1 is how far
+  Motion motion;
+  int sign;
+  Qt::Key key;
+};
+
+std::vector<CameraCommands::MotionCommand> CameraCommands::motions() {
+  const QString walk = tr("Moves the camera %1 along its view");
+  const QString strafe = tr("Moves the camera %1 across its view");
+  const QString rise = tr("Moves the camera %1 along its up direction");
+  const QString turn = tr("Turns the view by %1 about the camera's up direction");
+  const QString tilt = tr("Turns the view by %1, up to 1° from the camera's up direction");
+  const QString roll = tr("Rolls the camera by %1 about its view");
+  const QString across = tr("Takes the eye by %1 around the look-at, which stays in the middle");
+  const QString up = tr("Takes the eye by %1 around the look-at, up to 1° from the up direction");
+  return {
+      {"walkForward", tr("Walk &forward"), walk, Motion::walk, 1, Qt::Key_W},
+      {"walkBackward", tr("Walk &backward"), walk, Motion::walk, -1, Qt::Key_S},
+      {"strafeLeft", tr("Strafe &left"), strafe, Motion::strafe, -1, Qt::Key_A},
+      {"strafeRight", tr("Strafe &right"), strafe, Motion::strafe, 1, Qt::Key_D},
+      {"rise", tr("Ri&se"), rise, Motion::rise, 1, Qt::Key_E},
+      {"sink", tr("Sin&k"), rise, Motion::rise, -1, Qt::Key_Q},
+      {"turnLeft", tr("Turn left"), turn, Motion::turn, -1, Qt::Key_J},
+      {"turnRight", tr("Turn right"), turn, Motion::turn, 1, Qt::Key_L},
+      {"tiltUp", tr("Tilt up"), tilt, Motion::tilt, 1, Qt::Key_I},
+      {"tiltDown", tr("Tilt down"), tilt, Motion::tilt, -1, Qt::Key_K},
+      {"rollLeft", tr("Roll left"), roll, Motion::roll, -1, Qt::Key_U},
+      {"rollRight", tr("Roll right"), roll, Motion::roll, 1, Qt::Key_O},
+      {"orbitLeft", tr("Orbit left"), across, Motion::orbitAcross, -1, Qt::Key_F},
+      {"orbitRight", tr("Orbit right"), across, Motion::orbitAcross, 1, Qt::Key_H},
+      {"orbitUp", tr("Orbit up"), up, Motion::orbitUp, 1, Qt::Key_T},
+      {"orbitDown", tr("Orbit down"), up, Motion::orbitUp, -1, Qt::Key_G},
+  };
+}
+
+CameraCommands::CameraCommands(QMenu* menu, SessionModel* model, QObject* parent)
+    : QObject(parent), m_menu(menu), m_model(model) {
+  addMotions(m_menu, 1);
+  constexpr int large = 5;
+  addMotions(m_menu->addMenu(tr("Lar&ge steps")), large);
+  m_menu->addSeparator();
+  addPsfSteps();
+  m_menu->addSeparator();
+  addSwitches();
+  m_menu->addSeparator();
+  addStates();
+  connect(m_model, &SessionModel::opened, this, [this] {
+    m_lenses.clear();
+    m_windows.clear();
+  });
+}
+
+template <class Action>
+void CameraCommands::add(QMenu* menu, const QString& name, const QString& title,
+                         const QString& help, const QKeySequence& key, Action action) {
+  menu->setToolTipsVisible(true);
+  QAction* entry = menu->addAction(title, this, action);
+  entry->setObjectName(name + "Action");
+  entry->setToolTip(help);
+  entry->setShortcut(key);
+}
+
+/// Larger ones with Shift.
+void CameraCommands::addMotions(QMenu* menu, int factor) {
+  for (const MotionCommand& command : motions()) {
+    const double step = factor * stepOf(command.motion);
+    const QString amount =
+        stepOf(command.motion) < 1 ? tr("%1 cm").arg(100 * step) : tr("%1°").arg(step);
+    const QString title = QString(command.title).remove('&');
+    const QString name = QString(command.name) + (factor == 1 ? "" : "Large");
+    const QKeyCombination key(factor == 1 ? Qt::NoModifier : Qt::ShiftModifier, command.key);
+    add(menu, name, command.title, command.help.arg(amount), key,
+        [this, title, motion = command.motion, by = command.sign * step] {
+          edit(title, [&](CameraState& state) { state.camera = moved(state.camera, motion, by); });
+        });
+  }
+}
+
+void CameraCommands::addPsfSteps() {
+  const QString sigma = tr("Changes the leakage's σ by 0.05 px");
+  const QString window = tr("Changes the width of the leakage's window by 2 px; 1 is no leakage");
+  add(m_menu, "lessSigma", tr("Less &σ"), sigma, Qt::Key_Z, [this] { stepSigma(-1); });
+  add(m_menu, "moreSigma", tr("More σ"), sigma, Qt::Key_X, [this] { stepSigma(1); });
+  add(m_menu, "smallerWindow", tr("Smaller &window"), window, Qt::Key_C,
+      [this] { stepWindow(-1); });
+  add(m_menu, "largerWindow", tr("Larger window"), window, Qt::Key_V, [this] { stepWindow(1); });
+}
+
+void CameraCommands::addSwitches() {
+  add(m_menu, "toggleDistortion", tr("Lens &distortion off or on"),
+      tr("Sets the current state's coefficients to 0, or to what they were before"), Qt::Key_B,
+      [this] {
+        toggle<DistortionParams>(
+            tr("lens distortion"),
+            [](CameraState& state) -> DistortionParams& { return state.distortion; }, {}, m_lenses);
+      });
+  add(m_menu, "togglePsf", tr("Light leakage (&PSF) off or on"),
+      tr("Sets the current state's window to 1, or to what it was before"), Qt::Key_P, [this] {
+        toggle<int>(
+            tr("light leakage"), [](CameraState& state) -> int& { return state.psf.windowSize; }, 1,
+            m_windows);
+      });
+}
+
+void CameraCommands::addStates() {
+  add(m_menu, "nextState", tr("&Next state"), tr("Makes the next camera state current"),
+      Qt::Key_PageDown, [this] { goTo(1); });
+  add(m_menu, "previousState", tr("Pre&vious state"), tr("Makes the camera state before current"),
+      Qt::Key_PageUp, [this] { goTo(-1); });
+}
+
+/// Of the current state, if there is one.
+void CameraCommands::edit(const QString& name, const std::function<void(CameraState&)>& action) {
+  const std::size_t current = m_model->currentIndex();
+  if (current >= m_model->session().cameras.size()) return;
+  try {
+    m_model->edit(name, [&](Session& session) { action(session.cameras[current]); });
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void CameraCommands::stepSigma(int steps) {
+  constexpr double step = 0.05;
+  constexpr double rounding = 1e9;  // sums of steps stay short in the document
+  const Range range = RangeOf("sigma").range;
+  edit(tr("Change sigma"), [&](CameraState& state) {
+    const double wanted = std::round((state.psf.sigma + steps * step) * rounding) / rounding;
+    if (wanted > range.min) state.psf.sigma = std::min(wanted, range.max);  // 0 is no Gaussian
+  });
+}
+
+void CameraCommands::stepWindow(int steps) {
+  const Range range = RangeOf("windowSize").range;
+  edit(tr("Change windowSize"), [&](CameraState& state) {
+    int& size = state.psf.windowSize;
+    size = int(std::clamp(size + steps * range.step, range.min, range.max));
+  });
+}
+
+void CameraCommands::goTo(int offset) {
+  m_model->setCurrentIndex(std::size_t(std::ptrdiff_t(m_model->currentIndex()) + offset));
+}
+
+template <class Value>
+void CameraCommands::toggle(const QString& part, Value& (*in)(CameraState&), const Value& off,
+                            Kept<Value>& kept) {
+  CameraState state = m_model->current();
+  const std::string& name = state.camera.name;
+  const bool isOn = in(state) != off;
+  if (isOn) kept[name] = in(state);
+  if (!kept.contains(name)) {
+    Q_EMIT failed(tr("%1 has no %2 to switch on").arg(QString::fromStdString(name), part));
+    return;
+  }
+  const Value wanted = isOn ? off : kept[name];
+  edit((isOn ? tr("Switch off %1") : tr("Switch on %1")).arg(part),
+       [&](CameraState& other) { in(other) = wanted; });
+}
+
+}  // namespace hogelscope

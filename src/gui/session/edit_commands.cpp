@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Edit menu.
+#include "gui/session/edit_commands.h"
+
+#include "gui/keys/key_map.h"
+#include "gui/keys/key_window.h"
+#include "gui/keys/typing_guard.h"
+#include "gui/session/session_model.h"
+
+namespace hogelscope {
+
+EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window)
+    : QObject(window), m_window(window) {
+  new TypingGuard(this);
+  menu->setToolTipsVisible(true);
+  const auto add = [menu](QAction* action, const char* name, const QString& help,
+                          const QKeySequence& key) {
+    action->setObjectName(name);
+    action->setToolTip(help);
+    action->setShortcut(key);
+    menu->addAction(action);
+  };
+  add(model->undoStack()->createUndoAction(this, tr("&Undo")), "undoAction",
+      tr("Takes the last edit of the session back"), Qt::CTRL | Qt::Key_Z);
+  add(model->undoStack()->createRedoAction(this, tr("&Redo")), "redoAction",
+      tr("Does again what was taken back"), Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  menu->addSeparator();
+  auto* keys = new QAction(tr("&Keys…"), this);
+  add(keys, "keysAction", tr("All commands and their keys, to search and to change"),
+      Qt::CTRL | Qt::Key_K);
+  connect(keys, &QAction::triggered, this, &EditCommands::showKeys);
+}
+
+void EditCommands::readKeys() {
+  m_keys = new KeyMap(m_window);
+  connect(m_keys, &KeyMap::failed, this, &EditCommands::failed);
+  m_keys->load();
+}
+
+void EditCommands::showKeys() {
+  auto* keys = m_window->findChild<KeyWindow*>();
+  if (keys == nullptr) keys = new KeyWindow(m_keys, m_window);
+  keys->show();
+  keys->raise();
+  keys->activateWindow();
+}
+
+}  // namespace hogelscope

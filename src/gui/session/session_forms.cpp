@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forms over the session's parts.
+#include "gui/session/session_forms.h"
+
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace hogelscope {
+
+void follow(const SessionModel* model, ParameterForm* form) {
+  for (const auto change :
+       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
+        &SessionModel::statesChanged, &SessionModel::contentChanged})
+    QObject::connect(model, change, form, &ParameterForm::refresh);
+}
+
+QWidget* stacked(const std::vector<QWidget*>& widgets) {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* widget : widgets) layout->addWidget(widget);
+  layout->addStretch();
+  return column;
+}
+
+QPushButton* button(const char* name, const QString& text, const QString& help) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(name);
+  made->setToolTip(help);
+  return made;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The session that the window shows and edits.
+#include "gui/session/session_model.h"
+
+#include <QElapsedTimer>
+#include <QUndoCommand>
+#include <algorithm>
+#include <utility>
+
+#include "core/cameras/edit_name.h"
+#include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
+
+namespace hogelscope {
+
+/// A whole session before and after: small beside the light field that it names.
+class SessionModel::Edit : public QUndoCommand {
+ public:
+  Edit(SessionModel& model, const QString& name, Content before, Content after)
+      : QUndoCommand(name), m_model(model), m_before(std::move(before)), m_after(std::move(after)) {
+    m_time.start();
+  }
+
+  void undo() override { m_model.show(m_before); }
+  void redo() override { m_model.show(m_after); }
+  [[nodiscard]] int id() const override { return 1; }
+
+  bool mergeWith(const QUndoCommand* next) override {
+    constexpr qint64 quickly = 1000;  // milliseconds
+    const auto* other = static_cast<const Edit*>(next);
+    if (other->text() != text() || m_time.hasExpired(quickly) ||
+        other->m_before.current != m_before.current ||
+        other->m_after.session.cameras.size() != m_before.session.cameras.size())
+      return false;
+    m_after = other->m_after;
+    m_time.start();
+    return true;
+  }
+
+ private:
+  SessionModel& m_model;
+  Content m_before;
+  Content m_after;
+  QElapsedTimer m_time;
+};
+
+CameraState SessionModel::current() const {
+  return m_current < m_session.cameras.size() ? m_session.cameras[m_current] : CameraState{};
+}
+
+void SessionModel::open(const QString& file) {
+  m_session = loadSession(file.toStdString());
+  m_saved = m_session;
+  m_file = file;
+  m_current = 0;
+  m_undo.clear();
+  Q_EMIT opened();
+}
+
+void SessionModel::recover(const QString& copy, const QString& file) {
+  m_session = loadSession(copy.toStdString());
+  m_saved = {};  // whatever the file holds now, it is not what the user last saw
+  m_file = file;
+  m_current = 0;
+  m_undo.clear();
+  Q_EMIT opened();
+}
+
+void SessionModel::openLightField(const QString& file) {
+  m_session = sessionAround(file.toStdString());
+  m_saved = {};
+  m_file.clear();
+  m_current = 0;
+  m_undo.clear();
+  Q_EMIT opened();
+}
+
+void SessionModel::save(const QString& file) {
+  check(m_session);
+  checkOutputs({file.toStdString()}, {m_session.lightField.file});
+  saveSession(file.toStdString(), m_session);
+  m_saved = m_session;
+  m_file = file;
+  Q_EMIT saved();
+}
+
+void SessionModel::setCurrentIndex(std::size_t index) {
+  if (index == m_current || index >= m_session.cameras.size()) return;
+  m_current = index;
+  Q_EMIT currentChanged();
+}
+
+void SessionModel::push(const QString& name, Content after) {
+  if (after.session == m_session && after.current == m_current) return;
+  m_undo.push(new Edit(*this, name, {m_session, m_current}, std::move(after)));
+}
+
+void SessionModel::show(const Content& content) {
+  const Session before = std::move(m_session);
+  m_session = content.session;
+  const bool isOther = std::exchange(m_current, content.current) != content.current;
+  if (before.display != m_session.display || before.lightField != m_session.lightField ||
+      before.sampling != m_session.sampling)
+    Q_EMIT contentChanged();
+  const auto nameOf = [](const CameraState& state) { return state.camera.name; };
+  if (!std::ranges::equal(before.cameras, m_session.cameras, {}, nameOf, nameOf))
+    Q_EMIT statesChanged();
+  else if (before.cameras != m_session.cameras)
+    Q_EMIT edited();
+  else if (isOther)
+    Q_EMIT currentChanged();
+}
+
+void SessionModel::edit(const QString& name, const std::function<void(Session&)>& action) {
+  Content after{m_session, m_current};
+  action(after.session);
+  push(name, std::move(after));
+}
+
+void SessionModel::setCurrent(const CameraState& state) {
+  if (m_current >= m_session.cameras.size()) return;
+  const std::string field = changedField(m_session.cameras[m_current], state);
+  edit(tr("Change %1").arg(QString::fromStdString(field)),
+       [&](Session& session) { session.cameras[m_current] = state; });
+}
+
+void SessionModel::setContent(const Session& content) {
+  const std::string field = changedField(m_session, content);
+  edit(tr("Change %1").arg(QString::fromStdString(field)), [&](Session& session) {
+    session.display = content.display;
+    session.lightField = content.lightField;
+    session.sampling = content.sampling;
+  });
+}
+
+void SessionModel::changeStates(const QString& name,
+                                const std::function<std::size_t(Session&)>& action) {
+  Content after{m_session, m_current};
+  after.current = action(after.session);
+  push(name, std::move(after));
+}
+
+}  // namespace hogelscope

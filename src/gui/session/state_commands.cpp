@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The States menu.
+#include "gui/session/state_commands.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/cameras/state_list_edits.h"
+#include "gui/session/session_model.h"
+#include "gui/widgets/file_dialogs.h"
+#include "io/documents/session_file.h"
+
+namespace hogelscope {
+
+template <class Action>
+bool StateCommands::guarded(Action action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
+    : QObject(parent), m_menu(menu), m_model(model) {
+  m_menu->setToolTipsVisible(true);
+  addListEntries();
+  m_menu->addSeparator();
+  addFileEntries();
+}
+
+template <class Action>
+void StateCommands::add(const Entry& entry, Action action) {
+  auto* made = m_menu->addAction(entry.title, this, action);
+  made->setObjectName(entry.name);
+  made->setIconText(entry.buttonText);
+  made->setShortcut(entry.key);
+  made->setToolTip(tr("%1 (%2)").arg(entry.help, entry.key.toString(QKeySequence::NativeText)));
+  m_actions.push_back(made);
+}
+
+/// What core/states.h does, on the current state.
+void StateCommands::addListEntries() {
+  add({"addStateAction", tr("&New"), tr("New"), tr("A new state in front of the display"),
+       Qt::CTRL | Qt::Key_N},
+      [this] {
+        change(tr("Add state"), [](Session& session, std::size_t) {
+          return addState(session, inFrontOf(session.display));
+        });
+      });
+  add({"duplicateAction", tr("&Duplicate"), tr("Duplicate"),
+       tr("A copy of the current state behind it"), Qt::CTRL | Qt::Key_D},
+      [this] { change(tr("Duplicate state"), duplicateState); });
+  add({"renameAction", tr("&Rename"), tr("Rename"), tr("Edits the current state's name"),
+       Qt::Key_F2},
+      [this] { Q_EMIT nameAsked(); });
+  add({"removeAction", tr("De&lete"), tr("Delete"), tr("Deletes the marked states"),
+       Qt::CTRL | Qt::Key_Delete},
+      [this] { remove(); });
+  add({"moveUpAction", tr("Move &up"), tr("Up"), tr("Moves the current state up"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_Up},
+      [this] {
+        change(tr("Move state"), [](Session& session, std::size_t index) {
+          const std::size_t to = index > 0 ? index - 1 : 0;
+          moveStates(session, {index}, to);
+          return to;
+        });
+      });
+  add({"moveDownAction", tr("Move dow&n"), tr("Down"), tr("Moves the current state down"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_Down},
+      [this] {
+        change(tr("Move state"), [](Session& session, std::size_t index) {
+          const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
+          moveStates(session, {index}, to + 1);
+          return to;
+        });
+      });
+}
+
+void StateCommands::addFileEntries() {
+  add({"loadStatesAction", tr("&Load states from file…"), tr("Load…"),
+       tr("Adds another session's states behind these"), Qt::CTRL | Qt::SHIFT | Qt::Key_O},
+      [this] { askStates(); });
+  add({"addToFileAction", tr("&Add to file…"), tr("Add to…"),
+       tr("Adds the marked states to another session's file"), Qt::CTRL | Qt::SHIFT | Qt::Key_A},
+      [this] { askFile(); });
+  add({"saveStatesAction", tr("&Save to new file…"), tr("Save as…"),
+       tr("Writes a session of the marked states only"), Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+      [this] { askNewFile(); });
+}
+
+void StateCommands::setMarked(const std::vector<std::size_t>& indices) {
+  m_marked = indices;
+  std::ranges::sort(m_marked);
+}
+
+std::vector<std::size_t> StateCommands::marked() const {
+  return m_marked.empty() ? std::vector{m_model->currentIndex()} : m_marked;
+}
+
+std::vector<CameraState> StateCommands::markedStates() const {
+  std::vector<CameraState> states;
+  for (const std::size_t index : marked()) states.push_back(m_model->session().cameras.at(index));
+  return states;
+}
+
+void StateCommands::change(const QString& name, std::size_t (*action)(Session&, std::size_t)) {
+  guarded([&] {
+    m_model->changeStates(
+        name, [&](Session& session) { return action(session, m_model->currentIndex()); });
+  });
+}
+
+void StateCommands::remove() {
+  guarded([&] {
+    const auto count = int(marked().size());
+    m_model->changeStates(tr("Delete %n states", "", count), [this](Session& session) {
+      const std::size_t first = marked().front();
+      removeStates(session, marked());
+      return std::min(first, session.cameras.size() - 1);
+    });
+  });
+}
+
+bool StateCommands::rename(std::size_t index, const QString& name) {
+  return guarded([&] {
+    m_model->changeStates(tr("Rename state"), [&](Session& session) {
+      renameState(session, index, name.toStdString());
+      return m_model->currentIndex();
+    });
+  });
+}
+
+bool StateCommands::move(const std::vector<std::size_t>& indices, std::size_t before) {
+  return guarded([&] {
+    m_model->changeStates(tr("Move %n states", "", int(indices.size())), [&](Session& session) {
+      const std::string current = session.cameras.at(m_model->currentIndex()).camera.name;
+      moveStates(session, indices, before);
+      const auto found = std::ranges::find(
+          session.cameras, current, [](const CameraState& state) { return state.camera.name; });
+      return std::size_t(found - session.cameras.begin());
+    });
+  });
+}
+
+void StateCommands::askStates() {
+  const QString file = chooseFile(m_menu, tr("Load states"), tr("Sessions (*.json)"));
+  if (!file.isEmpty()) mergeStatesOf(file);
+}
+
+bool StateCommands::mergeStatesOf(const QString& file) {
+  return guarded([&] {
+    const std::vector<CameraState> states = loadStates(file.toStdString());
+    m_model->changeStates(tr("Load states"), [&](Session& session) {
+      const std::size_t first = session.cameras.size();
+      mergeStates(session, states);
+      return first;
+    });
+  });
+}
+
+void StateCommands::askFile() {
+  const QString file = chooseFile(m_menu, tr("Add states to session"), tr("Sessions (*.json)"));
+  if (!file.isEmpty()) appendStatesTo(file);
+}
+
+bool StateCommands::appendStatesTo(const QString& file) {
+  return guarded([&] {
+    const std::vector<CameraState> states = markedStates();
+    appendStates(file.toStdString(), states);
+    Q_EMIT done(tr("Added %n states to %1", "", int(states.size())).arg(file));
+  });
+}
+
+void StateCommands::askNewFile() {
+  const QString file =
+      chooseNewFile(m_menu, tr("Save states to new session"), QFileInfo(m_model->file()).fileName(),
+                    tr("Sessions (*.json)"));
+  if (!file.isEmpty()) saveStatesAs(file);
+}
+
+bool StateCommands::saveStatesAs(const QString& file) {
+  return guarded([&] {
+    Session session = m_model->session();
+    session.cameras = markedStates();
+    check(session);
+    saveSession(file.toStdString(), session);
+    Q_EMIT done(tr("Saved %1").arg(file));
+  });
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The States menu: what is done to the list of camera states (core/states.h).
+#pragma once
+
+#include <QAction>
+#include <QMenu>
+#include <QObject>
+#include <vector>
+
+#include "core/optics/session.h"
+
+namespace hogelscope {
+
+class SessionModel;
+
+class StateCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  StateCommands(QMenu* menu, SessionModel* model, QObject* parent);
+
+  /// In the menu's order.
+  [[nodiscard]] const std::vector<QAction*>& actions() const { return m_actions; }
+  /// The states that deleting and saving mean, by their indices; the current one where none is.
+  void setMarked(const std::vector<std::size_t>& indices);
+
+  /// True if that went well.
+  bool rename(std::size_t index, const QString& name);
+  /// Those at `indices`, to before the one that is at `before` now; the current one stays current.
+  bool move(const std::vector<std::size_t>& indices, std::size_t before);
+  /// Loads a file's states behind the session's own.
+  bool mergeStatesOf(const QString& file);
+  /// Adds the marked states to another document.
+  bool appendStatesTo(const QString& file);
+  /// Writes a document with the session's light field and the marked states only.
+  bool saveStatesAs(const QString& file);
+
+ Q_SIGNALS:
+  void nameAsked();  ///< of the current state
+  void done(const QString& line);
+  void failed(const QString& line);
+
+ private:
+  struct Entry {
+    const char* name;
+    QString title;
+    QString buttonText;
+    QString help;
+    QKeySequence key;
+  };
+
+  void addListEntries();
+  void addFileEntries();
+  template <class Action>
+  void add(const Entry& entry, Action action);
+  void change(const QString& name, std::size_t (*action)(Session&, std::size_t));
+  void remove();
+  void askStates();
+  void askFile();
+  void askNewFile();
+  [[nodiscard]] std::vector<std::size_t> marked() const;
+  [[nodiscard]] std::vector<CameraState> markedStates() const;
+  template <class Action>
+  bool guarded(Action action);
+
+  QMenu* m_menu;
+  SessionModel* m_model;
+  std::vector<QAction*> m_actions;
+  std::vector<std::size_t> m_marked;
+};
+
+}  // namespace hogelscope

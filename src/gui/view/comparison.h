@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The second light field, which the session's own is compared with: reads it on a thread of its
+// own, so that the view stays live meanwhile, and frees it.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <optional>
+#include <thread>
+
+#include "core/optics/session.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+class Comparison : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Comparison(QObject* parent = nullptr);
+  /// Stops what is under way.
+  ~Comparison() override;
+
+  /// Reads a light field (withLightField) for the session's states; an older reading stops, and
+  /// until it is there nothing changes. Throws InputError.
+  void start(const Session& session, const QString& file);
+  void stop();
+
+  /// With the session's sampling, and its display where the other light field has none of its own.
+  /// None while nothing is compared.
+  [[nodiscard]] std::optional<Scene> other(const Session& session) const;
+  /// Its file's name.
+  [[nodiscard]] const QString& name() const { return m_name; }
+  [[nodiscard]] bool isReading() const { return m_isReading; }
+  /// How much has been read, 0 … 1; to be asked (ViewWorker::readShare).
+  [[nodiscard]] double readShare() const { return m_readShare; }
+
+ Q_SIGNALS:
+  void changed();  ///< another one, or none
+  /// It could not be read; what was compared still is.
+  void failed(const QString& line);
+
+ private:
+  void stopReading();
+  void read(int number, const Session& session, const QString& name);
+  void take(const Scene& scene, const QString& name);
+  void giveUp(const QString& line);
+
+  std::optional<Scene> m_other;
+  QString m_name;
+  bool m_isReading = false;
+  bool m_hasOwnDisplay = false;    ///< other()
+  bool m_readsOwnDisplay = false;  ///< what is read
+  int m_reading = 0;               ///< the number of the latest reading
+  std::atomic<bool> m_stops = false;
+  std::atomic<double> m_readShare = 0;
+  std::thread m_thread;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads light fields and renders views on a thread of its own.
+#include "gui/view/view_worker.h"
+
+#include <vtkNew.h>
+
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/engine/plan.h"
+#include "core/engine/scaled_view.h"
+#include "gui/widgets/queued_answer.h"
+#include "vtk/vtkHogelViewFilter.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// As Qt paints it fastest, so that the window's thread need not convert it.
+QImage toQImage(const Image& image) {
+  const QImage view(image.rgb.data(), image.width, image.height, qsizetype(3) * image.width,
+                    QImage::Format_RGB888);
+  return view.convertToFormat(QImage::Format_RGB32);
+}
+
+QImage maskOf(const Image& image) {
+  const QImage view(image.seen.data(), image.width, image.height, qsizetype(image.width),
+                    QImage::Format_Grayscale8);
+  return view.copy();
+}
+
+/// Of a light field in a store the coarse picture has not fewer pixels, but fewer hogels and
+/// directions: what takes long there is to fetch them.
+View viewOf(const Scene& scene, const CameraState& state, const std::optional<NamedMethod>& method,
+            int scale) {
+  if (scale > 1 && scene.lightField->store() != nullptr)
+    return overview(viewOf(scene, state, method, 1));
+  View view = method ? with(*method, scene.view(state)) : scene.view(state);
+  view.method.scale = std::max(view.method.scale, scale);
+  return view;
+}
+
+/// Milliseconds: what the first view of a store is thought to take.
+constexpr double firstFetch = 1000;
+
+QString planOf(const View& view) {
+  const View made = reduced(view);
+  const QString how = QString::fromStdString(oneLine(made, plan(made)));
+  return how + ViewWorker::tr(", %n threads", "", threadCount());
+}
+
+}  // namespace
+
+ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
+  m_thread = std::thread([this] { run(); });
+}
+
+ViewWorker::~ViewWorker() {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_ends = true;
+  }
+  m_wake.notify_one();
+  m_thread.join();
+}
+
+void ViewWorker::load(const Session& session) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_toLoad = session;
+    ++m_asked;
+    m_isReadingStopped = false;
+    m_toRender.reset();
+    m_readShare = 0;
+  }
+  m_wake.notify_one();
+}
+
+/// From the thread.
+template <class Signal>
+void ViewWorker::send(Signal signal) {
+  queueAnswer(this, m_asked, m_number, signal);
+}
+
+void ViewWorker::stopReading() {
+  const std::lock_guard lock(m_mutex);
+  m_isReadingStopped = true;
+}
+
+void ViewWorker::render(const ViewRequest& request) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_toRender = request;
+  }
+  m_wake.notify_one();
+}
+
+bool ViewWorker::hasNewer(bool isLoading) {
+  const std::lock_guard lock(m_mutex);
+  return m_ends || m_toLoad || (isLoading ? m_isReadingStopped : m_toRender.has_value());
+}
+
+/// Asked while a view is rendered.
+bool ViewWorker::mustStop() {
+  const std::lock_guard lock(m_mutex);
+  const bool isPatient = double(m_timer.nsecsElapsed()) * 1e-6 < m_patience;
+  return m_ends || m_toLoad || (!isPatient && m_toRender);
+}
+
+/// Waits a moment; false if something newer comes.
+bool ViewWorker::handRests() {
+  constexpr auto rest = std::chrono::milliseconds(60);
+  std::unique_lock lock(m_mutex);
+  return !m_wake.wait_for(lock, rest, [this] { return m_ends || m_toLoad || m_toRender; });
+}
+
+void ViewWorker::run() {
+  const vtkNew<vtkHogelViewFilter> filter;
+  filter->SetProgress([this](double) { return !mustStop(); });
+  for (;;) {
+    filter->SetView({});  // while it waits it holds no light field
+    std::unique_lock lock(m_mutex);
+    m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
+    if (m_ends) return;
+    const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
+    m_number = m_asked;
+    const std::optional<ViewRequest> request =
+        session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
+    lock.unlock();
+    try {
+      if (session) loadNow(*session);
+      if (!request || !m_scene) continue;
+      renderNow(*request, *filter);
+      if (!hasNewer(false)) certifyNow(*request);
+    } catch (const Cancelled&) {
+      // a newer request waits
+    } catch (const std::exception& error) {
+      send([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
+    }
+  }
+}
+
+void ViewWorker::loadNow(const Session& session) {
+  m_scene.reset();  // frees the old one's memory before the new one is read
+  m_lens.reset();   // what was said of it may have been dropped
+  try {
+    m_scene = loadScene(session, [this](double done) {
+      if (hasNewer(true)) return false;  // the share is the newer one's now
+      m_readShare = done;
+      return true;
+    });
+  } catch (const Cancelled&) {
+    send([this] { Q_EMIT readingStopped(); });  // heard only where nothing newer is asked for
+    return;
+  }
+  m_readShare = 1;
+  if (m_scene->lightField->store() != nullptr) m_pace.stopped(firstFetch);
+  send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
+}
+
+/// A smaller picture is finished even if newer requests come, so that something moves however fast
+/// they come; a full one that was thought to be quick gets the time it was thought to take.
+void ViewWorker::renderNow(const ViewRequest& request, vtkHogelViewFilter& filter) {
+  const CameraState& state = request.state;
+  check(state, state.camera.name.empty() ? "state" : state.camera.name);
+  const int scale = m_pace.firstScale();
+  if (scale == 1) return renderAt(1, ViewPace::quick, request, filter);
+  renderAt(scale, std::numeric_limits<double>::infinity(), request, filter);
+  if (handRests()) renderAt(1, 0, request, filter);
+}
+
+void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request,
+                          vtkHogelViewFilter& filter) {
+  const auto elapsed = [this] { return double(m_timer.nsecsElapsed()) * 1e-6; };
+  m_patience = patience;
+  m_timer.start();
+  Image other;
+  Image image;
+  Scene scene = *m_scene;
+  scene.display = resolved(request.display, scene.lightField->size());
+  scene.sampling = request.sampling;
+  const View view = viewOf(scene, request.state, request.method, scale);
+  try {
+    if (request.other) {
+      filter.SetView(viewOf(*request.other, request.state, request.method, scale));
+      other = filter.GetImage();
+    }
+    filter.SetView(view);
+    image = filter.GetImage();
+  } catch (const Cancelled&) {
+    m_pace.stopped(elapsed());
+    throw;
+  }
+  const double milliseconds = elapsed();
+  m_pace.rendered(scale, milliseconds);
+  const bool isOverview = view.lightField != scene.lightField;
+  const RenderedView result{
+      toQImage(image), maskOf(image), toQImage(other), maskOf(other),
+      milliseconds,    scale,         isOverview,      planOf(filter.GetChoice().view)};
+  send([this, result] { Q_EMIT rendered(result); });
+}
+
+void ViewWorker::certifyNow(const ViewRequest& request) {
+  const LensKey key = lensKeyOf(request.state, request.sampling);
+  if (key == m_lens) return;
+  const Progress progress = [this](double) { return !hasNewer(false); };
+  const CertifiedLens lens{key, certify(key, parallelRows, progress), lensGrid(key, progress)};
+  send([this, lens] { Q_EMIT certified(lens); });
+  m_lens = key;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A form made from a parameter description. One walk over the fields shows values in the editors,
+// or takes the one that a user changed (only that one: an editor's rounding must not touch the
+// others).
+#include "gui/widgets/parameter_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <cmath>
+#include <typeinfo>
+#include <vector>
+
+namespace hogelscope {
+
+namespace {
+
+QString toQString(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// Where a value may be left out, the emptied box, one step below the range, stands for that.
+template <class Box>
+class LeavableBox : public Box {
+ public:
+  using Box::Box;
+  using Value = decltype(std::declval<Box>().value());
+
+  [[nodiscard]] Value valueFromText(const QString& text) const override {
+    return isEmpty(text) ? this->minimum() : Box::valueFromText(text);
+  }
+  QValidator::State validate(QString& text, int& position) const override {
+    return isEmpty(text) ? QValidator::Acceptable : Box::validate(text, position);
+  }
+  void mayBeLeftOut() {
+    this->setMinimum(this->minimum() - this->singleStep());
+    this->setSpecialValueText(QObject::tr("not given"));
+  }
+
+ private:
+  [[nodiscard]] bool isEmpty(const QString& text) const {
+    const QString special = this->specialValueText();
+    const QString left = QString(text).remove(this->suffix()).trimmed();
+    return !special.isEmpty() && (left.isEmpty() || left == special);
+  }
+};
+
+/// Shows as many digits as the value has, not a fixed number.
+class RealBox : public LeavableBox<QDoubleSpinBox> {
+ public:
+  explicit RealBox(QWidget* parent) : LeavableBox(parent) { setDecimals(12); }
+  [[nodiscard]] QString textFromValue(double value) const override {
+    return locale().toString(value, 'g', 9);
+  }
+};
+
+using WholeBox = LeavableBox<QSpinBox>;
+
+}  // namespace
+
+template <class Box>
+class BoxRow : public QWidget {
+ public:
+  using QWidget::QWidget;
+  std::vector<Box*> boxes;
+};
+
+namespace {
+
+QString boxName(const Field& field, std::size_t k, bool isList) {
+  const QString name = toQString(field.name);
+  return isList ? name + "." + QString::number(k) : name;
+}
+
+double taken(const RealBox& box, const Range& range) {
+  return range.mayBeLeftOut && box.value() < range.min ? notGiven : box.value();
+}
+
+int taken(const WholeBox& box, const Range& range) {
+  if (box.value() < range.min) return box.value();
+  return int(range.min + range.step * std::floor((box.value() - range.min) / range.step));
+}
+
+}  // namespace
+
+ParameterForm::ParameterForm(Visit visit, QWidget* parent)
+    : QWidget(parent),
+      m_visit(std::move(visit)),
+      m_layout(new QFormLayout(this)),
+      m_heading(new QLabel(this)) {
+  m_layout->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  m_heading->setObjectName("heading");
+  QFont bold = font();
+  bold.setBold(true);
+  m_heading->setFont(bold);
+  m_layout->addRow(m_heading);
+  refresh();
+}
+
+void ParameterForm::refresh() {
+  m_pass = Pass::show;
+  m_visited.clear();
+  m_visit(*this);
+  for (QWidget* row : std::as_const(m_rows))
+    if (m_layout->isRowVisible(row) != m_visited.contains(row))
+      m_layout->setRowVisible(row, m_visited.contains(row));
+}
+
+/// Editors take their value and leave the key to the form.
+void ParameterForm::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    return QWidget::keyPressEvent(event);
+  Q_EMIT entered();
+}
+
+void ParameterForm::take(QObject* editor) {
+  m_pass = Pass::take;
+  m_taken = editor;
+  m_visit(*this);
+  refresh();
+}
+
+void ParameterForm::group(std::string_view name, std::string_view help) {
+  setObjectName(toQString(name) + "Form");
+  m_heading->setText(toQString(name));
+  setToolTip(toQString(help));
+}
+
+/// The field's editor; `make` makes it where there is none yet. Fields of one name may have editors
+/// of several kinds.
+template <class Make>
+auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
+  using Editor = std::remove_pointer_t<decltype(make())>;
+  const QString key = toQString(field.name) + " " + typeid(Editor).name();
+  QWidget*& known = m_rows[key];
+  if (known == nullptr) {
+    known = make();
+    addRow(field, known);
+  }
+  m_visited.insert(known);
+  return static_cast<Editor*>(known);
+}
+
+void ParameterForm::addRow(const Field& field, QWidget* editor) {
+  auto* label = new QLabel(toQString(field.name), this);
+  label->setBuddy(editor);
+  for (QWidget* widget : {static_cast<QWidget*>(label), editor})
+    widget->setToolTip(toQString(field.help));
+  m_layout->addRow(label, editor);
+}
+
+template <class Box>
+BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool isList) {
+  auto* row = new BoxRow<Box>(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    auto* box = new Box(row);
+    box->setObjectName(boxName(field, k, isList));
+    box->setKeyboardTracking(false);
+    box->setMinimumWidth(fontMetrics().horizontalAdvance("-00.0000 px") + 24);
+    using Value = decltype(box->value());
+    box->setRange(Value(field.range.min), Value(field.range.max));
+    box->setSingleStep(Value(field.range.step));
+    if (!field.unit.empty()) box->setSuffix(" " + toQString(field.unit));
+    if (field.range.mayBeLeftOut) box->mayBeLeftOut();
+    layout->addWidget(box);
+    row->boxes.push_back(box);
+    connect(box, &Box::valueChanged, this, [this, box] { take(box); });
+    if (!isList) addSlider(field, box, row);
+  }
+  return row;
+}
+
+/// Beside a single number whose range has few enough steps to be slid over.
+template <class Box>
+void ParameterForm::addSlider(const Field& field, Box* box, QWidget* row) {
+  constexpr double mostSteps = 1e5;
+  const Range range = field.range;
+  const double steps = (range.max - range.min) / range.step;
+  if (steps > mostSteps) return;
+  auto* slider = new QSlider(Qt::Horizontal, row);
+  slider->setObjectName(boxName(field, 0, false) + ".slider");
+  slider->setRange(0, qRound(steps));
+  slider->setPageStep(std::max(1, qRound(steps / 20)));
+  row->layout()->addWidget(slider);
+  using Value = decltype(box->value());
+  connect(slider, &QSlider::valueChanged, box,
+          [box, range](int at) { box->setValue(Value(range.min + range.step * at)); });
+}
+
+template <class Box, class Number>
+void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isList) {
+  BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    Box* box = row->boxes[k];
+    if (m_pass == Pass::take) {
+      if (box == m_taken) values[k] = taken(*box, field.range);
+      continue;
+    }
+    const QSignalBlocker quiet(box);
+    box->setValue(values[k]);
+    auto* slider = row->template findChild<QSlider*>(boxName(field, k, isList) + ".slider");
+    if (slider == nullptr) continue;
+    const QSignalBlocker quietSlider(slider);
+    slider->setValue(qRound((values[k] - field.range.min) / field.range.step));
+  }
+}
+
+void ParameterForm::numbers(const Field& field, std::span<double> values, bool isList) {
+  boxes<RealBox>(field, values, isList);
+}
+
+void ParameterForm::integers(const Field& field, std::span<int> values, bool isList) {
+  boxes<WholeBox>(field, values, isList);
+}
+
+void ParameterForm::flag(const Field& field, bool& value) {
+  auto* box = editor(field, [this, &field] {
+    auto* made = new QCheckBox(this);
+    made->setObjectName(toQString(field.name));
+    connect(made, &QCheckBox::toggled, this, [this, made] { take(made); });
+    return made;
+  });
+  if (m_pass == Pass::take && box == m_taken) value = box->isChecked();
+  const QSignalBlocker quiet(box);
+  if (m_pass == Pass::show) box->setChecked(value);
+}
+
+void ParameterForm::text(const Field& field, std::string& value) {
+  auto* line = editor(field, [this, &field] {
+    auto* made = new QLineEdit(this);
+    made->setObjectName(toQString(field.name));
+    connect(made, &QLineEdit::editingFinished, this, [this, made] { take(made); });
+    return made;
+  });
+  if (m_pass == Pass::take && line == m_taken) value = line->text().toStdString();
+  const QSignalBlocker quiet(line);
+  const QString shown = QString::fromStdString(value);
+  if (m_pass == Pass::show && line->text() != shown) line->setText(shown);
+}
+
+void ParameterForm::choice(const Field& field, int& index) {
+  auto* box = editor(field, [this, &field] {
+    auto* made = new QComboBox(this);
+    made->setObjectName(toQString(field.name));
+    for (const std::string_view name : field.choices) made->addItem(toQString(name));
+    connect(made, &QComboBox::currentIndexChanged, this, [this, made] { take(made); });
+    return made;
+  });
+  if (m_pass == Pass::take && box == m_taken) index = box->currentIndex();
+  const QSignalBlocker quiet(box);
+  if (m_pass == Pass::show) box->setCurrentIndex(index);
+}
+
+}  // namespace hogelscope

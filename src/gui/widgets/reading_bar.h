@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far the reading of a light field is, with a button that stops it; in the status bar.
+#pragma once
+
+#include "gui/widgets/polled_bar.h"
+
+namespace hogelscope {
+
+class ReadingBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `what` is read, and stands in the bar. Hidden at first; to be shown while it is read.
+  ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent);
+
+ Q_SIGNALS:
+  void stopAsked();
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Camera sets from documents (JSON), and what else --make-cameras names.
+#include "io/documents/camera_set_file.h"
+
+#include "core/base/error.h"
+#include "io/documents/trace_file.h"
+#include "io/files/atomic_file.h"
+#include "io/json/json_parameters.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr const char* versionKey = "hogelscopeCameras";
+constexpr std::size_t mostPoses = 100000;
+
+/// Also to each part of a mixture that has a region of its own.
+void applyOverride(Json& document, const std::string& text) {
+  const Override change = parseOverride(text);
+  if (change.section != "cameraSet" && change.section != "cameraRegion")
+    throw InputError("--set " + text, "there is no section \"" + change.section +
+                                          "\" in a camera set: cameraSet, cameraRegion");
+  const auto apply = [&change](Json& section) {
+    if (section.is_object() || section.is_null()) section[change.field] = change.value;
+  };
+  if (!document.is_object()) return;
+  apply(document[change.section]);
+  if (change.section != "cameraRegion" || !document.contains("mixture")) return;
+  for (Json& part : document["mixture"])
+    if (part.is_object() && part.contains("cameraRegion")) apply(part["cameraRegion"]);
+}
+
+void checkVersion(const Json* version) {
+  if (version == nullptr)
+    throw InputError(versionKey, "is missing: a camera set says \"hogelscopeCameras\": 1");
+  if (*version != 1)
+    throw InputError(versionKey, version->dump(-1, ' ', true, Json::error_handler_t::replace) +
+                                     " is not a version that this program reads: 1");
+}
+
+std::string pathOf(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+/// A list of `least` elements at least, each read by `readElement(element, path)`.
+template <class Element>
+std::vector<Element> listOf(const Json& list, const char* name, std::size_t least,
+                            Element (*readElement)(const Json&, const std::string&,
+                                                   const CameraRegionParams&),
+                            const CameraRegionParams& region) {
+  if (!list.is_array()) throw InputError(name, "is not a list: [ { … }, … ]");
+  if (list.size() < least || list.size() > mostPoses)
+    throw InputError(name, "has " + std::to_string(list.size()) + " elements; allowed are " +
+                               std::to_string(least) + " to " + std::to_string(mostPoses));
+  std::vector<Element> elements;
+  for (std::size_t k = 0; k < list.size(); ++k)
+    elements.push_back(readElement(list[k], pathOf(name, k), region));
+  return elements;
+}
+
+KeyPose readPose(const Json& object, const std::string& path, const CameraRegionParams&) {
+  KeyPose pose;
+  JsonReader reader(object, path);
+  describe(reader, pose);
+  reader.refuseUnknown();
+  if (pose.eye.x == notGiven) throw InputError(path + ".eye", "is missing: [x, y, z] in metres");
+  if (!(pose.eye.z > 0))
+    throw InputError(path + ".eye[2]", "is not in front of the panel: z is above 0");
+  return pose;
+}
+
+Mixture::Part readPart(const Json& object, const std::string& path,
+                       const CameraRegionParams& region) {
+  Mixture::Part part{1, region};
+  JsonReader reader(object, path);
+  KeyPose weighed;  // the weight's range is a pose's
+  if (const Json* weight = reader.section("weight"); weight != nullptr) {
+    const Json alone{{"weight", *weight}};
+    JsonReader weightReader(alone, path);
+    describe(weightReader, weighed);
+  }
+  part.weight = weighed.weight;
+  readSection(reader, "cameraRegion", part.region);
+  reader.refuseUnknown();
+  check(part.region, path + ".cameraRegion");
+  return part;
+}
+
+Mixture readMixture(const Json& list, const CameraRegionParams& region) {
+  Mixture mixture{listOf(list, "mixture", 1, readPart, region)};
+  double total = 0;
+  for (const Mixture::Part& part : mixture.parts) total += part.weight;
+  if (!(total > 0)) throw InputError("mixture", "has no part with a weight above 0");
+  return mixture;
+}
+
+PosePath readPath(const Json& list, const CameraRegionParams& region) {
+  PosePath path{listOf(list, "path", 2, readPose, region)};
+  for (std::size_t k = 1; k < path.poses.size(); ++k)
+    if (path.poses[k].hasLookat() != path.poses[0].hasLookat())
+      throw InputError(
+          pathOf("path", k) + ".lookat",
+          path.poses[0].hasLookat()
+              ? "is missing: path[0] has one; either all key poses have it or none"
+              : "is given, but path[0] has none; either all key poses have it or none");
+  return path;
+}
+
+CameraSet readDocument(const Json& document) {
+  CameraSet set;
+  JsonReader reader(document, "");
+  checkVersion(reader.section(versionKey));
+  readSection(reader, "cameraSet", set.params);
+  readSection(reader, "cameraRegion", set.region);
+  check(set.region, "cameraRegion");
+  const Json* mixture = reader.section("mixture");
+  const Json* poses = reader.section("poses");
+  const Json* path = reader.section("path");
+  reader.refuseUnknown();
+  if ((mixture != nullptr) + (poses != nullptr) + (path != nullptr) > 1)
+    throw InputError(path != nullptr ? "path" : "poses",
+                     "is the second source of states: give one of mixture, poses, path");
+  if (mixture != nullptr) set.source = readMixture(*mixture, set.region);
+  if (poses != nullptr) set.source = PoseList{listOf(*poses, "poses", 1, readPose, set.region)};
+  if (path != nullptr) set.source = readPath(*path, set.region);
+  return set;
+}
+
+bool isCsv(const std::string& file) {
+  return file.ends_with(".csv") || file.ends_with(".CSV");
+}
+
+bool isJson(const std::string& file) {
+  return file.ends_with(".json") || file.ends_with(".JSON");
+}
+
+Json documentOf(const std::string& what) {
+  if (isJson(what)) {
+    const std::string text = readTextFile(what);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+      throw InputError("is empty: not a camera set", "");
+    return parseJson(text);
+  }
+  Json document{{versionKey, 1}};
+  if (isCsv(what)) return document;
+  if (what != "uniform" && what != "random" && what != "normal")
+    throw InputError("\"" + what +
+                         "\" is not one of uniform, random, normal, nor a FILE.json or "
+                         "FILE.csv",
+                     "");
+  document["cameraRegion"]["distribution"] = what;
+  return document;
+}
+
+}  // namespace
+
+CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides) {
+  const bool isFile = isJson(what) || isCsv(what);
+  try {
+    Json document = documentOf(what);
+    for (const std::string& text : overrides) applyOverride(document, text);
+    CameraSet set = readDocument(document);
+    if (isCsv(what)) set.source = readTrace(readTextFile(what), set.region.centre.z);
+    return set;
+  } catch (const InputError& error) {
+    throw error.in(isFile ? what : "--make-cameras");
+  }
+}
+
+}  // namespace hogelscope

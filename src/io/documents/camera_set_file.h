@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Camera sets from documents (JSON) and viewers' traces (CSV).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/cameras/camera_set.h"
+
+namespace hogelscope {
+
+/// What --make-cameras names: uniform, random or normal; FILE.json, a document
+/// {"hogelscopeCameras": 1, "cameraSet": {…}, "cameraRegion": {…}} with at most one of
+///   "mixture": [{"weight": 2, "cameraRegion": {…}}, …]  what a part leaves out is as outside it,
+///   "poses": [{"eye": [x, y, z], "lookat": [x, y, z], "weight": 1}, …],
+///   "path": [{"eye": …}, …];
+/// or FILE.csv, a trace: lines of time, x, y[, z] in seconds and metres, with or without these
+/// names above them; without z the viewer stands at cameraRegion.centre's.
+/// `overrides` are as loadSession's, of cameraSet and of cameraRegion, which goes to every part of
+/// a mixture too. Throws InputError that names the file and the place in it.
+CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides = {});
+
+}  // namespace hogelscope

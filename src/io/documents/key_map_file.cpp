@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The file of keys that a user gave to commands.
+#include "io/documents/key_map_file.h"
+
+#include "core/base/error.h"
+#include "io/files/atomic_file.h"
+#include "io/json/json_parameters.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr const char* versionKey = "hogelscopeKeys";
+
+std::string shown(const Json& value) {
+  return value.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+KeyTexts readKeys(const Json& document) {
+  JsonReader reader(document, "");
+  const Json* version = reader.section(versionKey);
+  if (version == nullptr)
+    throw InputError(versionKey, "is missing: a key map says \"hogelscopeKeys\": 1");
+  if (*version != 1)
+    throw InputError(versionKey, shown(*version) + " is not a version that this program reads: 1");
+  const Json* keys = reader.section("keys");
+  reader.refuseUnknown();
+  if (keys == nullptr || !keys->is_object())
+    throw InputError("keys", "is not an object: { \"duplicateAction\": \"Ctrl+D\", … }");
+  KeyTexts texts;
+  for (const auto& [name, key] : keys->items()) {
+    if (!key.is_string())
+      throw InputError("keys." + name, shown(key) + " is not a text such as \"Ctrl+D\"");
+    texts[name] = key.get<std::string>();
+  }
+  return texts;
+}
+
+}  // namespace
+
+KeyTexts loadKeyTexts(const std::filesystem::path& file) {
+  try {
+    return readKeys(parseJson(readTextFile(file)));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+void saveKeyTexts(const std::filesystem::path& file, const KeyTexts& keys) {
+  const Json document{{versionKey, 1}, {"keys", Json(keys)}};
+  try {
+    makeFolder(std::filesystem::absolute(file).parent_path());
+    writeTextFile(file, formatJson(document));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+}  // namespace hogelscope

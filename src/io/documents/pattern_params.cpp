@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --set pattern.field=value, read as a document's section would be.
+#include "io/documents/pattern_params.h"
+
+#include "core/base/error.h"
+#include "io/json/json_parameters.h"
+
+namespace hogelscope {
+
+PatternParams patternParams(const std::vector<std::string>& overrides) {
+  Json document = Json::object();
+  for (const std::string& text : overrides) {
+    const Override change = parseOverride(text);
+    document[change.section][change.field] = change.value;
+  }
+  PatternParams params;
+  try {
+    JsonReader reader(document, "");
+    readSection(reader, "pattern", params);
+    reader.refuseUnknown();
+  } catch (const InputError& error) {
+    throw error.in("--set");
+  }
+  return params;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A report's journal: appended with one write a row, read again up to the first line that is not
+// whole.
+#include "io/documents/report_journal.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "io/files/atomic_file.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view headOfAny = R"({"hogelscope report":1,)";
+
+std::string headOf(const std::string& key) {
+  return Json{{"hogelscope report", 1}, {"key", key}}.dump() + "\n";
+}
+
+/// nlohmann writes the shortest digits that read back as the same number, and null for NaN.
+std::string lineOf(std::size_t row, const Metrics& m, const std::string& problem) {
+  return Json{{"row", row},     {"mse", m.mse},       {"mseSeen", m.mseSeen}, {"ssim", m.ssim},
+              {"seen", m.seen}, {"mseYuv", m.mseYuv}, {"problem", problem}}
+             .dump(-1, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
+
+double number(const Json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+ReportJournal::Entry entryOf(const Json& line) {
+  ReportJournal::Entry entry;
+  entry.metrics = {number(line.at("mse")),
+                   number(line.at("mseSeen")),
+                   number(line.at("ssim")),
+                   number(line.at("seen")),
+                   {}};
+  for (std::size_t k = 0; k < 3; ++k) entry.metrics.mseYuv[k] = number(line.at("mseYuv").at(k));
+  entry.problem = line.at("problem").get<std::string>();
+  return entry;
+}
+
+}  // namespace
+
+ReportJournal::ReportJournal(const fs::path& folder, const std::string& key)
+    : m_file(folder / "report.journal") {
+  requireOurs(m_file, headOfAny);
+  auto descriptor = openLocked(m_file, O_APPEND);
+  if (!descriptor)
+    throw InputError(m_file.string(), "is in use",
+                     "another hogelscope makes this report; wait, or give another --output");
+  m_descriptor = std::move(*descriptor);
+  const std::uintmax_t used = read(headOf(key));
+  if (::ftruncate(m_descriptor.get(), static_cast<off_t>(used)) != 0)
+    throw InputError(m_file.string(), "cannot be written", std::strerror(errno));
+  if (used == 0) writeAll(m_descriptor.get(), headOf(key), m_file);
+}
+
+/// The number of bytes up to the first line that is not whole or not a row's.
+std::uintmax_t ReportJournal::read(const std::string& head) {
+  std::ifstream in(m_file, std::ios::binary);
+  if (!in) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));
+  std::string text;
+  if (!std::getline(in, text) || in.eof()) return 0;
+  m_replacedAnother = text + "\n" != head;
+  if (m_replacedAnother) return 0;
+  std::uintmax_t used = head.size();
+  while (std::getline(in, text) && !in.eof()) {
+    const Json line = Json::parse(text, nullptr, false);
+    try {
+      m_entries[line.at("row").get<std::size_t>()] = entryOf(line);
+    } catch (const Json::exception&) {
+      break;
+    }
+    used += text.size() + 1;
+  }
+  return used;
+}
+
+void ReportJournal::add(std::size_t row, const Metrics& metrics, const std::string& problem) {
+  writeAll(m_descriptor.get(), lineOf(row, metrics, problem), m_file);
+}
+
+void ReportJournal::remove() {
+  std::error_code ignored;
+  fs::remove(m_file, ignored);
+}
+
+}  // namespace hogelscope

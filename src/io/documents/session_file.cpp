@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Session documents, read and written through the parameter descriptions.
+#include "io/documents/session_file.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/cameras/state_list_edits.h"
+#include "io/files/atomic_file.h"
+#include "io/images/image_file.h"
+#include "io/json/json_parameters.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int documentVersion = 1;
+constexpr std::array<std::string_view, 3> sharedSections{"display", "lightField", "sampling"};
+constexpr std::array<std::string_view, 4> stateSections{"camera", "intrinsics", "distortion",
+                                                        "psf"};
+
+CameraState readState(const Json& object, const std::string& path) {
+  CameraState state;
+  JsonReader reader(object, path);
+  describe(reader, state.camera);
+  readSection(reader, "intrinsics", state.intrinsics);
+  readSection(reader, "distortion", state.distortion);
+  readSection(reader, "psf", state.psf);
+  reader.refuseUnknown();
+  return state;
+}
+
+void checkVersion(const Json* version) {
+  const std::string wanted = "\"hogelscope\": " + std::to_string(documentVersion);
+  if (version == nullptr) throw InputError("hogelscope", "is missing: a session says " + wanted);
+  if (*version != documentVersion)
+    throw InputError("hogelscope",
+                     version->dump() + " is not a version that this program reads: " + wanted);
+}
+
+std::vector<CameraState> readStates(const Json& cameras) {
+  if (!cameras.is_array())
+    throw InputError("cameras", "is not a list of camera states: [ { … }, … ]");
+  std::vector<CameraState> states;
+  for (std::size_t k = 0; k < cameras.size(); ++k)
+    states.push_back(readState(cameras[k], "cameras[" + std::to_string(k) + "]"));
+  return states;
+}
+
+Session readSession(const Json& document) {
+  Session session;
+  JsonReader reader(document, "");
+  checkVersion(reader.section("hogelscope"));
+  readSection(reader, "display", session.display);
+  readSection(reader, "lightField", session.lightField);
+  readSection(reader, "sampling", session.sampling);
+  if (const Json* cameras = reader.section("cameras"); cameras != nullptr)
+    session.cameras = readStates(*cameras);
+  reader.refuseUnknown();
+  check(session);
+  return session;
+}
+
+/// --set section.field=value, done to the document so that one reader checks it all.
+void applyOverride(Json& document, const std::string& text) {
+  const Override change = parseOverride(text);
+  const std::string& section = change.section;
+  const auto isOneOf = [&section](const auto& names) {
+    return std::find(names.begin(), names.end(), section) != names.end();
+  };
+  if (isOneOf(sharedSections)) {
+    if (document.is_object() && (!document.contains(section) || document[section].is_object()))
+      document[section][change.field] = change.value;
+    return;
+  }
+  if (!isOneOf(stateSections))
+    throw InputError("--set " + text,
+                     "there is no section \"" + section +
+                         "\": display, lightField, sampling, camera, intrinsics, distortion, psf");
+  if (!document.is_object() || !document.contains("cameras")) return;
+  for (Json& state : document["cameras"]) {
+    if (!state.is_object()) continue;
+    Json& target = section == "camera" ? state : state[section];
+    if (target.is_object() || target.is_null()) target[change.field] = change.value;
+  }
+}
+
+template <class Params>
+Json written(Params params) {
+  Json object = Json::object();
+  JsonWriter writer(object);
+  describe(writer, params);
+  return object;
+}
+
+Json writtenState(const CameraState& state) {
+  Json object = written(state.camera);
+  if (state.intrinsics.isGiven()) {
+    object["intrinsics"] = written(state.intrinsics);
+    object.erase("fov");
+  }
+  object["distortion"] = written(state.distortion);
+  object["psf"] = written(state.psf);
+  return object;
+}
+
+/// Done to the document too, so that overrides come after it.
+void applyCalibration(Json& document, const Calibration& calibration) {
+  if (!document.is_object() || !document.contains("cameras")) return;
+  for (Json& state : document["cameras"]) {
+    if (!state.is_object()) continue;
+    state["intrinsics"] = written(calibration.intrinsics);
+    state["distortion"] = written(calibration.distortion);
+    if (calibration.res) state["res"] = *calibration.res;
+  }
+}
+
+/// A document's file name, seen from the current folder.
+std::string besideDocument(const fs::path& document, const std::string& file) {
+  std::error_code error;
+  const fs::path joined = document.parent_path() / file;
+  fs::path shorter = joined.lexically_normal();
+  if (!shorter.has_filename()) shorter = shorter.parent_path();  // "views/" is "views"
+  // ".." after a link leads elsewhere than it reads.
+  const bool isSame = !fs::exists(joined, error) || fs::equivalent(joined, shorter, error);
+  return isSame ? shorter.string() : joined.string();
+}
+
+/// `file`, seen from the document's folder.
+std::string relativeTo(const fs::path& document, const std::string& file) {
+  if (file.empty()) return {};
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(document, error).parent_path(), error);
+  const fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
+  const fs::path relative = target.lexically_relative(folder);
+  return relative.empty() ? target.string() : relative.string();
+}
+
+std::optional<DisplayParams> displayOfStore(const LightFieldParams& params) {
+  if (params.layout != Layout::pack) return std::nullopt;
+  return LightFieldStore(params.file).header().display;
+}
+
+}  // namespace
+
+Session loadSession(const fs::path& file, const std::vector<std::string>& overrides,
+                    const std::optional<Calibration>& calibration) {
+  try {
+    Json document = parseJson(readTextFile(file));
+    if (calibration) applyCalibration(document, *calibration);
+    for (const std::string& text : overrides) applyOverride(document, text);
+    Session session = readSession(document);
+    session.lightField.file = besideDocument(file, session.lightField.file);
+    return session;
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+std::string textOf(const Session& session) {
+  Json document = Json::object();
+  document["hogelscope"] = documentVersion;
+  document["display"] = written(session.display);
+  document["lightField"] = written(session.lightField);
+  document["sampling"] = written(session.sampling);
+  document["cameras"] = Json::array();
+  for (const CameraState& state : session.cameras)
+    document["cameras"].push_back(writtenState(state));
+  try {
+    return formatJson(document);
+  } catch (const Json::exception&) {
+    throw InputError("document", "a name in it is not UTF-8");
+  }
+}
+
+void saveSession(const fs::path& file, const Session& session) {
+  Session moved = session;
+  moved.lightField.file = relativeTo(file, session.lightField.file);
+  try {
+    writeTextFile(file, textOf(moved));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+std::vector<CameraState> loadStates(const fs::path& file) {
+  try {
+    const Json document = parseJson(readTextFile(file));
+    JsonReader reader(document, "");
+    checkVersion(reader.section("hogelscope"));
+    for (const std::string_view section : sharedSections) (void)reader.section(section);
+    const Json* cameras = reader.section("cameras");
+    reader.refuseUnknown();
+    if (cameras == nullptr || cameras->empty())
+      throw InputError("cameras", "is missing or empty: there is no camera state to load");
+    std::vector<CameraState> states = readStates(*cameras);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      check(states[k], "cameras[" + std::to_string(k) + "]");
+    return states;
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+void appendStates(const fs::path& file, const std::vector<CameraState>& states) {
+  try {
+    Json document = parseJson(readTextFile(file));
+    Session session = readSession(document);
+    for (const CameraState& state : states) {
+      const std::size_t index = addState(session, state);
+      document["cameras"].push_back(writtenState(session.cameras[index]));
+    }
+    check(session);
+    writeTextFile(file, formatJson(document));
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+bool isSessionFile(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension == ".json";
+}
+
+namespace {
+
+Session overridden(const Session& session, const std::vector<std::string>& overrides) {
+  if (overrides.empty()) return session;
+  try {
+    Json document = parseJson(textOf(session));
+    for (const std::string& text : overrides) applyOverride(document, text);
+    return readSession(document);
+  } catch (const InputError& error) {
+    throw error.in(session.lightField.file);
+  }
+}
+
+/// 0.5 m is its longer side.
+std::array<double, 2> sizeOfShape(double width, double height) {
+  const double longest = std::max(width, height) / 0.5;
+  return {width / longest, height / longest};
+}
+
+DisplayParams displayAround(const LightFieldParams& lightField) {
+  DisplayParams display;
+  if (lightField.layout == Layout::hogels) {
+    const ImageFile image{fs::path(lightField.file)};
+    display.size = sizeOfShape(double(image.width()), double(image.height()));
+  } else if (const auto known = displayOfStore(lightField)) {
+    display = *known;
+  } else {
+    const LightFieldSize size = openLightField(lightField, {})->size();
+    display.size = sizeOfShape(size.nx, size.ny);
+  }
+  return display;
+}
+
+}  // namespace
+
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides) {
+  Session session;
+  session.lightField = lightFieldOf(file);
+  addState(session, inFrontOf(session.display));
+  session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
+  session.display = displayAround(session.lightField);
+  session.cameras = {inFrontOf(session.display)};
+  return overridden(session, overrides);
+}
+
+Session withLightField(const Session& session, const std::string& file) {
+  Session result = session;
+  if (isSessionFile(file)) {
+    const Session other = loadSession(file);
+    result.display = other.display;
+    result.lightField = other.lightField;
+  } else {
+    result.lightField = withFile(session.lightField, file);
+    check(result);
+  }
+  return result;
+}
+
+}  // namespace hogelscope

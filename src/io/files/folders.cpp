@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Looking at files and folders without exceptions other than ours.
+#include "io/files/folders.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> entries;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    entries.push_back(entry->path());
+  if (error) throw InputError(folder.string(), "cannot be read", error.message());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pages of a BigTIFF that we write: tiles of 64×64 RGB pixels, each compressed with zstd. Any
+// reader that knows zstd (libtiff, GDAL, OpenImageIO) reads them. Ours reads the tiles' index where
+// it lies, row by row: a whole one can be 280 MB.
+#pragma once
+
+#include <string>
+
+#include "core/light_field/light_field.h"
+#include "io/files/random_access_file.h"
+
+namespace hogelscope {
+
+inline constexpr std::uint32_t tileSide = 64;  ///< px
+constexpr std::uint32_t tilesAlong(std::size_t pixels) {
+  return std::uint32_t((pixels + tileSide - 1) / tileSide);
+}
+
+/// Bytes of one pixel in the file.
+std::size_t pixelBytes(StoredType type);
+
+/// Calls work(T{}) with the type of its values.
+template <class Work>
+void withStoredType(StoredType type, Work work) {
+  switch (type) {
+    case StoredType::uint8:
+      return work(std::uint8_t{});
+    case StoredType::uint16:
+      return work(std::uint16_t{});
+    default:
+      return work(float{});
+  }
+}
+
+struct TiffPage {
+  std::uint32_t tilesAcross = 0;
+  std::uint32_t tilesDown = 0;
+  StoredType type = StoredType::uint8;
+  std::uint64_t offsetsAt = 0;  ///< where the tiles' positions stand in the file, 64 bits each
+  std::uint64_t countsAt = 0;   ///< where their numbers of bytes stand, 32 bits each
+
+  [[nodiscard]] std::uint64_t tiles() const { return std::uint64_t(tilesAcross) * tilesDown; }
+  [[nodiscard]] std::size_t tileBytes() const {
+    return std::size_t(tileSide) * tileSide * pixelBytes(type);
+  }
+};
+
+/// A page's place in the chain of pages.
+struct TiffLink {
+  std::uint64_t next = 0;    ///< position of the next page's directory, 0 = there is none
+  std::uint64_t nextAt = 0;  ///< where `next` stands
+};
+
+/// The file's first bytes; its link is at `firstLinkAt`.
+std::string tiffHeader();
+inline constexpr std::uint64_t firstLinkAt = 8;
+
+/// Index, description and directory as they stand in the file from position `at` on. `offsets` and
+/// `counts` are the tiles', row by row; the directory comes last, its link in the last 8 bytes.
+struct EncodedPage {
+  std::string bytes;
+  std::uint64_t directoryAt = 0;
+};
+EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& offsets,
+                        const std::vector<std::uint32_t>& counts, const std::string& description,
+                        std::uint64_t at);
+
+/// The first page's link; `next` is 0 where the file is no BigTIFF of ours.
+TiffLink firstLink(const RandomAccessFile& file);
+
+/// Throws InputError for a page that we cannot have written.
+struct DecodedPage {
+  TiffPage page;
+  std::string description;
+  TiffLink link;
+};
+DecodedPage readPage(const RandomAccessFile& file, std::uint64_t directoryAt);
+
+}  // namespace hogelscope

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// JPEG, noise and blur on rows of hogels.
+#include "io/images/degradation.h"
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/optics/image.h"
+
+namespace hogelscope {
+
+namespace {
+
+using Kind = Degradation::Kind;
+
+void throughJpeg(int quality, cv::Mat band, const Progress& progress) {
+  constexpr int longest = 65488;  // the format's limit, in whole blocks of 16
+  for (int x = 0; x < band.cols; x += longest) {
+    hearStop(progress);
+    cv::Mat piece = band.colRange(x, std::min(x + longest, band.cols));
+    cv::Mat bgr;
+    cv::cvtColor(piece, bgr, cv::COLOR_RGB2BGR);
+    std::vector<std::uint8_t> file;
+    cv::imencode(".jpg", bgr, file, {cv::IMWRITE_JPEG_QUALITY, quality});
+    cv::cvtColor(cv::imdecode(file, cv::IMREAD_COLOR), piece, cv::COLOR_BGR2RGB);
+  }
+}
+
+/// SplitMix64 (Steele, Lea, Flood 2014) of a counter: any value by itself.
+std::uint64_t mixed(std::uint64_t counter) {
+  std::uint64_t z = counter * 0x9E3779B97F4A7C15U;
+  z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ z >> 27U) * 0x94D049BB133111EBU;
+  return z ^ z >> 31U;
+}
+
+double unit(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11U) * 0x1p-53;
+}
+
+/// Box and Muller (1958).
+double normal(std::uint64_t counter) {
+  const double radius = std::sqrt(-2 * std::log(1 - unit(mixed(2 * counter))));
+  return radius * std::cos(2 * std::numbers::pi * unit(mixed(2 * counter + 1)));
+}
+
+void addNoise(double sigma, std::uint64_t start, std::span<std::uint8_t> band,
+              const Progress& progress) {
+  constexpr std::size_t piece = 65536;
+  for (std::size_t k = 0; k < band.size(); ++k) {
+    if (k % piece == 0) hearStop(progress);
+    band[k] = quantised(band[k] + sigma * normal(start + k));
+  }
+}
+
+void blurHogels(double sigma, const LightFieldSize& size, const cv::Mat& band,
+                const Progress& progress) {
+  for (int i = 0; i < size.nx; ++i) {
+    hearStop(progress);
+    const cv::Mat hogel = band.colRange(i * size.du, (i + 1) * size.du);
+    cv::Mat blurred;
+    cv::GaussianBlur(hogel.clone(), blurred, {}, sigma, sigma, cv::BORDER_REPLICATE);
+    blurred.copyTo(hogel);
+  }
+}
+
+}  // namespace
+
+Degradation parseDegradation(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
+  Degradation result;
+  const auto [end, error] =
+      std::from_chars(number.data(), number.data() + number.size(), result.amount);
+  const bool isNumber = error == std::errc() && end == number.data() + number.size();
+  const auto within = [&](double least, double most) {
+    if (!isNumber || !(result.amount >= least && result.amount <= most))
+      throw InputError("--degrade", text,
+                       "needs a number from " + std::to_string(int(least)) + " to " +
+                           std::to_string(int(most)) + " after " + name + ":");
+  };
+  if (name == "jpeg") {
+    result.kind = Kind::jpeg;
+    within(1, 100);
+  } else if (name == "noise") {
+    result.kind = Kind::noise;
+    within(0, 255);
+  } else if (name == "blur") {
+    result.kind = Kind::blur;
+    within(0, 100);
+  } else {
+    throw InputError("--degrade", text, "is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA");
+  }
+  return result;
+}
+
+void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
+             std::span<std::uint8_t> band, const Progress& progress) {
+  const cv::Mat mat(size.dv, int(size.width()), CV_8UC3, band.data());
+  switch (degradation.kind) {
+    case Kind::jpeg:
+      return throughJpeg(int(degradation.amount), mat, progress);
+    case Kind::noise:
+      return addNoise(degradation.amount, mixed(degradation.seed) + std::uint64_t(j) * band.size(),
+                      band, progress);
+    case Kind::blur:
+      if (degradation.amount > 0) blurHogels(degradation.amount, size, mat, progress);
+      return;
+    case Kind::none:
+      return;
+  }
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --degrade: what a codec, a sensor or a lens would do to a light field, row of hogels by row.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/base/progress.h"
+#include "core/light_field/light_field.h"
+
+namespace hogelscope {
+
+struct Degradation {
+  enum class Kind { none, jpeg, noise, blur };
+  Kind kind = Kind::none;
+  double amount = 0;       ///< quality 1 … 100; σ in code values; σ in directional pixels
+  std::uint64_t seed = 1;  ///< of the noise
+};
+
+/// "jpeg:60", "noise:2", "blur:1". Throws InputError.
+Degradation parseDegradation(const std::string& text);
+
+/// `band` is the j-th row of hogels: dv rows of 3·nx·du values.
+/// jpeg: coded and decoded by OpenCV (4:2:0), each row of hogels as a picture of its own, in pieces
+/// of at most 65 488 columns; where dv is a multiple of 16 the same as the whole picture's, but for
+/// the colour of the rows beside its border, which decoders smooth across blocks. noise: Gaussian,
+/// independent for each value, depending on its place and the seed alone. blur: Gaussian within
+/// each hogel, its edge repeated. `progress` may say stop; then it throws Cancelled.
+void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
+             std::span<std::uint8_t> band, const Progress& progress = {});
+
+}  // namespace hogelscope

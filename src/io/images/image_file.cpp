@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture files read through OpenImageIO; PNGs by libspng.
+#include "io/images/image_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "io/images/big_tiff.h"
+#include "io/images/exr_header.h"
+#include "io/images/open_image_io.h"
+#include "io/images/png_rows.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void refuseNotANumber(std::span<const float> values, std::size_t width, std::size_t firstRow,
+                      const fs::path& file) {
+  const auto bad =
+      std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+  if (bad == values.end()) return;
+  const std::size_t pixel = std::size_t(bad - values.begin()) / 3;
+  throw InputError(file.string(),
+                   "pixel (" + std::to_string(pixel % width) + ", " +
+                       std::to_string(firstRow + pixel / width) + ")",
+                   std::isnan(*bad) ? "is not a number" : "is infinite");
+}
+
+/// Throws InputError where not even a picture of one colour would be so small.
+void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
+  constexpr double mostBytesPerByte = 1 << 17;
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (!error && double(spec.image_bytes(true)) > mostBytesPerByte * double(bytes))
+    throw InputError(file.string(), "is damaged",
+                     "its " + std::to_string(bytes) + " bytes cannot be " +
+                         std::to_string(spec.width) + "×" + std::to_string(spec.height) + " px");
+}
+
+void checkIsFile(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found)
+    throw InputError(file.string(), "", "there is no such file");
+  if (error) throw InputError(file.string(), "cannot be read", error.message());
+  if (fs::is_directory(status))
+    throw InputError(file.string(), "",
+                     "is a folder, not a picture; a folder has layout \"views\"");
+  if (!fs::is_regular_file(status))
+    throw InputError(file.string(), "", "is a device or a pipe, not a picture file");
+}
+
+StoredType typeOf(const OIIO::ImageSpec& spec) {
+  switch (spec.format.basetype) {
+    case OIIO::TypeDesc::UINT8:
+    case OIIO::TypeDesc::INT8:
+      return StoredType::uint8;
+    case OIIO::TypeDesc::UINT16:
+    case OIIO::TypeDesc::INT16:
+      return StoredType::uint16;
+    default:
+      return StoredType::real;
+  }
+}
+
+}  // namespace
+
+struct ImageFile::Input {
+  std::unique_ptr<OIIO::ImageInput> image;
+  OIIO::ImageSpec spec;
+};
+
+ImageFile::ImageFile(const fs::path& file) : m_file(file) {
+  checkIsFile(file);
+  if (PngRows::isPng(file))
+    openPng();
+  else
+    openOther();
+}
+
+ImageFile::~ImageFile() = default;
+ImageFile::ImageFile(ImageFile&&) noexcept = default;
+
+void ImageFile::openPng() {
+  const PngRows png(m_file);
+  m_facts = {png.width(), png.height(), png.channels(), png.type(), "png"};
+}
+
+void ImageFile::openOther() {
+  checkExrHeader(m_file);
+  m_input = std::make_unique<Input>();
+  m_input->image = OIIO::ImageInput::open(m_file.string());
+  if (!m_input->image)
+    throw InputError(m_file.string(), "cannot be read as a picture",
+                     oneLine(OIIO::geterror(), m_file));
+  m_input->spec = m_input->image->spec();
+  const OIIO::ImageSpec& spec = m_input->spec;
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
+    throw InputError(m_file.string(), "", "is not a flat picture with pixels");
+  checkSize(spec, m_file);
+  m_facts = {std::size_t(spec.width), std::size_t(spec.height), spec.nchannels, typeOf(spec),
+             m_input->image->format_name()};
+}
+
+template <class T>
+std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
+  OIIO::ImageInput& image = *m_input->image;
+  const OIIO::ImageSpec& spec = m_input->spec;
+  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader wants to be asked for
+  // alpha to do so with scanlines, and does it twice if it is asked with tiles.
+  const bool isAsked = spec.tile_width == 0;
+  const bool hasAlpha = isAsked && (spec.alpha_channel == 1 || spec.alpha_channel == 3);
+  const int used = hasAlpha ? spec.alpha_channel + 1 : channels() < 3 ? 1 : 3;
+  const auto stored = std::size_t(used);
+  std::vector<T> read(stored * width() * rows);
+  const int begin = spec.y + int(first);
+  const int end = begin + int(rows);
+  const auto stride = OIIO::stride_t(stored * sizeof(T));
+  const bool isRead =
+      spec.tile_width > 0
+          ? image.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
+                             used, baseType<T>(), read.data(), stride)
+          : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), read.data(),
+                                 stride);
+  // Some readers fill the rest of a truncated file and only leave a message.
+  if (!isRead || image.has_error())
+    throw InputError(m_file.string(), "is damaged", oneLine(image.geterror(), m_file));
+  std::vector<T> values(3 * width() * rows);
+  for (std::size_t p = 0; p < width() * rows; ++p)
+    for (std::size_t c = 0; c < 3; ++c) values[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
+  if constexpr (std::is_same_v<T, float>) refuseNotANumber(values, width(), first, m_file);
+  return values;
+}
+
+template <class T>
+void ImageFile::readAs(const Band& band, const Progress& progress) {
+  constexpr std::size_t bandPixels = std::size_t{1} << 20;
+  const auto tileRows = std::size_t(std::max(m_input->spec.tile_height, 1));
+  const std::size_t rows = (bandPixels / width() / tileRows + 1) * tileRows;
+  for (std::size_t first = 0; first < height(); first += rows) {
+    advance(progress, double(first) / double(height()));
+    const std::size_t count = std::min(rows, height() - first);
+    band(first, count, StoredRows(readRows<T>(first, count).data()));
+  }
+}
+
+namespace {
+
+template <class To, class From>
+To converted(From value) {
+  if constexpr (std::is_same_v<To, float>)
+    return float(value) / std::numeric_limits<From>::max();
+  else if constexpr (sizeof(To) > sizeof(From))
+    return To(value * 257);  // 255 becomes 65535
+  else
+    return To((value + 128U) / 257U);
+}
+
+/// One row after the other.
+template <class T>
+void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& progress) {
+  PngRows png(file);
+  std::vector<T> row(3 * png.width());
+  const auto hand = [&](std::size_t y, const auto& values) {
+    if constexpr (std::is_same_v<decltype(values.data()), const T*>) {
+      band(y, 1, StoredRows(values.data()));
+    } else {
+      std::transform(values.begin(), values.end(), row.begin(),
+                     [](auto value) { return converted<T>(value); });
+      band(y, 1, StoredRows(row.data()));
+    }
+  };
+  for (std::size_t y = 0; y < png.height(); ++y) {
+    advance(progress, double(y) / double(png.height()));
+    if (png.type() == StoredType::uint8)
+      hand(y, png.next8());
+    else
+      hand(y, png.next16());
+  }
+}
+
+}  // namespace
+
+void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
+  const bool isPng = m_input == nullptr;
+  withStoredType(type, [&](auto value) {
+    using T = decltype(value);
+    if (isPng)
+      readPng<T>(m_file, band, progress);
+    else
+      readAs<T>(band, progress);
+  });
+}
+
+}  // namespace hogelscope

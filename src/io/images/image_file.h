@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picture files of any format, read from the top.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/light_field/light_field.h"
+
+namespace hogelscope {
+
+/// The first value of pixels that somebody else holds.
+using StoredRows = std::variant<const std::uint8_t*, const std::uint16_t*, const float*>;
+
+/// An opened picture file; every error names it. Grey becomes RGB, alpha is light over black.
+class ImageFile {
+ public:
+  explicit ImageFile(const std::filesystem::path& file);
+  ~ImageFile();
+  ImageFile(ImageFile&&) noexcept;
+  ImageFile& operator=(ImageFile&&) = delete;
+
+  [[nodiscard]] std::size_t width() const { return m_facts.width; }
+  [[nodiscard]] std::size_t height() const { return m_facts.height; }
+  [[nodiscard]] int channels() const { return m_facts.channels; }
+  [[nodiscard]] StoredType type() const { return m_facts.type; }
+  [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
+
+  /// Hears rows [first, first + rows), three values a pixel; they are gone afterwards.
+  using Band = std::function<void(std::size_t first, std::size_t rows, const StoredRows&)>;
+  /// Reads all pixels from the top, some rows at a time. Throws InputError: damaged, not a number.
+  void read(StoredType type, const Band& band, const Progress& progress);
+
+  [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
+
+ private:
+  template <class T>
+  void readAs(const Band& band, const Progress& progress);
+  template <class T>
+  std::vector<T> readRows(std::size_t first, std::size_t rows);
+
+  void openPng();
+  void openOther();
+
+  struct Facts {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    int channels = 0;
+    StoredType type = StoredType::uint8;
+    std::string format;
+  };
+  struct Input;
+  std::filesystem::path m_file;
+  Facts m_facts;
+  std::unique_ptr<Input> m_input;  ///< of OpenImageIO; null for a PNG
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What reading and writing share of OpenImageIO.
+#include "io/images/open_image_io.h"
+
+namespace hogelscope {
+
+std::string oneLine(std::string text, const std::filesystem::path& file) {
+  for (const std::string& noise : {"\"" + file.string() + "\"", "'" + file.string() + "'"})
+    if (const std::size_t at = text.find(noise); at != std::string::npos)
+      text.replace(at, noise.size(), "it");
+  text = text.substr(0, text.find('\n'));  // the rest says it again
+  if (text.ends_with(" (it)")) text.resize(text.size() - 5);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  return text.empty() ? "unknown reason" : text;
+}
+
+}  // namespace hogelscope

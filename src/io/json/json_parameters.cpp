@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// JSON as a visitor of the parameter descriptions.
+#include "io/json/json_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// A value as an error line shows it: short, and on one line.
+std::string shown(const Json& value) {
+  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  constexpr std::size_t longest = 60;
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;  // not within a letter
+  while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;
+  return text.substr(0, end) + "…";
+}
+
+std::string rangeText(const Field& field) {
+  std::string text = numberText(field.range.min) + " to " + numberText(field.range.max);
+  return field.unit.empty() ? text : text + " " + std::string(field.unit);
+}
+
+std::string joined(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
+  const std::string_view nearest = nearestName(name, known);
+  if (nearest.empty()) return "known are " + joined(known);
+  return "did you mean \"" + std::string(nearest) + "\"?";
+}
+
+void checkNumber(const Json& value, const Field& field, const std::string& path, double) {
+  if (!value.is_number()) throw InputError(path, shown(value) + " is not a number");
+  const auto number = value.get<double>();
+  if (!(number >= field.range.min && number <= field.range.max))
+    throw InputError(path, shown(value) + " is out of range: " + rangeText(field));
+}
+
+void checkNumber(const Json& value, const Field& field, const std::string& path, int) {
+  checkNumber(value, field, path, 0.0);
+  const auto number = value.get<double>();
+  if (number != std::floor(number)) throw InputError(path, shown(value) + " is not a whole number");
+  if (std::fmod(number - field.range.min, field.range.step) != 0)
+    throw InputError(path, shown(value) + " is not one of " + numberText(field.range.min) + ", " +
+                               numberText(field.range.min + field.range.step) + ", … " +
+                               numberText(field.range.max));
+}
+
+template <class Number>
+void write(Json& object, const Field& field, std::span<Number> values, bool isList) {
+  for (const Number value : values)
+    if (!(value >= field.range.min && value <= field.range.max)) return;
+  Json& target = object[std::string(field.name)];
+  if (isList)
+    target = Json(std::vector<Number>(values.begin(), values.end()));
+  else
+    target = values[0];
+}
+
+}  // namespace
+
+JsonReader::JsonReader(const Json& object, std::string path)
+    : m_object(object), m_path(std::move(path)) {
+  if (!object.is_object())
+    throw InputError(m_path, shown(object) + " is not an object: { \"name\": value, … }");
+}
+
+std::string JsonReader::pathOf(std::string_view name) const {
+  return m_path.empty() ? std::string(name) : m_path + "." + std::string(name);
+}
+
+const Json* JsonReader::section(std::string_view name) {
+  m_known.push_back(name);
+  const auto found = m_object.find(std::string(name));
+  return found == m_object.end() ? nullptr : &*found;
+}
+
+void JsonReader::refuseUnknown() const {
+  for (const auto& item : m_object.items())
+    if (std::find(m_known.begin(), m_known.end(), item.key()) == m_known.end())
+      throw InputError(pathOf(item.key()), "is not known here; " + suggestion(item.key(), m_known));
+}
+
+template <class Number>
+void JsonReader::list(const Field& field, std::span<Number> values, bool isList) {
+  const Json* value = section(field.name);
+  if (value == nullptr) return;
+  const std::string path = pathOf(field.name);
+  if (!isList) {
+    checkNumber(*value, field, path, Number{});
+    values[0] = value->get<Number>();
+    return;
+  }
+  if (!value->is_array() || value->size() != values.size())
+    throw InputError(
+        path, shown(*value) + " is not a list of " + std::to_string(values.size()) + " numbers");
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    checkNumber((*value)[k], field, path + "[" + std::to_string(k) + "]", Number{});
+    values[k] = (*value)[k].get<Number>();
+  }
+}
+
+void JsonReader::numbers(const Field& field, std::span<double> values, bool isList) {
+  list(field, values, isList);
+}
+
+void JsonReader::integers(const Field& field, std::span<int> values, bool isList) {
+  list(field, values, isList);
+}
+
+void JsonReader::flag(const Field& field, bool& value) {
+  const Json* found = section(field.name);
+  if (found == nullptr) return;
+  if (!found->is_boolean())
+    throw InputError(pathOf(field.name), shown(*found) + " is neither true nor false");
+  value = found->get<bool>();
+}
+
+void JsonReader::text(const Field& field, std::string& value) {
+  const Json* found = section(field.name);
+  if (found == nullptr) return;
+  if (!found->is_string()) throw InputError(pathOf(field.name), shown(*found) + " is not a text");
+  value = found->get<std::string>();
+  if (std::any_of(value.begin(), value.end(), [](unsigned char c) { return c < 32 || c == 127; }))
+    throw InputError(pathOf(field.name), shown(*found) + " has a control character");
+}
+
+void JsonReader::choice(const Field& field, int& index) {
+  const Json* found = section(field.name);
+  if (found == nullptr) return;
+  const std::string path = pathOf(field.name);
+  if (!found->is_string())
+    throw InputError(path, shown(*found) + " is not a text: one of " + joined(field.choices));
+  const auto name = found->get<std::string>();
+  const auto at = std::find(field.choices.begin(), field.choices.end(), name);
+  if (at == field.choices.end())
+    throw InputError(path, shown(*found) + " is not one of " + joined(field.choices));
+  index = static_cast<int>(at - field.choices.begin());
+}
+
+void JsonWriter::numbers(const Field& field, std::span<double> values, bool isList) {
+  write(m_object, field, values, isList);
+}
+
+void JsonWriter::integers(const Field& field, std::span<int> values, bool isList) {
+  write(m_object, field, values, isList);
+}
+
+void JsonWriter::flag(const Field& field, bool& value) {
+  m_object[std::string(field.name)] = value;
+}
+
+void JsonWriter::text(const Field& field, std::string& value) {
+  m_object[std::string(field.name)] = value;
+}
+
+void JsonWriter::choice(const Field& field, int& index) {
+  m_object[std::string(field.name)] = field.choices[std::size_t(index)];
+}
+
+Override parseOverride(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+    throw InputError("--set " + text, "is not of the form section.field=value");
+  const std::string written = text.substr(equals + 1);
+  try {
+    Json value = Json::accept(written) ? parseJson(written) : Json(written);
+    return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), std::move(value)};
+  } catch (const InputError& error) {
+    throw InputError("--set " + text.substr(0, equals), error.what());
+  }
+}
+
+namespace {
+
+/// Hears a document's structure while it is parsed: refuses a key that stands twice in an object,
+/// and what no document of ours has: such a depth, or so many keys.
+class StructureCheck {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > deepestDocument) throw InputError("is nested deeper than any session", "");
+    if (event == Json::parse_event_t::object_start) m_open.emplace_back();
+    if (event == Json::parse_event_t::object_end) m_open.pop_back();
+    if (event == Json::parse_event_t::key) addKey(parsed.get<std::string>());
+    return true;
+  }
+
+ private:
+  struct Object {
+    std::set<std::string> keys;
+    std::string latest;
+  };
+
+  void addKey(const std::string& key) {
+    m_open.back().latest = key;
+    if (m_open.back().keys.size() == mostKeys)
+      throw InputError("has more than " + std::to_string(mostKeys) + " keys in one object", "");
+    if (m_open.back().keys.insert(key).second) return;
+    std::string path;
+    for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
+    throw InputError(path, "stands twice in one object");
+  }
+
+  std::vector<Object> m_open;
+};
+
+}  // namespace
+
+Json parseJson(const std::string& text, JsonComments comments) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("is empty: not a session document", "");
+  StructureCheck check;
+  try {
+    return Json::parse(text, std::ref(check), true, comments == JsonComments::ignored);
+  } catch (const Json::exception& error) {
+    std::string why = error.what();
+    why.erase(0, std::min(why.size(), why.find("] ") + 2));
+    std::replace_if(
+        why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
+    throw InputError("is not JSON", why);
+  }
+}
+
+namespace {
+
+void format(const Json& value, const std::string& indent, std::string& out) {
+  const bool isLeaf = !value.is_structured() || value.empty();
+  const bool isFlat =
+      value.is_array() &&
+      std::none_of(value.begin(), value.end(), [](const Json& v) { return v.is_structured(); });
+  if (isLeaf || isFlat) {
+    out += value.dump();
+    return;
+  }
+  const std::string inner = indent + "  ";
+  out += value.is_object() ? "{" : "[";
+  const char* separator = "\n";
+  for (const auto& item : value.items()) {
+    out += separator + inner;
+    if (value.is_object()) out += Json(item.key()).dump() + ": ";
+    format(item.value(), inner, out);
+    separator = ",\n";
+  }
+  out += "\n" + indent + (value.is_object() ? "}" : "]");
+}
+
+}  // namespace
+
+std::string formatJson(const Json& value) {
+  std::string text;
+  format(value, "", text);
+  return text + "\n";
+}
+
+}  // namespace hogelscope

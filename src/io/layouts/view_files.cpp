@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds a folder's views and reads their row and column from the file names.
+#include "io/layouts/view_files.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/base/error.h"
+#include "io/files/folders.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A pattern, token by token.
+struct Token {
+  enum class Kind { letter, number, coordinate, anything, extension } kind;
+  char letter;  ///< itself, or R, C, N for what a number means
+};
+
+struct NamePattern {
+  std::vector<Token> tokens;
+  std::string text;  ///< as the user knows it
+
+  [[nodiscard]] std::string meaning() const {
+    std::string letters;
+    for (const Token& token : tokens)
+      if (token.kind == Token::Kind::number) letters += token.letter;
+    return letters;
+  }
+};
+
+bool isLetter(const std::string& text, std::size_t at) {
+  return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+}
+
+void checkLength(const std::string& text, const char* field) {
+  constexpr std::size_t longest = 255;  // as a file's name
+  if (text.size() > longest) throw InputError(field, "is longer than a file's name can be");
+}
+
+/// RR, CC, NNN (or one such letter alone) are numbers, x and y alone are coordinates, * anything.
+NamePattern fromTokens(const std::string& text) {
+  using Kind = Token::Kind;
+  checkLength(text, "lightField.pattern");
+  NamePattern pattern{{}, text};
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    const std::size_t run = std::min(text.find_first_not_of(c, at), text.size()) - at;
+    const bool isAlone = (at == 0 || !isLetter(text, at - 1)) && !isLetter(text, at + run);
+    const bool isNumber = (c == 'R' || c == 'C' || c == 'N') && (run > 1 || isAlone);
+    const bool isCoordinate = (c == 'x' || c == 'y') && run == 1 && isAlone;
+    pattern.tokens.push_back({isNumber       ? Kind::number
+                              : isCoordinate ? Kind::coordinate
+                              : c == '*'     ? Kind::anything
+                                             : Kind::letter,
+                              c});
+    at += isNumber ? run : 1;
+  }
+  if (text.find('.') == std::string::npos) {
+    pattern.tokens.push_back({Kind::letter, '.'});
+    pattern.tokens.push_back({Kind::extension, '.'});
+  }
+  return pattern;
+}
+
+/// printf's %d, %02d: row and column, or one running number.
+NamePattern fromPercent(const std::string& text) {
+  checkLength(text, "lightField.file");
+  NamePattern pattern{{}, text};
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] != '%') {
+      pattern.tokens.push_back({Token::Kind::letter, text[at++]});
+      continue;
+    }
+    const std::size_t end = text.find_first_not_of("0123456789", at + 1);
+    if (end == std::string::npos || text[end] != 'd')
+      throw InputError("lightField.file", "\"" + text + "\": only %d and %02d stand for numbers");
+    pattern.tokens.push_back({Token::Kind::number, pattern.meaning().empty() ? 'R' : 'C'});
+    at = end + 1;
+  }
+  if (pattern.meaning() == "R")
+    for (Token& token : pattern.tokens)
+      if (token.kind == Token::Kind::number) token.letter = 'N';
+  return pattern;
+}
+
+/// Fits a name to a pattern. What was tried once in vain is not tried again, so that many stars
+/// cost no more than name times pattern.
+class NameMatch {
+ public:
+  NameMatch(const NamePattern& pattern, const std::string& name)
+      : m_tokens(pattern.tokens), m_name(name), m_failed(m_tokens.size() * (name.size() + 1)) {}
+
+  /// The numbers in the order of the pattern; none if the name does not fit.
+  std::optional<std::vector<std::string>> numbers() {
+    if (!fits(0, 0)) return std::nullopt;
+    std::reverse(m_numbers.begin(), m_numbers.end());
+    return m_numbers;
+  }
+
+ private:
+  /// Do the tokens from `token` on fit the name from `at` on?
+  bool fits(std::size_t token, std::size_t at) {
+    if (token == m_tokens.size()) return at == m_name.size();
+    const std::size_t state = token * (m_name.size() + 1) + at;
+    if (m_failed[state]) return false;
+    const auto [least, most] = lengths(m_tokens[token], at);
+    for (std::size_t length = most + 1; length-- > least;) {
+      if (!fits(token + 1, at + length)) continue;
+      if (m_tokens[token].kind == Token::Kind::number)
+        m_numbers.push_back(m_name.substr(at, length));
+      return true;
+    }
+    m_failed[state] = true;
+    return false;
+  }
+
+  /// How many letters of the name the token can take: least to most, none where least > most.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> lengths(const Token& token,
+                                                            std::size_t at) const {
+    const auto run = [&](const char* letters) {
+      return std::min(m_name.find_first_not_of(letters, at), m_name.size()) - at;
+    };
+    constexpr std::size_t mostDigits = 9;
+    switch (token.kind) {
+      case Token::Kind::number:
+        return {1, std::min(run("0123456789"), mostDigits)};
+      case Token::Kind::coordinate:
+        return {1, run("-+0123456789.eE")};
+      case Token::Kind::anything:
+        return {0, m_name.size() - at};
+      case Token::Kind::extension:
+        return {1, std::min(m_name.find('.', at), m_name.size()) - at};
+      default:
+        return {1, at < m_name.size() && m_name[at] == token.letter ? 1 : 0};
+    }
+  }
+
+  const std::vector<Token>& m_tokens;
+  const std::string& m_name;
+  std::vector<bool> m_failed;
+  std::vector<std::string> m_numbers;  ///< the last one first
+};
+
+void checkMeaning(const NamePattern& pattern) {
+  std::string sorted = pattern.meaning();
+  std::sort(sorted.begin(), sorted.end());
+  if (sorted != "CR" && sorted != "N")
+    throw InputError("lightField.pattern", "\"" + pattern.text +
+                                               "\" names neither one row (RR) and one column (CC) "
+                                               "nor one running number (NNN)");
+}
+
+using Found = std::map<std::pair<int, int>, fs::path>;  // (row, column), running number as (0, n)
+
+int number(const std::string& digits) {
+  int value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
+}
+
+Found matches(const fs::path& folder, const NamePattern& pattern) {
+  const std::string meaning = pattern.meaning();
+  Found found;
+  for (const fs::path& file : entriesOf(folder)) {
+    const std::string name = file.filename().string();
+    const auto numbers = NameMatch(pattern, name).numbers();
+    if (!numbers) continue;
+    std::pair<int, int> key{0, 0};
+    for (std::size_t g = 0; g < meaning.size(); ++g)
+      (meaning[g] == 'R' ? key.first : key.second) = number((*numbers)[g]);
+    const auto [first, isNew] = found.emplace(key, file);
+    if (!isNew)
+      throw InputError(folder.string(), "views",
+                       name + " and " + first->second.filename().string() + " are the same view");
+  }
+  return found;
+}
+
+ViewFiles gridOf(const Found& found, const fs::path& folder) {
+  std::set<int> rows;
+  std::set<int> columns;
+  for (const auto& [key, file] : found) {
+    rows.insert(key.first);
+    columns.insert(key.second);
+  }
+  ViewFiles grid{int(rows.size()), int(columns.size()), {}};
+  for (const int row : rows) {
+    for (const int column : columns) {
+      const auto at = found.find({row, column});
+      if (at == found.end())
+        throw InputError(folder.string(), "views",
+                         "row " + std::to_string(row) + ", column " + std::to_string(column) +
+                             " is missing (" + std::to_string(rows.size()) + " rows and " +
+                             std::to_string(columns.size()) + " columns were found)");
+      grid.files.push_back(at->second);
+    }
+  }
+  return grid;
+}
+
+/// One running number: row by row, a square grid unless the display says otherwise.
+ViewFiles runningGrid(const Found& found, std::array<int, 2> directions, const fs::path& folder) {
+  const auto count = int(found.size());
+  const int first = found.begin()->first.second;
+  const int last = found.rbegin()->first.second;
+  for (int n = first; n <= last; ++n)
+    if (!found.contains({0, n}))
+      throw InputError(folder.string(), "views", "number " + std::to_string(n) + " is missing");
+  const int side = int(std::lround(std::sqrt(double(count))));
+  const auto [columns, rows] = directions[0] > 0 ? directions : std::array<int, 2>{side, side};
+  if (columns * rows != count)
+    throw InputError(
+        folder.string(), "views",
+        std::to_string(count) + " views do not make a grid of " + std::to_string(columns) + "×" +
+            std::to_string(rows) +
+            (directions[0] > 0 ? "; mend display.directions" : "; give display.directions"));
+  ViewFiles grid{rows, columns, {}};
+  for (const auto& [key, file] : found) grid.files.push_back(file);
+  return grid;
+}
+
+}  // namespace
+
+ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions) {
+  fs::path folder = params.file;
+  std::error_code error;
+  std::vector<NamePattern> patterns;
+  const std::string last = folder.filename().string();
+  if (last.find('%') != std::string::npos && !fs::exists(folder, error)) {
+    patterns.push_back(fromPercent(last));
+    folder = folder.parent_path().empty() ? "." : folder.parent_path();
+  } else if (!params.pattern.empty()) {
+    patterns.push_back(fromTokens(params.pattern));
+  } else {
+    for (const char* known :
+         {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
+      patterns.push_back(fromTokens(known));
+  }
+  const fs::file_type type = fs::status(folder, error).type();
+  if (type == fs::file_type::none)
+    throw InputError(folder.string(), "cannot be read", error.message());
+  if (type != fs::file_type::directory)
+    throw InputError(folder.string(), "",
+                     type == fs::file_type::not_found
+                         ? "there is no such folder"
+                         : "is a file; layout \"views\" reads a folder");
+  for (const NamePattern& pattern : patterns) {
+    checkMeaning(pattern);
+    const Found found = matches(folder, pattern);
+    if (found.empty()) continue;
+    return pattern.meaning() == "N" ? runningGrid(found, directions, folder)
+                                    : gridOf(found, folder);
+  }
+  std::string tried;
+  for (const NamePattern& pattern : patterns) tried += (tried.empty() ? "" : ", ") + pattern.text;
+  throw InputError(folder.string(), "views",
+                   "no file name fits " + tried + "; give lightField.pattern");
+}
+
+}  // namespace hogelscope

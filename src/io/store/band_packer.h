@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes a store's pages of a hogel image's rows: while one band of hogels is read, threads put the
+// blocks of the last one together and compress them. Memory is a fixed number of rows.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/base/progress.h"
+#include "io/store/tile_codec.h"
+
+namespace hogelscope {
+
+class BandPacker {
+ public:
+  /// `rows` of the hogel image are kept at most: a band (`bandRows`) or more.
+  BandPacker(const StoreHeader& header, std::size_t rows, int threads, StoreOutput& output);
+  ~BandPacker();
+  BandPacker(const BandPacker&) = delete;
+  BandPacker& operator=(const BandPacker&) = delete;
+
+  /// Rows of the hogel image in a band.
+  static std::size_t bandRows(const StoreHeader& header);
+
+  /// Hogel row j's directions v; hogel rows come in their order. Waits for memory. Throws what went
+  /// wrong on the threads. Pages that the output has already are passed over.
+  void take(int j, int v, const void* rgb);
+  /// Waits until all pages are written. Throws the same, or Cancelled.
+  void finish(const Progress& progress);
+
+ private:
+  struct Band {
+    int page = 0;
+    std::vector<std::byte*> rows;  ///< v of the first hogel row, of the second, …
+    std::size_t taken = 0;
+    int strips = 0;  ///< rows of tiles that a thread has begun
+  };
+  struct Strip {
+    std::shared_ptr<Band> band;
+    int v = 0;
+  };
+
+  void stop();
+  void work();
+  std::optional<Strip> nextStrip();
+  TileBytes compressed(const Strip& strip, TileCompressor& compressor) const;
+  [[nodiscard]] std::vector<std::byte*> rowsOf(const Strip& strip) const;
+  void release(const Strip& strip);
+  void write(const Strip& strip, const TileBytes& tiles);
+  std::byte* freeRow();
+
+  StoreHeader m_header;
+  BlockIndex m_blocks;
+  StoreOutput& m_output;
+  std::size_t m_rowBytes;
+  int m_firstPage;  ///< those before it are written
+  std::unique_ptr<std::byte[]> m_memory;
+  std::vector<std::byte*> m_free;
+  std::shared_ptr<Band> m_filling;  ///< known to the reading thread only
+  std::deque<std::shared_ptr<Band>> m_full;
+  long m_turn = 0;  ///< the row of tiles that is written next
+  bool m_isAllTaken = false;
+  bool m_isStopped = false;
+  std::exception_ptr m_error;
+  std::mutex m_mutex;
+  std::condition_variable m_changed;
+  std::vector<std::jthread> m_threads;
+};
+
+}  // namespace hogelscope

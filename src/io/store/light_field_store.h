@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A store (layout "pack"): a light field on the disk of which only the blocks that a view needs are
+// read. Its format is described in store_header.h.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "io/images/big_tiff.h"
+#include "io/layouts/light_field_file.h"
+#include "io/store/store_header.h"
+
+namespace hogelscope {
+
+class BlockCache;
+
+class LightFieldStore : public LightFieldFile, public TexelStore {
+ public:
+  /// Reads the pages' directories, not their indices. `cacheBytes`: decoded blocks that are kept.
+  /// `threads`: 0 = all. Throws InputError: not a store, not complete, damaged.
+  explicit LightFieldStore(const std::filesystem::path& file, bool incoming = false,
+                           std::size_t cacheBytes = 0, int threads = 0);
+  ~LightFieldStore() override;
+
+  /// Is it a store, whole or not? Looks at its first page only.
+  static bool isStore(const std::filesystem::path& file);
+
+  [[nodiscard]] const StoreHeader& header() const { return m_header; }
+  [[nodiscard]] LightFieldSize size() const override { return m_header.size; }
+  [[nodiscard]] StoredType type() const override { return m_header.type; }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return {m_file.path()};
+  }
+
+  /// The whole light field in memory.
+  [[nodiscard]] LightField read(const Progress& progress) override;
+  /// A row of blocks of hogels is in memory at a time, less of it where that is more than half of
+  /// allowedMemory(). No stream by isStream(): views need not wait for what they want.
+  void stream(const HogelRow& row, const Progress& progress) override;
+
+  /// What is decoded is kept in the cache, and the last view's slice is handed out again where it
+  /// has all that is asked for.
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const Footprint& footprint,
+                                                        const Progress& progress) override;
+
+  /// Hogels and directions picked at even distances, read the first time. Throws InputError.
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
+
+  /// Hears block k of `wanted`: 64×64 texels of three values of type(), as store_header.h says. On
+  /// several threads, each block once. Fastest where wanted blocks follow each other along u, then
+  /// i, then v, then j. Throws InputError that names the block that is damaged, or Cancelled.
+  using BlockUse = std::function<void(std::size_t k, std::span<const std::byte> texels)>;
+  void blocks(std::span<const BlockIndex> wanted, const BlockUse& use,
+              const Progress& progress) const;
+
+ private:
+  class Reader;
+  [[nodiscard]] LightField readOverview() const;
+  void openPages();
+  void decode(Reader& reader, const BlockIndex& at, std::span<std::byte> texels) const;
+  void checkPage(int number, const TiffPage& page) const;
+  void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
+  template <class T>
+  void readBand(int begin, int end, std::vector<T>& band, const Progress& progress) const;
+  [[nodiscard]] std::shared_ptr<const LightField> lastSlice();
+  [[nodiscard]] Footprint stored(const Footprint& footprint) const;
+  void placeSlice(const BlockIndex& block, std::span<const std::byte> texels,
+                  const Footprint& footprint, LightField& target) const;
+  void placeOverview(int x0, int y0, std::span<const std::byte> texels, LightField& target) const;
+
+  RandomAccessFile m_file;
+  bool m_incoming;
+  int m_threads;
+  StoreHeader m_header;
+  std::vector<TiffPage> m_pages;  ///< the overview's is the last
+  std::unique_ptr<BlockCache> m_cache;
+  std::mutex m_sliceMutex;
+  std::shared_ptr<const LightField> m_lastSlice;
+  mutable std::once_flag m_overviewIsRead;
+  mutable std::shared_ptr<const LightField> m_overview;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A store's tiles: put together from the rows of a hogel image, compressed, decompressed.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "io/store/store_output.h"
+
+struct ZSTD_CCtx_s;
+struct ZSTD_DCtx_s;
+
+namespace hogelscope {
+
+/// The hogels from `i` on and the directions from `u` on that a block has; fewer than the block's
+/// cells at the light field's edges.
+struct BlockCut {
+  int i = 0;
+  int hogels = 0;
+  int u = 0;
+  int directions = 0;
+};
+
+/// Fills a tile with block `cut`. `rows` are the hogel image's, for each row of the tile: null
+/// beyond the light field's edge.
+void gatherBlock(const StoreHeader& header, const BlockCut& cut,
+                 std::span<const std::byte* const> rows, std::span<std::byte> tile);
+
+/// zstd's fastest level: see ARCHITECTURE.md for others. One thread at a time.
+class TileCompressor {
+ public:
+  explicit TileCompressor(StoredType type);
+  /// Adds it to `out`; black ones are written once.
+  void add(std::span<const std::byte> tile, TileBytes& out);
+
+ private:
+  using Context = std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)>;
+  void compress(std::span<const std::byte> tile);
+
+  std::size_t m_pixelBytes;
+  Context m_context;
+  std::vector<std::byte> m_compressed;
+  std::vector<std::byte> m_uniform;  ///< the colour that `m_ofUniform` is a tile of
+  std::vector<std::byte> m_ofUniform;
+};
+
+/// One thread at a time.
+class TileDecompressor {
+ public:
+  TileDecompressor();
+  /// "" or what is wrong: damaged, or not of the tile's size.
+  [[nodiscard]] std::string decompress(std::span<const std::byte> bytes, std::span<std::byte> tile);
+
+ private:
+  std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> m_context;
+};
+
+}  // namespace hogelscope

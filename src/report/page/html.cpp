@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The few things that every part of the report's page writes.
+#include "report/page/html.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+namespace hogelscope {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+/// By to_chars, since a locale may have a comma.
+std::string base64(const std::string& bytes) {
+  constexpr const char* alphabet =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = at; k < at + 3; ++k)
+      bits = bits << 8U | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += at + k <= bytes.size() ? alphabet[bits >> (18 - 6 * k) & 63U] : '=';
+  }
+  return text;
+}
+
+std::string pictureTag(const std::string& png, const std::string& text) {
+  return "<img alt=\"" + escaped(text) + "\" src=\"data:image/png;base64," + base64(png) + "\"/>";
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the report's plots are made of: axes, ticks and marks as SVG text. Lengths are SVG units.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/metrics/report_rows.h"
+#include "core/optics/display.h"
+
+namespace hogelscope {
+
+/// Values [low, high] along [from, to], which may fall; low < high.
+struct PlotAxis {
+  double low = 0;
+  double high = 1;
+  double from = 0;
+  double to = 1;
+  [[nodiscard]] double at(double value) const {
+    return from + (value - low) / (high - low) * (to - from);
+  }
+};
+
+struct PlotTick {
+  double value = 0;
+  std::string text;
+};
+
+/// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `range`.
+double tickStep(double range, int most);
+/// The multiples of that step within the axis.
+std::vector<PlotTick> ticksOf(const PlotAxis& axis, int most);
+
+/// A number with two digits after the point, as coordinates need.
+std::string coordinate(double value);
+/// `anchor`: start, middle, end.
+std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
+std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
+/// Grid, ticks, frame and titles around the area of the two axes.
+std::string plotFrame(const PlotAxis& across, const PlotAxis& up, const std::string& titleAcross,
+                      const std::string& titleUp);
+
+/// What there is to say of a view at its place in a plot.
+enum class PlotKind { identical, none, compared };
+struct PlotPoint {
+  const ReportRow* row = nullptr;
+  Vec3 eye;  ///< in the display frame, metres
+  double psnr = 0;
+  PlotKind kind = PlotKind::compared;
+};
+/// Of one test, in PlotKind's order and the lowest PSNR last, so that nothing covers it.
+std::vector<PlotPoint> pointsOf(const std::vector<ReportRow>& rows, const std::string& test,
+                                const DisplayParams& display);
+
+/// `<title>`: what a browser shows at a point.
+std::string titleOf(const PlotPoint& point);
+/// Smaller where there are many.
+double radiusFor(std::size_t points);
+
+}  // namespace hogelscope

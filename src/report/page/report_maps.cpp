@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PSNR over camera position: from above and from the front.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/base/colour_map.h"
+#include "core/metrics/summary.h"
+#include "report/page/html.h"
+#include "report/page/plot.h"
+#include "report/page/report_plots.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double mapLeft = 62;
+constexpr double mapWidth = 300;
+constexpr double mapTop = 26;
+
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  [[nodiscard]] double width() const { return high - low; }
+  void widen(double by) {
+    low -= by / 2;
+    high += by / 2;
+  }
+};
+
+std::string colourOf(double share) {
+  const auto [r, g, b] = falseColour(share);
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", unsigned{r}, unsigned{g}, unsigned{b});
+  return text.data();
+}
+
+/// The finite PSNRs of all tests, out to round numbers; low > high where there are none.
+Span psnrSpan(const std::vector<ReportRow>& rows) {
+  Span range;
+  for (const ReportRow& row : rows) {
+    const double db = psnr(row.metrics.mse);
+    if (row.problem.empty() && std::isfinite(db)) range.add(db);
+  }
+  if (!(range.low <= range.high)) return range;
+  if (range.width() < 1) range.widen(1 - range.width());
+  const double step = tickStep(range.width(), 6);
+  return {step * std::floor(range.low / step), step * std::ceil(range.high / step)};
+}
+
+std::string mark(const PlotPoint& point, double x, double y, double radius, const Span& psnrs) {
+  if (point.kind == PlotKind::none) {
+    const std::string r = coordinate(radius);
+    const std::string r2 = coordinate(2 * radius);
+    return "<path class=\"none\" d=\"M" + coordinate(x) + " " + coordinate(y) + "m-" + r + " -" +
+           r + "l" + r2 + " " + r2 + "m-" + r2 + " 0l" + r2 + " -" + r2 + "\">" + titleOf(point) +
+           "</path>\n";
+  }
+  const std::string fill =
+      point.kind == PlotKind::identical
+          ? std::string("class=\"hollow\"")
+          : "fill=\"" + colourOf((point.psnr - psnrs.low) / psnrs.width()) + "\"";
+  return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
+         coordinate(radius) + "\" " + fill + ">" + titleOf(point) + "</circle>\n";
+}
+
+/// One map: which coordinate of an eye goes down or up, and how the panel lies in it.
+struct MapKind {
+  std::string name;
+  double Vec3::*up;
+  bool isDown;  ///< the values grow downwards
+  double panelHalf;
+  std::string title;
+};
+
+/// Axes at one scale that hold the panel and all eyes, in a shape between 1:1 and about 2:1.
+std::array<PlotAxis, 2> axesOf(const MapKind& kind, const std::vector<PlotPoint>& points,
+                               double halfWidth) {
+  Span x{-halfWidth, halfWidth};
+  Span y{-kind.panelHalf, kind.panelHalf};
+  for (const PlotPoint& point : points) {
+    x.add(point.eye.x);
+    y.add(point.eye.*kind.up);
+  }
+  const double margin = 0.14 * std::max(x.width(), y.width());
+  x.widen(margin);
+  y.widen(margin);
+  const double shape = std::clamp(y.width() / x.width(), 0.45, 1.0);
+  const double scale = std::max(x.width() / mapWidth, y.width() / (shape * mapWidth));
+  x.widen(scale * mapWidth - x.width());
+  y.widen(scale * shape * mapWidth - y.width());
+  const double bottom = mapTop + shape * mapWidth;
+  PlotAxis up{y.low, y.high, bottom, mapTop};
+  if (kind.isDown) std::swap(up.from, up.to);
+  return {PlotAxis{x.low, x.high, mapLeft, mapLeft + mapWidth}, up};
+}
+
+std::string panelMark(const MapKind& kind, const PlotAxis& across, const PlotAxis& up,
+                      double halfWidth) {
+  const double left = across.at(-halfWidth);
+  const double top = std::min(up.at(-kind.panelHalf), up.at(kind.panelHalf));
+  const double height = std::abs(up.at(kind.panelHalf) - up.at(-kind.panelHalf));
+  const bool isBar = kind.panelHalf == 0;
+  return std::string("<rect class=\"") + (isBar ? "bar" : "panel") + "\" x=\"" + coordinate(left) +
+         "\" y=\"" + coordinate(isBar ? top - 2 : top) + "\" width=\"" +
+         coordinate(across.at(halfWidth) - left) + "\" height=\"" + coordinate(isBar ? 4 : height) +
+         "\"><title>the panel</title></rect>\n";
+}
+
+std::string map(const MapKind& kind, const std::vector<PlotPoint>& points, double halfWidth,
+                const Span& psnrs) {
+  const auto [across, up] = axesOf(kind, points, halfWidth);
+  std::string text = "<svg class=\"map\" viewBox=\"0 0 376 " +
+                     coordinate(std::max(up.from, up.to) + 46) + "\" role=\"img\" aria-label=\"" +
+                     kind.name + "\">" + svgText(mapLeft, 17, "start", kind.name) +
+                     plotFrame(across, up, "x in m, to the viewer's right", kind.title) +
+                     panelMark(kind, across, up, halfWidth) + "<g class=\"points\">\n";
+  for (const PlotPoint& point : points)
+    text += mark(point, across.at(point.eye.x), up.at(point.eye.*kind.up), radiusFor(points.size()),
+                 psnrs);
+  return text + "</g></svg>\n";
+}
+
+}  // namespace
+
+std::string colourBar(double low, double high, const std::string& unit) {
+  constexpr int steps = 64;
+  const PlotAxis up{low, high, 250, 30};
+  std::string text = "<svg class=\"colours\" viewBox=\"0 0 84 266\" role=\"img\" aria-label=\"" +
+                     escaped(unit) + "\">" + svgText(4, 17, "start", unit);
+  for (int k = 0; k < steps; ++k)
+    text += "<rect x=\"4\" y=\"" + coordinate(up.from - 220.0 * (k + 1) / steps) +
+            "\" width=\"20\" height=\"4\" fill=\"" + colourOf((k + 0.5) / steps) + "\"/>";
+  for (const PlotTick& tick : ticksOf(up, 6)) {
+    const double y = up.at(tick.value);
+    text += svgLine(24, y, 29, y, "tick") + svgText(33, y + 4, "start", tick.text);
+  }
+  return text + "</svg>\n";
+}
+
+std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& display) {
+  const Span psnrs = psnrSpan(rows);
+  const MapKind above{"From above", &Vec3::z, true, 0, "z in m, toward the viewer"};
+  const MapKind front{"From the front", &Vec3::y, false, display.size[1] / 2, "y in m, up"};
+  std::string text;
+  for (const std::string& test : testsOf(rows)) {
+    const std::vector<PlotPoint> points = pointsOf(rows, test, display);
+    text += "<figure><figcaption>" + escaped(test) + "</figcaption><div class=\"row\">\n";
+    for (const MapKind& kind : {above, front})
+      text += map(kind, points, display.size[0] / 2, psnrs);
+    if (psnrs.low < psnrs.high) text += colourBar(psnrs.low, psnrs.high, "PSNR in dB");
+    text += "</div></figure>\n";
+  }
+  return text;
+}
+
+}  // namespace hogelscope

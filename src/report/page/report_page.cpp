@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report as one self-contained page.
+#include "report/page/report_page.h"
+
+#include "core/base/text.h"
+#include "report/page/html.h"
+#include "report/page/report_plots.h"
+#include "report/page/report_style.h"
+#include "report/page/summary_page.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string fact(const std::string& name, const std::string& value) {
+  return "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
+}
+
+std::string displayWords(const DisplayParams& d) {
+  const auto pair = [](const auto& values) {
+    return numberText(values[0]) + " × " + numberText(values[1]);
+  };
+  return pair(d.size) + " m, " + pair(d.hogels) + " hogels of " + pair(d.directions) +
+         " directions, field of view " + pair(d.fov) + "°, " +
+         (d.lens == HogelLens::equiangular ? "equiangular" : "rectilinear") + " hogel lenses";
+}
+
+std::string whatWasTested(const ReportPage& page) {
+  std::string text = "<h2>What was tested</h2>\n<table class=\"facts\"><tbody>\n";
+  for (const ReportFact& one : page.facts) text += fact(one.name, one.value);
+  return text + fact("Display", displayWords(page.display)) + "</tbody></table>\n";
+}
+
+std::string overPosition(const ReportPage& page) {
+  return "<h2>PSNR over camera position</h2>\n<p>In the display's frame, in metres: the panel's "
+         "middle is at 0. Filled: coloured by PSNR; hollow: identical; cross: nothing to compare; "
+         "one scale for all tests. "
+         "The pointer over a point shows its name and figures.</p>\n" +
+         cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
+}
+
+std::string errorOnPanel(const ReportPage& page) {
+  return "<h2>Where the error comes from</h2>\n<p>Each pixel that both pictures see counts for the "
+         "hogel and for the direction that the ray through its centre meets. Colours show the mean "
+         "squared error (MSE) of all such pixels of all states, from 0 to the 99th percentile of "
+         "the cells; grey: no pixel met it. Costliest is what holds most of the squared error; "
+         "hogel (0, 0) is the top left one.</p>\n" +
+         panelFigures(page.panels, page.display);
+}
+
+constexpr const char* definitions =
+    R"html(<h2>How to read the figures</h2>
+<dl>
+<dt>MSE, PSNR</dt><dd>Mean of the squared differences of 8-bit RGB values over all pixels and
+channels of the picture; PSNR = 10 log10(255²/MSE) in dB. “Seen” are the same over the pixels alone
+that both pictures see; “seen %” is their share of the picture.</dd>
+<dt>Identical</dt><dd>MSE is 0, so that PSNR is infinite. Identical views are counted, and are in no mean
+of PSNRs.</dd>
+<dt>Mean PSNR, PSNR of mean MSE</dt><dd>The first is the mean of the finite PSNRs; the second is the PSNR
+of the mean MSE, identical views included. They differ, and bad views weigh more in the second.</dd>
+<dt>PSNR-Y, PSNR-YUV</dt><dd>PSNR of the luma of BT.709 in full range; and
+(6 PSNR-Y + PSNR-Cb + PSNR-Cr)/8.</dd>
+<dt>SSIM</dt><dd>Structural similarity as Wang et al. 2004 have it, on luma, with an 11×11 Gaussian window
+of σ 1.5; 1 is identical.</dd>
+<dt>Intervals</dt><dd>95 % percentile bootstrap over the states, 10 000 resamples: how a mean would vary with
+other camera positions of the same kind, not with other scenes.</dd>
+<dt>Weighted</dt><dd>The same mean with each view counted by its state's weight.</dd>
+</dl>
+)html";
+
+}  // namespace
+
+std::string html(const ReportPage& page) {
+  const std::string title = escaped(page.session);
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      std::string(reportPolicy) +
+      "\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
+      title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
+      "<h1>Perceived views of " + title + "</h1>\n" + whatWasTested(page) +
+      summaryTables(page.summaries, page.comparisons);
+  if (!page.rows.empty()) text += overPosition(page);
+  if (!page.views.empty())
+    text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page.views, page.rows);
+  if (!page.panels.empty()) text += errorOnPanel(page);
+  if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows);
+  if (!page.lenses.empty())
+    text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
+  return text + definitions + "<script>" + reportScript + "</script>\n</body></html>\n";
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pictures of the report's page.
+#include "report/page/report_pictures.h"
+
+#include "core/base/text.h"
+#include "report/page/html.h"
+#include "report/page/report_plots.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string captioned(const std::string& png, const std::string& caption) {
+  return "<figure>" + pictureTag(png, caption) + "<figcaption>" + escaped(caption) +
+         "</figcaption></figure>\n";
+}
+
+std::string viewFigure(const ReportView& view, const ReportRow& row) {
+  const double db = psnr(row.metrics.mse);
+  std::string caption = view.which + " view: " + row.state + ", " + row.test + ": PSNR " +
+                        rounded(db, 2) + (db < 1e6 ? " dB" : "") + ", SSIM " +
+                        rounded(row.metrics.ssim, 4);
+  if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
+  const std::string difference =
+      view.gain == 1 ? "absolute difference"
+                     : "absolute difference, " + std::to_string(view.gain) + " times as bright";
+  return "<figure><h3>" + escaped(caption) + "</h3><div class=\"row views\">\n" +
+         captioned(view.reference, "reference") + captioned(view.test, "test") +
+         captioned(view.difference, difference) + "</div></figure>\n";
+}
+
+/// Words at the ends of a picture's sides.
+struct Ends {
+  std::string top;
+  std::string bottom;
+  std::string left;
+  std::string right;
+};
+
+std::string errorFigure(const std::string& png, const std::string& title, const Ends& ends,
+                        double scale) {
+  std::string text = "<figure><figcaption>" + title + "</figcaption>" +
+                     "<div class=\"row\"><div class=\"cells\"><div class=\"side\"><span>" +
+                     ends.top + "</span><span>" + ends.bottom + "</span></div>" +
+                     pictureTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
+                     "</span><span>" + ends.right + "</span></div></div>";
+  if (scale > 0) text += colourBar(0, scale, "MSE");
+  return text + "</div></figure>\n";
+}
+
+Ends angles(const std::array<double, 2>& fov) {
+  const std::string across = numberText(fov[0] / 2);
+  const std::string up = numberText(fov[1] / 2);
+  return {up + "° up", up + "° down", across + "° left", across + "° right"};
+}
+
+}  // namespace
+
+std::string viewFigures(const std::vector<ReportView>& views, const std::vector<ReportRow>& rows) {
+  std::string text;
+  for (const ReportView& view : views) text += viewFigure(view, rows.at(view.row));
+  return text;
+}
+
+std::string panelFigures(const std::vector<ReportPanel>& panels, const DisplayParams& display) {
+  std::string all;
+  for (const ReportPanel& panel : panels)
+    all += "<figure><h3>" + escaped(panel.test) + "</h3>\n<p>" + escaped(text(panel.figures)) +
+           "</p><div class=\"row\">\n" +
+           errorFigure(panel.hogels, "over the hogels, as the panel faces the viewer",
+                       {"top", "bottom", "left", "right"}, panel.figures.hogelScale) +
+           errorFigure(panel.directions, "over the directions in which light leaves",
+                       angles(display.fov), panel.figures.directionScale) +
+           "</div></figure>\n";
+  return all;
+}
+
+}  // namespace hogelscope

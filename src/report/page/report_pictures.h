@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pictures of the report's page: chosen views beside each other, the error on the panel.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/metrics/panel_error_figures.h"
+#include "core/metrics/report_rows.h"
+
+namespace hogelscope {
+
+/// Three pictures of a row, whole PNG files' bytes.
+struct ReportView {
+  std::size_t row = 0;  ///< of the report's rows
+  std::string which;    ///< "worst", "median", "best"
+  std::string reference;
+  std::string test;
+  std::string difference;
+  int gain = 1;  ///< of the difference picture
+};
+
+/// A test's error over the hogels and over the directions, whole PNG files' bytes.
+struct ReportPanel {
+  std::string test;
+  std::string hogels;
+  std::string directions;
+  PanelErrorFigures figures;
+};
+
+/// Throws std::out_of_range where a view names no row.
+std::string viewFigures(const std::vector<ReportView>& views, const std::vector<ReportRow>& rows);
+
+std::string panelFigures(const std::vector<ReportPanel>& panels, const DisplayParams& display);
+
+}  // namespace hogelscope

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of the report's page but for the means.
+#include "report/page/report_tables.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/text.h"
+#include "report/page/html.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::array<const char*, 8> figures{"PSNR dB",          "PSNR seen dB", "PSNR\u2011Y dB",
+                                             "PSNR\u2011YUV dB", "SSIM",         "MSE",
+                                             "MSE seen",         "seen %"};
+
+std::string stateRow(const ReportRow& row) {
+  const Metrics& m = row.metrics;
+  std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(row.test) + "</td>";
+  if (!row.problem.empty())
+    return text + "<td colspan=\"" + std::to_string(figures.size()) + "\" class=\"problem\">" +
+           escaped(row.problem) + "</td></tr>\n";
+  for (const std::string& cell :
+       {rounded(psnr(m.mse), 2), rounded(psnr(m.mseSeen), 2), rounded(psnr(m.mseYuv[0]), 2),
+        rounded(psnrYuv(m.mseYuv), 2), rounded(m.ssim, 4), rounded(m.mse, 3), rounded(m.mseSeen, 3),
+        rounded(100 * m.seen, 1)})
+    text += "<td class=\"n\">" + cell + "</td>";
+  return text + "</tr>\n";
+}
+
+}  // namespace
+
+std::string statesTable(const std::vector<ReportRow>& rows) {
+  std::string text =
+      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>state</th><th>test</th>";
+  for (const char* figure : figures) text += std::string("<th class=\"n\">") + figure + "</th>";
+  text += "</tr></thead>\n<tbody>\n";
+  for (const ReportRow& row : rows) text += stateRow(row);
+  return text + "</tbody></table></div>\n";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t named = 2;
+  if (names.size() == 1) return names[0];
+  std::string text;
+  const std::size_t shown = std::min(named, names.size() - 1);
+  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + names[k];
+  const std::size_t rest = names.size() - shown;
+  if (rest == 1) return text + " and " + names.back();
+  return text + " and " + std::to_string(rest) + " others";
+}
+
+std::string lensesTable(const std::vector<ReportLens>& lenses) {
+  std::vector<std::string> certificates;
+  std::vector<std::vector<std::string>> states;
+  for (const ReportLens& lens : lenses) {
+    const std::string words = text(lens.certificate);
+    const auto same = std::find(certificates.begin(), certificates.end(), words);
+    const auto at = std::size_t(same - certificates.begin());
+    if (same == certificates.end()) {
+      certificates.push_back(words);
+      states.emplace_back();
+    }
+    states[at].push_back(lens.state);
+  }
+  std::string table =
+      "<table><thead><tr><th>states</th><th>their lens</th></tr></thead>\n<tbody>\n";
+  for (std::size_t k = 0; k < certificates.size(); ++k)
+    table += "<tr><td>" + escaped(listed(states[k])) + "</td><td>" + escaped(certificates[k]) +
+             "</td></tr>\n";
+  return table + "</tbody></table>\n";
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The summary in words.
+#include "report/page/summary_page.h"
+
+#include <cmath>
+
+#include "core/base/text.h"
+#include "report/page/html.h"
+
+namespace hogelscope {
+
+namespace {
+
+std::string cell(const std::string& text) {
+  return "<td class=\"n\">" + text + "</td>";
+}
+
+/// "31.20 (30.95 … 31.44)".
+std::string withInterval(double value, const Interval& interval, int digits) {
+  return cell(rounded(value, digits) + " <small>(" + rounded(interval.low, digits) + " … " +
+              rounded(interval.high, digits) + ")</small>");
+}
+
+/// What only the row of the plain means has.
+std::string counts(const TestSummary& test, bool hasBlind) {
+  const auto of = " of " + std::to_string(test.rows.size());
+  std::string text = cell(std::to_string(test.summary.identical) + of);
+  if (hasBlind) text += cell(std::to_string(test.summary.withoutView) + of);
+  if (!test.summary.worst) return text + "<td></td><td></td>";
+  const ReportRow& worst = test.rows[*test.summary.worst];
+  return text + cell(rounded(psnr(worst.metrics.mse), 2)) + "<td>" + escaped(worst.state) + "</td>";
+}
+
+std::string tableRow(const TestSummary& test, bool isWeighted, bool hasBlind) {
+  const ReportMeans& m = isWeighted ? test.summary.weighted : test.summary;
+  const Interval* interval = &test.intervals[isWeighted ? test.intervals.size() / 2 : 0];
+  const std::string text =
+      "<tr><td>" + escaped(test.test) + (isWeighted ? ", weighted" : "") + "</td>" +
+      withInterval(m.meanFinitePsnr, interval[0], 2) +
+      withInterval(m.psnrOfMeanMse, interval[1], 2) + withInterval(m.meanSsim, interval[2], 4) +
+      withInterval(m.meanPsnrY, interval[3], 2) + withInterval(m.meanPsnrYuv, interval[4], 2);
+  if (!isWeighted) return text + counts(test, hasBlind) + "</tr>\n";
+  return text + "<td colspan=\"" + (hasBlind ? "4" : "3") + "\"></td></tr>\n";
+}
+
+bool hasWeights(const TestSummary& test) {
+  for (const ReportRow& row : test.rows)
+    if (row.weight != test.rows.front().weight) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string bdText(const std::vector<BdRow>& rows) {
+  std::string text;
+  for (const BdRow& row : rows) {
+    text += row.group + " against " + row.anchor + ", " + row.quality + ": ";
+    if (!std::isnan(row.delta.rate)) text += "BD-rate " + rounded(row.delta.rate, 2) + " %";
+    if (!std::isnan(row.delta.psnr)) text += ", BD-PSNR " + rounded(row.delta.psnr, 2) + " dB";
+    if (!row.delta.problem.empty())
+      text += (std::isnan(row.delta.rate) ? "no BD-rate: " : "; ") + row.delta.problem;
+    text += "\n";
+  }
+  return text;
+}
+
+std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows) {
+  const auto decibels = [](double value) {
+    return rounded(value, 2) + (std::isfinite(value) ? " dB" : "");
+  };
+  const std::string of = " of " + std::to_string(rows.size()) + "\n";
+  std::string text = "mean of the finite PSNRs  " + decibels(summary.meanFinitePsnr) + "\n" +
+                     "PSNR of the mean MSE      " + decibels(summary.psnrOfMeanMse) + "\n";
+  if (summary.worst) {
+    const ReportRow& row = rows[*summary.worst];
+    text += "worst view                " + decibels(psnr(row.metrics.mse)) + ": " + row.state +
+            ", " + row.test + "\n";
+  }
+  text += "identical views           " + std::to_string(summary.identical) + of;
+  if (summary.withoutView == 0) return text;
+  return text + "nothing to compare        " + std::to_string(summary.withoutView) + of;
+}
+
+std::string summaryTables(const std::vector<TestSummary>& summaries,
+                          const std::vector<BdRow>& comparisons) {
+  if (summaries.empty()) return {};
+  const bool hasBlind = summaries.back().summary.withoutView > 0;
+  std::string text =
+      "<h2>Means over the states</h2>\n<p>In brackets 95 % bootstrap intervals. PSNR in dB; means "
+      "are of the finite ones.</p>\n<div class=\"scroll\"><table class=\"means\"><thead><tr>"
+      "<th>test</th>";
+  for (const char* head : {"mean PSNR", "PSNR of mean MSE", "mean SSIM", "mean PSNR\u2011Y",
+                           "mean PSNR\u2011YUV", "identical"})
+    text += std::string("<th class=\"n\">") + head + "</th>";
+  if (hasBlind) text += "<th class=\"n\">nothing to compare</th>";
+  text += "<th class=\"n\">worst PSNR</th><th>worst view</th></tr></thead>\n<tbody>\n";
+  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();  // all of one test is it
+  for (std::size_t k = 0; k < shown; ++k) {
+    const TestSummary& test = summaries[k];
+    text += tableRow(test, false, hasBlind);
+    if (hasWeights(test)) text += tableRow(test, true, hasBlind);
+  }
+  text += "</tbody></table></div>\n";
+  if (comparisons.empty()) return text;
+  return text + "<h2>Bjøntegaard deltas</h2>\n<pre>" + escaped(bdText(comparisons)) + "</pre>\n";
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the order of the rooms in ARCHITECTURE.md by the #include lines of src: a room includes
+// only those that it may, only some know foreign libraries, and no circle is larger than two
+// modules.
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QTest>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// The rooms that a room may include, beside itself; a name without a slash means all of its rooms.
+const std::map<QString, QStringList>& allowedRooms() {
+  static const std::map<QString, QStringList> rooms{
+      {"core/base", {}},
+      {"core/light_field", {"core/base"}},
+      {"core/optics", {"core/base", "core/light_field"}},
+      {"core/lens", {"core/base", "core/optics"}},
+      {"core/engine", {"core/base", "core/light_field", "core/optics", "core/lens"}},
+      {"core/cameras", {"core/base", "core/optics"}},
+      {"core/content", {"core/base", "core/light_field", "core/optics"}},
+      {"core/metrics",
+       {"core/base", "core/light_field", "core/optics", "core/lens", "core/engine"}},
+      {"io/files", {"core"}},
+      {"io/json", {"core"}},
+      {"io/images", {"core", "io/files"}},
+      {"io/layouts", {"core", "io/files", "io/images"}},
+      {"io/store", {"core", "io/files", "io/json", "io/images", "io/layouts"}},
+      {"io/scene", {"core", "io/files", "io/images", "io/layouts", "io/store"}},
+      {"io/documents", {"core", "io"}},
+      {"vtk", {"core"}},
+      {"study", {"core"}},
+      {"chart", {"core", "study"}},
+      {"report/page", {"core"}},
+      {"report", {"core", "io", "report/page"}},
+      {"cli", {"core", "io", "vtk", "study", "chart", "report"}},
+      {"gui/widgets", {"core", "report"}},
+      {"gui/keys", {"core", "io", "gui/widgets"}},
+      {"gui/session", {"core", "io", "gui/keys", "gui/widgets"}},
+      {"gui/files", {"core", "io", "gui/session", "gui/widgets"}},
+      {"gui/view", {"core", "io", "vtk", "study", "gui/session", "gui/widgets"}},
+      {"gui/scene", {"core", "io", "vtk", "gui/session", "gui/widgets"}},
+      {"gui/docks",
+       {"core", "io", "study", "chart", "report", "gui/session", "gui/view", "gui/widgets"}},
+      {"gui/app", {"core", "io", "vtk", "study", "chart", "report", "gui"}},
+      {"main", {"core", "io", "cli", "gui"}}};
+  return rooms;
+}
+
+/// Headers of libraries that a folder of src must not include. The simulation includes the standard
+/// library's, which have no folder and no ending, and the one of huge pages.
+const std::map<QString, QString>& foreignHeaders() {
+  static const std::map<QString, QString> headers{{"core", R"([./])"},
+                                                  {"io", "^(Q[A-Z]|vtk)"},
+                                                  {"vtk", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
+                                                  {"study", "^(Q[A-Z]|vtk|OpenImageIO|nlohmann)"},
+                                                  {"chart", "^(vtk|opencv|OpenImageIO|nlohmann)"},
+                                                  {"report", "^(vtk|opencv|OpenImageIO|nlohmann)"},
+                                                  {"cli", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
+                                                  {"gui", "^(opencv|OpenImageIO|nlohmann)"}};
+  return headers;
+}
+
+struct Include {
+  QString module;  ///< path of the file without its ending
+  QString header;
+  bool isOurs = false;
+};
+
+std::vector<Include> allIncludes(const QString& folder) {
+  static const QRegularExpression line(R"(^\s*#\s*include\s*(<|")([^>"]+)[>"])",
+                                       QRegularExpression::MultilineOption);
+  std::vector<Include> includes;
+  QDirIterator files(folder, {"*.h", "*.cpp", "*.cxx"}, QDir::Files, QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    QFile file(files.next());
+    if (!file.open(QIODevice::ReadOnly)) continue;
+    const QString module = QDir(folder).relativeFilePath(file.fileName()).section('.', 0, 0);
+    for (const auto& match : line.globalMatch(QString::fromUtf8(file.readAll()))) {
+      QString header = match.captured(2);
+      bool isOurs = QFile::exists(folder + "/" + header);
+      // VTK classes include each other without a folder, as VTK's own do.
+      if (!isOurs && QFile::exists(folder + "/vtk/" + header)) {
+        header = "vtk/" + header;
+        isOurs = true;
+      }
+      includes.push_back({module, header, isOurs});
+    }
+  }
+  return includes;
+}
+
+QString roomOf(const QString& path) {
+  return path.contains('/') ? path.section('/', 0, -2) : QString("main");
+}
+
+bool mayInclude(const QString& room, const QString& other) {
+  if (room == other) return true;
+  const QStringList& allowed = allowedRooms().at(room);
+  return allowed.contains(other) || allowed.contains(other.section('/', 0, 0));
+}
+
+/// Modules are reachable from each other exactly if they are in one circle.
+using Graph = std::map<QString, std::set<QString>>;
+
+std::set<QString> reachable(const Graph& graph, const QString& from) {
+  std::set<QString> found;
+  std::vector<QString> open{from};
+  while (!open.empty()) {
+    const QString module = open.back();
+    open.pop_back();
+    const auto next = graph.find(module);
+    if (next == graph.end()) continue;
+    for (const QString& other : next->second)
+      if (found.insert(other).second) open.push_back(other);
+  }
+  return found;
+}
+
+QStringList circleOf(const Graph& graph, const std::map<QString, std::set<QString>>& reach,
+                     const QString& module) {
+  QStringList circle;
+  if (!reach.at(module).contains(module)) return circle;
+  for (const auto& [other, next] : graph)
+    if (reach.at(module).contains(other) && reach.at(other).contains(module)) circle << other;
+  return circle;
+}
+
+}  // namespace
+
+class TestLayers : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void everyRoomHasItsRule();
+  void roomsKeepTheirOrder();
+  void librariesStayInTheirRooms();
+  void circlesAreSmall();
+
+ private:
+  std::vector<Include> m_includes;
+};
+
+void TestLayers::initTestCase() {
+  m_includes = allIncludes(HOGELSCOPE_SOURCE_DIR "/src");
+  QVERIFY(m_includes.size() > 1000);
+}
+
+void TestLayers::everyRoomHasItsRule() {
+  for (const Include& include : m_includes)
+    QVERIFY2(allowedRooms().contains(roomOf(include.module)), qPrintable(include.module));
+}
+
+void TestLayers::roomsKeepTheirOrder() {
+  QStringList wrong;
+  for (const auto& [module, header, isOurs] : m_includes)
+    if (isOurs && !mayInclude(roomOf(module), roomOf(header))) wrong << module + " → " + header;
+  QVERIFY2(wrong.isEmpty(), qPrintable("\n" + wrong.join('\n')));
+}
+
+void TestLayers::librariesStayInTheirRooms() {
+  QStringList wrong;
+  for (const auto& [module, header, isOurs] : m_includes) {
+    const auto foreign = foreignHeaders().find(module.section('/', 0, 0));
+    if (!isOurs && foreign != foreignHeaders().end() &&
+        QRegularExpression(foreign->second).match(header).hasMatch())
+      wrong << module + " → " + header;
+  }
+  QVERIFY2(wrong.isEmpty(), qPrintable("\n" + wrong.join('\n')));
+}
+
+/// A header and its source are one module.
+void TestLayers::circlesAreSmall() {
+  Graph graph;
+  for (const auto& [module, header, isOurs] : m_includes)
+    if (isOurs && header.section('.', 0, 0) != module)
+      graph[module].insert(header.section('.', 0, 0));
+  std::map<QString, std::set<QString>> reach;
+  for (const auto& [module, next] : graph) reach[module] = reachable(graph, module);
+  for (const auto& [module, next] : graph) {
+    const QStringList circle = circleOf(graph, reach, module);
+    constexpr int most = 2;
+    QVERIFY2(circle.size() <= most, qPrintable(circle.join(", ")));
+  }
+}
+
+QTEST_GUILESS_MAIN(TestLayers)
+#include "test_layers.moc"

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests summary.csv, metrics.csv, bd.csv, weighted means, and their place on the report's page.
+#include <QTest>
+#include <cmath>
+
+#include "report/page/summary_page.h"
+#include "tests/core/random.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// PSNR 20 + `better`, PSNR-Y 30 + `better`, PSNR-YUV 27.5 + `better`.
+ReportRow row(const std::string& state, const std::string& test, double better, double weight = 1) {
+  const double factor = std::pow(10, -better / 10);
+  Metrics m{650.25 * factor, 650.25 * factor, 0.5 + better / 100, 1, {}};
+  m.mseYuv = {65.025 * factor, 650.25 * factor, 650.25 * factor};
+  return {state, test, m, {0, 0, 1}, weight};
+}
+
+ReportRow identical(const std::string& state, const std::string& test) {
+  return {state, test, {0, 0, 1, 1, {}}, {0, 0, 1}, 1};
+}
+
+QStringList linesOf(const std::string& text) {
+  return QString::fromStdString(text).split('\n');
+}
+
+bool near(double a, double b) {
+  return std::abs(a - b) < 1e-9;
+}
+
+/// Value of a figure in summary.csv.
+QStringList cells(const QStringList& lines, const QString& start) {
+  for (const QString& line : lines)
+    if (line.startsWith(start + ",")) return line.split(',');
+  return {};
+}
+
+}  // namespace
+
+class TestSummaries : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void means();
+  void weightedMeans();
+  void weightZeroDoesNotCount();
+  void notANumberDoesNotCount();
+  void blocks();
+  void csvFigures();
+  void rowsWithProblems();
+  void allResamplesStates();
+  void identicalOnly();
+  void metricsTable();
+  void bdRates();
+  void bdProblems();
+  void page();
+};
+
+void TestSummaries::means() {
+  const ReportSummary s =
+      summarise({row("a", "t", 0), row("b", "t", 10), identical("c", "t"), row("d", "t", 2)});
+  QVERIFY(near(s.meanFinitePsnr, 24));
+  QVERIFY(near(s.meanPsnrY, 34));
+  QVERIFY(near(s.meanPsnrYuv, 31.5));
+  QVERIFY(near(s.meanSsim, (0.5 + 0.6 + 1 + 0.52) / 4));
+  QVERIFY(near(s.psnrOfMeanMse, psnr(650.25 * (1 + 0.1 + std::pow(10, -0.2)) / 4)));
+  QVERIFY(near(s.weighted.meanFinitePsnr, s.meanFinitePsnr));
+}
+
+void TestSummaries::weightedMeans() {
+  const std::vector<ReportRow> rows{row("a", "t", 0, 3), row("b", "t", 10, 1)};
+  const ReportMeans weighted = summarise(rows).weighted;
+  QVERIFY(near(weighted.meanFinitePsnr, 22.5));
+  QVERIFY(near(weighted.meanPsnrY, 32.5));
+  QVERIFY(near(weighted.meanPsnrYuv, 30));
+  QVERIFY(near(weighted.meanSsim, 0.525));
+  QVERIFY(near(weighted.psnrOfMeanMse, psnr(650.25 * (3 + 0.1) / 4)));
+  // A weight is as many equal rows.
+  const ReportSummary repeated =
+      summarise({row("a", "t", 0), row("a", "t", 0), row("a", "t", 0), row("b", "t", 10)});
+  QVERIFY(near(weighted.psnrOfMeanMse, repeated.psnrOfMeanMse));
+}
+
+void TestSummaries::weightZeroDoesNotCount() {
+  const ReportSummary s = summarise({row("a", "t", 0, 0), row("b", "t", 7, 2)});
+  QVERIFY(near(s.weighted.meanFinitePsnr, 27));
+  QVERIFY(near(s.meanFinitePsnr, 23.5));
+  QVERIFY(std::isnan(summarise({row("a", "t", 0, 0)}).weighted.meanFinitePsnr));
+}
+
+void TestSummaries::notANumberDoesNotCount() {
+  ReportRow small = row("b", "t", 6);
+  small.metrics.ssim = std::nan("");
+  const ReportSummary s = summarise({row("a", "t", 0), small});
+  QVERIFY(near(s.meanSsim, 0.5));
+  QVERIFY(near(s.meanFinitePsnr, 23));
+}
+
+void TestSummaries::blocks() {
+  const auto summaries =
+      summariseTests({row("a", "x", 0), row("a", "y", 5), row("b", "x", 10), row("b", "y", 7)});
+  QCOMPARE(summaries.size(), std::size_t(3));
+  QCOMPARE(summaries[0].test, std::string("x"));
+  QCOMPARE(summaries[1].test, std::string("y"));
+  QCOMPARE(summaries[2].test, std::string("all tests"));
+  QVERIFY(near(summaries[0].summary.meanFinitePsnr, 25));
+  QVERIFY(near(summaries[1].summary.meanFinitePsnr, 26));
+  QVERIFY(near(summaries[2].summary.meanFinitePsnr, 25.5));
+}
+
+void TestSummaries::csvFigures() {
+  const auto summaries = summariseTests(
+      {row("a", "x", 4, 1), row("b, c", "x", 0, 3), identical("d", "x")}, {{"g", {{"x", 0.25}}}});
+  const QStringList lines = linesOf(summaryCsv(summaries));
+  QCOMPARE(lines[0],
+           QString("test,figure,value,low,high,weighted,weighted_low,weighted_high,state"));
+  QCOMPARE(cells(lines, "x,views")[2], QString("3"));
+  QCOMPARE(cells(lines, "x,identical_views")[2], QString("1"));
+  QCOMPARE(cells(lines, "x,views_without_comparison")[2], QString("0"));
+  QCOMPARE(cells(lines, "x,rate_bpp")[2], QString("0.25"));
+  QVERIFY(lines.contains("x,worst_psnr,20,,,,,,\"b, c\""));
+  for (const char* figure :
+       {"mean_psnr", "psnr_of_mean_mse", "mean_ssim", "mean_psnr_y", "mean_psnr_yuv"}) {
+    const QStringList row = cells(lines, QString("x,") + figure);
+    QCOMPARE(row.size(), 9);
+    QVERIFY(row[3].toDouble() <= row[2].toDouble() && row[2].toDouble() <= row[4].toDouble());
+    QVERIFY(row[6].toDouble() <= row[5].toDouble() && row[5].toDouble() <= row[7].toDouble());
+  }
+  QVERIFY(near(cells(lines, "x,mean_psnr")[2].toDouble(), 22));
+  QVERIFY(near(cells(lines, "x,mean_psnr")[5].toDouble(), 21));
+  QVERIFY(cells(lines, "all tests,rate_bpp").isEmpty());
+}
+
+void TestSummaries::rowsWithProblems() {
+  ReportRow blind = row("b", "x", 30, 5);
+  blind.problem = "sees nothing";
+  const auto summaries = summariseTests({row("a", "x", 4), blind, row("c", "x", 4)});
+  const QStringList lines = linesOf(summaryCsv(summaries));
+  QCOMPARE(cells(lines, "x,views")[2], QString("3"));
+  QCOMPARE(cells(lines, "x,views_without_comparison")[2], QString("1"));
+  for (const int k : {2, 3, 4, 5, 6, 7})
+    QVERIFY(std::abs(cells(lines, "x,mean_psnr")[k].toDouble() - 24) < 1e-9);
+}
+
+/// With tests that hardly differ, the interval over all is as wide as that of one of them: more
+/// tests of the same places say nothing new about other places.
+void TestSummaries::allResamplesStates() {
+  Random random(1);
+  std::vector<ReportRow> rows;
+  for (int k = 0; k < 40; ++k) {
+    const double better = random.uniform(0, 10);
+    for (const char* test : {"x", "y", "z"}) rows.push_back(row(std::to_string(k), test, better));
+  }
+  const auto summaries = summariseTests(rows);
+  const auto width = [&](std::size_t k) {
+    return summaries[k].intervals[0].high - summaries[k].intervals[0].low;
+  };
+  QVERIFY(width(0) > 1);
+  QVERIFY(near(width(3), width(0)));
+}
+
+void TestSummaries::identicalOnly() {
+  const auto summaries = summariseTests({identical("a", "x"), identical("b", "x")});
+  const QStringList lines = linesOf(summaryCsv(summaries));
+  QVERIFY(lines.contains("x,mean_psnr,nan,nan,nan,nan,nan,nan,"));
+  QVERIFY(lines.contains("x,psnr_of_mean_mse,inf,inf,inf,inf,inf,inf,"));
+  QVERIFY(lines.contains("x,mean_ssim,1,1,1,1,1,1,"));
+  QVERIFY(cells(lines, "x,worst_psnr").isEmpty());
+}
+
+void TestSummaries::metricsTable() {
+  ReportRow one = row("a, b", "t", 0, 0.5);
+  one.metrics.mseYuv = {650.25, 65.025, 0};
+  QCOMPARE(QString::fromStdString(metricsCsv({one})),
+           QString("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight,problem\n"
+                   "\"a, b\",t,650.25,65.025,0,20,30,inf,inf,0.5,\n"));
+  one.problem = "no frame, sorry";
+  QVERIFY(metricsCsv({one}).ends_with(",0.5,\"no frame, sorry\"\n"));
+}
+
+void TestSummaries::bdRates() {
+  std::vector<ReportRow> rows;
+  RateGroup anchor{"A", {}}, half{"B", {}};
+  for (int k = 0; k < 4; ++k) {
+    const std::string a = "a" + std::to_string(k), b = "b" + std::to_string(k);
+    rows.push_back(row("s", a, 2 * k));
+    rows.push_back(row("s", b, 2 * k));
+    anchor.tests.push_back({a, 0.1 * (k + 1)});
+    half.tests.push_back({b, 0.05 * (k + 1)});
+  }
+  const std::vector<RateGroup> groups{anchor, half};
+  const auto comparisons = bdRows(summariseTests(rows, groups), groups);
+  QCOMPARE(comparisons.size(), std::size_t(3));
+  for (const BdRow& one : comparisons) QVERIFY(std::abs(one.delta.rate + 50) < 1e-9);
+  QVERIFY(near(comparisons[1].delta.psnrFrom, 30));
+  const QStringList lines = linesOf(bdCsv(comparisons));
+  QCOMPARE(lines.size(), 5);
+  QVERIFY(lines[3].startsWith("A,B,mean_psnr_yuv,-"));
+  QVERIFY(bdText(comparisons).starts_with("B against A, mean_psnr: BD-rate -50.00 %, BD-PSNR "));
+  const std::string page = summaryTables(summariseTests(rows, groups), comparisons);
+  QVERIFY(page.find("B against A, mean_psnr_y: BD-rate -50.00 %") != std::string::npos);
+}
+
+void TestSummaries::bdProblems() {
+  const BdRow none{"A", "B", "mean_psnr", bdDelta({}, {})};
+  QCOMPARE(bdText({none}),
+           std::string("B against A, mean_psnr: no BD-rate: the anchor has 0 points, "
+                       "but four are needed\n"));
+  QVERIFY(bdCsv({none}).ends_with(
+      "A,B,mean_psnr,nan,nan,nan,nan,\"the anchor has 0 points, but four are needed\"\n"));
+}
+
+void TestSummaries::page() {
+  const std::string plain = summaryTables(summariseTests({row("<s>", "<t>", 1)}), {});
+  QVERIFY(plain.find("<td>&lt;t&gt;</td>") != std::string::npos);
+  QVERIFY(plain.find("<td>&lt;s&gt;</td>") != std::string::npos);
+  QVERIFY(plain.find("weighted") == std::string::npos);
+  QVERIFY(plain.find("Bjøntegaard") == std::string::npos);
+  const std::string weighted =
+      summaryTables(summariseTests({row("a", "t", 0, 3), row("b", "t", 10)}), {});
+  QVERIFY(weighted.find("<td>t, weighted</td><td class=\"n\">22.50 <small>(") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(TestSummaries)
+#include "test_summary.moc"
