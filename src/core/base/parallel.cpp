@@ -60,9 +60,14 @@ void parallelRows(int count, const std::function<void(int begin, int end)>& rows
   constexpr int grain = 4;
   Pieces pieces(std::size_t(std::max(count, 0)));
   std::vector<int> workers(std::size_t(std::clamp(count / grain, 1, threadCount())));
-  std::for_each(std::execution::par, workers.begin(), workers.end(), [&](int) {
+  const auto work = [&] {
     pieces.run(grain, [&](std::size_t begin, std::size_t end) { rows(int(begin), int(end)); });
-  });
+  };
+#ifdef __SANITIZE_THREAD__  // TBB, on which GCC's parallel algorithms run, is not built for it
+  sideBySide(workers.size(), int(workers.size()), [&](std::size_t, std::size_t) { work(); });
+#else
+  std::for_each(std::execution::par, workers.begin(), workers.end(), [&](int) { work(); });
+#endif
   pieces.rethrow();
 }
 
