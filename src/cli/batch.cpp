@@ -2,8 +2,6 @@
 // Batch mode: the jobs of the command line.
 #include "cli/batch.h"
 
-#include <vtkNew.h>
-
 #include <filesystem>
 #include <iostream>
 
@@ -13,13 +11,13 @@
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/engine/renderer.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_writer.h"
 #include "io/scene/scene.h"
 #include "report/passing_pictures.h"
-#include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
 
@@ -40,14 +38,11 @@ class Pictures {
     return files;
   }
 
-  void write(const CameraState& state, const Image& image) const {
-    if (m_options.format == "png")
-      writeImage(file(state, m_options.format), image.width, image.height, image.rgb);
+  /// An Image or a FloatImage.
+  template <class AnyImage>
+  void write(const CameraState& state, const AnyImage& image) const {
+    writeImage(file(state, m_options.format), image.width, image.height, image.rgb);
     if (m_options.masks) writeMask(file(state, "mask.png"), image.width, image.height, image.seen);
-  }
-  void write(const CameraState& state, const std::vector<float>& codeValues) const {
-    const auto [width, height] = state.camera.res;
-    writeImage(file(state, m_options.format), width, height, codeValues);
   }
 
  private:
@@ -64,15 +59,16 @@ void renderLoaded(const Session& session, const Options& options, const Progress
       loadScene(session, part(progress, 0, 0.5), allowedMemory(), {.threads = threadCount()});
   if (options.explain) std::cout << explanations(scene, session, part(progress, 0.5, 0.5));
   const Pictures pictures(options);
-  const vtkNew<vtkHogelViewFilter> filter;
+  Renderer renderer;
   const auto count = double(session.cameras.size());
   for (std::size_t k = 0; k < session.cameras.size(); ++k) {
     const CameraState& state = session.cameras[k];
-    filter->SetProgress(
-        part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count));
-    filter->SetView(scene.view(state));
-    if (options.format != "png") pictures.write(state, filter->GetCodeValues());
-    if (options.format == "png" || options.masks) pictures.write(state, filter->GetImage());
+    const Progress of =
+        part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count);
+    if (options.format == "png")
+      pictures.write(state, renderer.render(scene.view(state), of));
+    else
+      pictures.write(state, renderer.renderFloat(scene.view(state), of));
   }
 }
 
@@ -122,8 +118,7 @@ int render(const Options& options) {
 }
 
 int runBatch(const Options& options) {
-  vtkObject::GlobalWarningDisplayOff();  // what fails comes back as InputError
-  vtkHogelViewFilter::SetThreads(options.threads);
+  setThreads(options.threads);
   try {
     return jobOf(options.command).run(options);
   } catch (const InputError& error) {

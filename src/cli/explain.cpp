@@ -7,8 +7,9 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/engine/adaptive_method.h"
-#include "core/engine/fast_simulation.h"
+#include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
+#include "core/engine/view_rays.h"
 #include "core/lens/lens_certificate.h"
 
 namespace hogelscope {
@@ -34,12 +35,11 @@ int texelsPerRay(const View& view, const Plan& plan) {
 
 std::string workText(const View& view, const Plan& plan, const Progress& progress) {
   LensTables tables;
-  const FastSimulation simulation(reduced(view), tables, parallelRows, progress);
-  const auto rays = double(simulation.rays());
+  const ViewRays cast(reduced(view), tables, parallelRows, progress);
+  const auto rays = double(cast.count());
   const auto [width, height] = view.state.camera.res;
   const int texels = texelsPerRay(view, plan);
-  const std::size_t bytes =
-      std::visit([](const auto& array) { return sizeof(array[0]); }, view.lightField->texels());
+  const std::size_t bytes = memoryBytes(view.lightField->type());
   return numberText(rays) + " rays for " + numberText(double(width) * height) + " pixels, " +
          std::to_string(texels) + " texel" + (texels > 1 ? "s" : "") +
          " each: " + millions(rays * texels) + " texels, " +
@@ -55,7 +55,7 @@ std::string explanation(const View& asked, const Progress& progress) {
   if (choice.pixels > 0)
     text += "  for a tolerance of " + numberText(asked.sampling.tolerance) +
             " code values: " + hogelscope::text(choice) + "\n";
-  for (const auto& [what, why, saves] : made.decisions) {
+  for (const auto& [what, why, saves] : decisionsOf(reduced(view), made)) {
     text.append("  ").append(what).append(": ").append(why);
     if (!saves.empty()) text.append("; saves ").append(saves);
     text.append("\n");

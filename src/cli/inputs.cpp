@@ -68,7 +68,7 @@ Session aroundLightField(const std::string& file, const Options& options) {
 }
 
 std::string readingTime(const LightFieldFile& file) {
-  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: ARCHITECTURE.md
+  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: docs/measurements.md
   const double minutes = double(pixelBytesOf(file)) / bytesPerMinute;
   if (minutes < 0.2) return "";
   return ", about " + numberText(std::ceil(minutes)) + " min";

@@ -87,7 +87,6 @@ int reportJob(const Options& options) {
   request.name = options.session;
   request.sessionFile = options.session;
   request.session = loadSelected(options);
-  request.session.sampling.tolerance = 0;  // differences are the light fields', not the methods'
   request.tests = openTests(request.session, options.tests);
   request.groups = groupsOf(request.tests, options);
   request.output = options.output;

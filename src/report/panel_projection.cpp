@@ -19,9 +19,10 @@ void PanelProjection::add(std::size_t state, std::size_t worker, const ViewPair&
                           ViewPairs& pairs, const Progress& progress) {
   constexpr std::chrono::seconds pause{5};  // what kill -9 may cost: the states since then, again
   const std::lock_guard lock(m_mutex);
+  Renderer& renderer = pairs.renderer(worker);
   if (pair.problem.empty())
-    m_error.add(pairs.view(state), pairs.tables(worker), pairs.rowsWithin(), pair.reference,
-                pair.test, progress);
+    m_error.add(pairs.view(state), renderer.tables(), renderer.rows(), pair.reference, pair.test,
+                progress);
   m_states.insert(state);
   if (std::chrono::steady_clock::now() - m_saved > pause) save();
 }

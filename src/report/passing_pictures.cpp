@@ -34,7 +34,8 @@ class Group {
     const StreamingRenderer& view = *passenger.view;
     const auto& lens = view.lens();
     const bool isNew = lens && std::find(m_lenses.begin(), m_lenses.end(), *lens) == m_lenses.end();
-    const std::size_t bytes = view.bytes() + (isNew ? LensTable::bytes(*lens) : 0);
+    const std::size_t bytes =
+        view.bytes() + (isNew ? LensTable::bytes(lens->res, lens->samplesPerPixel) : 0);
     if (m_bytes + bytes > m_memory) {
       if (m_passengers.empty()) throw tooLarge(bytes, m_memory);
       return false;

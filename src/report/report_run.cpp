@@ -63,7 +63,7 @@ class ReportRun {
   [[nodiscard]] std::vector<std::size_t> openStates(std::size_t test) const;
   void runTest(std::size_t test);
   void runState(std::size_t test, std::size_t state, std::size_t worker);
-  void compareState(std::size_t test, std::size_t state, const ViewPair& pair);
+  void compareState(std::size_t test, std::size_t state, std::size_t worker, const ViewPair& pair);
   void showViews(std::size_t test);
   void writeAll();
 
@@ -142,7 +142,8 @@ void ReportRun::takeUp() {
         m_folder / ("report.panel" + std::to_string(test + 1)), m_facts.key, display->size()));
 }
 
-void ReportRun::compareState(std::size_t test, std::size_t state, const ViewPair& pair) {
+void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t worker,
+                             const ViewPair& pair) {
   ReportRow row = m_report.rows[rowOf(test, state)];
   row.problem = pair.problem;
   row.metrics = nothingCompared();
@@ -154,7 +155,8 @@ void ReportRun::compareState(std::size_t test, std::size_t state, const ViewPair
       });
     if (seesAnything(pair.reference) || seesAnything(pair.test))
       row.metrics = m_metrics.of([&] {
-        return compare(pair.reference, pair.test, m_pairs.rowsWithin(), m_progress.within());
+        return compare(pair.reference, pair.test, m_pairs.renderer(worker).rows(),
+                       m_progress.within());
       });
     else
       row.problem = seesNothing;
@@ -170,7 +172,7 @@ void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker
   const ViewPair pair =
       m_rendering.of([&] { return m_pairs.render(state, worker, m_progress.within()); });
   // Its row may be on disk while the projection was saved before it.
-  if (m_hasRow[rowOf(test, state)] == 0) compareState(test, state, pair);
+  if (m_hasRow[rowOf(test, state)] == 0) compareState(test, state, worker, pair);
   m_projections[test]->add(state, worker, pair, m_pairs, m_progress.within());
   m_progress.finish();
 }
@@ -212,7 +214,7 @@ std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
 
 void ReportRun::readLightFields(std::size_t test) {
   const bool isFirst = test == 0;
-  if (isFirst && m_request.reference) m_pairs.takeReference(*m_request.reference);
+  if (isFirst && m_request.reference) m_pairs.setReference(*m_request.reference);
   const double steps = (isFirst && !m_request.reference ? 2 : 1) * readingSteps();
   m_pairs.read(m_request.tests[test].session, m_progress.of(steps));
   m_progress.finish(steps);
@@ -313,11 +315,20 @@ void checkFiles(const ReportRequest& request) {
   checkOutputs(filesOf(request), inputs);
 }
 
+/// Differences in a report are the light fields', not the methods'.
+ReportRequest withoutTolerance(ReportRequest request) {
+  request.session.sampling.tolerance = 0;
+  for (ReportTest& test : request.tests) test.session.sampling.tolerance = 0;
+  if (request.reference) request.reference->sampling.tolerance = 0;
+  return request;
+}
+
 }  // namespace
 
 Report makeReport(const ReportRequest& request, const ReportListener& listener) {
   checkFiles(request);
-  return ReportRun(request, listener).run();
+  const ReportRequest exact = withoutTolerance(request);
+  return ReportRun(exact, listener).run();
 }
 
 }  // namespace hogelscope

@@ -11,13 +11,12 @@
 
 namespace hogelscope {
 
-ViewPairs::ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin,
+ViewPairs::ViewPairs(Session session, std::size_t workers, const ParallelRows& rowsWithin,
                      bool keepsReferences, std::size_t memory)
     : m_session(std::move(session)),
-      m_rowsWithin(std::move(rowsWithin)),
       m_memory(memory / 2),
       m_references(keepsReferences ? m_session.cameras.size() : 0),
-      m_tables(workers) {}
+      m_renderers(workers, Renderer(rowsWithin)) {}
 
 bool ViewPairs::passes(const Session& session) const {
   return mustPass(*openLightField(session.lightField, session.display), m_memory);
@@ -25,7 +24,7 @@ bool ViewPairs::passes(const Session& session) const {
 
 ViewPairs::Source ViewPairs::readSource(const Session& of, const Progress& progress) const {
   if (!passes(of))
-    return {loadScene(of, progress, m_memory, {0, m_tables.size() > 1 ? 1 : threadCount()}), {}};
+    return {loadScene(of, progress, m_memory, {0, m_renderers.size() > 1 ? 1 : threadCount()}), {}};
   const auto file = openLightField(of.lightField, of.display);
   Source source{unloadedScene(of, *file), {}};
   std::vector<View> views;
@@ -91,8 +90,7 @@ View ViewPairs::view(std::size_t state) const {
 Image ViewPairs::picture(const Source& source, std::size_t state, std::size_t worker,
                          const Progress& progress) {
   if (source.pictures.empty())
-    return simulateFast(source.scene.view(m_session.cameras[state]), m_tables[worker], m_rowsWithin,
-                        progress);
+    return m_renderers[worker].render(source.scene.view(m_session.cameras[state]), progress);
   const auto& [image, problem] = source.pictures[state];
   if (!problem.empty()) throw InputError(problem, "");
   return image;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/engine/fast_simulation.h"
+#include "core/engine/renderer.h"
 #include "io/scene/scene.h"
 #include "report/passing_pictures.h"
 
@@ -26,10 +26,10 @@ class ViewPairs {
  public:
   /// `rowsWithin` is how the rows of one picture are shared out. `memory` bytes are for light
   /// fields.
-  ViewPairs(Session session, std::size_t workers, ParallelRows rowsWithin, bool keepsReferences,
-            std::size_t memory);
+  ViewPairs(Session session, std::size_t workers, const ParallelRows& rowsWithin,
+            bool keepsReferences, std::size_t memory);
 
-  void takeReference(const Scene& scene) { m_reference.emplace().scene = scene; }
+  void setReference(const Scene& scene) { m_reference.emplace().scene = scene; }
   /// Reads the session's light field, the first time, and a test's, side by side where both pass
   /// by. The last test's memory is free before the next one is read.
   void read(const Session& test, const Progress& progress);
@@ -39,8 +39,7 @@ class ViewPairs {
   [[nodiscard]] View view(std::size_t state) const;
   [[nodiscard]] const Scene& reference() const { return m_reference->scene; }
   [[nodiscard]] const Scene& test() const { return m_test->scene; }
-  [[nodiscard]] LensTables& tables(std::size_t worker) { return m_tables[worker]; }
-  [[nodiscard]] const ParallelRows& rowsWithin() const { return m_rowsWithin; }
+  [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 
  private:
   /// A light field in memory, or the pictures of all states.
@@ -56,12 +55,11 @@ class ViewPairs {
                               const Progress& progress);
 
   Session m_session;
-  ParallelRows m_rowsWithin;
   std::size_t m_memory;  ///< of each of the two
   std::optional<Source> m_reference;
   std::optional<Source> m_test;
-  std::vector<Image> m_references;  ///< of the states rendered, if they are kept for more tests
-  std::vector<LensTables> m_tables;
+  std::vector<Image> m_references;    ///< of the states rendered, if they are kept for more tests
+  std::vector<Renderer> m_renderers;  ///< of the workers
 };
 
 }  // namespace hogelscope

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
+#include "core/light_field/light_field.h"
 #include "core/metrics/report_rows.h"
 #include "core/optics/psf.h"
 

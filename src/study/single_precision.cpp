@@ -65,7 +65,7 @@ struct Geometry {
   /// Of the angular field, from its middle: -1/2 … 1/2.
   [[nodiscard]] Real part(Real slope, double degrees) const {
     const Real field = Real(degrees) * (std::numbers::pi_v<Real> / 180);
-    if (display.lens == HogelLens::equiangular) return std::atan(slope) / field;
+    if (display.lens == HogelLensModel::equiangular) return std::atan(slope) / field;
     return slope / (2 * std::tan(field / 2));
   }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/engine/fast_simulation.h"
+#include "core/engine/renderer.h"
 #include "core/engine/scaled_view.h"
 #include "core/metrics/metrics.h"
 
@@ -40,19 +40,7 @@ namespace {
 
 /// From nothing, lens rays too.
 Image render(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
-  const View small = reduced(view);
-  LensTables tables;
-  const FastSimulation simulation(small, tables, parallelRows, progress);
-  const auto [width, height] = small.state.camera.res;
-  Image image(width, height);
-  parallelRows(height, [&, columns = width](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const std::size_t at = std::size_t(y) * std::size_t(columns);
-      simulation.row(y, 0, columns, &image.rgb[3 * at], &image.seen[at]);
-    }
-  });
-  const int scale = view.method.scale;
-  return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
+  return Renderer(parallelRows).render(view, progress);
 }
 
 Image reference(const View& view, Question question, const ParallelRows& parallelRows,

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/engine/fast_simulation.h"
+#include "core/engine/renderer.h"
 #include "study/instabilities.h"
 #include "study/single_precision.h"
 
@@ -22,7 +22,7 @@ DisplayParams panel() {
   display.hogels = {64, 64};
   display.directions = {64, 64};
   display.fov = {179.5, 179.5};
-  display.lens = HogelLens::equiangular;
+  display.lens = HogelLensModel::equiangular;
   return display;
 }
 
@@ -97,7 +97,7 @@ void addEye(const char* kind, double x, const View& view, const Progress& progre
   hearStop(progress);
   const Image reference = simulate(view);
   hearStop(progress);
-  rows.push_back(row(kind, "fast engine", x, reference, simulateFast(view)));
+  rows.push_back(row(kind, "fast engine", x, reference, Renderer(serialRows).render(view)));
   rows.push_back(row(kind, "float", x, reference, pictureIn<float>(view)));
   hearStop(progress);
   rows.push_back(row(kind, "eye 10 um aside", x, reference, simulate(eyeAside(view))));
@@ -124,7 +124,7 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
     for (const auto& [kind, view] : {std::pair{"scale", scaled(paper, metres)},
                                      std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
       advance(progress, 0.8);
-      rows.push_back(row(kind, "fast engine", metres, unmoved, simulateFast(view)));
+      rows.push_back(row(kind, "fast engine", metres, unmoved, Renderer(serialRows).render(view)));
       rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(view)));
     }
   }

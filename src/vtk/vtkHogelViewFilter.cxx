@@ -12,40 +12,37 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <atomic>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/engine/scaled_view.h"
 
 vtkStandardNewMacro(vtkHogelViewFilter);
 
 namespace
 {
-constexpr const char* seenName = "Seen";
-
-/// One row of the update extent, VTK's row y.
+/// An image's rows, from the top, become VTK's, from the bottom.
 template <class T>
-void fillRow(const hogelscope::FastSimulation& simulation, int height, vtkImageData* output, int y)
+void copyFlipped(const std::vector<T>& values, int height, void* target)
 {
-  const int* extent = output->GetExtent();
-  auto* seen = vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray(seenName));
-  const int width = extent[1] - extent[0] + 1;
-  simulation.row(height - 1 - y, extent[0], extent[1] + 1,
-    static_cast<T*>(output->GetScalarPointer(extent[0], y, 0)),
-    seen->GetPointer(vtkIdType(y - extent[2]) * width));
+  const std::size_t row = values.size() / std::size_t(height);
+  T* to = static_cast<T*>(target);
+  for (auto from = values.end(); from != values.begin(); to += row)
+  {
+    from -= std::ptrdiff_t(row);
+    std::copy_n(from, row, to);
+  }
 }
 
-/// VTK's rows, from the bottom, become a picture's, from the top.
-template <class T>
-void copyFlipped(vtkDataArray* source, int height, std::vector<T>& target)
+/// `image` is an Image or a FloatImage of the output's size.
+template <class AnyImage>
+void copyToOutput(const AnyImage& image, vtkImageData* output)
 {
-  const std::size_t row = target.size() / std::size_t(height);
-  const T* values = static_cast<const T*>(source->GetVoidPointer(0));
-  for (auto to = target.end(); to != target.begin(); values += row)
-  {
-    to -= std::ptrdiff_t(row);
-    std::copy_n(values, row, to);
-  }
+  copyFlipped(image.rgb, image.height, output->GetScalarPointer());
+  vtkNew<vtkUnsignedCharArray> seen;
+  seen->SetName("Seen");
+  seen->SetNumberOfValues(output->GetNumberOfPoints());
+  copyFlipped(image.seen, image.height, seen->GetPointer(0));
+  output->GetPointData()->AddArray(seen);
 }
 }
 
@@ -61,9 +58,7 @@ void vtkHogelViewFilter::SetView(const hogelscope::View& view)
     return;
   }
   this->View = view;
-  this->IsChosen = false;
-  this->Choice = {}; // they may hold the last reference to another light field
-  this->Rendered = {};
+  this->Choice = {}; // it may hold the last reference to another light field
   this->Modified();
 }
 
@@ -72,49 +67,19 @@ void vtkHogelViewFilter::SetThreads(int count)
   hogelscope::setThreads(count);
 }
 
-/// What to render in the place of the view. False where that fails or is stopped.
-bool vtkHogelViewFilter::Choose()
-{
-  try
-  {
-    this->Choice =
-      hogelscope::choose(this->View, this->Tables, hogelscope::parallelRows, this->Progress);
-    this->Rendered = hogelscope::reduced(this->Choice.view);
-    this->IsChosen = true;
-  }
-  catch (const hogelscope::Cancelled&)
-  {
-    this->Stopped = true;
-  }
-  catch (const std::exception& error)
-  {
-    this->ErrorMessage = error.what();
-    vtkErrorMacro(<< this->ErrorMessage);
-  }
-  return this->IsChosen;
-}
-
 int vtkHogelViewFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->ErrorMessage.clear();
-  this->Stopped = false;
-  if (!this->IsChosen && !this->Choose())
-  {
-    return 0;
-  }
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const auto [width, height] = this->Rendered.state.camera.res;
-  const double scale = this->Choice.view.method.scale;
+  const auto [width, height] = this->View.state.camera.res;
   const int extent[6] = { 0, width - 1, 0, height - 1, 0, 0 };
-  const double spacing[3] = { scale, scale, 1 };
-  const double origin[3] = { (scale - 1) / 2, (scale - 1) / 2, 0 };
+  const double spacing[3] = { 1, 1, 1 };
+  const double origin[3] = { 0, 0, 0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   // VTK 9.1 keeps what a failed execution was asked for, and asks for the union of both.
   info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
-  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   vtkDataObject::SetPointDataActiveScalarInfo(
     info, this->FloatOutput ? VTK_FLOAT : VTK_UNSIGNED_CHAR, 3);
   return 1;
@@ -124,23 +89,20 @@ int vtkHogelViewFilter::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->ErrorMessage.clear();
-  this->Stopped = false;
+  this->Cancelled = false;
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(info);
-  int* extent = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
-  this->AllocateOutputData(output, info, extent);
+  this->AllocateOutputData(
+    output, info, info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
   output->GetPointData()->GetScalars()->SetName("View");
-  vtkNew<vtkUnsignedCharArray> seen;
-  seen->SetName(seenName);
-  seen->SetNumberOfValues(output->GetNumberOfPoints());
-  output->GetPointData()->AddArray(seen);
   try
   {
-    this->Fill(hogelscope::forThreads(this->Progress), output);
+    this->Render(output);
   }
   catch (const hogelscope::Cancelled&)
   {
-    this->Stopped = true;
+    this->Cancelled = true;
+    return 0;
   }
   catch (const std::exception& error)
   {
@@ -148,38 +110,25 @@ int vtkHogelViewFilter::RequestData(
     vtkErrorMacro(<< this->ErrorMessage);
     return 0;
   }
-  return this->Stopped ? 0 : 1;
+  return 1;
 }
 
-void vtkHogelViewFilter::Fill(const hogelscope::Progress& progress, vtkImageData* output)
+void vtkHogelViewFilter::Render(vtkImageData* output)
 {
-  const hogelscope::FastSimulation simulation(
-    this->Rendered, this->Tables, hogelscope::parallelRows, progress);
-  const int first = output->GetExtent()[2];
-  const int rows = output->GetExtent()[3] - first + 1;
-  const int height = this->Rendered.state.camera.res[1];
-  std::atomic<int> done = 0;
-  hogelscope::parallelRows(rows,
-    [&](int begin, int end)
-    {
-      for (int row = begin; row < end; ++row)
-      {
-        if (this->FloatOutput)
-        {
-          fillRow<float>(simulation, height, output, first + row);
-        }
-        else
-        {
-          fillRow<unsigned char>(simulation, height, output, first + row);
-        }
-        hogelscope::advance(progress, double(++done) / rows);
-      }
-    });
+  this->Choice = this->Renderer.choose(this->View, this->Progress);
+  if (this->FloatOutput)
+  {
+    copyToOutput(this->Renderer.renderFloat(this->Choice.view, this->Progress), output);
+  }
+  else
+  {
+    copyToOutput(this->Renderer.render(this->Choice.view, this->Progress), output);
+  }
 }
 
 void vtkHogelViewFilter::UpdateOrThrow()
 {
-  if (this->Stopped || !this->ErrorMessage.empty())
+  if (this->Cancelled || !this->ErrorMessage.empty())
   {
     this->Modified(); // the pipeline takes what a failed execution left for its result
   }
@@ -188,41 +137,10 @@ void vtkHogelViewFilter::UpdateOrThrow()
   {
     throw hogelscope::InputError(this->ErrorMessage, "");
   }
-  if (this->Stopped)
+  if (this->Cancelled)
   {
     throw hogelscope::Cancelled();
   }
-}
-
-hogelscope::Image vtkHogelViewFilter::GetImage()
-{
-  this->FloatOutputOff();
-  this->UpdateOrThrow();
-  vtkImageData* output = this->GetOutput();
-  const auto [width, height] = this->Rendered.state.camera.res;
-  hogelscope::Image image(width, height);
-  copyFlipped(output->GetPointData()->GetScalars(), height, image.rgb);
-  copyFlipped(output->GetPointData()->GetArray(seenName), height, image.seen);
-  const int scale = this->Choice.view.method.scale;
-  return scale == 1 ? image : hogelscope::enlarged(image, scale, this->View.state.camera.res);
-}
-
-std::vector<float> vtkHogelViewFilter::GetCodeValues()
-{
-  this->FloatOutputOn();
-  this->UpdateOrThrow();
-  vtkPointData* output = this->GetOutput()->GetPointData();
-  const int height = this->Rendered.state.camera.res[1];
-  std::vector<float> values(std::size_t(this->GetOutput()->GetNumberOfPoints()) * 3);
-  copyFlipped(output->GetScalars(), height, values);
-  const int scale = this->Choice.view.method.scale;
-  if (scale == 1)
-  {
-    return values;
-  }
-  std::vector<unsigned char> seen(values.size() / 3);
-  copyFlipped(output->GetArray(seenName), height, seen);
-  return hogelscope::enlarged(values, seen, scale, this->View.state.camera.res);
 }
 
 void vtkHogelViewFilter::PrintSelf(ostream& os, vtkIndent indent)

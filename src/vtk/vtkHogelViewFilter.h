@@ -3,11 +3,10 @@
  * @class   vtkHogelViewFilter
  * @brief   what a camera state sees of a light field display, as an image
  *
- * A source without inputs: an adapter of hogelscope::FastSimulation to VTK's pipeline, run over
- * vtkSMPTools. The output has the camera's resolution, spacing 1, and two point arrays: "View"
- * (RGB, the scalars; 8 bit, or float code values) and "Seen" (8 bit, 255 or 0). As in all of VTK
- * row 0 is the bottom. What a user can mend is an error event and GetErrorMessage(), never an
- * exception.
+ * A source without inputs: an adapter of hogelscope::Renderer to VTK's pipeline. The output has the
+ * camera's resolution, spacing 1, and two point arrays: "View" (RGB, the scalars; 8 bit, or float
+ * code values) and "Seen" (8 bit, 255 or 0). As in all of VTK row 0 is the bottom. Errors are error
+ * events and GetErrorMessage(), never exceptions, except where a function says so.
  */
 #ifndef vtkHogelViewFilter_h
 #define vtkHogelViewFilter_h
@@ -16,10 +15,7 @@
 
 #include <string>
 
-#include "core/base/progress.h"
-#include "core/engine/adaptive_method.h"
-#include "core/engine/fast_simulation.h"
-#include "core/optics/image.h"
+#include "core/engine/renderer.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelViewFilter : public vtkImageAlgorithm
@@ -31,14 +27,6 @@ public:
 
   ///@{
   /**
-   * What is simulated. Setting an equal view changes nothing.
-   */
-  void SetView(const hogelscope::View& view);
-  const hogelscope::View& GetView() const { return this->View; }
-  ///@}
-
-  ///@{
-  /**
    * Float output holds code values (0 to 255) before rounding. Off by default.
    */
   vtkSetMacro(FloatOutput, bool);
@@ -47,35 +35,55 @@ public:
   ///@}
 
   /**
-   * Hears the done fraction of each picture from any of the threads, one at a time; may say stop.
-   * No new execution.
+   * Why the last execution failed; empty if it succeeded or was cancelled.
    */
-  void SetProgress(hogelscope::Progress progress) { this->Progress = std::move(progress); }
+  const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
 
   /**
-   * What was chosen to be rendered in the place of the view; after an update. The pipeline's output
-   * has its pixels: fewer than the view where its method says so, at a larger spacing.
+   * Whether the last execution was cancelled by the progress function.
    */
-  const hogelscope::Choice& GetChoice() const { return this->Choice; }
+  bool IsCancelled() const { return this->Cancelled; }
 
   /**
-   * Why the last execution failed; empty if it did not, or was stopped.
+   * The number of threads in this process; 0 means one for each core.
    */
-  const std::string& GetErrorMessage() const { return this->ErrorMessage; }
+  static void SetThreads(int count);
 
+#ifndef __VTK_WRAP__
   ///@{
   /**
-   * For code that is no pipeline: updates, and gives the picture from its top row on; with
-   * FloatOutput its code values too. Throws hogelscope::InputError or Cancelled.
+   * What is simulated. Setting an equal view changes nothing.
    */
-  hogelscope::Image GetImage();
-  std::vector<float> GetCodeValues();
+  void SetView(const hogelscope::View& view);
+  const hogelscope::View& GetView() const
+  {
+    return this->View;
+  }
   ///@}
 
   /**
-   * How many threads work from now on, in the whole process; 0 = all.
+   * Called with the fraction done (0 to 1), from any thread, never concurrently; returns false to
+   * cancel. Setting it does not execute the filter again.
    */
-  static void SetThreads(int count);
+  void SetProgress(hogelscope::Progress progress)
+  {
+    this->Progress = std::move(progress);
+  }
+
+  /**
+   * What was rendered in the place of the view; valid after an update.
+   */
+  const hogelscope::Choice& GetChoice() const
+  {
+    return this->Choice;
+  }
+
+  /**
+   * Update() that throws hogelscope::InputError or Cancelled, and that executes again after a
+   * failure.
+   */
+  void UpdateOrThrow();
+#endif
 
 protected:
   vtkHogelViewFilter();
@@ -90,19 +98,15 @@ private:
   vtkHogelViewFilter(const vtkHogelViewFilter&) = delete;
   void operator=(const vtkHogelViewFilter&) = delete;
 
-  bool Choose();
-  void Fill(const hogelscope::Progress& progress, vtkImageData* output);
-  void UpdateOrThrow();
+  void Render(vtkImageData* output);
 
   hogelscope::View View;
   hogelscope::Choice Choice;
-  bool IsChosen = false;     ///< Choice and Rendered are View's
-  hogelscope::View Rendered; ///< Choice.view with the pixels of the output
-  hogelscope::LensTables Tables;
+  hogelscope::Renderer Renderer;
   bool FloatOutput = false;
   hogelscope::Progress Progress;
   std::string ErrorMessage;
-  bool Stopped = false;
+  bool Cancelled = false;
 };
 
 #endif

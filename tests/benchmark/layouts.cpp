@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a light field had best lie in memory: the table in ARCHITECTURE.md.
+// How a light field had best lie in memory: the table in docs/measurements.md.
 #include <bit>
 
 #include "tests/benchmark/scene.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long a view of a store takes, first and again: the table "At the paper's size" in
-// ARCHITECTURE.md.
+// docs/measurements.md.
 //   hogelscope-store-views SESSION.json: the first state of a session whose light field is a store
 #include <algorithm>
 #include <chrono>
@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/engine/fast_simulation.h"
+#include "core/engine/renderer.h"
 #include "core/engine/scaled_view.h"
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
@@ -26,12 +27,12 @@ double milliseconds(Work work) {
 
 /// Of some views, one after the other, each another one.
 template <class ViewAt>
-void print(const char* what, ViewAt viewAt, LensTables& tables) {
+void print(const char* what, ViewAt viewAt, Renderer& renderer) {
   constexpr int views = 15;
   std::vector<double> times;
   for (int k = 0; k < views; ++k) {
     const View view = viewAt(k);
-    times.push_back(milliseconds([&] { (void)simulateFast(view, tables, parallelRows); }));
+    times.push_back(milliseconds([&] { (void)renderer.render(view); }));
   }
   std::sort(times.begin(), times.end());
   std::printf("%-46s %8.1f ms (%.1f … %.1f)\n", what, times[views / 2], times.front(),
@@ -43,7 +44,7 @@ void measure(const char* file) {
   std::optional<Scene> scene;
   std::printf("%-46s %8.1f ms\n", "open",
               milliseconds([&] { scene = loadScene(session, {}, 1000000000); }));
-  LensTables tables;
+  Renderer renderer;
   const View view = scene->view(session.cameras.front());
   const auto moved = [&view](double x) {
     View other = view;
@@ -51,18 +52,18 @@ void measure(const char* file) {
     return other;
   };
   std::printf("%-46s %8.1f ms\n", "overview, read and rendered",
-              milliseconds([&] { (void)simulateFast(overview(view), tables, parallelRows); }));
+              milliseconds([&] { (void)renderer.render(overview(view)); }));
   std::printf("%-46s %8.1f ms\n", "the first view",
-              milliseconds([&] { (void)simulateFast(view, tables, parallelRows); }));
+              milliseconds([&] { (void)renderer.render(view); }));
   print(
-      "the same again", [&](int) { return view; }, tables);
+      "the same again", [&](int) { return view; }, renderer);
   print(
-      "the eye moved by 1 mm each", [&](int k) { return moved(0.001 * k); }, tables);
+      "the eye moved by 1 mm each", [&](int k) { return moved(0.001 * k); }, renderer);
   print(
-      "the eye moved by 20 mm each", [&](int k) { return moved(0.02 * (k - 7) + 0.01); }, tables);
+      "the eye moved by 20 mm each", [&](int k) { return moved(0.02 * (k - 7) + 0.01); }, renderer);
   print(
       "overview, the eye moved by 20 mm each",
-      [&](int k) { return overview(moved(0.02 * (k - 7))); }, tables);
+      [&](int k) { return overview(moved(0.02 * (k - 7))); }, renderer);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a store's blocks had best be shaped and compressed: the table in ARCHITECTURE.md.
+// How a store's blocks had best be shaped and compressed: the table in docs/measurements.md.
 //   hogelscope-store-benchmark BAND.png: the first hogel rows of the paper's light field (512×16
 //   hogels of 600×600 directions), written by hogelscope --generate.
 #include <zstd.h>

@@ -171,7 +171,7 @@ class Simulator {
 
   /// `slope` is that of the leaving light; 0 … 1 over the angular field.
   [[nodiscard]] double acrossField(double slope, double fov) const {
-    if (m_view.display.lens == hogelscope::HogelLens::equiangular)
+    if (m_view.display.lens == hogelscope::HogelLensModel::equiangular)
       return 0.5 + std::atan(slope) / (fov * degree);
     return 0.5 + slope / (2 * std::tan(fov * degree / 2));
   }

@@ -51,8 +51,8 @@ inline hogelscope::DisplayParams randomDisplay(Random& random) {
   display.hogels = {random.integer(1, 9), random.integer(1, 9)};
   display.directions = {random.integer(1, 9), random.integer(1, 9)};
   display.fov = {random.uniform(10, 170), random.uniform(10, 170)};
-  display.lens =
-      random.flip() ? hogelscope::HogelLens::rectilinear : hogelscope::HogelLens::equiangular;
+  display.lens = random.flip() ? hogelscope::HogelLensModel::rectilinear
+                               : hogelscope::HogelLensModel::equiangular;
   return display;
 }
 

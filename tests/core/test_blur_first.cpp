@@ -13,7 +13,7 @@ using namespace hogelscope;
 namespace {
 
 /// The hogel image of hogel (i, j), in the light that is summed.
-cv::Mat hogelImage(const LightField& field, int i, int j, LightModel light) {
+cv::Mat hogelImage(const LightFieldSource& field, int i, int j, LightModel light) {
   cv::Mat image(field.size().dv, field.size().du, CV_64FC3);
   for (int v = 0; v < image.rows; ++v)
     for (int u = 0; u < image.cols; ++u) {
@@ -36,7 +36,7 @@ cv::Mat blurred(const cv::Mat& image, const PsfParams& psf) {
 }
 
 std::shared_ptr<const LightField> blurredFirst(const View& view) {
-  const LightField& field = *view.lightField;
+  const LightFieldSource& field = *view.lightField;
   const PsfParams& psf = view.state.psf;
   auto result = std::make_shared<LightField>(field.size(), StoredType::real);
   for (int i = 0; i < field.size().nx; ++i)

@@ -14,8 +14,8 @@ Q_DECLARE_METATYPE(hogelscope::Hit)
 
 namespace {
 
-constexpr auto rectilinear = static_cast<int>(HogelLens::rectilinear);
-constexpr auto equiangular = static_cast<int>(HogelLens::equiangular);
+constexpr auto rectilinear = static_cast<int>(HogelLensModel::rectilinear);
+constexpr auto equiangular = static_cast<int>(HogelLensModel::equiangular);
 
 double tanDegrees(double angle) {
   return std::tan(angle * std::acos(-1.0) / 180);
@@ -27,7 +27,7 @@ DisplayParams smallDisplay(int lens) {
   params.hogels = {4, 2};
   params.directions = {8, 6};
   params.fov = {60, 40};
-  params.lens = static_cast<HogelLens>(lens);
+  params.lens = static_cast<HogelLensModel>(lens);
   return params;
 }
 

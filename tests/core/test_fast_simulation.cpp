@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/random_scene.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
@@ -39,7 +40,7 @@ bool agrees(std::uint8_t fast, std::uint8_t reference, double codeValue) {
 }
 
 QString firstDifference(const RandomScene& scene, Counts& counts) {
-  const Image fast = simulateFast(scene.view);
+  const Image fast = rendered(scene.view);
   const Simulation reference(scene.view);
   const brute::Simulator rays(scene.view, scene.content);
   for (std::size_t at = 0; at < fast.pixelCount(); ++at) {
@@ -102,7 +103,7 @@ void TestFastSimulation::plainScenesAreTheReference() {
     scene.view.sampling = {};
     if (random.flip()) scene.view.state.distortion = {};
     scene.view.state.psf = {};
-    scene.view.display.lens = HogelLens::rectilinear;
+    scene.view.display.lens = HogelLensModel::rectilinear;
     const QString difference = firstDifference(scene, counts);
     QVERIFY2(difference.isEmpty(), qPrintable(QString("scene %1: ").arg(seed) + difference));
   }

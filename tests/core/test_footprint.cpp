@@ -9,6 +9,7 @@
 #include "core/engine/scaled_view.h"
 #include "core/engine/streaming_renderer.h"
 #include "tests/core/random_scene.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
@@ -44,11 +45,16 @@ void pass(const LightField& lightField, Row row) {
 }
 
 /// Hands out slices with exactly the texels that are asked for.
-class Cutter : public TexelStore {
+class Cutter : public LightFieldSource {
  public:
-  explicit Cutter(std::shared_ptr<const LightField> whole) : m_whole(std::move(whole)) {}
+  explicit Cutter(const LightFieldSource& whole) : m_whole(whole.slice({}, {})) {}
 
-  std::shared_ptr<const LightField> slice(const Footprint& footprint, const Progress&) override {
+  [[nodiscard]] LightFieldSize size() const override { return m_whole->size(); }
+  [[nodiscard]] StoredType type() const override { return m_whole->type(); }
+
+  [[nodiscard]] std::shared_ptr<const LightField> slice(
+      const std::function<Footprint()>& footprintOf, const Progress&) const override {
+    const Footprint footprint = footprintOf();
     auto slice =
         std::make_shared<LightField>(m_whole->size(), m_whole->type(), sliceLayout(footprint));
     pass(*m_whole, [&](int j, int v, const auto* rgb) {
@@ -80,16 +86,20 @@ class Cutter : public TexelStore {
     return std::make_shared<const LightField>(size, values);
   }
 
-  std::size_t texels = 0;
+  mutable std::size_t texels = 0;
 
  private:
   std::shared_ptr<const LightField> m_whole;
 };
 
-View stored(View view, std::shared_ptr<TexelStore> store) {
-  view.lightField = std::make_shared<const LightField>(view.lightField->size(),
-                                                       view.lightField->type(), std::move(store));
+View with(View view, std::shared_ptr<const LightFieldSource> lightField) {
+  view.lightField = std::move(lightField);
   return view;
+}
+
+View streamed(const View& view) {
+  return with(view, std::make_shared<const StreamedLightField>(view.lightField->size(),
+                                                               view.lightField->type()));
 }
 
 }  // namespace
@@ -110,9 +120,9 @@ void TestFootprint::aFetchedViewIsTheView() {
   int seen = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const RandomScene scene = sceneOf(seed);
-    const Image whole = simulateFast(scene.view);
-    const View view = stored(scene.view, std::make_shared<Cutter>(scene.view.lightField));
-    QVERIFY2(simulateFast(view) == whole, qPrintable(QString("scene %1").arg(seed)));
+    const Image whole = rendered(scene.view);
+    const View view = with(scene.view, std::make_shared<Cutter>(*scene.view.lightField));
+    QVERIFY2(rendered(view) == whole, qPrintable(QString("scene %1").arg(seed)));
     seen += int(std::count(whole.seen.begin(), whole.seen.end(), 255));
   }
   QVERIFY2(seen > 3000, qPrintable(QString::number(seen)));
@@ -124,17 +134,16 @@ void TestFootprint::aPassingViewIsTheView() {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const RandomScene scene = sceneOf(seed);
     LensTables tables;
-    StreamingRenderer passing(stored(scene.view, nullptr), tables, serialRows);
+    StreamingRenderer passing(streamed(scene.view), tables, serialRows);
     passing.begin(tables, serialRows);
-    pass(*scene.view.lightField, [&](int j, int v, const auto* rgb) {
+    pass(*scene.view.lightField->overview(), [&](int j, int v, const auto* rgb) {
       if (v == 0 && j > 0) passing.finish(j - 1);
       passing.take(j, v, rgb);
     });
     passing.finish(scene.view.lightField->size().ny - 1);
-    constexpr std::array<std::size_t, 3> texelBytes{4, 8, 16};
-    all += passing.footprint().texels() * texelBytes[scene.view.lightField->texels().index()];
+    all += passing.footprint().texels() * memoryBytes(scene.view.lightField->type());
     kept += passing.bytes();
-    QVERIFY2(passing.takeImage() == simulateFast(scene.view),
+    QVERIFY2(passing.takeImage() == rendered(scene.view),
              qPrintable(QString("scene %1").arg(seed)));
   }
   QVERIFY2(kept < all, qPrintable(QString("%1 of %2 bytes").arg(kept).arg(all)));
@@ -155,12 +164,12 @@ void TestFootprint::aViewNeedsLittle() {
   scene.view.state.psf.windowSize = 1;
   scene.content.size = {60, 50, 60, 50};
   fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
-  const auto cutter = std::make_shared<Cutter>(scene.view.lightField);
-  QVERIFY(simulateFast(stored(scene.view, cutter)) == simulateFast(scene.view));
+  const auto cutter = std::make_shared<Cutter>(*scene.view.lightField);
+  QVERIFY(rendered(with(scene.view, cutter)) == rendered(scene.view));
   // u changes by 0.01·60/2 = 0.3 from column to column: at most two a column, 77 or so in all.
   const StreamingRenderer passing = [&] {
     LensTables tables;
-    return StreamingRenderer(stored(scene.view, nullptr), tables, serialRows);
+    return StreamingRenderer(streamed(scene.view), tables, serialRows);
   }();
   QVERIFY2(passing.bytes() < 4 * cutter->texels / 10,
            qPrintable(QString("%1 of %2 bytes").arg(passing.bytes()).arg(4 * cutter->texels)));
@@ -173,7 +182,8 @@ void TestFootprint::placesAreTakenAgainOnlyWhenTheyAreFree() {
   Random random(7);
   for (int k = 0; k < 300; ++k) {
     const int ny = random.integer(1, 40);
-    Footprint footprint{{{0, 0}}, {}};
+    Footprint footprint(1, 0);
+    footprint.u[0] = {0, 0};
     std::vector<int> lastUse;
     for (int j = 0; j < ny; ++j) {
       const int first = random.integer(0, 9);
@@ -198,7 +208,7 @@ void TestFootprint::placesAreTakenAgainOnlyWhenTheyAreFree() {
 
 void TestFootprint::singleTexelsAreFetched() {
   const RandomScene scene = sceneOf(3);
-  const View view = stored(scene.view, std::make_shared<Cutter>(scene.view.lightField));
+  const View view = with(scene.view, std::make_shared<Cutter>(*scene.view.lightField));
   const auto [nx, ny, du, dv] = view.lightField->size();
   const TexelIndex last{nx - 1, ny - 1, du - 1, dv - 1};
   QVERIFY(view.lightField->texel(last) == scene.view.lightField->texel(last));
@@ -220,10 +230,10 @@ void TestFootprint::aFirstLookIsAtTheOverview() {
         values.push_back(std::uint8_t(value));
   scene.view.lightField = std::make_shared<const LightField>(size, values);
   QVERIFY(overview(scene.view) == scene.view);
-  const auto cutter = std::make_shared<Cutter>(scene.view.lightField);
-  const Image first = simulateFast(overview(stored(scene.view, cutter)));
+  const auto cutter = std::make_shared<Cutter>(*scene.view.lightField);
+  const Image first = rendered(overview(with(scene.view, cutter)));
   QCOMPARE(cutter->texels, std::size_t(0));
-  const Image whole = simulateFast(scene.view);
+  const Image whole = rendered(scene.view);
   QVERIFY(first.seen == whole.seen);
   for (std::size_t k = 0; k < whole.rgb.size(); ++k)
     QVERIFY(std::abs(first.rgb[k] - whole.rgb[k]) <= 3 * 8);

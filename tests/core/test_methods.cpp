@@ -11,6 +11,7 @@
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
 #include "tests/core/random_scene.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
@@ -64,6 +65,13 @@ std::vector<Vec2> raysOfOpenCv(const LensKey& key, int iterations) {
 const DistortionParams barrel{-0.2663726090966068, -0.03858889892230465, 0.0017831947042852964,
                               -0.0002812210044111547, 0.23839153080878486};
 const DistortionParams figure3{0.6, 0.3, 0.2, 0.01, 0.2};
+
+FloatImage toFloat(const Image& image) {
+  FloatImage result(image.width, image.height);
+  result.rgb.assign(image.rgb.begin(), image.rgb.end());
+  result.seen = image.seen;
+  return result;
+}
 
 double rmse(const Image& a, const Image& b) {
   double sum = 0;
@@ -151,12 +159,12 @@ class TestMethods : public QObject {
     view.state.camera.res = {300, 200};
     int different = 0;
     for (int repeat = 0; repeat < 10; ++repeat) {
-      view.display.lens = repeat < 5 ? HogelLens::rectilinear : HogelLens::equiangular;
+      view.display.lens = repeat < 5 ? HogelLensModel::rectilinear : HogelLensModel::equiangular;
       view.state.camera.eye = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.5};
       view.method.isSingle = false;
-      const Image exact = simulateFast(view);
+      const Image exact = rendered(view);
       view.method.isSingle = true;
-      const Image single = simulateFast(view);
+      const Image single = rendered(view);
       for (std::size_t k = 0; k < exact.seen.size(); ++k)
         different +=
             std::equal(&exact.rgb[3 * k], &exact.rgb[3 * k] + 3, &single.rgb[3 * k]) ? 0 : 1;
@@ -172,10 +180,10 @@ class TestMethods : public QObject {
       RandomScene scene = randomScene(random);
       scene.view.state.psf.windowSize = 9;
       scene.view.state.psf.sigma = random.uniform(0.4, 1.2);
-      const Image exact = simulateFast(scene.view);
+      const Image exact = rendered(scene.view);
       for (const double bound : {0.5, 3.0, 20.0}) {
         scene.view.method.droppedTaps = bound;
-        const Image less = simulateFast(scene.view);
+        const Image less = rendered(scene.view);
         for (std::size_t k = 0; k < exact.rgb.size(); ++k) {
           const int d = std::abs(exact.rgb[k] - less.rgb[k]);
           QVERIFY(d <= bound + 1);
@@ -186,7 +194,7 @@ class TestMethods : public QObject {
       RandomScene plain = scene;
       plain.view.method = {};
       plain.view.state.psf.windowSize = 1;
-      QVERIFY(simulateFast(scene.view) == simulateFast(plain.view));
+      QVERIFY(rendered(scene.view) == rendered(plain.view));
     }
     QVERIFY(changed > 100);
   }
@@ -227,9 +235,8 @@ class TestMethods : public QObject {
             QVERIFY(std::abs(full.rgb[at] - expected.at<cv::Vec3b>(y, x)[c]) <= 1);
             QCOMPARE(int(enlargedPixel(small, scale, x, y)[std::size_t(c)]), int(full.rgb[at]));
           }
-      const std::vector<float> values(small.rgb.begin(), small.rgb.end());
       const std::vector<float> floats =
-          enlarged(values, small.seen, scale, {19 * scale, 13 * scale});
+          enlarged(toFloat(small), scale, {19 * scale, 13 * scale}).rgb;
       for (std::size_t k = 0; k < floats.size(); ++k)
         QVERIFY(std::abs(floats[k] - float(full.rgb[k])) < 0.51F);
     }
@@ -240,8 +247,7 @@ class TestMethods : public QObject {
     small.rgb = {200, 200, 200, 0, 0, 0};
     small.seen = {255, 0};
     const Image full = enlarged(small, 4, {7, 3});
-    const std::vector<float> values(small.rgb.begin(), small.rgb.end());
-    const std::vector<float> floats = enlarged(values, small.seen, 4, {7, 3});
+    const std::vector<float> floats = enlarged(toFloat(small), 4, {7, 3}).rgb;
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 7; ++x) {
         const auto at = std::size_t(y * 7 + x);
@@ -255,10 +261,10 @@ class TestMethods : public QObject {
     Random random(7);
     RandomScene scene = randomScene(random);
     scene.view.state.camera.res = {120, 90};
-    const Image exact = simulateFast(scene.view);
+    const Image exact = rendered(scene.view);
     const auto error = [&](int scale) {
       scene.view.method.scale = scale;
-      return rmse(exact, enlarged(simulateFast(reduced(scene.view)), scale, {120, 90}));
+      return rmse(exact, enlarged(rendered(reduced(scene.view)), scale, {120, 90}));
     };
     const double half = error(2);
     QVERIFY(half > 0 && half < error(4));

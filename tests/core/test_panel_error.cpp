@@ -245,7 +245,7 @@ void TestPanelError::figures() {
 
 void TestPanelError::directionsAreThoseOfTheLens() {
   DisplayParams display = displayOf({1, 1}, {4, 2});
-  display.lens = HogelLens::equiangular;
+  display.lens = HogelLensModel::equiangular;
   display.fov = {80, 40};
   Cells directions(8);
   directions[4] = {1, 1};  // (0, 1)

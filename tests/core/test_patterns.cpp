@@ -11,7 +11,8 @@ using namespace hogelscope;
 
 namespace {
 
-DisplayParams display(int nx, int ny, int du, int dv, HogelLens lens = HogelLens::rectilinear) {
+DisplayParams display(int nx, int ny, int du, int dv,
+                      HogelLensModel lens = HogelLensModel::rectilinear) {
   DisplayParams params;
   params.size = {0.4, 0.3};
   params.hogels = {nx, ny};
@@ -124,14 +125,14 @@ void TestPatterns::edge() {
 
 void TestPatterns::spheres_data() {
   QTest::addColumn<int>("lens");
-  QTest::newRow("rectilinear") << int(HogelLens::rectilinear);
-  QTest::newRow("equiangular") << int(HogelLens::equiangular);
+  QTest::newRow("rectilinear") << int(HogelLensModel::rectilinear);
+  QTest::newRow("equiangular") << int(HogelLensModel::equiangular);
 }
 
 /// Runs of slopes against tracing every ray.
 void TestPatterns::spheres() {
   QFETCH(int, lens);
-  const DisplayParams params = display(24, 18, 40, 30, HogelLens(lens));
+  const DisplayParams params = display(24, 18, 40, 30, HogelLensModel(lens));
   const SpherePattern pattern(params, {});
   const auto image = imageOf(pattern, params);
   int lit = 0;

@@ -5,8 +5,11 @@
 #include <QTest>
 
 #include "core/engine/fast_simulation.h"
+#include "core/engine/plan_words.h"
+#include "core/engine/view_rays.h"
 #include "core/lens/lens_certificate.h"
 #include "tests/core/random.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
@@ -28,15 +31,16 @@ View sampleView() {
   return view;
 }
 
-bool says(const Plan& plan, const std::string& what) {
-  return std::any_of(plan.decisions.begin(), plan.decisions.end(), [&](const Decision& decision) {
+bool says(const View& view, const std::string& what) {
+  const std::vector<Decision> decisions = decisionsOf(view, plan(view));
+  return std::any_of(decisions.begin(), decisions.end(), [&](const Decision& decision) {
     return decision.what.find(what) != std::string::npos && !decision.why.empty();
   });
 }
 
 /// The largest difference from the reference, in code values.
 int worstDifference(const View& view) {
-  const Image fast = simulateFast(view);
+  const Image fast = rendered(view);
   const Image reference = simulate(view);
   if (fast.seen != reference.seen) return 256;
   int worst = 0;
@@ -68,9 +72,9 @@ class TestPlan : public QObject {
 
   void plainLensHasNoTable() {
     View view = sampleView();
-    QVERIFY(!plan(view).hasLens && says(plan(view), "no lens model"));
+    QVERIFY(!plan(view).hasLens && says(view, "no lens model"));
     LensTables tables;
-    QVERIFY(FastSimulation(view, tables, serialRows).lens() == nullptr);
+    QVERIFY(ViewRays(view, tables, serialRows).lens() == nullptr);
     QCOMPARE(worstDifference(view), 0);
     view.state.distortion.k1 = 0.1;
     QVERIFY(plan(view).hasLens && plan(view).isTableKept);
@@ -81,32 +85,32 @@ class TestPlan : public QObject {
     View view = sampleView();
     view.state.distortion.k1 = 0.1;
     LensTables tables;
-    const FastSimulation first(view, tables, serialRows);
+    const ViewRays first(view, tables, serialRows);
     view.state.camera.eye = {0.1, 0, 0.7};
-    const FastSimulation moved(view, tables, serialRows);
+    const ViewRays moved(view, tables, serialRows);
     QVERIFY(first.lens() != nullptr && first.lens() == moved.lens());
     view.state.camera.res = {71, 50};
-    QVERIFY(FastSimulation(view, tables, serialRows).lens() != first.lens());
+    QVERIFY(ViewRays(view, tables, serialRows).lens() != first.lens());
   }
 
   void aTableThatIsTooLargeIsNotKept() {
     View view = sampleView();
     view.state.distortion.k1 = 0.1;
     view.state.camera.res = {16384, 16384};
-    QVERIFY(!plan(view).isTableKept && says(plan(view), "the lens"));
+    QVERIFY(!plan(view).isTableKept && says(view, "the lens"));
   }
 
   void windowOfOneHasNoPsf() {
     View view = sampleView();
     QCOMPARE(plan(view).psfReach, 0);
-    QVERIFY(says(plan(view), "no light leakage") && plan(view).copiesTexels);
+    QVERIFY(says(view, "no light leakage") && plan(view).copiesTexels);
   }
 
   void tapsThatDoNotCountAreLeftOut() {
     View view = sampleView();
     view.state.psf = {0.5, 9};
     QVERIFY(plan(view).psfReach < 4);
-    QVERIFY(says(plan(view), "taps, not 81"));
+    QVERIFY(says(view, "taps, not 81"));
     QVERIFY(worstDifference(view) <= 1);
     view.state.psf = {0.67, 5};
     QCOMPARE(plan(view).psfReach, 2);
@@ -116,7 +120,7 @@ class TestPlan : public QObject {
   void linearLightOnlyWhereSomethingIsSummed() {
     View view = sampleView();
     view.state.psf.light = LightModel::linear;
-    QVERIFY(!plan(view).sumsLinear && says(plan(view), "no decoding"));
+    QVERIFY(!plan(view).sumsLinear && says(view, "no decoding"));
     QCOMPARE(worstDifference(view), 0);
     view.state.psf.windowSize = 3;
     QVERIFY(plan(view).sumsLinear);
@@ -130,10 +134,10 @@ class TestPlan : public QObject {
     const Image image = simulate(view);
     const auto seen = std::count(image.seen.begin(), image.seen.end(), std::uint8_t{255});
     LensTables tables;
-    QCOMPARE(FastSimulation(view, tables, serialRows).rays(), std::int64_t(seen));
+    QCOMPARE(ViewRays(view, tables, serialRows).count(), std::int64_t(seen));
     QVERIFY(seen > 200 && seen < 3000);
     QCOMPARE(worstDifference(view), 0);
-    view.display.lens = HogelLens::equiangular;
+    view.display.lens = HogelLensModel::equiangular;
     QVERIFY(!plan(view).knowsOutline);
     QCOMPARE(worstDifference(view), 0);
   }
@@ -141,7 +145,7 @@ class TestPlan : public QObject {
   void behindThePanelThereAreNoRays() {
     View view = sampleView();
     view.state.camera.eye.z = -1;
-    QVERIFY(says(plan(view), "no rays"));
+    QVERIFY(says(view, "no rays"));
     QCOMPARE(worstDifference(view), 0);
   }
 

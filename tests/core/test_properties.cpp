@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "tests/core/light.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 using extreme::Eye;
@@ -48,10 +49,10 @@ Problem firstProblem(const RandomScene& scene, Counts& counts) {
   const Light reference = referenceLight(view);
   const Light fast = fastLight(view);
   counts.seen += int(std::count(fast.seen.begin(), fast.seen.end(), 255));
-  for (const Problem& problem : {rangeProblem(view, reference), rangeProblem(view, fast),
-                                 pictureProblem(view, reference, simulate(view)),
-                                 pictureProblem(view, fast, simulateFast(view)),
-                                 difference(scene, reference, fast, counts.unclear)})
+  for (const Problem& problem :
+       {rangeProblem(view, reference), rangeProblem(view, fast),
+        pictureProblem(view, reference, simulate(view)), pictureProblem(view, fast, rendered(view)),
+        difference(scene, reference, fast, counts.unclear)})
     if (!problem.isEmpty()) return problem;
   return {};
 }
@@ -148,7 +149,7 @@ void TestProperties::constantLightStaysConstant() {
     scene.view.sampling.samplesPerPixel = 1;
     const int codeValue = random.flip() ? 255 : random.integer(0, 254);
     extreme::fill(random, scene, [codeValue] { return double(codeValue); });
-    const Image fast = simulateFast(scene.view);
+    const Image fast = rendered(scene.view);
     seen += int(std::count(fast.seen.begin(), fast.seen.end(), 255));
     QVERIFY2(isAll(fast, codeValue), qPrintable(QString("fast, scene %1").arg(repeat)));
     QVERIFY2(isAll(simulate(scene.view), codeValue), qPrintable(QString("scene %1").arg(repeat)));
@@ -220,7 +221,7 @@ void TestProperties::noFrameNoPicture() {
     LensTables tables;
     QVERIFY_THROWS_EXCEPTION(InputError, check(view.state, "state"));
     QVERIFY_THROWS_EXCEPTION(InputError, simulate(view));
-    QVERIFY_THROWS_EXCEPTION(InputError, simulateFast(view));
+    QVERIFY_THROWS_EXCEPTION(InputError, rendered(view));
     QVERIFY_THROWS_EXCEPTION(InputError, FastSimulation(view, tables, serialRows));
   }
 }

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/light_field/light_field.h"
 #include "core/optics/psf.h"
 #include "tests/core/random.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/engine/adaptive_method.h"
+#include "core/engine/renderer.h"
 #include "core/engine/streaming_renderer.h"
 #include "core/lens/lens_certificate.h"
 #include "core/lens/lens_grid.h"
@@ -125,9 +126,8 @@ class TestStop : public QObject {
 
   void manyPicturesRows() {
     SecondTime stop;
-    LensTables tables;
     QVERIFY_EXCEPTION_THROWN(
-        (void)simulateFast(withManyRays(viewOf({16384, 64})), tables, serialRows, stop.progress()),
+        (void)Renderer(serialRows).render(withManyRays(viewOf({16384, 64})), stop.progress()),
         Cancelled);
   }
 
@@ -156,8 +156,8 @@ class TestStop : public QObject {
 
   void raysOfAPassingView() {
     View view = throughHardLens();
-    view.lightField = std::make_shared<const LightField>(
-        LightFieldSize{8, 8, 8, 8}, StoredType::uint8, std::shared_ptr<TexelStore>());
+    view.lightField =
+        std::make_shared<const StreamedLightField>(LightFieldSize{8, 8, 8, 8}, StoredType::uint8);
     SecondTime stop;
     LensTables tables;
     QVERIFY_EXCEPTION_THROWN(StreamingRenderer(view, tables, serialRows, stop.progress()),

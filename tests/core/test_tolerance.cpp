@@ -10,6 +10,7 @@
 #include "core/content/scene_pattern.h"
 #include "core/engine/scaled_view.h"
 #include "tests/core/random_scene.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
@@ -54,12 +55,6 @@ void vary(Random& random, View& view) {
   view.sampling.tolerance = std::exp(random.uniform(std::log(0.3), std::log(25.0)));
 }
 
-Image rendered(const View& view) {
-  const int scale = view.method.scale;
-  const Image image = simulateFast(reduced(view));
-  return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
-}
-
 double rmse(const Image& a, const Image& b) {
   double sum = 0;
   for (std::size_t k = 0; k < a.rgb.size(); ++k) sum += std::pow(a.rgb[k] - b.rgb[k], 2);
@@ -95,7 +90,7 @@ class TestTolerance : public QObject {
       vary(random, view);
       LensTables tables;
       const Choice choice = choose(view, tables, serialRows);
-      const double error = rmse(rendered(choice.view), simulateFast(view));
+      const double error = rmse(rendered(choice.view), rendered(view));
       cheaper += choice.view.method != Method{} || choice.view.sampling != view.sampling ? 1 : 0;
       beyondLimit += error > choice.limit + 0.02 ? 1 : 0;
       QVERIFY(choice.limit <= view.sampling.tolerance);
@@ -130,7 +125,7 @@ class TestTolerance : public QObject {
       const Choice choice = choose(view, tables, serialRows);
       if (choice.pixels == 0) continue;  // nothing was cheaper
       QCOMPARE(choice.pixels, view.state.camera.res[0] * view.state.camera.res[1]);
-      QVERIFY(std::abs(rmse(rendered(choice.view), simulateFast(view)) - choice.rmse) < 0.02);
+      QVERIFY(std::abs(rmse(rendered(choice.view), rendered(view)) - choice.rmse) < 0.02);
       QCOMPARE(choice.limit, choice.rmse);
     }
   }

@@ -12,6 +12,7 @@
 #include "gui/view/picture_commands.h"
 #include "gui/view/view_worker.h"
 #include "io/scene/scene.h"
+#include "tests/core/rendered.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_picture.h"
 
@@ -23,7 +24,7 @@ class TestDocks : public DocksTest {
  private:
   Image expected() const {
     const Session& session = m_model->session();
-    return simulateFast(loadScene(session, {}).view(m_model->current()));
+    return rendered(loadScene(session, {}).view(m_model->current()));
   }
 
   void nothingReplacesWhatIsRead(const QString& lightField) {

@@ -23,6 +23,7 @@
 #include "gui/view/picture_view.h"
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
+#include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
 
@@ -157,7 +158,7 @@ class TestMainWindow : public QObject {
     View small = scene.view(session.cameras[0]);
     const Image exact = simulate(small);
     small.method.scale = 2;
-    const Image expected = enlarged(simulateFast(reduced(small)), 2, {80, 60});
+    const Image expected = enlarged(rendered(reduced(small)), 2, {80, 60});
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
     QTest::mouseClick(m_window->findChild<QPushButton*>("ownMethodButton"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!message().contains("method"), patience);

@@ -18,6 +18,7 @@
 #include "gui/view/picture_view.h"
 #include "gui/view/view_worker.h"
 #include "io/scene/scene.h"
+#include "tests/core/rendered.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/gui/window_test.h"
 
@@ -62,7 +63,7 @@ class TestNotices : public WindowTest {
            !QFileInfo::exists("saved.png");
   }
   Image expected() const {
-    return simulateFast(loadScene(m_model->session(), {}).view(m_model->current()));
+    return rendered(loadScene(m_model->session(), {}).view(m_model->current()));
   }
   /// After each step of the events that come until the light field was found not to be readable,
   /// and a little longer.

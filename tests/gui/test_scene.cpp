@@ -7,6 +7,7 @@
 #include "core/engine/fast_simulation.h"
 #include "core/optics/panel_view.h"
 #include "gui/app/main_window.h"
+#include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_picture.h"
 
@@ -37,7 +38,7 @@ class TestScene : public SceneTest {
     const auto shares = [&] {
       const QImage image = drawn();
       state.camera.res = {image.width(), image.height()};
-      const Image expected = simulateFast(m_loaded.view(state));
+      const Image expected = rendered(m_loaded.view(state));
       int seen = 0;
       int near = 0;
       for (std::size_t at = 0; at < expected.pixelCount(); ++at) {
@@ -219,7 +220,7 @@ class TestScene : public SceneTest {
       const QImage image = drawn();
       CameraState state = m_session.cameras[3];
       state.camera.res = {image.height(), image.height()};
-      const Image expected = simulateFast(m_loaded.view(state));
+      const Image expected = rendered(m_loaded.view(state));
       const int left = (image.width() - image.height()) / 2;
       double sum = 0;
       int pixels = 0;

@@ -19,6 +19,7 @@
 #include "gui/view/picture_view.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
+#include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/io/documents.h"
@@ -71,8 +72,7 @@ class TestSimulatedView : public QObject {
   Image expected(const QString& lightField, const CameraState& state, int samples = 1) const {
     Session session = loadSession(m_sampleFile.toStdString());
     session.sampling.samplesPerPixel = samples;
-    return simulateFast(
-        loadScene(withLightField(session, lightField.toStdString()), {}).view(state));
+    return rendered(loadScene(withLightField(session, lightField.toStdString()), {}).view(state));
   }
 
  private Q_SLOTS:
@@ -162,7 +162,7 @@ class TestSimulatedView : public QObject {
     openSample();
     for (const bool isBySession : {false, true}) {
       compare();
-      const std::weak_ptr<const LightField> memory = commands()->other()->lightField;
+      const std::weak_ptr<const LightFieldSource> memory = commands()->other()->lightField;
       QVERIFY(!memory.expired());
       if (isBySession)
         openSample();

@@ -14,6 +14,7 @@
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
 #include "io/store/store_writer.h"
+#include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
 #include "tests/io/documents.h"
@@ -33,7 +34,7 @@ class TestStoreView : public QObject {
 
   PictureView* view() const { return m_window->findChild<PictureView*>("pictureView"); }
   bool shows(const CameraState& state) const {
-    return equals(view()->image(), simulateFast(m_whole.view(state)));
+    return equals(view()->image(), rendered(m_whole.view(state)));
   }
 
  private Q_SLOTS:
@@ -75,7 +76,7 @@ void TestStoreView::theWholePictureFollowsTheOverview() {
   QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   QVERIFY(m_views.size() >= 2);
   QVERIFY(m_views.front().isOverview && !m_views.back().isOverview);
-  QVERIFY(!equals(m_views.front().image, simulateFast(m_whole.view(m_states[0]))));
+  QVERIFY(!equals(m_views.front().image, rendered(m_whole.view(m_states[0]))));
   const auto* dock = m_window->findChild<LightFieldDock*>();
   bool isSaid = false;
   for (const QLabel* label : dock->findChildren<QLabel*>())

@@ -82,7 +82,7 @@ class TestSessionAround : public QObject {
     b.display.position = {1, 2, 3};
     b.display.size = {1, 2};
     b.display.fov = {20, 30};
-    b.display.lens = HogelLens::equiangular;
+    b.display.lens = HogelLensModel::equiangular;
     b.sampling.samplesPerPixel = 3;
     b.cameras.resize(4);
     QVERIFY(readTheSame(a, b));

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
+#include "tests/core/rendered.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -123,7 +124,7 @@ void TestPassingPictures::samePictures() {
   QCOMPARE(made.size(), views.size());
   for (const std::size_t k : {0U, 1U, 2U, 4U}) {
     QCOMPARE(QString::fromStdString(made[k].problem), QString());
-    QVERIFY(made[k].image == simulateFast(views[k]));
+    QVERIFY(made[k].image == rendered(views[k]));
   }
   QVERIFY(made[3].problem.find("eye") != std::string::npos);
 }

@@ -90,7 +90,7 @@ void TestInstabilities::doublesAreTheReference() {
   view.state.camera.eye = {0.4, -0.1, 5.5};
   view.state.camera.lookat = {0.3, -0.25, 5};
   view.state.camera.res = {61, 47};
-  for (const HogelLens lens : {HogelLens::rectilinear, HogelLens::equiangular}) {
+  for (const HogelLensModel lens : {HogelLensModel::rectilinear, HogelLensModel::equiangular}) {
     view.display.lens = lens;
     const Image reference = simulate(view);
     QVERIFY(std::count(reference.seen.begin(), reference.seen.end(), 255) > 500);

@@ -11,6 +11,7 @@
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
 #include "tests/core/random_scene.h"
+#include "tests/core/rendered.h"
 
 using namespace hogelscope;
 
@@ -100,7 +101,7 @@ class TestTradeoff : public QObject {
       for (const View& view : views) {
         const Image expected = simulate(view);
         const View used = with(method, view);
-        Image image = simulateFast(reduced(used));
+        Image image = rendered(reduced(used));
         if (used.method.scale > 1)
           image = enlarged(image, used.method.scale, view.state.camera.res);
         for (std::size_t k = 0; k < image.rgb.size(); ++k)

@@ -132,7 +132,7 @@ class TestSources : public QObject {
   }
 
   void hogelFieldIsWhereItsDirectionsGo() {
-    for (const HogelLens lens : {HogelLens::rectilinear, HogelLens::equiangular}) {
+    for (const HogelLensModel lens : {HogelLensModel::rectilinear, HogelLensModel::equiangular}) {
       DisplayParams display;
       display.position = {0.3, -0.2, 1};
       display.orientation = {20, 30, 40};
@@ -153,14 +153,14 @@ class TestSources : public QObject {
         const Vec3 eye = core.displayFromWorld().point(point(end, id));
         QVERIFY(std::abs(eye.z - source->GetLength()) < 1e-6);
         const Vec2 middle = core.position(2.5, 3.5);
-        const auto place = core.place(eye, Vec3{middle.x, middle.y, 0} - eye);
+        const auto place = core.intersectPlane(eye, Vec3{middle.x, middle.y, 0} - eye);
         const double* texture = end->GetPointData()->GetTCoords()->GetTuple2(id);
         QVERIFY(std::abs(place->u - 7 * texture[0]) < 1e-4);
         QVERIFY(std::abs(place->v - 40 * (1 - texture[1])) < 1e-4);
       }
       const Vec3 label = core.displayFromWorld().point(source->GetLabelPosition());
       const Vec2 from = core.position(2.5, 3.5);
-      const auto below = core.place(label, Vec3{from.x, from.y, 0} - label);
+      const auto below = core.intersectPlane(label, Vec3{from.x, from.y, 0} - label);
       QVERIFY(std::abs(below->u - 3.5) < 1e-9 && std::abs(below->v - 40) < 1e-9);
       QVERIFY(isNear(core.displayFromWorld().point(point(source->GetOutput(0), 0)),
                      {-0.2 + 2.5 * 0.05, 0.1 - 3.5 * 0.05, 0}));

@@ -31,6 +31,10 @@ RigidTransform RigidTransform::inverse() const {
   return inverse;
 }
 
+RigidTransform operator*(const RigidTransform& a, const RigidTransform& b) {
+  return {a.direction(b.xAxis), a.direction(b.yAxis), a.direction(b.zAxis), a.point(b.origin)};
+}
+
 RigidTransform transformFromPose(const Vec3& position, const Vec3& orientationDegrees) {
   const double ax = radians(orientationDegrees.x);
   const double ay = radians(orientationDegrees.y);

@@ -53,6 +53,9 @@ struct RigidTransform {
   [[nodiscard]] RigidTransform inverse() const;
 };
 
+/// First b, then a: `c-from-b * b-from-a` is c-from-a.
+RigidTransform operator*(const RigidTransform& a, const RigidTransform& b);
+
 /// T(position) · Rz·Rx·Ry, angles in degrees: the order of vtkProp3D::SetOrientation
 /// (docs/formulas.md, Display).
 RigidTransform transformFromPose(const Vec3& position, const Vec3& orientationDegrees);

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "core/content/pattern.h"
 

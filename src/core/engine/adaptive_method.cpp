@@ -231,10 +231,10 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
               const Progress& progress) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
-  if (view.lightField->slice() != nullptr && view.lightField->store() == nullptr) return choice;
-  const std::vector<View> candidates = cheaper(view);
+  choice.view.sampling.tolerance = 0;  // resolved
+  const std::vector<View> candidates = cheaper(choice.view);
   if (candidates.empty()) return choice;
-  const Probe probe(view, tables, parallelRows, progress);
+  const Probe probe(choice.view, tables, parallelRows, progress);
   choice.pixels = probe.pixels();
   if (!probe.saysEnough()) return choice;
   const double allowed = view.sampling.tolerance * view.sampling.tolerance;

@@ -17,10 +17,9 @@ struct Choice {
   int pixels = 0;    ///< of the probe; 0 where there was none
 };
 
-/// The view itself where its tolerance is 0, it has a method already, nothing is cheaper, its light
-/// field is neither in memory nor in a store, or the probe sees too little of the panel.
-/// Deterministic: the probe's pixels depend on the picture's size alone. `progress` may say stop;
-/// then it throws Cancelled.
+/// The view itself where its tolerance is 0, it has a method already, nothing is cheaper, or the
+/// probe sees too little of the panel. The tolerance of the result is 0. Deterministic: the probe's
+/// pixels depend on the image's size alone. Throws Cancelled.
 Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
               const Progress& progress = {});
 

@@ -168,31 +168,29 @@ void cells(const HitMap& map, const double* x, const double* y, int count, CellB
 namespace {
 
 template <class Real>
-void equiangularCellsIn(const HitMap& map, const std::array<double, 2>& fieldOfView,
-                        const double* x, const double* y, int count, CellBatch& batch) {
-  HitMap slopes = map;  // u and v become the slopes themselves
-  slopes.constant[2] = slopes.constant[3] = 0;
-  slopes.slope[2] = slopes.slope[3] = 1;
+void curvedCellsIn(const HitMap& map, const HogelLens& across, const HogelLens& down,
+                   const double* x, const double* y, int count, CellBatch& batch) {
   const RealMap<Real> m(map);
-  const RealMap<Real> toSlopes(slopes);
-  const std::array field{static_cast<Real>(fieldOfView[0]), static_cast<Real>(fieldOfView[1])};
+  const auto directionOf = [](const HogelLens& lens, Real slope) {
+    return static_cast<Real>(lens.directionOf(static_cast<double>(slope)));
+  };
   constexpr auto half = static_cast<Real>(0.5);
   for (int k = 0; k < count; ++k) {
-    RealHit<Real> h = hitOf(toSlopes, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
-    h.u = m.count[2] * (half + std::atan(h.u) / field[0]);
-    h.v = m.count[3] * (half - std::atan(h.v) / field[1]);
+    RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
+    h.u = m.count[2] * (half + directionOf(across, h.u));
+    h.v = m.count[3] * (half - directionOf(down, h.v));
     keep(m, h, k, batch);
   }
 }
 
 }  // namespace
 
-void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
-                      const double* y, int count, CellBatch& batch) {
+void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
+                 const double* y, int count, CellBatch& batch) {
   if (map.isSingle)
-    equiangularCellsIn<float>(map, fieldOfView, x, y, count, batch);
+    curvedCellsIn<float>(map, across, down, x, y, count, batch);
   else
-    equiangularCellsIn<double>(map, fieldOfView, x, y, count, batch);
+    curvedCellsIn<double>(map, across, down, x, y, count, batch);
 }
 
 MULTIVERSIONED

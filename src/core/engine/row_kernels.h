@@ -9,6 +9,7 @@
 
 #include "core/light_field/block_layout.h"
 #include "core/light_field/light_field.h"
+#include "core/optics/hogel_lens.h"
 
 namespace hogelscope {
 
@@ -48,9 +49,9 @@ void addresses(const HitMap& map, const BlockLayout& layout, const double* x, co
 /// Cells, places and seen; cell 0 where nothing is seen.
 void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
 
-/// The same with hogel lenses that are even in angle: `fieldOfView` in radians, u and v.
-void equiangularCells(const HitMap& map, const std::array<double, 2>& fieldOfView, const double* x,
-                      const double* y, int count, CellBatch& batch);
+/// The same with hogel lenses that are not linear, across and down: the map's u and v are slopes.
+void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
+                 const double* y, int count, CellBatch& batch);
 
 /// Addresses and weights of the two cells of an axis whose centres lie around each place of a whole
 /// batch, the first ones in [0, batchSize), the second ones after them.

@@ -22,11 +22,10 @@ View reduced(const View& view) {
 }
 
 View overview(const View& view) {
-  const TexelStore* store = view.lightField->store();
-  if (store == nullptr) return view;
+  if (view.lightField->isInMemory()) return view;
   View coarse = view;
-  coarse.lightField = store->overview();
-  const LightFieldSize& size = coarse.lightField->size();
+  coarse.lightField = view.lightField->overview();
+  const LightFieldSize size = coarse.lightField->size();
   coarse.display.hogels = {size.nx, size.ny};
   coarse.display.directions = {size.du, size.dv};
   coarse.state.psf.windowSize = 1;
@@ -128,11 +127,10 @@ Image enlarged(const Image& image, int scale, const std::array<int, 2>& res) {
   return full;
 }
 
-std::vector<float> enlarged(const std::vector<float>& codeValues,
-                            const std::vector<std::uint8_t>& seen, int scale,
-                            const std::array<int, 2>& res) {
-  std::vector<float> full = enlargedValues(codeValues, scale, res);
-  (void)maskEnlarged(seen, scale, res, full);
+FloatImage enlarged(const FloatImage& image, int scale, const std::array<int, 2>& res) {
+  FloatImage full(res[0], res[1]);
+  full.rgb = enlargedValues(image.rgb, scale, res);
+  full.seen = maskEnlarged(image.seen, scale, res, full.rgb);
   return full;
 }
 

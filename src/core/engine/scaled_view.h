@@ -11,16 +11,13 @@ namespace hogelscope {
 /// method.scale 1; the last ones may reach beyond the picture.
 View reduced(const View& view);
 
-/// A first look at a view of a light field in a store: that of its overview, whose directions are
-/// too wide to leak into each other. Any other view stays as it is.
+/// A first look at a view of a light field that is not in memory: that of its overview, whose
+/// directions are too wide to leak into each other. Any other view stays as it is.
 View overview(const View& view);
 
 /// A reduced picture at full size: colours bilinear between its pixels, seen as the nearest one.
 Image enlarged(const Image& image, int scale, const std::array<int, 2>& res);
-/// The same for code values, three to a pixel, with the small picture's mask.
-std::vector<float> enlarged(const std::vector<float>& codeValues,
-                            const std::vector<std::uint8_t>& seen, int scale,
-                            const std::array<int, 2>& res);
+FloatImage enlarged(const FloatImage& image, int scale, const std::array<int, 2>& res);
 /// Red, green and blue of pixel (x, y) of the enlarged picture.
 std::array<std::uint8_t, 3> enlargedPixel(const Image& image, int scale, int x, int y);
 

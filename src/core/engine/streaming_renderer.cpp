@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "core/engine/view_footprint.h"
+#include "core/engine/view_rays.h"
 
 namespace hogelscope {
 
@@ -27,14 +27,14 @@ CellRange hogelRows(const Footprint& footprint) {
 StreamingRenderer::StreamingRenderer(const View& view, LensTables& tables,
                                      const ParallelRows& parallelRows, const Progress& progress)
     : m_view(view), m_progress(progress), m_due(std::size_t(view.lightField->size().ny)) {
-  const FastSimulation rays(view, tables, parallelRows, progress);
-  if (rays.lens() != nullptr) m_lens = lensKeyOf(view.state, view.sampling, view.method);
+  const ViewRays rays(view, tables, parallelRows, progress);
+  if (rays.lens() != nullptr) m_lens = rays.lensKey();
   const auto [width, height] = view.state.camera.res;
-  Footprint all = view.lightField->slice()->footprint;
+  Footprint all(view.lightField->size().nx, view.lightField->size().ny);
   std::vector<int> lastUse(m_due.size());
   std::mutex mutex;
   const auto add = [&](const Piece& piece) {
-    const Footprint read = hogelscope::footprint(rays, view, piece.y, piece.x0, piece.x1);
+    const Footprint read = rays.footprint(piece.y, piece.x0, piece.x1);
     const CellRange rows = hogelRows(read);
     if (rows.isEmpty()) return;
     const std::lock_guard lock(mutex);

@@ -20,8 +20,9 @@ int wholeVectors(int count) {
 
 }  // namespace
 
-TexelFilter::TexelFilter(const View& view, const Plan& plan)
-    : m_lightField(view.lightField),
+TexelFilter::TexelFilter(std::shared_ptr<const LightField> lightField, const View& view,
+                         const Plan& plan)
+    : m_lightField(std::move(lightField)),
       m_reconstruction(view.sampling.reconstruction),
       m_leaks(plan.psfReach > 0),
       m_sumsLinear(plan.sumsLinear) {
@@ -37,12 +38,12 @@ TexelFilter::AxisWeights TexelFilter::axisWeights(const PsfParams& psf, int reac
   axis.reach = std::min(reach, cells - 1);
   const std::size_t window = 2 * std::size_t(axis.reach) + 1;
   axis.weights.resize(std::size_t(cells) * window);
+  const std::vector<double> gaussian = gaussianWeights(psf.sigma, reach);
   for (int cell = 0; cell < cells; ++cell) {
     std::vector<double> weights(window);
     double total = 0;
     for (int x = -reach; x <= reach; ++x) {
-      const double s = reach > 0 ? x / psf.sigma : 0;
-      const double weight = std::exp(-s * s / 2);
+      const double weight = gaussian[std::size_t(x + reach)];
       int tap = cell + x;
       if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
       const bool inside = tap >= 0 && tap < cells;

@@ -25,7 +25,7 @@ class TexelFilter {
   /// What a thread works with.
   using Scratch = std::array<AxisTaps, 4>;
 
-  TexelFilter(const View& view, const Plan& plan);
+  TexelFilter(std::shared_ptr<const LightField> lightField, const View& view, const Plan& plan);
 
   /// The light of the batch's first `count` rays, in what is summed. All lanes' cells must lie in
   /// the light field.

@@ -6,13 +6,13 @@
 
 namespace hogelscope {
 
-std::size_t LensTable::bytes(const LensKey& key) {
-  const auto samples = std::size_t(key.samplesPerPixel) * std::size_t(key.samplesPerPixel);
-  return samples * std::size_t(key.res[0]) * std::size_t(key.res[1]) * 2 * sizeof(double);
+std::size_t LensTable::bytes(const std::array<int, 2>& res, int samplesPerPixel) {
+  const auto samples = std::size_t(samplesPerPixel) * std::size_t(samplesPerPixel);
+  return samples * std::size_t(res[0]) * std::size_t(res[1]) * 2 * sizeof(double);
 }
 
 LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress)
-    : m_key(key), m_x(bytes(key) / (2 * sizeof(double))), m_y(m_x.size()) {
+    : m_key(key), m_x(bytes(key.res, key.samplesPerPixel) / (2 * sizeof(double))), m_y(m_x.size()) {
   const Progress heard = forThreads(progress);
   const LensRays rays(key, heard);
   const int n = key.samplesPerPixel;
@@ -39,9 +39,9 @@ std::shared_ptr<const LensTable> LensTables::get(const LensKey& key,
     m_entries.splice(m_entries.begin(), m_entries, found);
     return m_entries.front().table;
   }
-  std::size_t used = LensTable::bytes(key);
+  std::size_t used = LensTable::bytes(key.res, key.samplesPerPixel);
   for (auto entry = m_entries.begin(); entry != m_entries.end();) {
-    used += LensTable::bytes(entry->key);
+    used += LensTable::bytes(entry->key.res, entry->key.samplesPerPixel);
     entry = used > largestBytes ? m_entries.erase(entry) : std::next(entry);
   }
   m_entries.push_front({key, std::make_shared<const LensTable>(key, parallelRows, progress)});

@@ -22,7 +22,8 @@ class LensTable {
   /// where there is no ray.
   [[nodiscard]] const double* x(int y, int sx, int sy) const { return &m_x[at(y, sx, sy)]; }
   [[nodiscard]] const double* y(int y, int sx, int sy) const { return &m_y[at(y, sx, sy)]; }
-  static std::size_t bytes(const LensKey& key);
+  /// Of a table in memory.
+  static std::size_t bytes(const std::array<int, 2>& res, int samplesPerPixel);
 
  private:
   [[nodiscard]] std::size_t at(int y, int sx, int sy) const;

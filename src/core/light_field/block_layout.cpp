@@ -7,9 +7,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/light_field/light_field.h"
-#include "core/light_field/slice_layout.h"
-
 namespace hogelscope {
 
 BlockLayout::BlockLayout(const LightFieldSize& size,

@@ -6,12 +6,10 @@
 #include <array>
 #include <cstdint>
 
+#include "core/light_field/slice_layout.h"
+#include "core/light_field/texel.h"
+
 namespace hogelscope {
-
-struct LightFieldSize;
-struct TexelIndex;
-
-struct SliceLayout;
 
 /// One axis' part of an address: blocks of 2^shift cells, blockStride apart; cells cellStride
 /// apart. Along i and j of a slice the parts are listed instead.

@@ -25,6 +25,10 @@ struct CellRange {
 };
 
 struct Footprint {
+  Footprint() = default;
+  /// Empty ranges of nx columns and ny rows of hogels.
+  Footprint(int nx, int ny) : u(std::size_t(nx)), v(std::size_t(ny)) {}
+
   std::vector<CellRange> u;  ///< of each column of hogels i
   std::vector<CellRange> v;  ///< of each row of hogels j
 

@@ -96,13 +96,6 @@ LightField::LightField(LightFieldSize size, StoredType type, SliceLayout slice)
       m_layout(*m_slice),
       m_texels(blackTexels(std::size_t(m_layout.texels) + 1, type)) {}
 
-LightField::LightField(LightFieldSize size, StoredType type, std::shared_ptr<TexelStore> store)
-    : LightField(size, type,
-                 sliceLayout({std::vector<CellRange>(std::size_t(size.nx)),
-                              std::vector<CellRange>(std::size_t(size.ny))})) {
-  m_store = std::move(store);
-}
-
 template <class T>
 void LightField::takeRow(int j, int v, const T* rgb) {
   for (const auto& [i, u] : m_slice->runs)
@@ -119,12 +112,6 @@ std::size_t LightField::bytes(const LightFieldSize& size, StoredType type) {
 }
 
 Rgb LightField::texel(const TexelIndex& at) const {
-  if (m_store) {
-    Footprint one = m_slice->footprint;
-    one.u[std::size_t(at.i)] = {at.u, at.u};
-    one.v[std::size_t(at.j)] = {at.v, at.v};
-    return m_store->slice(one, {})->texel(at);
-  }
   return std::visit(
       [address = m_layout.address(at)](const auto& list) {
         const auto& stored = list[address];

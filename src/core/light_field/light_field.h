@@ -13,8 +13,8 @@
 
 #include "core/base/huge_pages.h"
 #include "core/base/parameters.h"
-#include "core/base/progress.h"
 #include "core/light_field/block_layout.h"
+#include "core/light_field/light_field_source.h"
 #include "core/light_field/slice_layout.h"
 
 namespace hogelscope {
@@ -40,44 +40,6 @@ struct LightFieldParams {
 /// Visits only the fields that the layout has.
 void describe(ParameterVisitor& v, LightFieldParams& p);
 
-/// nx × ny hogels of du × dv directional pixels.
-struct LightFieldSize {
-  int nx = 0;
-  int ny = 0;
-  int du = 0;
-  int dv = 0;
-  [[nodiscard]] std::size_t width() const { return std::size_t(nx) * std::size_t(du); }
-  [[nodiscard]] std::size_t height() const { return std::size_t(ny) * std::size_t(dv); }
-  bool operator==(const LightFieldSize&) const = default;
-};
-
-/// Which directional pixel: hogel (i, j) from the panel's top left, direction (u, v): u grows for
-/// light leaving to the right, v = 0 leaves upwards.
-struct TexelIndex {
-  int i = 0;
-  int j = 0;
-  int u = 0;
-  int v = 0;
-  bool operator==(const TexelIndex&) const = default;
-};
-
-/// Red, green, blue in code values: 0 … 255 is the range of an 8-bit picture, fractions kept.
-struct Rgb {
-  double r = 0;
-  double g = 0;
-  double b = 0;
-  bool operator==(const Rgb&) const = default;
-};
-
-constexpr Rgb operator+(const Rgb& a, const Rgb& b) {
-  return {a.r + b.r, a.g + b.g, a.b + b.b};
-}
-constexpr Rgb operator*(double s, const Rgb& c) {
-  return {s * c.r, s * c.g, s * c.b};
-}
-
-enum class StoredType { uint8, uint16, real };
-
 /// A directional pixel as it is stored; `unused` makes it a power of two of bytes.
 template <class T>
 struct Texel {
@@ -87,36 +49,12 @@ struct Texel {
   T unused{};
 };
 
-/// Of a texel in memory.
-constexpr std::size_t memoryBytes(StoredType type) {
-  return std::array<std::size_t, 3>{4, 8, 16}[std::size_t(type)];
-}
-
 template <class T>
 using TexelArray = std::vector<Texel<T>, HugePageAllocator<Texel<T>>>;
 
-class LightField;
-
-/// Where the texels of a light field are that memory cannot hold.
-class TexelStore {
- public:
-  TexelStore() = default;
-  TexelStore(const TexelStore&) = delete;
-  TexelStore& operator=(const TexelStore&) = delete;
-  virtual ~TexelStore() = default;
-
-  /// The footprint's texels at least. May be called from several threads. Throws InputError
-  /// (damaged file), Cancelled.
-  virtual std::shared_ptr<const LightField> slice(const Footprint& footprint,
-                                                  const Progress& progress) = 0;
-  /// A small light field of the same panel for a first look: fewer hogels and directions, evenly
-  /// spread. All in memory.
-  [[nodiscard]] virtual std::shared_ptr<const LightField> overview() const = 0;
-};
-
 /// Stored values: 16-bit ones are /257 code values, floating ones ·255. In memory the texels lie in
 /// 4-D blocks, and one black texel follows them: what a ray that sees nothing can read.
-class LightField {
+class LightField final : public LightFieldSource, public std::enable_shared_from_this<LightField> {
  public:
   /// Three values a texel, in the raster of the hogel image: texel (i, j, u, v) is at column
   /// i·du + u, row j·dv + v.
@@ -125,7 +63,7 @@ class LightField {
   using Texels =
       std::variant<TexelArray<std::uint8_t>, TexelArray<std::uint16_t>, TexelArray<float>>;
 
-  /// Cells of a block along i, j, u, v, as powers of two: measured, see ARCHITECTURE.md.
+  /// Cells of a block along i, j, u, v, as powers of two: measured, see docs/measurements.md.
   static constexpr std::array<std::uint32_t, 4> standardBlock{3, 3, 3, 3};
 
   /// Black. Throws std::length_error beyond 2^32 - 2 texels.
@@ -135,21 +73,32 @@ class LightField {
   LightField(LightFieldSize size, const Values& values);
   /// Black, and only a slice in memory: no other texel may be asked for.
   LightField(LightFieldSize size, StoredType type, SliceLayout slice);
-  /// Nothing in memory; views take slices of it. A null store serves where no texel is asked for.
-  LightField(LightFieldSize size, StoredType type, std::shared_ptr<TexelStore> store);
 
   /// Bytes that a light field of this size takes in memory.
   static std::size_t bytes(const LightFieldSize& size, StoredType type);
 
-  [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] const BlockLayout& layout() const { return m_layout; }
   [[nodiscard]] const Texels& texels() const { return m_texels; }
-  [[nodiscard]] StoredType type() const { return static_cast<StoredType>(m_texels.index()); }
-  /// Null for a light field that is all in memory.
-  [[nodiscard]] const SliceLayout* slice() const { return m_slice.get(); }
-  [[nodiscard]] TexelStore* store() const { return m_store.get(); }
-  /// The index must lie in the light field.
-  [[nodiscard]] Rgb texel(const TexelIndex& at) const;
+  [[nodiscard]] StoredType type() const override {
+    return static_cast<StoredType>(m_texels.index());
+  }
+  /// Itself, which a std::shared_ptr must own.
+  [[nodiscard]] std::shared_ptr<const LightField> slice(
+      const std::function<Footprint()>& /*footprint*/,
+      const Progress& /*progress*/) const override {
+    return shared_from_this();
+  }
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
+    return shared_from_this();
+  }
+  /// False for a slice.
+  [[nodiscard]] bool isInMemory() const override { return !m_slice; }
+  [[nodiscard]] Rgb texel(const TexelIndex& at) const override;
+  /// Whether a slice has the texels.
+  [[nodiscard]] bool covers(const Footprint& footprint) const {
+    return !m_slice || m_slice->footprint.covers(footprint);
+  }
   /// T must be the stored type.
   template <class T>
   void set(const TexelIndex& at, const T* rgb) {
@@ -169,7 +118,6 @@ class LightField {
  private:
   LightFieldSize m_size;
   std::shared_ptr<const SliceLayout> m_slice;
-  std::shared_ptr<TexelStore> m_store;
   BlockLayout m_layout;
   Texels m_texels;
 };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/multiversioned.h"
-#include "core/engine/fast_simulation.h"
+#include "core/engine/view_rays.h"
 
 namespace hogelscope {
 
@@ -25,9 +25,6 @@ std::size_t product(int a, int b) {
 View raysThroughCentres(View view) {
   view.sampling.samplesPerPixel = 1;
   view.method = {};
-  // Nothing is to be fetched.
-  view.lightField = std::make_shared<const LightField>(view.lightField->size(), StoredType::uint8,
-                                                       std::shared_ptr<TexelStore>());
   return view;
 }
 
@@ -102,7 +99,7 @@ void PanelError::resize(std::size_t pixels) {
 void PanelError::add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
                      const Image& reference, const Image& test, const Progress& progress) {
   checkSizes(view, m_size, reference, test);
-  const FastSimulation rays(raysThroughCentres(view), tables, parallelRows, progress);
+  const ViewRays rays(raysThroughCentres(view), tables, parallelRows, progress);
   resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {
     CellBatch batch;

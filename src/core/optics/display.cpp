@@ -8,20 +8,6 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> lensNames{"rectilinear", "equiangular"};
-
-/// The hogel lens: a slope to its place in the angular field, -1/2 … 1/2. `fov` in degrees.
-double fieldFromSlope(HogelLens lens, double slope, double fov) {
-  if (lens == HogelLens::equiangular) return std::atan(slope) / radians(fov);
-  return slope / (2 * std::tan(radians(fov) / 2));
-}
-
-/// Its inverse.
-double slopeFromField(HogelLens lens, double field, double fov) {
-  if (lens == HogelLens::equiangular) return std::tan(field * radians(fov));
-  return field * 2 * std::tan(radians(fov) / 2);
-}
-
 bool inside(double index, int count) {
   return index >= 0 && index < count;
 }
@@ -41,16 +27,18 @@ void describe(ParameterVisitor& v, DisplayParams& p) {
           "Directional pixels of a hogel, across and down; may be left out likewise.");
   v.field("fov", fov, {0.01, 179.9, 1}, "°",
           "Full angles into which a hogel sends light, across and down.");
-  v.field("lens", lens, lensNames,
+  v.field("lens", lens, hogelLensNames(),
           "How a hogel's lens spreads its pixels: evenly in slope, or evenly in angle.");
 }
 
 Display::Display(const DisplayParams& params)
     : m_params(params),
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
-      m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()) {}
+      m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),
+      m_lenses{makeHogelLens(params.lens, params.fov[0]),
+               makeHogelLens(params.lens, params.fov[1])} {}
 
-std::optional<Hit> Display::place(const Vec3& eye, const Vec3& direction) const {
+std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction) const {
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
   const double a = direction.x / direction.z;
   const double b = direction.y / direction.z;
@@ -59,8 +47,8 @@ std::optional<Hit> Display::place(const Vec3& eye, const Vec3& direction) const 
   return Hit{
       (x / m_params.size[0] + 0.5) * m_size.nx,
       (0.5 - y / m_params.size[1]) * m_size.ny,
-      m_size.du * (0.5 + fieldFromSlope(m_params.lens, a, m_params.fov[0])),
-      m_size.dv * (0.5 - fieldFromSlope(m_params.lens, b, m_params.fov[1])),
+      m_size.du * (0.5 + lens(0).directionOf(a)),
+      m_size.dv * (0.5 - lens(1).directionOf(b)),
   };
 }
 
@@ -73,13 +61,12 @@ bool Display::isInField(const Hit& place) const {
 }
 
 std::optional<Hit> Display::hit(const Vec3& eye, const Vec3& direction) const {
-  const std::optional<Hit> there = place(eye, direction);
+  const std::optional<Hit> there = intersectPlane(eye, direction);
   return there && isOnPanel(*there) && isInField(*there) ? there : std::nullopt;
 }
 
 Vec2 Display::slopes(double u, double v) const {
-  return {slopeFromField(m_params.lens, u / m_size.du - 0.5, m_params.fov[0]),
-          slopeFromField(m_params.lens, 0.5 - v / m_size.dv, m_params.fov[1])};
+  return {lens(0).slopeOf(u / m_size.du - 0.5), lens(1).slopeOf(0.5 - v / m_size.dv)};
 }
 
 Vec2 Display::position(double i, double j) const {

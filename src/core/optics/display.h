@@ -7,11 +7,10 @@
 
 #include "core/base/geometry.h"
 #include "core/base/parameters.h"
-#include "core/light_field/light_field.h"
+#include "core/light_field/texel.h"
+#include "core/optics/hogel_lens.h"
 
 namespace hogelscope {
-
-enum class HogelLens { rectilinear, equiangular };
 
 /// The session's `display`. Lengths in metres, angles in degrees.
 struct DisplayParams {
@@ -21,7 +20,7 @@ struct DisplayParams {
   std::array<int, 2> hogels{0, 0};      ///< 0: as the light field's file says
   std::array<int, 2> directions{0, 0};  ///< 0: as the light field's file says
   std::array<double, 2> fov{60, 60};
-  HogelLens lens = HogelLens::rectilinear;
+  HogelLensModel lens = HogelLensModel::rectilinear;
   bool operator==(const DisplayParams&) const = default;
 };
 
@@ -49,6 +48,8 @@ class Display {
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
+  /// Of the hogels, across (u) and down (v).
+  [[nodiscard]] const HogelLens& lens(std::size_t axis) const { return *m_lenses[axis]; }
 
   /// The hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit). None where
   /// the eye is not in front of the panel, the ray does not go toward it, misses it, or leaves the
@@ -57,7 +58,7 @@ class Display {
 
   /// The same where only the panel's plane matters: also beyond the panel and the angular field.
   /// None where the eye is not in front or the ray does not go toward the plane.
-  [[nodiscard]] std::optional<Hit> place(const Vec3& eye, const Vec3& direction) const;
+  [[nodiscard]] std::optional<Hit> intersectPlane(const Vec3& eye, const Vec3& direction) const;
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
 
@@ -74,6 +75,7 @@ class Display {
   DisplayParams m_params;
   LightFieldSize m_size;
   RigidTransform m_displayFromWorld;
+  std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
 };
 
 }  // namespace hogelscope

@@ -6,8 +6,9 @@
 
 namespace hogelscope {
 
-Image hogelPicture(const LightField& lightField, int i, int j) {
-  Image image(lightField.size().du, lightField.size().dv);
+Image hogelPicture(const LightFieldSource& lightField, int i, int j) {
+  const LightFieldSize size = lightField.size();
+  Image image(size.du, size.dv);
   auto to = image.rgb.begin();
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/light_field/light_field.h"
+#include "core/light_field/light_field_source.h"
 
 namespace hogelscope {
 
@@ -25,8 +25,20 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
+/// An image in code values (0 to 255) before rounding, with the mask of an Image.
+struct FloatImage {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgb;
+  std::vector<std::uint8_t> seen;
+
+  FloatImage() = default;
+  FloatImage(int w, int h)
+      : width(w), height(h), rgb(3 * std::size_t(w) * std::size_t(h)), seen(rgb.size() / 3) {}
+};
+
 /// Hogel (i, j)'s own picture, one pixel for each direction: column u, row v. All of it is seen.
-Image hogelPicture(const LightField& lightField, int i, int j);
+Image hogelPicture(const LightFieldSource& lightField, int i, int j);
 
 /// Code value to 8 bits: rounds half up, limits to 0 … 255.
 std::uint8_t quantised(double codeValue);

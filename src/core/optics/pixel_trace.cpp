@@ -38,7 +38,7 @@ PixelTrace trace(const View& view, int x, int y) {
   const Vec3 direction = camera.worldFromCamera().direction({p->x, p->y, 1});
   const Vec3 eye = display.displayFromWorld().point(result.eye);
   const Vec3 way = display.displayFromWorld().direction(direction);
-  result.place = display.place(eye, way);
+  result.place = display.intersectPlane(eye, way);
   result.end = endOf(display, result.place);
   const double distance = length(view.state.camera.lookat - result.eye) / length(direction);
   result.target = result.eye + (result.place ? -eye.z / way.z : distance) * direction;

@@ -45,6 +45,15 @@ bool cutsTooMuch(const PsfParams& params) {
   return energyInWindow(params) < 0.99;
 }
 
+std::vector<double> gaussianWeights(double sigma, int reach) {
+  std::vector<double> weights;
+  for (int x = -reach; x <= reach; ++x) {
+    const double s = reach > 0 ? x / sigma : 0;
+    weights.push_back(std::exp(-s * s / 2));
+  }
+  return weights;
+}
+
 std::vector<double> kernel(const PsfParams& params) {
   std::vector<double> weights = Psf(params).weights();
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -85,8 +94,8 @@ double Psf::weight(int x, int y) const {
   return std::exp(-(sx * sx + sy * sy) / 2);
 }
 
-Rgb Psf::leaked(const LightField& lightField, const TexelIndex& at) const {
-  const auto& [nx, ny, du, dv] = lightField.size();
+Rgb Psf::leaked(const LightFieldSource& lightField, const TexelIndex& at) const {
+  const auto [nx, ny, du, dv] = lightField.size();
   Rgb sum;
   double total = 0;
   auto w = m_weights.begin();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/parameters.h"
-#include "core/light_field/light_field.h"
+#include "core/light_field/light_field_source.h"
 
 namespace hogelscope {
 
@@ -28,6 +28,9 @@ double energyInWindow(const PsfParams& params);
 /// More than 1 % of it is not.
 bool cutsTooMuch(const PsfParams& params);
 
+/// exp(-x²/2σ²) for x = -reach … reach; 1 where reach is 0.
+std::vector<double> gaussianWeights(double sigma, int reach);
+
 /// The window's weights, row by row, as fractions of their sum; they need a sigma above 0 where
 /// windowSize > 1.
 std::vector<double> kernel(const PsfParams& params);
@@ -49,7 +52,7 @@ class Psf {
 
   /// P'(u, v) of docs/formulas.md, Light leakage, for one directional pixel, in the light that is
   /// summed: code values, or linear 0 … 1 (`encoded` takes it back).
-  [[nodiscard]] Rgb leaked(const LightField& lightField, const TexelIndex& at) const;
+  [[nodiscard]] Rgb leaked(const LightFieldSource& lightField, const TexelIndex& at) const;
   /// W(x, y), windowSize² of them, row by row.
   [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 

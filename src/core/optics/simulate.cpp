@@ -12,13 +12,6 @@ namespace hogelscope {
 
 namespace {
 
-RigidTransform displayFromCameraOf(const Display& display, const Camera& camera) {
-  const RigidTransform& world = camera.worldFromCamera();
-  const RigidTransform& displayFromWorld = display.displayFromWorld();
-  return {displayFromWorld.direction(world.xAxis), displayFromWorld.direction(world.yAxis),
-          displayFromWorld.direction(world.zAxis), displayFromWorld.point(world.origin)};
-}
-
 /// The two cells whose centres lie around a real-valued index, and the second one's share. At the
 /// border both are the edge cell.
 struct Neighbours {
@@ -42,15 +35,19 @@ std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping
                                        : distortion.distort(onSensor);
 }
 
+void checkContent(const View& view) {
+  if (!view.lightField) throw InputError("lightField", "is not loaded");
+  (void)resolved(view.display, view.lightField->size());
+}
+
 Simulation::Simulation(View view)
     : m_view(std::move(view)),
       m_display(m_view.display),
       m_camera(m_view.state.camera, m_view.state.intrinsics),
       m_distortion(m_view.state.distortion),
       m_psf(m_view.state.psf),
-      m_displayFromCamera(displayFromCameraOf(m_display, m_camera)) {
-  if (!m_view.lightField) throw InputError("lightField", "is not loaded");
-  (void)resolved(m_view.display, m_view.lightField->size());
+      m_displayFromCamera(m_display.displayFromWorld() * m_camera.worldFromCamera()) {
+  checkContent(m_view);
 }
 
 std::optional<Hit> Simulation::hitOf(double px, double py) const {

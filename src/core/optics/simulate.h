@@ -14,13 +14,16 @@ namespace hogelscope {
 
 /// All that one picture depends on. `display` has its hogels and directions resolved.
 struct View {
-  std::shared_ptr<const LightField> lightField;
+  std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;
   SamplingParams sampling;
   CameraState state;
   Method method{};  ///< the fast engine's; the reference approximates nothing
   bool operator==(const View&) const = default;
 };
+
+/// Throws InputError where the view has no light field, or one that is not the display's size.
+void checkContent(const View& view);
 
 /// Through the lens, backwards: the point of the plane z = 1 whose light falls on `onSensor`; none
 /// where there is no ray.

@@ -42,14 +42,14 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
 
 void LightFieldDock::setScene(const std::optional<Scene>& scene) {
   if (!scene) return m_contents->setText(tr("Nothing is in memory."));
-  const LightFieldSize& size = scene->lightField->size();
+  const LightFieldSize size = scene->lightField->size();
   const std::array<QString, 3> types{tr("8 bit"), tr("16 bit"), tr("floating point")};
-  const LightField& lightField = *scene->lightField;
-  const QString where = lightField.store() != nullptr
-                            ? tr("in a store, of which each view reads what it needs")
-                            : tr("%1 in memory")
-                                  .arg(locale().formattedDataSize(
-                                      qint64(LightField::bytes(size, lightField.type()))));
+  const LightFieldSource& lightField = *scene->lightField;
+  const QString where =
+      lightField.isInMemory()
+          ? tr("%1 in memory")
+                .arg(locale().formattedDataSize(qint64(LightField::bytes(size, lightField.type()))))
+          : tr("in a store, of which each view reads what it needs");
   m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"
                          "as one hogel image: %6×%7 px; %8")
                           .arg(size.nx)

@@ -207,9 +207,7 @@ void ReportDock::noteEdits() {
   if (!std::ranges::equal(m_request.session.cameras, m_model->session().cameras, {}, nameOf,
                           nameOf))
     return forget();
-  Session reported = m_request.session;
-  reported.sampling.tolerance = m_model->session().sampling.tolerance;
-  m_stale->setVisible(reported != m_model->session());
+  m_stale->setVisible(m_request.session != m_model->session());
 }
 
 void ReportDock::setReference(const std::optional<Scene>& scene) {
@@ -261,7 +259,6 @@ void ReportDock::start() {
     m_tests.push_back(m_testList->item(k)->text().toStdString());
   m_request = {};
   m_request.session = m_model->session();
-  m_request.session.sampling.tolerance = 0;  // differences are the light fields'
   const bool isEdited = m_model->isModified();
   m_request.name = nameOf(*m_model);
   if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
@@ -269,7 +266,6 @@ void ReportDock::start() {
   m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
   m_request.images = true;  // what a click on a row shows
   m_request.reference = m_reference;
-  if (m_request.reference) m_request.reference->sampling.tolerance = 0;
   m_table->begin(m_request.session.cameras.size() * m_tests.size());
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
   m_pictures->clear();

@@ -177,7 +177,7 @@ std::optional<Hit> DisplayScene::hogelAt(int x, int y) const {
   const Vec3 to = {far[0] / far[3], far[1] / far[3], far[2] / far[3]};
   const RigidTransform& displayFromWorld = display.displayFromWorld();
   const std::optional<Hit> place =
-      display.place(displayFromWorld.point(from), displayFromWorld.direction(to - from));
+      display.intersectPlane(displayFromWorld.point(from), displayFromWorld.direction(to - from));
   return place && display.isOnPanel(*place) ? place : std::nullopt;
 }
 

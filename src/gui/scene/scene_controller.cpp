@@ -18,12 +18,11 @@ namespace hogelscope {
 
 namespace {
 
-/// Of a store the overview's: to fetch all directions of one hogel takes longer than a click
+/// Of the overview: to fetch all directions of one hogel from a store takes longer than a click
 /// should.
-VtkPicture hogelPictureOf(const LightField& lightField, int i, int j) {
-  if (lightField.store() == nullptr) return vtkPicture(hogelPicture(lightField, i, j), {0, 0, 0});
+VtkPicture hogelPictureOf(const LightFieldSource& lightField, int i, int j) {
   try {
-    const auto small = lightField.store()->overview();
+    const auto small = lightField.overview();
     const int smallI = i * small->size().nx / lightField.size().nx;
     const int smallJ = j * small->size().ny / lightField.size().ny;
     return vtkPicture(hogelPicture(*small, smallI, smallJ), {0, 0, 0});

@@ -20,15 +20,17 @@ namespace {
 /// A state's picture in the scene is about this wide or high, in pixels.
 constexpr int smallSide = 192;
 
-/// None where it cannot be rendered, or was stopped.
-std::optional<Image> pictureOf(const View& view, vtkHogelViewFilter& filter) {
+/// Null where it cannot be rendered, or was cancelled.
+VtkPicture pictureOf(const View& view, const std::array<std::uint8_t, 3>& unseen,
+                     vtkHogelViewFilter& filter) {
   try {
     filter.SetView(reduced(view));  // throws where the camera has no frame
-    return filter.GetImage();
+    filter.UpdateOrThrow();
+    return vtkPicture(*filter.GetOutput(), unseen);
   } catch (const Cancelled&) {
-    return std::nullopt;
+    return nullptr;
   } catch (const std::exception&) {
-    return std::nullopt;  // the simulated view says why
+    return nullptr;  // the simulated view says why
   }
 }
 
@@ -128,11 +130,9 @@ void SceneWorker::run() {
       renderNextState(*filter);
       continue;
     }
-    const std::optional<Image> image = pictureOf(quick(m_scene->view(*panel)), *filter);
-    if (!image) continue;
-    queueAnswer(this, m_asked, m_number, [this, picture = vtkPicture(*image, panelColour)] {
-      Q_EMIT panelRendered(picture);
-    });
+    const VtkPicture picture = pictureOf(quick(m_scene->view(*panel)), panelColour, *filter);
+    if (picture != nullptr)
+      queueAnswer(this, m_asked, m_number, [this, picture] { Q_EMIT panelRendered(picture); });
   }
 }
 
@@ -150,8 +150,8 @@ void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {
   View view = quick(m_scene->view(*state));
   const auto [width, height] = state->camera.res;
   view.method.scale = (std::max(width, height) + smallSide - 1) / smallSide;
-  const VtkPicture picture =
-      vtkPicture(pictureOf(view, filter).value_or(Image(1, 1)), {0, 0, 0});  // or black
+  VtkPicture picture = pictureOf(view, {0, 0, 0}, filter);
+  if (picture == nullptr) picture = vtkPicture(Image(1, 1), {0, 0, 0});  // black
   queueAnswer(this, m_asked, m_number,
               [this, index, picture] { Q_EMIT stateRendered(int(index), picture); });
 }

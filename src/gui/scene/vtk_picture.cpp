@@ -2,6 +2,9 @@
 // Pictures as textures of the 3-D scene.
 #include "gui/scene/vtk_picture.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
 #include <algorithm>
 
 namespace hogelscope {
@@ -18,6 +21,20 @@ vtkSmartPointer<vtkImageData> vtkPicture(const Image& image,
       std::copy_n(image.seen[at] != 0 ? &image.rgb[3 * at] : unseen.data(), 3, to);
     }
   }
+  return picture;
+}
+
+vtkSmartPointer<vtkImageData> vtkPicture(vtkImageData& view,
+                                         const std::array<std::uint8_t, 3>& unseen) {
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(view.GetDimensions());
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const auto* rgb = static_cast<const std::uint8_t*>(view.GetScalarPointer());
+  const auto* seen =
+      static_cast<const std::uint8_t*>(view.GetPointData()->GetArray("Seen")->GetVoidPointer(0));
+  auto* to = static_cast<std::uint8_t*>(picture->GetScalarPointer());
+  for (vtkIdType k = 0; k < view.GetNumberOfPoints(); ++k, rgb += 3, to += 3)
+    std::copy_n(seen[k] != 0 ? rgb : unseen.data(), 3, to);
   return picture;
 }
 

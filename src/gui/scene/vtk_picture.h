@@ -16,4 +16,8 @@ namespace hogelscope {
 vtkSmartPointer<vtkImageData> vtkPicture(const Image& image,
                                          const std::array<std::uint8_t, 3>& unseen);
 
+/// The same of an output of vtkHogelViewFilter.
+vtkSmartPointer<vtkImageData> vtkPicture(vtkImageData& view,
+                                         const std::array<std::uint8_t, 3>& unseen);
+
 }  // namespace hogelscope

@@ -2,15 +2,20 @@
 // Reads light fields and renders views on a thread of its own.
 #include "gui/view/view_worker.h"
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/engine/plan.h"
+#include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
 #include "gui/widgets/queued_answer.h"
 #include "vtk/vtkHogelViewFilter.h"
@@ -19,24 +24,33 @@ namespace hogelscope {
 
 namespace {
 
-/// As Qt paints it fastest, so that the window's thread need not convert it.
-QImage toQImage(const Image& image) {
-  const QImage view(image.rgb.data(), image.width, image.height, qsizetype(3) * image.width,
-                    QImage::Format_RGB888);
-  return view.convertToFormat(QImage::Format_RGB32);
+/// The filter's output as Qt paints it fastest, so that the window's thread need not convert it.
+/// VTK's rows are from the bottom.
+QImage toQImage(vtkImageData& output) {
+  const auto [width, height] = std::array{output.GetDimensions()[0], output.GetDimensions()[1]};
+  QImage image(width, height, QImage::Format_RGB32);
+  const auto* rgb = static_cast<const std::uint8_t*>(output.GetScalarPointer());
+  for (int y = height - 1; y >= 0; --y) {
+    auto* pixel = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < width; ++x, rgb += 3) *pixel++ = qRgb(rgb[0], rgb[1], rgb[2]);
+  }
+  return image;
 }
 
-QImage maskOf(const Image& image) {
-  const QImage view(image.seen.data(), image.width, image.height, qsizetype(image.width),
-                    QImage::Format_Grayscale8);
-  return view.copy();
+QImage toMask(vtkImageData& output) {
+  const auto [width, height] = std::array{output.GetDimensions()[0], output.GetDimensions()[1]};
+  QImage mask(width, height, QImage::Format_Grayscale8);
+  const auto* seen =
+      static_cast<const std::uint8_t*>(output.GetPointData()->GetArray("Seen")->GetVoidPointer(0));
+  for (int y = height - 1; y >= 0; --y, seen += width) std::copy_n(seen, width, mask.scanLine(y));
+  return mask;
 }
 
 /// Of a light field in a store the coarse picture has not fewer pixels, but fewer hogels and
 /// directions: what takes long there is to fetch them.
 View viewOf(const Scene& scene, const CameraState& state, const std::optional<NamedMethod>& method,
             int scale) {
-  if (scale > 1 && scene.lightField->store() != nullptr)
+  if (scale > 1 && !scene.lightField->isInMemory())
     return overview(viewOf(scene, state, method, 1));
   View view = method ? with(*method, scene.view(state)) : scene.view(state);
   view.method.scale = std::max(view.method.scale, scale);
@@ -157,7 +171,7 @@ void ViewWorker::loadNow(const Session& session) {
     return;
   }
   m_readShare = 1;
-  if (m_scene->lightField->store() != nullptr) m_pace.stopped(firstFetch);
+  if (!m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
   send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }
 
@@ -177,8 +191,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   const auto elapsed = [this] { return double(m_timer.nsecsElapsed()) * 1e-6; };
   m_patience = patience;
   m_timer.start();
-  Image other;
-  Image image;
+  RenderedView result;
   Scene scene = *m_scene;
   scene.display = resolved(request.display, scene.lightField->size());
   scene.sampling = request.sampling;
@@ -186,20 +199,23 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   try {
     if (request.other) {
       filter.SetView(viewOf(*request.other, request.state, request.method, scale));
-      other = filter.GetImage();
+      filter.UpdateOrThrow();
+      result.otherImage = toQImage(*filter.GetOutput());
+      result.otherSeen = toMask(*filter.GetOutput());
     }
     filter.SetView(view);
-    image = filter.GetImage();
+    filter.UpdateOrThrow();
   } catch (const Cancelled&) {
     m_pace.stopped(elapsed());
     throw;
   }
-  const double milliseconds = elapsed();
-  m_pace.rendered(scale, milliseconds);
-  const bool isOverview = view.lightField != scene.lightField;
-  const RenderedView result{
-      toQImage(image), maskOf(image), toQImage(other), maskOf(other),
-      milliseconds,    scale,         isOverview,      planOf(filter.GetChoice().view)};
+  result.milliseconds = elapsed();
+  m_pace.rendered(scale, result.milliseconds);
+  result.image = toQImage(*filter.GetOutput());
+  result.seen = toMask(*filter.GetOutput());
+  result.scale = scale;
+  result.isOverview = view.lightField != scene.lightField;
+  result.plan = planOf(filter.GetChoice().view);
   send([this, result] { Q_EMIT rendered(result); });
 }
 

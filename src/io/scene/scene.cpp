@@ -71,9 +71,10 @@ bool readTheSame(const Session& a, const Session& b) {
 }
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
-  return {
-      std::make_shared<const LightField>(file.size(), file.type(), std::shared_ptr<TexelStore>()),
-      resolved(session.display, file.size()), session.sampling};
+  Scene scene{std::make_shared<const StreamedLightField>(file.size(), file.type()),
+              resolved(session.display, file.size()), session.sampling};
+  scene.sampling.tolerance = 0;
+  return scene;
 }
 
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
@@ -87,12 +88,11 @@ bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
 Scene loadScene(const Session& session, const Progress& progress, std::size_t memory,
                 const StoreUse& use) {
   const auto file = openLightField(session.lightField, session.display);
-  Scene scene = unloadedScene(session, *file);
+  Scene scene{nullptr, resolved(session.display, file->size()), session.sampling};
   if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
-    scene.lightField = std::make_shared<const LightField>(
-        file->size(), file->type(),
-        std::make_shared<LightFieldStore>(session.lightField.file, session.lightField.incoming,
-                                          std::min(memory, use.cache), use.threads));
+    scene.lightField = std::make_shared<const LightFieldStore>(
+        session.lightField.file, session.lightField.incoming, std::min(memory, use.cache),
+        use.threads);
   else
     scene.lightField = std::make_shared<const LightField>(file->read(progress));
   return scene;

@@ -17,7 +17,7 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
 
 /// What the views of a session's states have in common: read once, shared.
 struct Scene {
-  std::shared_ptr<const LightField> lightField;
+  std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
 
@@ -41,7 +41,8 @@ struct StoreUse {
 /// bytes. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress,
                 std::size_t memory = allowedMemory(), const StoreUse& use = {});
-/// With nothing of the light field in memory.
+/// For StreamingRenderer: the light field has no texels. The tolerance is 0, since no view can be
+/// probed before the texels have come.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
 
 /// Do both sessions have the same light field in memory? Their displays may be otherwise different.

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/light_field/light_field_source.h"
 #include "io/images/big_tiff.h"
 #include "io/layouts/light_field_file.h"
 #include "io/store/store_header.h"
@@ -15,7 +16,7 @@ namespace hogelscope {
 
 class BlockCache;
 
-class LightFieldStore : public LightFieldFile, public TexelStore {
+class LightFieldStore : public LightFieldFile, public LightFieldSource {
  public:
   /// Reads the pages' directories, not their indices. `cacheBytes`: decoded blocks that are kept.
   /// `threads`: 0 = all. Throws InputError: not a store, not complete, damaged.
@@ -41,8 +42,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
 
   /// What is decoded is kept in the cache, and the last view's slice is handed out again where it
   /// has all that is asked for.
-  [[nodiscard]] std::shared_ptr<const LightField> slice(const Footprint& footprint,
-                                                        const Progress& progress) override;
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
+                                                        const Progress& progress) const override;
 
   /// Hogels and directions picked at even distances, read the first time. Throws InputError.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
@@ -63,7 +64,7 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
   template <class T>
   void readBand(int begin, int end, std::vector<T>& band, const Progress& progress) const;
-  [[nodiscard]] std::shared_ptr<const LightField> lastSlice();
+  [[nodiscard]] std::shared_ptr<const LightField> lastSlice() const;
   [[nodiscard]] Footprint stored(const Footprint& footprint) const;
   void placeSlice(const BlockIndex& block, std::span<const std::byte> texels,
                   const Footprint& footprint, LightField& target) const;
@@ -75,8 +76,8 @@ class LightFieldStore : public LightFieldFile, public TexelStore {
   StoreHeader m_header;
   std::vector<TiffPage> m_pages;  ///< the overview's is the last
   std::unique_ptr<BlockCache> m_cache;
-  std::mutex m_sliceMutex;
-  std::shared_ptr<const LightField> m_lastSlice;
+  mutable std::mutex m_sliceMutex;
+  mutable std::shared_ptr<const LightField> m_lastSlice;
   mutable std::once_flag m_overviewIsRead;
   mutable std::shared_ptr<const LightField> m_overview;
 };

@@ -73,9 +73,10 @@ Footprint LightFieldStore::stored(const Footprint& footprint) const {
   return result;
 }
 
-std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footprint,
-                                                         const Progress& progress) {
-  if (auto last = lastSlice(); last && last->slice()->footprint.covers(footprint)) return last;
+std::shared_ptr<const LightField> LightFieldStore::slice(
+    const std::function<Footprint()>& footprintOf, const Progress& progress) const {
+  const Footprint footprint = footprintOf();
+  if (auto last = lastSlice(); last && last->covers(footprint)) return last;
   if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
       bytes > double(allowedMemory()))
     throw InputError("--memory", "a view needs " + bytesText(std::size_t(bytes)) +
@@ -99,7 +100,7 @@ std::shared_ptr<const LightField> LightFieldStore::slice(const Footprint& footpr
   return target;
 }
 
-std::shared_ptr<const LightField> LightFieldStore::lastSlice() {
+std::shared_ptr<const LightField> LightFieldStore::lastSlice() const {
   const std::lock_guard lock(m_sliceMutex);
   return m_lastSlice;
 }

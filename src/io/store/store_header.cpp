@@ -100,7 +100,7 @@ BlockIndex StoreHeader::blocks() const {
 }
 
 BlockIndex blockFor(const LightFieldSize& size, int hogelRows) {
-  constexpr int usual = 8;  // measured: see ARCHITECTURE.md
+  constexpr int usual = 8;  // measured: see docs/measurements.md
   BlockIndex block;
   block.u = powerOfTwo(size.du, usual);
   block.i = side / block.u;

@@ -27,7 +27,7 @@ struct BlockCut {
 void gatherBlock(const StoreHeader& header, const BlockCut& cut,
                  std::span<const std::byte* const> rows, std::span<std::byte> tile);
 
-/// zstd's fastest level: see ARCHITECTURE.md for others. One thread at a time.
+/// zstd's fastest level: see docs/measurements.md for others. One thread at a time.
 class TileCompressor {
  public:
   explicit TileCompressor(StoredType type);

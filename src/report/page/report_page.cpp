@@ -22,7 +22,7 @@ std::string displayWords(const DisplayParams& d) {
   };
   return pair(d.size) + " m, " + pair(d.hogels) + " hogels of " + pair(d.directions) +
          " directions, field of view " + pair(d.fov) + "°, " +
-         (d.lens == HogelLens::equiangular ? "equiangular" : "rectilinear") + " hogel lenses";
+         std::string(hogelLensNames()[std::size_t(d.lens)]) + " hogel lenses";
 }
 
 std::string whatWasTested(const ReportPage& page) {

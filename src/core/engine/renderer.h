@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Renders views: the one place that resolves sampling.tolerance, the method and its scale.
+#pragma once
+
+#include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/engine/adaptive_method.h"
+#include "core/lens/lens_table.h"
+#include "core/optics/image.h"
+
+namespace hogelscope {
+
+/// Keeps lens tables from view to view. One thread at a time may use it.
+class Renderer {
+ public:
+  /// `rows` shares out the rows of an image.
+  explicit Renderer(ParallelRows rows = parallelRows) : m_rows(std::move(rows)) {}
+
+  /// What is rendered in the place of a view with a tolerance: see choose() in adaptive_method.h.
+  /// Throws as render() does.
+  [[nodiscard]] Choice choose(const View& view, const Progress& progress = {});
+
+  /// The image of the view's camera. `progress` is called from any thread with the fraction of the
+  /// rows done, never concurrently. Throws InputError as Simulation and LightFieldSource::slice()
+  /// do, and Cancelled.
+  [[nodiscard]] Image render(const View& view, const Progress& progress = {});
+  /// The same, not rounded.
+  [[nodiscard]] FloatImage renderFloat(const View& view, const Progress& progress = {});
+
+  [[nodiscard]] LensTables& tables() { return m_tables; }
+  [[nodiscard]] const ParallelRows& rows() const { return m_rows; }
+
+ private:
+  template <class AnyImage>
+  [[nodiscard]] AnyImage renderReduced(const View& view, const Progress& progress);
+
+  ParallelRows m_rows;
+  LensTables m_tables;
+};
+
+}  // namespace hogelscope

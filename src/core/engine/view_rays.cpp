@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rays of a view and the cells of the display that they meet.
+#include "core/engine/view_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace hogelscope {
+
+namespace {
+
+HitMap hitMapOf(const View& view, const Display& display, const Camera& camera) {
+  const RigidTransform displayFromCamera = display.displayFromWorld() * camera.worldFromCamera();
+  const auto list = [](const Vec3& d) { return std::array{d.x, d.y, d.z}; };
+  const Vec3& eye = displayFromCamera.origin;
+  const auto& panel = view.display.size;
+  const auto [nx, ny, du, dv] = display.size();
+  HitMap map;
+  map.right = list(displayFromCamera.xAxis);
+  map.down = list(displayFromCamera.yAxis);
+  map.forward = list(displayFromCamera.zAxis);
+  map.count = {nx, ny, du, dv};
+  map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny, 0, 0};
+  map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, 1, 1};
+  if (display.lens(0).isLinear() && display.lens(1).isLinear()) {
+    map.constant[2] = 0.5 * du;
+    map.constant[3] = 0.5 * dv;
+    map.slope[2] = du / display.lens(0).slopeOf(1);
+    map.slope[3] = -dv / display.lens(1).slopeOf(1);
+  }
+  map.isSingle = view.method.isSingle;
+  return map;
+}
+
+/// The part of [low, high] where constant + slope·x ≥ 0.
+void clip(double constant, double slope, std::array<double, 2>& part) {
+  if (slope > 0)
+    part[0] = std::max(part[0], -constant / slope);
+  else if (slope < 0)
+    part[1] = std::min(part[1], -constant / slope);
+  else if (constant < 0)
+    part = {1, 0};
+}
+
+/// The directions that a ray's cell takes light from, with those of its neighbour hogels.
+struct Reach {
+  int hogels;
+  int directions;
+};
+
+void widen(std::vector<CellRange>& ranges, int cell, int direction, const Reach& reach, int count) {
+  const CellRange range{std::max(direction - reach.directions, 0),
+                        std::min(direction + reach.directions, count - 1)};
+  const int last = std::min(cell + reach.hogels, int(ranges.size()) - 1);
+  for (int k = std::max(cell - reach.hogels, 0); k <= last; ++k)
+    ranges[std::size_t(k)].include(range);
+}
+
+}  // namespace
+
+ViewRays::ViewRays(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                   const Progress& progress)
+    : m_view(view), m_progress(forThreads(progress)), m_display(view.display) {
+  const Camera camera(view.state.camera, view.state.intrinsics);
+  checkContent(view);
+  m_plan = hogelscope::plan(view, m_display);
+  m_lensKey = lensKeyOf(camera, view.state, view.sampling, view.method);
+  m_map = hitMapOf(view, m_display, camera);
+  m_seesNothing = !(m_display.displayFromWorld().point(view.state.camera.eye).z > 0);
+  for (int x = 0; x < view.state.camera.res[0]; ++x)
+    m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
+  if (m_plan.isTableKept && !m_seesNothing)
+    m_lens = tables.get(m_lensKey, parallelRows, m_progress);
+  if (!m_lens) m_rays.emplace(m_lensKey, m_progress);
+}
+
+/// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
+/// once it is multiplied by the direction's z.
+std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
+  const double py = plainY(y);
+  const auto at = [&](std::size_t c) { return m_map.down[c] * py + m_map.forward[c]; };
+  std::array<double, 2> part{m_x[std::size_t(x0)], m_x[std::size_t(x1 - 1)]};
+  clip(-at(2), -m_map.right[2], part);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const std::size_t c = axis % 2;
+    for (const auto& [border, sign] : {std::pair{0, -1.0}, std::pair{m_map.count[axis], 1.0}}) {
+      const double constant = m_map.constant[axis] - border;
+      clip(sign * (constant * at(2) + m_map.slope[axis] * at(c)),
+           sign * (constant * m_map.right[2] + m_map.slope[axis] * m_map.right[c]), part);
+    }
+  }
+  if (!(part[0] <= part[1])) return {x0, x0};
+  const auto column = [&](double x) { return x * m_lensKey.focalLength.x + m_lensKey.centre.x; };
+  int first = std::max(x0, static_cast<int>(std::ceil(column(part[0]))) - 1);
+  int last = std::min(x1, static_cast<int>(std::floor(column(part[1]))) + 2);
+  // The ends are decided by the ray itself, not by the rounding of the division above.
+  const auto isUnseen = [&](int x) {
+    CellBatch batch;
+    hogelscope::cells(m_map, plainX(x), &py, 1, batch);
+    return batch.seen[0] == 0;
+  };
+  while (first < last && isUnseen(first)) ++first;
+  while (first < last && isUnseen(last - 1)) --last;
+  return {first, last};
+}
+
+std::int64_t ViewRays::count() const {
+  const auto [width, height] = m_view.state.camera.res;
+  const std::int64_t n = m_view.sampling.samplesPerPixel;
+  if (m_seesNothing) return 0;
+  if (!m_plan.knowsOutline) return n * n * width * height;
+  std::int64_t seen = 0;
+  for (int y = 0; y < height; ++y) {
+    const auto [first, last] = seenPart(y, 0, width);
+    seen += last - first;
+  }
+  return seen;
+}
+
+void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const {
+  hearStop(m_progress);
+  if (m_seesNothing) {
+    std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
+    return;
+  }
+  std::array<double, batchSize> madeX;
+  std::array<double, batchSize> madeY;
+  const double* x = madeX.data();
+  const double* py = madeY.data();
+  if (m_lens) {
+    x = m_lens->x(y, sx, sy) + x0;
+    py = m_lens->y(y, sx, sy) + x0;
+  } else if (!m_plan.hasLens && m_lensKey.samplesPerPixel == 1) {
+    x = plainX(x0);
+    madeY.fill(plainY(y));
+  } else {
+    m_rays->row(y, sx, sy, x0, count, madeX.data(), madeY.data());
+  }
+  if (m_plan.hasLinearHogels)
+    hogelscope::cells(m_map, x, py, count, batch);
+  else
+    curvedCells(m_map, m_display.lens(0), m_display.lens(1), x, py, count, batch);
+}
+
+Footprint ViewRays::footprint(int y, int x0, int x1) const {
+  const auto [nx, ny, du, dv] = m_display.size();
+  Footprint result(nx, ny);
+  const Reconstruction reconstruction = m_view.sampling.reconstruction;
+  const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
+                    m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
+  CellBatch batch;
+  const int n = m_view.sampling.samplesPerPixel;
+  for (int x = x0; x < x1; x += batchSize)
+    for (int s = 0; s < n * n; ++s) {
+      const int count = std::min(batchSize, x1 - x);
+      cells(y, x, count, s % n, s / n, batch);
+      for (std::size_t k = 0; k < std::size_t(count); ++k) {
+        if (batch.seen[k] == 0) continue;
+        widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, du);
+        widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, dv);
+      }
+    }
+  return result;
+}
+
+Footprint ViewRays::footprint(const ParallelRows& parallelRows) const {
+  const auto [width, height] = m_view.state.camera.res;
+  Footprint all(m_display.size().nx, m_display.size().ny);
+  std::mutex mutex;
+  parallelRows(height, [&, width = width](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const Footprint ofRow = footprint(y, 0, width);
+      const std::lock_guard lock(mutex);
+      all.include(ofRow);
+    }
+  });
+  return all;
+}
+
+}  // namespace hogelscope

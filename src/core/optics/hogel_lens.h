@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The seam of hogel lenses: how a hogel spreads its directional pixels over its angular field
+// (docs/formulas.md, Hit).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace hogelscope {
+
+enum class HogelLensModel { rectilinear, equiangular };
+
+/// As in documents, in the order of HogelLensModel.
+std::span<const std::string_view> hogelLensNames();
+
+/// One axis of a hogel's lens. A slope is dx/dz or dy/dz of the light; a direction is its place in
+/// the angular field, from -1/2 to 1/2.
+class HogelLens {
+ public:
+  HogelLens() = default;
+  HogelLens(const HogelLens&) = delete;
+  HogelLens& operator=(const HogelLens&) = delete;
+  virtual ~HogelLens() = default;
+
+  [[nodiscard]] virtual double directionOf(double slope) const = 0;
+  /// The inverse.
+  [[nodiscard]] virtual double slopeOf(double direction) const = 0;
+  /// Whether directionOf() is slope / slopeOf(1): rays are then cast without calling it.
+  [[nodiscard]] virtual bool isLinear() const { return false; }
+};
+
+/// `fov` is the full angle of the field in degrees.
+std::shared_ptr<const HogelLens> makeHogelLens(HogelLensModel model, double fov);
+
+}  // namespace hogelscope
