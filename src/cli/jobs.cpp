@@ -6,13 +6,13 @@
 #include <iostream>
 
 #include "cli/batch.h"
-#include "cli/camera_job.h"
-#include "cli/generate_job.h"
-#include "cli/info.h"
-#include "cli/pack_job.h"
-#include "cli/report_job.h"
-#include "cli/stability_job.h"
-#include "cli/tradeoff_job.h"
+#include "cli/jobs/camera_job.h"
+#include "cli/jobs/generate_job.h"
+#include "cli/jobs/info_job.h"
+#include "cli/jobs/pack_job.h"
+#include "cli/jobs/report_job.h"
+#include "cli/jobs/stability_job.h"
+#include "cli/jobs/tradeoff_job.h"
 #include "core/content/pattern_list.h"
 
 namespace hogelscope {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --stability: where methods fail, as a table and as maps.
-#include "cli/stability_job.h"
+#include "cli/jobs/stability_job.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --make-cameras: a set of camera states, added to a copy of a session.
-#include "cli/camera_job.h"
+#include "cli/jobs/camera_job.h"
 
 #include <filesystem>
 #include <iostream>

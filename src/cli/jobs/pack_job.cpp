@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --pack: a light field becomes a store.
-#include "cli/pack_job.h"
+#include "cli/jobs/pack_job.h"
 
 #include <filesystem>
 #include <iostream>

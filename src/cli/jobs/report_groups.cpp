@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --rate and --group of a report.
-#include "cli/report_groups.h"
+#include "cli/jobs/report_groups.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --generate: one row of hogels is made while the last one is written.
-#include "cli/generate_job.h"
+#include "cli/jobs/generate_job.h"
 
 #include <chrono>
 #include <cmath>

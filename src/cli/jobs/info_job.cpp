@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --info: what a file is.
-#include "cli/info.h"
+#include "cli/jobs/info_job.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --tradeoff: speed against accuracy of every method on the session's own states.
-#include "cli/tradeoff_job.h"
+#include "cli/jobs/tradeoff_job.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --report: every state from the session's light field and from each test, compared.
-#include "cli/report_job.h"
+#include "cli/jobs/report_job.h"
 
 #include <cmath>
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 #include "cli/explain.h"
 #include "cli/inputs.h"
+#include "cli/jobs/report_groups.h"
 #include "cli/progress_bar.h"
-#include "cli/report_groups.h"
 #include "core/base/text.h"
 #include "report/page/summary_page.h"
 #include "report/report_run.h"
