@@ -38,7 +38,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"report/page", {"core"}},
       {"report", {"core", "io", "report/page"}},
       {"cli", {"core", "io", "vtk", "report", "cli/jobs"}},
-      {"cli/jobs", {"core", "io", "study", "chart", "report", "cli"}},
+      {"cli/jobs", {"core", "io", "vtk", "study", "chart", "report", "cli"}},
       {"gui/widgets", {"core", "report"}},
       {"gui/keys", {"core", "io", "gui/widgets"}},
       {"gui/session", {"core", "io", "gui/keys", "gui/widgets"}},
