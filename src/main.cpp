@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "cli/batch.h"
+#include "cli/parser.h"
 #include "cli/stop_signals.h"
 #include "core/base/error.h"
 #include "gui/app/application.h"
@@ -19,12 +20,13 @@ namespace {
 enum ExitStatus { done = 0, gateFailed = 1, badInput = 2, internalError = 3 };
 
 int run(int argc, char** argv) {
-  const hogelscope::Options options = hogelscope::parseOptions({argv + 1, argv + argc});
-  if (options.memory) hogelscope::allowMemory(*options.memory);
-  if (options.command == hogelscope::Command::window)
-    return hogelscope::runWindow(argc, argv, options.files);
+  const hogelscope::CommandLine line = hogelscope::parseCommandLine({argv + 1, argv + argc});
+  if (line.mayHave("memory") && line.has("memory"))
+    hogelscope::allowMemory(std::size_t(1e6 * *line.number("memory")));
+  if (line.command == hogelscope::Command::window)
+    return hogelscope::runWindow(argc, argv, line.files);
   hogelscope::catchSignals();
-  const int status = hogelscope::runBatch(options);
+  const int status = hogelscope::runBatch(line);
   if (!std::cout.flush()) throw hogelscope::InputError("standard output", "cannot be written");
   return status;
 }

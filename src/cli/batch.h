@@ -2,15 +2,12 @@
 // Batch mode: the jobs of the command line, without a display server.
 #pragma once
 
-#include "cli/options.h"
+#include "cli/command_line.h"
 
 namespace hogelscope {
 
-/// Does what the options ask for and gives the exit status: 0, or 1 for a failed gate. Throws
+/// Does the job of the command line and returns the exit status: 0, or 1 for a failed gate. Throws
 /// InputError, or Cancelled after Ctrl-C.
-int runBatch(const Options& options);
-
-/// --render. Throws InputError, or Cancelled.
-int render(const Options& options);
+int runBatch(const CommandLine& line);
 
 }  // namespace hogelscope

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -13,65 +12,21 @@ namespace hogelscope {
 
 namespace {
 
-using enum Command;
+template <class Number>
+bool isNumberIn(const NumberRange& range, const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && double(value) >= range.min &&
+         double(value) <= range.max;
+}
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+using enum Command;
 
 /// Those that work on a session's camera states.
 const std::vector<Command> onStates{render, report, makeCameras, tradeoff};
 /// Those that write files.
 const std::vector<Command> writing{render, report,   makeCameras, generate,
                                    pack,   tradeoff, stability};
-
-template <class Number>
-Number number(const std::string& text, const char* flag, double least, double most) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool isNumber = error == std::errc() && end == text.data() + text.size();
-  if (!isNumber || !(double(value) >= least && double(value) <= most))
-    throw InputError(flag, "\"" + text + "\" is not a number from " + numberText(least) +
-                               (most == unlimited ? " on" : " to " + numberText(most)));
-  return value;
-}
-
-std::string oneOf(const std::string& text, const char* flag,
-                  const std::vector<std::string_view>& names) {
-  if (std::find(names.begin(), names.end(), text) != names.end()) return text;
-  std::string known;
-  for (const std::string_view name : names)
-    known += (known.empty() ? "" : ", ") + std::string(name);
-  throw InputError(flag, "\"" + text + "\" is not one of " + known);
-}
-
-using Apply = std::function<void(Options&, const std::string&)>;
-
-Apply into(std::string Options::*member) {
-  return [member](Options& options, const std::string& value) { options.*member = value; };
-}
-
-Apply addedTo(std::vector<std::string> Options::*member) {
-  return
-      [member](Options& options, const std::string& value) { (options.*member).push_back(value); };
-}
-
-Apply raising(bool Options::*member) {
-  return [member](Options& options, const std::string&) { options.*member = true; };
-}
-
-/// For --set.
-Apply shortFor(const std::string& parameter) {
-  return [parameter](Options& options, const std::string& value) {
-    options.overrides.push_back(parameter + "=" + value);
-  };
-}
-
-void takeSeed(Options& options, const std::string& value) {
-  const int seed = number<int>(value, "--seed", 0, unlimited);
-  if (options.command == makeCameras)
-    options.overrides.push_back("cameraSet.seed=" + value);
-  else
-    options.seed = seed;
-}
 
 FlagGroup inputs() {
   return {
@@ -80,32 +35,27 @@ FlagGroup inputs() {
         .value = "FILE",
         .jobs = {render, report, makeCameras, generate, pack, tradeoff},
         .neededBy = {render, report, makeCameras, generate, tradeoff},
-        .help = "The session document: display, light field and camera states.",
-        .apply = into(&Options::session)},
+        .help = "The session document: display, light field and camera states."},
        {.name = "set",
         .value = "S.F=VALUE",
         .jobs = {render, report, makeCameras, generate, pack, tradeoff, info},
         .mayRepeat = true,
         .help = "Overrides a parameter of the session, such as psf.sigma=0.9 or "
                 "camera.res=[300,300]; camera, intrinsics, distortion and psf go to every state. "
-                "Repeat it for more.",
-        .apply = addedTo(&Options::overrides)},
+                "Repeat it for more."},
        {.name = "states",
         .value = "GLOB",
         .jobs = onStates,
-        .help = "Only the states whose name fits, such as 'Fig*'.",
-        .apply = into(&Options::states)},
+        .help = "Only the states whose name fits, such as 'Fig*'."},
        {.name = "calibration",
         .value = "FILE",
         .jobs = onStates,
         .help = "Takes lens, intrinsics and picture size of every state from an OpenCV calibration "
-                "(.yml, .json).",
-        .apply = into(&Options::calibration)},
+                "(.yml, .json)."},
        {.name = "calibrations",
         .value = "FILE",
         .jobs = {stability},
-        .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration.",
-        .apply = into(&Options::calibrations)}}};
+        .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."}}};
 }
 
 FlagGroup outputs() {
@@ -115,29 +65,22 @@ FlagGroup outputs() {
             .jobs = writing,
             .neededBy = writing,
             .help = "The folder for the results; for --make-cameras, --generate and --pack the "
-                    "file. Folders are made if missing.",
-            .apply = into(&Options::output)},
+                    "file. Folders are made if missing."},
            {.name = "format",
             .value = "png|exr|tif",
             .jobs = {render},
-            .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits.",
-            .apply =
-                [](Options& o, const std::string& v) {
-                  o.format = oneOf(v, "--format", {"png", "exr", "tif"});
-                }},
+            .choices = {"png", "exr", "tif"},
+            .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits."},
            {.name = "masks",
             .jobs = {render},
-            .help = "Also DIR/<name>.mask.png, white where the display is seen.",
-            .apply = raising(&Options::masks)},
+            .help = "Also DIR/<name>.mask.png, white where the display is seen."},
            {.name = "images",
             .jobs = {report},
-            .help = "Also the pictures, DIR/reference and DIR/test1, test2, …",
-            .apply = raising(&Options::images)},
+            .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
            {.name = "explain",
             .jobs = {render, report},
             .help = "Prints for each state what is modelled, what is left out and why, and how far "
-                    "its lens can be trusted.",
-            .apply = raising(&Options::explain)}}};
+                    "its lens can be trusted."}}};
 }
 
 FlagGroup comparison() {
@@ -149,29 +92,24 @@ FlagGroup comparison() {
         .neededBy = {report},
         .mayRepeat = true,
         .help = "A light field to compare with the session's: an image, a folder, a store, or a "
-                "session, whose display comes with it. Repeat it for more.",
-        .apply = addedTo(&Options::tests)},
+                "session, whose display comes with it. Repeat it for more."},
        {.name = "fail-below",
         .value = "DB",
         .jobs = {report},
-        .help = "Exit status 1 if any PSNR is below.",
-        .apply =
-            [](Options& o, const std::string& v) {
-              o.failBelow = number<double>(v, "--fail-below", 0, unlimited);
-            }},
+        .range = NumberRange{},
+        .help = "Exit status 1 if any PSNR is below."},
        {.name = "group",
         .value = "NAME=LF,LF,…",
         .jobs = {report},
         .mayRepeat = true,
         .help = "Tests that make one rate-distortion curve, four or more. Each further group is "
-                "compared with the first: BD-rate and BD-PSNR in DIR/bd.csv.",
-        .apply = addedTo(&Options::groups)},
+                "compared with the first: BD-rate and BD-PSNR in DIR/bd.csv."},
        {.name = "rate",
         .value = "LF=BITS",
         .jobs = {report},
         .mayRepeat = true,
-        .help = "Of a --group's test: bits per directional pixel, if not those of its file's size.",
-        .apply = addedTo(&Options::rates)}}};
+        .help =
+            "Of a --group's test: bits per directional pixel, if not those of its file's size."}}};
 }
 
 FlagGroup content() {
@@ -179,25 +117,25 @@ FlagGroup content() {
           {{.name = "count",
             .value = "N",
             .jobs = {makeCameras},
-            .help = "States to add; short for --set cameraSet.count=N.",
-            .apply = shortFor("cameraSet.count")},
+            .shortFor = "cameraSet.count",
+            .help = "States to add; short for --set cameraSet.count=N."},
            {.name = "region",
             .value = "box|plane|arc",
             .jobs = {makeCameras},
-            .help = "Where the cameras stand; short for --set cameraRegion.region=….",
-            .apply = shortFor("cameraRegion.region")},
+            .shortFor = "cameraRegion.region",
+            .help = "Where the cameras stand; short for --set cameraRegion.region=…."},
            {.name = "seed",
             .value = "K",
             .jobs = {makeCameras, generate},
+            .range = NumberRange{.isInteger = true},
+            .shortFor = "cameraSet.seed",
             .help = "Of the random numbers, short for --set cameraSet.seed=K; for --generate of "
-                    "--degrade noise:SIGMA.",
-            .apply = takeSeed},
+                    "--degrade noise:SIGMA."},
            {.name = "degrade",
             .value = "HOW",
             .jobs = {generate},
             .help = "Makes a worse copy: jpeg:QUALITY, noise:SIGMA in code values, or blur:SIGMA "
-                    "in directional pixels.",
-            .apply = into(&Options::degrade)}}};
+                    "in directional pixels."}}};
 }
 
 FlagGroup resources() {
@@ -205,24 +143,15 @@ FlagGroup resources() {
           {{.name = "memory",
             .value = "MB",
             .jobs = {window, render, report, pack, tradeoff},
+            .range = NumberRange{.min = 0.001, .max = 1e9},
             .help = "Megabytes for light fields, a quarter of the machine's by default; the window "
-                    "takes it too. What needs more is read piece by piece, or from the top once.",
-            .apply =
-                [](Options& o, const std::string& v) {
-                  o.memory = std::size_t(1e6 * number<double>(v, "--memory", 0.001, 1e9));
-                }},
+                    "takes it too. What needs more is read piece by piece, or from the top once."},
            {.name = "threads",
             .value = "N",
             .jobs = {render, report, generate, pack, tradeoff, stability},
-            .help = "Threads to work with; all by default.",
-            .apply =
-                [](Options& o, const std::string& v) {
-                  o.threads = number<int>(v, "--threads", 1, unlimited);
-                }},
-           {.name = "quiet",
-            .jobs = writing,
-            .help = "Prints nothing but errors.",
-            .apply = raising(&Options::quiet)}}};
+            .range = NumberRange{.min = 1, .isInteger = true},
+            .help = "Threads to work with; all by default."},
+           {.name = "quiet", .jobs = writing, .help = "Prints nothing but errors."}}};
 }
 
 }  // namespace
@@ -231,6 +160,21 @@ const std::vector<FlagGroup>& flagGroups() {
   static const std::vector<FlagGroup> groups{inputs(), outputs(), comparison(), content(),
                                              resources()};
   return groups;
+}
+
+void checkValue(const Flag& flag, const std::string& text) {
+  const std::optional<NumberRange>& range = flag.range;
+  if (range &&
+      !(range->isInteger ? isNumberIn<int>(*range, text) : isNumberIn<double>(*range, text)))
+    throw InputError(
+        "--" + std::string(flag.name),
+        "\"" + text + "\" is not a number from " + numberText(range->min) +
+            (range->max == NumberRange{}.max ? " on" : " to " + numberText(range->max)));
+  if (flag.choices.empty() || std::ranges::find(flag.choices, text) != flag.choices.end()) return;
+  std::string known;
+  for (const std::string_view name : flag.choices)
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  throw InputError("--" + std::string(flag.name), "\"" + text + "\" is not one of " + known);
 }
 
 }  // namespace hogelscope

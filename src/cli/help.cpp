@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What --help prints.
+// The text that --help prints.
+#include "cli/help.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -96,21 +98,18 @@ std::string overview() {
 /// The entries of the options that a job needs, or of those that it may have.
 std::string entriesFor(Command job, bool areNeeded) {
   std::string text;
-  for (const FlagGroup& group : flagGroups())
-    for (const Flag& flag : group.flags) {
-      if (isOneOf(flag.jobs, job) && isOneOf(flag.neededBy, job) == areNeeded)
-        text += entry(flag.name, flag.value, flag.help);
-    }
+  for (const Flag& flag : allFlags())
+    if (isOneOf(flag.jobs, job) && isOneOf(flag.neededBy, job) == areNeeded)
+      text += entry(flag.name, flag.value, flag.help);
   return text;
 }
 
 std::string explained(const Job& job) {
   std::string text = "hogelscope --" + std::string(job.name);
   if (!job.value.empty()) text += " " + std::string(job.value);
-  for (const FlagGroup& group : flagGroups())
-    for (const Flag& flag : group.flags)
-      if (isOneOf(flag.neededBy, job.command))
-        text += " --" + std::string(flag.name) + " " + std::string(flag.value);
+  for (const Flag& flag : allFlags())
+    if (isOneOf(flag.neededBy, job.command))
+      text += " --" + std::string(flag.name) + " " + std::string(flag.value);
   text += "\n\n" + wrapped(job.help, 0);
   if (!job.details.empty()) text += "\n" + wrapped(job.details, 0);
   const std::string needed = entriesFor(job.command, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the jobs of the command line begin with.
+// The sessions and light fields that the jobs of the command line begin with.
 #include "cli/inputs.h"
 
 #include <fnmatch.h>
@@ -31,55 +31,52 @@ std::vector<CameraState> selected(const Session& session, const std::string& glo
   return states;
 }
 
-std::size_t pixelBytesOf(const LightFieldFile& file) {
+std::size_t pixelBytes(const LightFieldFile& file) {
   const LightFieldSize size = file.size();
   return 3 * (memoryBytes(file.type()) / 4) * size.width() * size.height();
 }
 
 }  // namespace
 
-Session loadSelected(const Options& options) {
+Session loadSelected(const CommandLine& line) {
+  const std::string file = line.text("session");
   std::optional<Calibration> calibration;
-  if (!options.calibration.empty()) calibration = loadCalibration(options.calibration);
-  Session session = loadSession(options.session, options.overrides, calibration);
-  session.cameras = selected(session, options.states, options.session);
-  if (!options.quiet)
-    for (const std::string& line : warnings(session))
-      std::cerr << "hogelscope: " << options.session << ": warning: " << line << "\n";
+  if (line.has("calibration")) calibration = loadCalibration(line.text("calibration"));
+  Session session = loadSession(file, line.texts("set"), calibration);
+  session.cameras = selected(session, line.text("states", "*"), file);
+  if (!line.has("quiet"))
+    for (const std::string& warning : warnings(session))
+      std::cerr << "hogelscope: " << file << ": warning: " << warning << "\n";
   return session;
 }
 
-std::vector<std::filesystem::path> inputsOf(const Options& options,
-                                            const LightFieldFile* lightField) {
-  std::vector<std::filesystem::path> inputs{options.subject, options.session, options.calibration,
-                                            options.calibrations};
-  inputs.insert(inputs.end(), options.tests.begin(), options.tests.end());
-  if (lightField != nullptr)
-    for (const std::filesystem::path& file : lightField->files()) inputs.push_back(file);
-  return inputs;
+std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
+                                              const LightFieldFile& lightField) {
+  for (const std::filesystem::path& file : lightField.files()) others.push_back(file);
+  return others;
 }
 
-Session aroundLightField(const std::string& file, const Options& options) {
-  for (const std::string& text : options.overrides)
+Session sessionAroundSubject(const CommandLine& line) {
+  for (const std::string& text : line.texts("set"))
     if (!text.starts_with("lightField.") && !text.starts_with("display."))
       throw InputError("--set " + text,
                        "does not apply to a light field; lightField and display do");
-  return sessionAround(file, options.overrides);
+  return sessionAround(line.subject, line.texts("set"));
 }
 
-std::string readingTime(const LightFieldFile& file) {
+std::string readingTimeText(const LightFieldFile& file) {
   constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: docs/measurements.md
-  const double minutes = double(pixelBytesOf(file)) / bytesPerMinute;
+  const double minutes = double(pixelBytes(file)) / bytesPerMinute;
   if (minutes < 0.2) return "";
   return ", about " + numberText(std::ceil(minutes)) + " min";
 }
 
-void announcePassing(const LightFieldFile& file, std::size_t memory, const Options& options) {
-  if (options.quiet || !mustPass(file, memory)) return;
+void announcePassing(const LightFieldFile& file, std::size_t memory, bool isQuiet) {
+  if (isQuiet || !mustPass(file, memory)) return;
   std::cerr << "hogelscope: " << file.files().front().string() << ": has "
-            << bytesText(pixelBytesOf(file)) << " of pixels, " << bytesText(memory)
-            << " are allowed: read from the top, all pictures made on the way" << readingTime(file)
-            << "\n";
+            << bytesText(pixelBytes(file)) << " of pixels, " << bytesText(memory)
+            << " are allowed: read from the top, all pictures made on the way"
+            << readingTimeText(file) << "\n";
 }
 
 }  // namespace hogelscope

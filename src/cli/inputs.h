@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the jobs of the command line begin with.
+// The sessions and light fields that the jobs of the command line begin with.
 #pragma once
 
 #include <cstddef>
@@ -7,30 +7,31 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/command_line.h"
 #include "core/optics/session.h"
 #include "io/layouts/light_field_file.h"
 
 namespace hogelscope {
 
-/// The session with --calibration, --set and only the --states asked for; warnings go to stderr.
-/// Throws InputError.
-Session loadSelected(const Options& options);
+/// The session with --calibration, --set and only the states that --states selects; its warnings go
+/// to stderr. Throws InputError.
+Session loadSelected(const CommandLine& line);
 
-/// Every file that the command line names to be read, and those of a light field.
-std::vector<std::filesystem::path> inputsOf(const Options& options,
-                                            const LightFieldFile* lightField = nullptr);
+/// The files of a light field, after the other ones that a job reads.
+std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
+                                              const LightFieldFile& lightField);
 
-/// A new session around a light field, read as --set says. Throws InputError, also for a --set of
-/// what such a session does not have: camera states and their sampling.
-Session aroundLightField(const std::string& file, const Options& options);
+/// A new session around the light field that the job's own option names, read as --set says. Throws
+/// InputError, also for a --set of what such a session does not have: camera states and their
+/// sampling.
+Session sessionAroundSubject(const CommandLine& line);
 
 /// ", about 4 min" for reading a plain PNG, or another file of so many pixels, on one core; "" for
 /// some seconds.
-std::string readingTime(const LightFieldFile& file);
+std::string readingTimeText(const LightFieldFile& file);
 
-/// Tells before the wait, unless --quiet, where a light field is too large for `memory` and will be
-/// read from the top, and about how long that takes.
-void announcePassing(const LightFieldFile& file, std::size_t memory, const Options& options);
+/// Prints before the wait, unless `isQuiet`, that a light field is too large for `memory` and will
+/// be read from the top, and about how long that takes.
+void announcePassing(const LightFieldFile& file, std::size_t memory, bool isQuiet);
 
 }  // namespace hogelscope

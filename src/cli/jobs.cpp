@@ -3,31 +3,13 @@
 #include "cli/jobs.h"
 
 #include <algorithm>
-#include <iostream>
 
-#include "cli/batch.h"
-#include "cli/camera_job.h"
-#include "cli/generate_job.h"
-#include "cli/info.h"
-#include "cli/pack_job.h"
-#include "cli/report_job.h"
-#include "cli/stability_job.h"
-#include "cli/tradeoff_job.h"
+#include "cli/jobs/all_jobs.h"
 #include "core/content/pattern_list.h"
 
 namespace hogelscope {
 
 namespace {
-
-int printHelp(const Options& options) {
-  std::cout << helpText(options.subject);
-  return 0;
-}
-
-int printVersion(const Options& /*options*/) {
-  std::cout << "hogelscope " HOGELSCOPE_VERSION "\n";
-  return 0;
-}
 
 /// "scene, spheres.", or with what each shows.
 std::string patternList(bool isExplained) {
@@ -44,113 +26,104 @@ std::string patternList(bool isExplained) {
 
 const std::vector<Job>& jobs() {
   static const std::vector<Job> all{
-      {Command::render,
-       "render",
-       "",
-       "Writes one picture for each camera state: DIR/<name>.png.",
-       "",
-       "  hogelscope --render --session data/table1.json --output out --masks\n"
-       "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
-       "             --set camera.res=[1200,1200] --set sampling.samplesPerPixel=4\n"
-       "  hogelscope --render --session s.json --output out --calibration camera.yml --explain\n",
-       {},
-       render},
-      {Command::report,
-       "report",
-       "",
-       "Renders every state from the session's light field and from each test light field, and "
-       "compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
-       "After a stop the same command goes on where it was.",
-       "  hogelscope --report --session s.json --test coded.png --output report\n"
-       "  hogelscope --report --session s.json --test coded.png --output report --images \\\n"
-       "             --fail-below 30\n"
-       "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report \\\n"
-       "             --group JPEG=a1.jpg,a2.jpg,a3.jpg,a4.jpg \\\n"
-       "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n",
-       {},
-       reportJob},
-      {Command::makeCameras,
-       "make-cameras",
-       "SET",
-       "Adds camera states to a copy of the session: uniform (a grid), random or normal over a "
-       "region, a distribution of your own FILE.json, or a viewer's trace FILE.csv.",
-       "--output may be the session itself. With --states only those of the session's states are "
-       "kept.",
-       "  hogelscope --make-cameras uniform --session s.json --count 15 --region arc \\\n"
-       "             --output arc.json\n"
-       "  hogelscope --make-cameras random --session s.json --count 200 --seed 7 \\\n"
-       "             --set cameraRegion.lookat=nearest --output random.json\n"
-       "  hogelscope --make-cameras trace.csv --session s.json --count 600 --output viewer.json\n",
-       {"cameraSet", "cameraRegion"},
-       makeCameras},
-      {Command::generate,
-       "generate",
-       "PATTERN",
-       "Writes a test light field of the session's display, of any size: " + patternList(false),
-       "PATTERN is one of: " + patternList(true),
-       "  hogelscope --generate scene --session s.json --output scene.png\n"
-       "  hogelscope --generate scene --session s.json --output noisy.png --degrade noise:2\n"
-       "  hogelscope --generate edge --session s.json --output edge.png --set pattern.depth=0.2 "
-       "\\\n"
-       "             --set display.hogels=[256,256]\n",
-       {"pattern"},
-       generateJob},
-      {Command::pack,
-       "pack",
-       "LF",
-       "Writes a light field as a store: a tiled TIFF of which a view reads only what it sees, so "
-       "that it need not fit into memory.",
-       "What an image of hogels does not say, display.hogels and display.directions, --session or "
-       "--set says. After a stop the same command goes on where it was.",
-       "  hogelscope --pack large.png --session s.json --output large.tif\n"
-       "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
-       "             --set display.directions=[600,600]\n"
-       "  hogelscope --pack views --output views.tif --memory 4000\n",
-       {},
-       packJob},
-      {Command::tradeoff,
-       "tradeoff",
-       "",
-       "Measures speed against accuracy of every method on the session's own states: "
-       "DIR/tradeoff.csv, .png, .svg.",
-       "With sampling.reconstruction nearest and one ray a pixel the reference is the display as "
-       "built, with any other sampling the ideal picture.",
-       "  hogelscope --tradeoff --session data/table1.json --output tradeoff\n"
-       "  hogelscope --tradeoff --session data/table1.json --output ideal \\\n"
-       "             --set sampling.reconstruction=quadrilinear\n",
-       {},
-       tradeoff},
-      {Command::stability,
-       "stability",
-       "",
-       "Measures where methods fail: which ways to invert a lens find the right ray, which a wrong "
-       "one or none, and other unstable cases: DIR/stability.csv, .png.",
-       "",
-       "  hogelscope --stability --output stability\n"
-       "  hogelscope --stability --output stability --calibrations cameras.json\n",
-       {},
-       stabilityJob},
-      {Command::info,
-       "info",
-       "FILE",
-       "Says what a session, a light field's image, a folder of views or a store is.",
-       "",
-       "  hogelscope --info data/table1.json\n"
-       "  hogelscope --info views --set lightField.pattern=view_RR_CC.png\n"
-       "  hogelscope --info large.png --set display.hogels=[512,512] \\\n"
-       "             --set display.directions=[600,600]\n",
-       {},
-       infoJob},
-      {Command::help,
-       "help",
-       "",
-       "This text; with a job, or \"parameters\", more of it.",
-       "",
-       "",
-       {},
-       printHelp},
-      {Command::version, "version", "", "The version.", "", "", {}, printVersion},
-  };
+      {.command = Command::render,
+       .name = "render",
+       .help = "Writes one picture for each camera state: DIR/<name>.png.",
+       .examples =
+           "  hogelscope --render --session data/table1.json --output out --masks\n"
+           "  hogelscope --render --session data/table1.json --output out --states 'Fig 1' \\\n"
+           "             --set camera.res=[1200,1200] --set sampling.samplesPerPixel=4\n"
+           "  hogelscope --render --session s.json --output out --calibration camera.yml "
+           "--explain\n",
+       .run = runRender},
+      {.command = Command::report,
+       .name = "report",
+       .help = "Renders every state from the session's light field and from each test light field, "
+               "and compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
+       .details = "After a stop the same command goes on where it was.",
+       .examples =
+           "  hogelscope --report --session s.json --test coded.png --output report\n"
+           "  hogelscope --report --session s.json --test coded.png --output report --images \\\n"
+           "             --fail-below 30\n"
+           "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report "
+           "\\\n"
+           "             --group JPEG=a1.jpg,a2.jpg,a3.jpg,a4.jpg \\\n"
+           "             --group JPEG2000=b1.jp2,b2.jp2,b3.jp2,b4.jp2\n",
+       .run = runReport},
+      {.command = Command::makeCameras,
+       .name = "make-cameras",
+       .value = "SET",
+       .help = "Adds camera states to a copy of the session: uniform (a grid), random or normal "
+               "over a region, a distribution of your own FILE.json, or a viewer's trace FILE.csv.",
+       .details = "--output may be the session itself. With --states only those of the session's "
+                  "states are kept.",
+       .examples =
+           "  hogelscope --make-cameras uniform --session s.json --count 15 --region arc \\\n"
+           "             --output arc.json\n"
+           "  hogelscope --make-cameras random --session s.json --count 200 --seed 7 \\\n"
+           "             --set cameraRegion.lookat=nearest --output random.json\n"
+           "  hogelscope --make-cameras trace.csv --session s.json --count 600 --output "
+           "viewer.json\n",
+       .sections = {"cameraSet", "cameraRegion"},
+       .run = runMakeCameras},
+      {.command = Command::generate,
+       .name = "generate",
+       .value = "PATTERN",
+       .help =
+           "Writes a test light field of the session's display, of any size: " + patternList(false),
+       .details = "PATTERN is one of: " + patternList(true),
+       .examples =
+           "  hogelscope --generate scene --session s.json --output scene.png\n"
+           "  hogelscope --generate scene --session s.json --output noisy.png --degrade noise:2\n"
+           "  hogelscope --generate edge --session s.json --output edge.png --set "
+           "pattern.depth=0.2 \\\n"
+           "             --set display.hogels=[256,256]\n",
+       .sections = {"pattern"},
+       .run = runGenerate},
+      {.command = Command::pack,
+       .name = "pack",
+       .value = "LF",
+       .help = "Writes a light field as a store: a tiled TIFF of which a view reads only what it "
+               "sees, so that it need not fit into memory.",
+       .details = "What an image of hogels does not say, display.hogels and display.directions, "
+                  "--session or --set says. After a stop the same command goes on where it was.",
+       .examples =
+           "  hogelscope --pack large.png --session s.json --output large.tif\n"
+           "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
+           "             --set display.directions=[600,600]\n"
+           "  hogelscope --pack views --output views.tif --memory 4000\n",
+       .run = runPack},
+      {.command = Command::tradeoff,
+       .name = "tradeoff",
+       .help = "Measures speed against accuracy of every method on the session's own states: "
+               "DIR/tradeoff.csv, .png, .svg.",
+       .details = "With sampling.reconstruction nearest and one ray a pixel the reference is the "
+                  "display as built, with any other sampling the ideal picture.",
+       .examples = "  hogelscope --tradeoff --session data/table1.json --output tradeoff\n"
+                   "  hogelscope --tradeoff --session data/table1.json --output ideal \\\n"
+                   "             --set sampling.reconstruction=quadrilinear\n",
+       .run = runTradeoff},
+      {.command = Command::stability,
+       .name = "stability",
+       .help = "Measures where methods fail: which ways to invert a lens find the right ray, which "
+               "a wrong one or none, and other unstable cases: DIR/stability.csv, .png.",
+       .examples = "  hogelscope --stability --output stability\n"
+                   "  hogelscope --stability --output stability --calibrations cameras.json\n",
+       .run = runStability},
+      {.command = Command::info,
+       .name = "info",
+       .value = "FILE",
+       .help = "Says what a session, a light field's image, a folder of views or a store is.",
+       .examples = "  hogelscope --info data/table1.json\n"
+                   "  hogelscope --info views --set lightField.pattern=view_RR_CC.png\n"
+                   "  hogelscope --info large.png --set display.hogels=[512,512] \\\n"
+                   "             --set display.directions=[600,600]\n",
+       .run = runInfo},
+      {.command = Command::help,
+       .name = "help",
+       .help = "This text; with a job, or \"parameters\", more of it.",
+       .run = runHelp},
+      {.command = Command::version, .name = "version", .help = "The version.", .run = runVersion}};
   return all;
 }
 

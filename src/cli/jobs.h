@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The jobs of the command line: a new one is a row of this table, and named by the options that it
+// The jobs of the command line: a new one is a row of this table, and named by the flags that it
 // uses (flags.cpp).
 #pragma once
 
@@ -7,19 +7,19 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/command_line.h"
 
 namespace hogelscope {
 
 struct Job {
   Command command;
-  std::string_view name;   ///< of the option that asks for it
-  std::string_view value;  ///< "" if none follows
+  std::string_view name;        ///< of the option that asks for it
+  std::string_view value = {};  ///< "" if none follows
   std::string help;
-  std::string details;                     ///< which --help JOB alone has
-  std::string_view examples;               ///< command lines
-  std::vector<std::string_view> sections;  ///< that --set knows for this job alone
-  int (*run)(const Options& options);      ///< gives the exit status
+  std::string details = {};                     ///< which --help JOB alone has
+  std::string_view examples = {};               ///< command lines
+  std::vector<std::string_view> sections = {};  ///< that --set knows for this job alone
+  int (*run)(const CommandLine& line);          ///< returns the exit status
 };
 
 const std::vector<Job>& jobs();

@@ -4,7 +4,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "cli/options.h"
+#include "cli/help.h"
+#include "cli/parser.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
@@ -27,7 +28,7 @@ std::vector<std::string> listOf(const QStringList& arguments) {
 }
 
 QString refusalOf(const QStringList& arguments) {
-  return errorOf([&] { (void)parseOptions(listOf(arguments)); });
+  return errorOf([&] { (void)parseCommandLine(listOf(arguments)); });
 }
 
 }  // namespace
@@ -108,20 +109,20 @@ void TestCommandLine::version() {
 
 void TestCommandLine::memoryInMegabytes_data() {
   QTest::addColumn<QString>("given");
-  QTest::addColumn<double>("bytes");  ///< 0: refused
-  QTest::newRow("a part") << "2.5" << 2.5e6;
-  QTest::newRow("least") << "0.001" << 1e3;
-  QTest::newRow("most") << "1e9" << 1e15;
+  QTest::addColumn<double>("megabytes");  ///< 0: refused
+  QTest::newRow("a part") << "2.5" << 2.5;
+  QTest::newRow("least") << "0.001" << 0.001;
+  QTest::newRow("most") << "1e9" << 1e9;
   for (const char* bad : {"0", "-1", "1e-9", "1e10", "1e300", "inf", "nan", "-nan", "4GB", "1e999"})
     QTest::newRow(bad) << bad << 0.0;
 }
 
 void TestCommandLine::memoryInMegabytes() {
   QFETCH(QString, given);
-  QFETCH(double, bytes);
+  QFETCH(double, megabytes);
   const QStringList arguments{"--pack", "a.png", "--output", "b", "--memory", given};
-  if (bytes > 0)
-    QCOMPARE(double(*parseOptions(listOf(arguments)).memory), bytes);
+  if (megabytes > 0)
+    QCOMPARE(*parseCommandLine(listOf(arguments)).number("memory"), megabytes);
   else
     QCOMPARE(refusalOf(arguments),
              "--memory: \"" + given + "\" is not a number from 0.001 to 1e+09");

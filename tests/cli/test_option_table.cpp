@@ -8,7 +8,9 @@
 
 #include "cli/batch.h"
 #include "cli/flags.h"
+#include "cli/help.h"
 #include "cli/jobs.h"
+#include "cli/parser.h"
 #include "core/base/error.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
@@ -28,21 +30,14 @@ QString dashed(std::string_view name) {
   return "--" + text(name);
 }
 
-std::vector<const Flag*> allFlags() {
-  std::vector<const Flag*> flags;
-  for (const FlagGroup& group : flagGroups())
-    for (const Flag& flag : group.flags) flags.push_back(&flag);
-  return flags;
-}
-
-Options parsed(const QStringList& arguments) {
+CommandLine parse(const QStringList& arguments) {
   std::vector<std::string> list;
   for (const QString& argument : arguments) list.push_back(argument.toStdString());
-  return parseOptions(list);
+  return parseCommandLine(list);
 }
 
 QString refusalOf(const QStringList& arguments) {
-  return errorOf([&] { (void)parsed(arguments); });
+  return errorOf([&] { (void)parse(arguments); });
 }
 
 /// With a value that the option takes.
@@ -63,8 +58,8 @@ QStringList smallest(const Job& job) {
                                              {"info", "s.json"}};
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));
-  for (const Flag* flag : allFlags())
-    if (isOneOf(flag->neededBy, job.command)) arguments += given(*flag);
+  for (const Flag& flag : allFlags())
+    if (isOneOf(flag.neededBy, job.command)) arguments += given(flag);
   return arguments;
 }
 
@@ -82,6 +77,8 @@ class TestOptionTable : public QObject {
  private Q_SLOTS:
   void everyOptionIsUsedOrRefused_data();
   void everyOptionIsUsedOrRefused();
+  void jobsReadTheirOwnOptions_data();
+  void jobsReadTheirOwnOptions();
   void whatIsUsedIsHeard_data();
   void whatIsUsedIsHeard();
   void nothingIsMissing_data();
@@ -94,11 +91,11 @@ class TestOptionTable : public QObject {
 void TestOptionTable::everyOptionIsUsedOrRefused_data() {
   QTest::addColumn<const Job*>("job");  ///< null: the window
   QTest::addColumn<const Flag*>("flag");
-  for (const Flag* flag : allFlags()) {
-    QTest::addRow("window, %s", flag->name.data()) << static_cast<const Job*>(nullptr) << flag;
+  for (const Flag& flag : allFlags()) {
+    QTest::addRow("window, %s", flag.name.data()) << static_cast<const Job*>(nullptr) << &flag;
     for (const Job& job : jobs())
       if (job.command != Command::help)
-        QTest::addRow("%s, %s", job.name.data(), flag->name.data()) << &job << flag;
+        QTest::addRow("%s, %s", job.name.data(), flag.name.data()) << &job << &flag;
   }
 }
 
@@ -121,14 +118,33 @@ void TestOptionTable::everyOptionIsUsedOrRefused() {
                           "; it belongs to " + owners);
 }
 
+void TestOptionTable::jobsReadTheirOwnOptions_data() {
+  everyOptionIsUsedOrRefused_data();
+}
+
+/// Reading another one is a mistake in the program, also where the option is not given.
+void TestOptionTable::jobsReadTheirOwnOptions() {
+  QFETCH(const Job*, job);
+  QFETCH(const Flag*, flag);
+  const CommandLine line = parse(job == nullptr ? QStringList{"s.json"} : smallest(*job));
+  QCOMPARE(line.mayHave(flag->name), isOneOf(flag->jobs, line.command));
+  if (line.mayHave(flag->name)) {
+    QCOMPARE(line.has(flag->name), isOneOf(flag->neededBy, line.command));
+  } else {
+    QVERIFY_EXCEPTION_THROWN((void)line.has(flag->name), std::logic_error);
+    QVERIFY_EXCEPTION_THROWN((void)line.text(flag->name), std::logic_error);
+    QVERIFY_EXCEPTION_THROWN((void)line.texts(flag->name), std::logic_error);
+    QVERIFY_EXCEPTION_THROWN((void)line.number(flag->name), std::logic_error);
+  }
+}
+
 void TestOptionTable::whatIsUsedIsHeard_data() {
   QTest::addColumn<const Job*>("job");
   QTest::addColumn<const Flag*>("flag");
-  const auto hasWrongValues = [](const Flag& flag) { return !flag.value.empty(); };
-  for (const Flag* flag : allFlags())
+  for (const Flag& flag : allFlags())
     for (const Job& job : jobs())
-      if (hasWrongValues(*flag) && isOneOf(flag->jobs, job.command))
-        QTest::addRow("%s, %s", job.name.data(), flag->name.data()) << &job << flag;
+      if (!flag.value.empty() && isOneOf(flag.jobs, job.command))
+        QTest::addRow("%s, %s", job.name.data(), flag.name.data()) << &job << &flag;
 }
 
 /// A value that cannot be right ends every job that has the option.
@@ -147,7 +163,7 @@ void TestOptionTable::whatIsUsedIsHeard() {
     arguments[arguments.indexOf(dashed(flag->name)) + 1] = bad;
   else
     arguments << dashed(flag->name) << bad;
-  const QString error = errorOf([&] { (void)runBatch(parsed(arguments)); });
+  const QString error = errorOf([&] { (void)runBatch(parse(arguments)); });
   QVERIFY2(error.contains("wrong") || error.contains(dashed(flag->name) + ": "), qPrintable(error));
   QVERIFY2(!error.startsWith("not an InputError"), qPrintable(error));
 }
@@ -155,10 +171,10 @@ void TestOptionTable::whatIsUsedIsHeard() {
 void TestOptionTable::nothingIsMissing_data() {
   QTest::addColumn<const Job*>("job");
   QTest::addColumn<const Flag*>("flag");
-  for (const Flag* flag : allFlags())
-    for (const Command command : flag->neededBy)
-      QTest::addRow("%s, %s", jobOf(command).name.data(), flag->name.data())
-          << &jobOf(command) << flag;
+  for (const Flag& flag : allFlags())
+    for (const Command command : flag.neededBy)
+      QTest::addRow("%s, %s", jobOf(command).name.data(), flag.name.data())
+          << &jobOf(command) << &flag;
 }
 
 void TestOptionTable::nothingIsMissing() {
@@ -183,16 +199,16 @@ void TestOptionTable::helpOnAJob() {
   const QString help = QString::fromStdString(helpText(name));
   QVERIFY(help.startsWith("hogelscope " + dashed(name)));
   for (const QString& line : help.split('\n')) QVERIFY2(line.size() <= 100, qPrintable(line));
-  for (const Flag* flag : allFlags())
-    QCOMPARE(help.contains("\n  " + dashed(flag->name) + " "), isOneOf(flag->jobs, job->command));
+  for (const Flag& flag : allFlags())
+    QCOMPARE(help.contains("\n  " + dashed(flag.name) + " "), isOneOf(flag.jobs, job->command));
   for (const QString& line : examplesOf(*job)) {
     QStringList words = QProcess::splitCommand(line);
     QCOMPARE(words.takeFirst(), QString("hogelscope"));
     words.removeAll("…");
-    QVERIFY2(parsed(words).command == job->command, qPrintable(line));
+    QVERIFY2(parse(words).command == job->command, qPrintable(line));
   }
-  QCOMPARE(parsed({"--help", text(name)}).subject, name);
-  if (job->command != Command::help) QCOMPARE(parsed(smallest(*job) << "-h").subject, name);
+  QCOMPARE(parse({"--help", text(name)}).subject, name);
+  if (job->command != Command::help) QCOMPARE(parse(smallest(*job) << "-h").subject, name);
 }
 
 void TestOptionTable::helpSaysWhoseOptionsAre() {

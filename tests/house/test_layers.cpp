@@ -37,7 +37,8 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"chart", {"core", "study"}},
       {"report/page", {"core"}},
       {"report", {"core", "io", "report/page"}},
-      {"cli", {"core", "io", "vtk", "study", "chart", "report"}},
+      {"cli", {"core", "io", "vtk", "report", "cli/jobs"}},
+      {"cli/jobs", {"core", "io", "vtk", "study", "chart", "report", "cli"}},
       {"gui/widgets", {"core", "report"}},
       {"gui/keys", {"core", "io", "gui/widgets"}},
       {"gui/session", {"core", "io", "gui/keys", "gui/widgets"}},
@@ -72,7 +73,8 @@ struct Include {
 };
 
 std::vector<Include> allIncludes(const QString& folder) {
-  static const QRegularExpression line(R"(^\s*#\s*include\s*(<|")([^>"]+)[>"])",
+  // \x22 is a quotation mark, which moc does not understand in a raw string.
+  static const QRegularExpression line(R"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])",
                                        QRegularExpression::MultilineOption);
   std::vector<Include> includes;
   QDirIterator files(folder, {"*.h", "*.cpp", "*.cxx"}, QDir::Files, QDirIterator::Subdirectories);
@@ -81,7 +83,7 @@ std::vector<Include> allIncludes(const QString& folder) {
     if (!file.open(QIODevice::ReadOnly)) continue;
     const QString module = QDir(folder).relativeFilePath(file.fileName()).section('.', 0, 0);
     for (const auto& match : line.globalMatch(QString::fromUtf8(file.readAll()))) {
-      QString header = match.captured(2);
+      QString header = match.captured(1);
       bool isOurs = QFile::exists(folder + "/" + header);
       // VTK classes include each other without a folder, as VTK's own do.
       if (!isOurs && QFile::exists(folder + "/vtk/" + header)) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --report: every state from the session's light field and from each test, compared.
-#include "cli/report_job.h"
-
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "cli/explain.h"
 #include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
+#include "cli/jobs/report_groups.h"
 #include "cli/progress_bar.h"
-#include "cli/report_groups.h"
 #include "core/base/text.h"
 #include "report/page/summary_page.h"
 #include "report/report_run.h"
@@ -20,30 +19,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A view that sees nothing does not fail; one that could not be rendered does.
-int gate(const std::vector<ReportRow>& rows, const Options& options) {
-  if (!options.failBelow) return 0;
+/// The exit status. A view that sees nothing does not fail; one that could not be rendered does.
+int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
+  if (!least) return 0;
   int status = 0;
   for (const ReportRow& row : rows) {
     const double db = psnr(row.metrics.mse);
-    if (db >= *options.failBelow || row.problem == seesNothing) continue;
+    if (db >= *least || row.problem == seesNothing) continue;
     std::cerr << "hogelscope: " << row.state << ": " << row.test << ": "
-              << (row.problem.empty()
-                      ? numberText(db) + " dB is below " + numberText(*options.failBelow)
-                      : row.problem)
+              << (row.problem.empty() ? numberText(db) + " dB is below " + numberText(*least)
+                                      : row.problem)
               << "\n";
     status = 1;
   }
   return status;
 }
 
-std::vector<RateGroup> groupsOf(const std::vector<ReportTest>& tests, const Options& options) {
+std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const CommandLine& line) {
   std::vector<TestSize> sizes;
   sizes.reserve(tests.size());
   for (const auto& [name, session, size] : tests)
     sizes.push_back(
         {name, session.lightField.file, double(size.nx) * size.ny * double(size.du) * size.dv});
-  return rateGroups(options, sizes);
+  return rateGroups(line, sizes);
 }
 
 /// "400 views: 62 % of the time rendering, 12 % metrics, 3 % pictures".
@@ -57,13 +55,13 @@ std::string timesText(const Report& report) {
          percent(report.metrics) + ", pictures " + percent(report.pictures) + "\n";
 }
 
-Report made(const ReportRequest& request, const Options& options) {
-  ProgressBar bar("comparing", options.quiet);
+Report makeWithProgress(const ReportRequest& request, const CommandLine& line) {
+  ProgressBar bar("comparing", line.has("quiet"));
   std::size_t finished = 0;
   ReportListener listener;
   listener.progress = bar.progress();
   listener.finished = [&](std::size_t, const ReportRow&) { ++finished; };
-  if (options.explain)
+  if (line.has("explain"))
     listener.loaded = [&](const Scene& scene) {
       std::cout << explanations(scene, request.session, listener.progress);
     };
@@ -82,24 +80,26 @@ Report made(const ReportRequest& request, const Options& options) {
 
 }  // namespace
 
-int reportJob(const Options& options) {
+int runReport(const CommandLine& line) {
+  const bool isQuiet = line.has("quiet");
   ReportRequest request;
-  request.name = options.session;
-  request.sessionFile = options.session;
-  request.session = loadSelected(options);
-  request.tests = openTests(request.session, options.tests);
-  request.groups = groupsOf(request.tests, options);
-  request.output = options.output;
-  request.command = options.commandLine;
-  request.images = options.images;
-  const auto announce = [&](const Session& of) {
-    announcePassing(*openLightField(of.lightField, of.display), request.memory / 2, options);
+  request.name = line.text("session");
+  request.sessionFile = line.text("session");
+  request.session = loadSelected(line);
+  request.tests = openTests(request.session, line.texts("test"));
+  request.groups = parseGroups(request.tests, line);
+  request.output = line.text("output");
+  request.command = line.shellText;
+  request.images = line.has("images");
+  const auto announce = [&](const Session& session) {
+    announcePassing(*openLightField(session.lightField, session.display), request.memory / 2,
+                    isQuiet);
   };
   announce(request.session);
   for (const ReportTest& test : request.tests) announce(test.session);
-  const Report report = made(request, options);
-  if (!options.quiet) {
-    const fs::path folder = options.output;
+  const Report report = makeWithProgress(request, line);
+  if (!isQuiet) {
+    const fs::path folder = line.text("output");
     if (report.replacedAnother)
       std::cerr << "hogelscope: " << (folder / "report.journal").string()
                 << ": was of another report that did not finish; begun anew\n";
@@ -109,7 +109,7 @@ int reportJob(const Options& options) {
               << timesText(report) << "report in " << (folder / "report.html").string() << " and "
               << (folder / "report.csv").string() << "\n";
   }
-  return gate(report.rows, options);
+  return checkGate(report.rows, line.number("fail-below"));
 }
 
 }  // namespace hogelscope

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/command_line.h"
 #include "core/metrics/summary.h"
 
 namespace hogelscope {
@@ -20,6 +20,6 @@ struct TestSize {
 /// Each --group with its tests' rates: those of --rate, else the file's size (of a folder: its
 /// files' sizes). None without --group. Throws InputError: a test that was not given, fewer than
 /// two groups or four tests, a rate that is not a positive number.
-std::vector<RateGroup> rateGroups(const Options& options, const std::vector<TestSize>& tests);
+std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<TestSize>& tests);
 
 }  // namespace hogelscope

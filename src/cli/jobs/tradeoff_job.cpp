@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --tradeoff: speed against accuracy of every method on the session's own states.
-#include "cli/tradeoff_job.h"
-
 #include <filesystem>
 #include <iostream>
 
@@ -9,6 +7,7 @@
 #include "chart/recommendations.h"
 #include "chart/tradeoff_chart.h"
 #include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/parallel.h"
 #include "io/files/atomic_file.h"
@@ -18,15 +17,15 @@
 
 namespace hogelscope {
 
-int tradeoff(const Options& options) {
-  const Session session = loadSelected(options);
-  // A bad one leaves no folder behind.
+int runTradeoff(const CommandLine& line) {
+  const Session session = loadSelected(line);
+  // Opened first, so that a bad one leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
-  const std::filesystem::path folder = options.output;
+  const std::filesystem::path folder = line.text("output");
   checkOutputs({folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"},
-               inputsOf(options, file.get()));
+               inputFiles({line.text("session"), line.text("calibration")}, *file));
   makeFolder(folder);
-  ProgressBar bar("measuring", options.quiet);
+  ProgressBar bar("measuring", line.has("quiet"));
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));
   std::vector<View> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
@@ -42,15 +41,15 @@ int tradeoff(const Options& options) {
   writeTextFile(folder / "tradeoff.png", pngOf(paint, size));
   writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));
   bar.done();
-  if (options.quiet) return 0;
+  if (line.has("quiet")) return 0;
   std::cout << "error against " << text(question) << " (" << details(question) << "), over "
             << views.size() << " state(s)\ntime per picture, lens rays included: median of "
             << result.runs << " interleaved runs on " << result.timedViews << " state(s)\n";
-  const auto say = [&](const char* what, std::optional<std::size_t> row) {
+  const auto print = [&](const char* what, std::optional<std::size_t> row) {
     if (row) std::cout << what << result.rows[*row].method << "\n";
   };
-  say("for a moving view: ", forMovingView(result.rows));
-  say("for a paper: ", forPaper(result.rows));
+  print("for a moving view: ", forMovingView(result.rows));
+  print("for a paper: ", forPaper(result.rows));
   std::cout << "chart and table in " << (folder / "tradeoff.png").string() << ", .svg and .csv\n";
   return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --rate and --group of a report.
-#include "cli/report_groups.h"
+#include "cli/jobs/report_groups.h"
 
 #include <algorithm>
 #include <charconv>
@@ -30,10 +30,11 @@ void refuseUnknown(const std::string& test, const std::string& flag,
           (nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?"));
 }
 
-/// FILE=bpp; a FILE may hold "=" itself.
-std::vector<TestRate> givenRates(const Options& options, const std::vector<TestSize>& tests) {
+/// Reads FILE=bpp; a FILE may hold "=" itself.
+std::vector<TestRate> parseRates(const std::vector<std::string>& texts,
+                                 const std::vector<TestSize>& tests) {
   std::vector<TestRate> rates;
-  for (const std::string& text : options.rates) {
+  for (const std::string& text : texts) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos)
       throw InputError("command line", "--rate",
@@ -55,7 +56,7 @@ std::vector<TestRate> givenRates(const Options& options, const std::vector<TestS
   return rates;
 }
 
-double bitsOf(const TestSize& test) {
+double fileBits(const TestSize& test) {
   std::error_code error;
   if (!isFolder(test.file)) {
     const std::uintmax_t size = fs::file_size(test.file, error);
@@ -70,17 +71,17 @@ double bitsOf(const TestSize& test) {
   return 8 * bytes;
 }
 
-double rateOf(const std::string& test, const std::vector<TestRate>& rates,
-              const std::vector<TestSize>& tests) {
+double findRate(const std::string& test, const std::vector<TestRate>& rates,
+                const std::vector<TestSize>& tests) {
   for (const TestRate& rate : rates)
     if (rate.test == test) return rate.rate;
   const auto size = std::find_if(tests.begin(), tests.end(),
                                  [&](const TestSize& one) { return one.test == test; });
-  return bitsOf(*size) / size->directionalPixels;
+  return fileBits(*size) / size->directionalPixels;
 }
 
-/// NAME=FILE,FILE,…, the rates not yet known.
-RateGroup parsed(const std::string& text, const std::vector<TestSize>& tests) {
+/// Reads NAME=FILE,FILE,…; the rates are not known yet.
+RateGroup parseGroup(const std::string& text, const std::vector<TestSize>& tests) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw InputError("command line", "--group", "\"" + text + "\" is not NAME=FILE,FILE,FILE,FILE");
@@ -104,18 +105,18 @@ RateGroup parsed(const std::string& text, const std::vector<TestSize>& tests) {
 
 }  // namespace
 
-std::vector<RateGroup> rateGroups(const Options& options, const std::vector<TestSize>& tests) {
-  if (options.groups.empty() && !options.rates.empty())
+std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<TestSize>& tests) {
+  if (!line.has("group") && line.has("rate"))
     throw InputError("command line", "--rate",
                      "is for --group NAME=FILE,FILE,…, of which there is none");
-  if (options.groups.size() == 1)
+  if (line.texts("group").size() == 1)
     throw InputError("command line", "--group",
                      "is given once, but a BD-rate compares two groups or more");
-  const std::vector<TestRate> rates = givenRates(options, tests);
+  const std::vector<TestRate> rates = parseRates(line.texts("rate"), tests);
   std::vector<RateGroup> groups;
-  for (const std::string& text : options.groups) {
-    groups.push_back(parsed(text, tests));
-    for (TestRate& test : groups.back().tests) test.rate = rateOf(test.test, rates, tests);
+  for (const std::string& text : line.texts("group")) {
+    groups.push_back(parseGroup(text, tests));
+    for (TestRate& test : groups.back().tests) test.rate = findRate(test.test, rates, tests);
     for (std::size_t k = 0; k + 1 < groups.size(); ++k)
       if (groups[k].name == groups.back().name)
         throw InputError("command line", "--group " + groups[k].name, "is given twice");

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --generate: one row of hogels is made while the last one is written.
-#include "cli/generate_job.h"
-
+// --generate: one row of hogels is computed while the last one is written.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <future>
 #include <iostream>
 
-#include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -33,8 +31,8 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Band bandOf(const Pattern& pattern, const LightFieldSize& size, int j,
-            const Degradation& degradation, const Progress& progress) {
+Band makeBand(const Pattern& pattern, const LightFieldSize& size, int j,
+              const Degradation& degradation, const Progress& progress) {
   const std::size_t rowBytes = 3 * size.width();
   Band band(rowBytes * std::size_t(size.dv));
   parallelRows(size.dv, [&](int begin, int end) {
@@ -55,14 +53,14 @@ void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes,
   }
 }
 
-/// Of the whole, by a few rows of hogels.
 struct Cost {
   double seconds = 0;
   double bytes = 0;  ///< on the disk
 };
 
-Cost estimate(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
-              const fs::path& file, const Progress& progress) {
+/// The cost of the whole light field, from a few rows of hogels.
+Cost estimateCost(const Pattern& pattern, const LightFieldSize& size,
+                  const Degradation& degradation, const fs::path& file, const Progress& progress) {
   const int sampled = std::min(4, size.ny);
   ImageRowWriter writer(file, size.width(), std::size_t(sampled * size.dv));
   double making = 0;
@@ -71,7 +69,7 @@ Cost estimate(const Pattern& pattern, const LightFieldSize& size, const Degradat
     const Progress ofBand = part(progress, k / double(sampled), (k + 1) / double(sampled));
     Clock::time_point start = Clock::now();
     const Band band =
-        bandOf(pattern, size, (2 * k + 1) * size.ny / (2 * sampled), degradation, ofBand);
+        makeBand(pattern, size, (2 * k + 1) * size.ny / (2 * sampled), degradation, ofBand);
     making += secondsSince(start);
     start = Clock::now();
     writeBand(writer, band, 3 * size.width(), ofBand);
@@ -82,29 +80,30 @@ Cost estimate(const Pattern& pattern, const LightFieldSize& size, const Degradat
   return {whole * std::max(writing, making + writing / threadCount()), whole * bytes};
 }
 
-/// Before a long wait: what it will take, unless the disk has not that much.
-void announce(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
-              const Options& options) {
+/// Prints before a long wait how long it is and how large the file. Throws InputError where the
+/// disk has not that much room.
+void announceCost(const Pattern& pattern, const LightFieldSize& size,
+                  const Degradation& degradation, const fs::path& file, bool isQuiet) {
   constexpr std::size_t largeBytes = 1000000000;
   if (3 * size.width() * size.height() < largeBytes) return;
-  ProgressBar bar("estimating", options.quiet);
-  const Cost cost = estimate(pattern, size, degradation, options.output, bar.progress());
+  ProgressBar bar("estimating", isQuiet);
+  const Cost cost = estimateCost(pattern, size, degradation, file, bar.progress());
   bar.done();
-  checkRoomOnDisk(options.output, std::uint64_t(cost.bytes));
-  if (!options.quiet)
+  checkRoomOnDisk(file, std::uint64_t(cost.bytes));
+  if (!isQuiet)
     std::cout << size.width() << "×" << size.height() << " px, on the disk about "
               << bytesText(std::size_t(cost.bytes)) << ", " << std::ceil(cost.seconds / 60)
               << " min" << std::endl;
 }
 
-void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
-              const std::string& file, const Progress& progress) {
+void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degradation& degradation,
+                const std::string& file, const Progress& progress) {
   ImageRowWriter writer(file, size.width(), size.height());
   Band written;
   std::future<void> writing;
   for (int j = 0; j < size.ny; ++j) {
     const Progress ofBand = part(progress, j / double(size.ny), (j + 1) / double(size.ny));
-    Band band = bandOf(pattern, size, j, degradation, ofBand);
+    Band band = makeBand(pattern, size, j, degradation, ofBand);
     if (writing.valid()) writing.get();
     written = std::move(band);
     writing = std::async([&, ofBand] { writeBand(writer, written, 3 * size.width(), ofBand); });
@@ -115,25 +114,27 @@ void writeAll(const Pattern& pattern, const LightFieldSize& size, const Degradat
 
 }  // namespace
 
-int generateJob(const Options& options) {
-  const Session session = loadSession(options.session, options.overrides);
+int runGenerate(const CommandLine& line) {
+  const Session session = loadSession(line.text("session"), line.texts("set"));
   const DisplayParams& display = session.display;
-  const auto pattern = makePattern(options.subject, display, patternParams(options.jobOverrides));
+  const auto pattern = makePattern(line.subject, display, patternParams(line.jobOverrides));
   Degradation degradation;
-  if (!options.degrade.empty()) degradation = parseDegradation(options.degrade);
-  if (options.seed && degradation.kind != Degradation::Kind::noise)
+  if (line.has("degrade")) degradation = parseDegradation(line.text("degrade"));
+  const std::optional<double> seed = line.number("seed");
+  if (seed && degradation.kind != Degradation::Kind::noise)
     throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
-  if (options.seed) degradation.seed = *options.seed;
-  checkOutputs({options.output}, inputsOf(options));
-  makeFolderOf(options.output);
+  if (seed) degradation.seed = std::uint64_t(*seed);
+  const std::string output = line.text("output");
+  checkOutputs({output}, {line.subject, line.text("session")});
+  makeFolderOf(output);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};
-  announce(*pattern, size, degradation, options);
-  ProgressBar bar("generating", options.quiet);
-  writeAll(*pattern, size, degradation, options.output, bar.progress());
+  const bool isQuiet = line.has("quiet");
+  announceCost(*pattern, size, degradation, output, isQuiet);
+  ProgressBar bar("generating", isQuiet);
+  writeBands(*pattern, size, degradation, output, bar.progress());
   bar.done();
-  if (!options.quiet)
-    std::cout << options.output << ": " << size.width() << "×" << size.height() << " px\n";
+  if (!isQuiet) std::cout << output << ": " << size.width() << "×" << size.height() << " px\n";
   return 0;
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --stability: where methods fail, as a table and as maps.
-#include "cli/stability_job.h"
-
 #include <filesystem>
 #include <iostream>
 
 #include "chart/stability_map.h"
-#include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/parallel.h"
 #include "core/engine/plan.h"
@@ -19,10 +17,11 @@ namespace hogelscope {
 
 namespace {
 
-std::vector<NamedLens> lensesFor(const Options& options) {
+/// The hard lenses and those of `calibrations`, "" for none.
+std::vector<NamedLens> allLenses(const std::string& calibrations) {
   std::vector<NamedLens> lenses = hardLenses();
-  if (options.calibrations.empty()) return lenses;
-  for (const NamedCalibration& camera : loadCalibrations(options.calibrations)) {
+  if (calibrations.empty()) return lenses;
+  for (const NamedCalibration& camera : loadCalibrations(calibrations)) {
     CameraState state;
     apply(camera.calibration, state);
     lenses.push_back({camera.name, lensKeyOf(state, {})});
@@ -32,12 +31,13 @@ std::vector<NamedLens> lensesFor(const Options& options) {
 
 }  // namespace
 
-int stabilityJob(const Options& options) {
-  const std::vector<NamedLens> lenses = lensesFor(options);
-  const std::filesystem::path folder = options.output;
-  checkOutputs({folder / "stability.csv", folder / "stability.png"}, inputsOf(options));
+int runStability(const CommandLine& line) {
+  const std::string calibrations = line.text("calibrations");
+  const std::vector<NamedLens> lenses = allLenses(calibrations);
+  const std::filesystem::path folder = line.text("output");
+  checkOutputs({folder / "stability.csv", folder / "stability.png"}, {calibrations});
   makeFolder(folder);
-  ProgressBar bar("measuring", options.quiet);
+  ProgressBar bar("measuring", line.has("quiet"));
   const Stability stability = measureStability(lenses, parallelRows, bar.progress());
   const OffscreenPainting painting;
   const std::string picture =
@@ -47,7 +47,7 @@ int stabilityJob(const Options& options) {
   writeTextFile(folder / "stability.csv", csv(stability));
   writeTextFile(folder / "stability.png", picture);
   bar.done();
-  if (!options.quiet)
+  if (!line.has("quiet"))
     std::cout << lenses.size() << " lens(es) and two maps in "
               << (folder / "stability.csv").string() << " and "
               << (folder / "stability.png").string() << "\n";

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --pack: a light field becomes a store.
-#include "cli/pack_job.h"
-
 #include <filesystem>
 #include <iostream>
 
 #include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
@@ -19,17 +18,18 @@ namespace hogelscope {
 
 namespace {
 
-/// A display that nobody gave is not kept in the store.
+/// The light field that is packed; a display that nobody gave is not kept in the store.
 struct Content {
   Session session;
   bool isDisplayGiven = false;
 };
 
-Content contentOf(const Options& options) {
-  if (options.session.empty() && !isSessionFile(options.subject))
-    return {aroundLightField(options.subject, options), false};
-  if (options.session.empty()) return {loadSession(options.subject, options.overrides), true};
-  return {withLightField(loadSession(options.session, options.overrides), options.subject), true};
+Content loadContent(const CommandLine& line) {
+  const std::vector<std::string>& overrides = line.texts("set");
+  if (line.has("session"))
+    return {withLightField(loadSession(line.text("session"), overrides), line.subject), true};
+  if (isSessionFile(line.subject)) return {loadSession(line.subject, overrides), true};
+  return {sessionAroundSubject(line), false};
 }
 
 std::string shapeText(const StoreHeader& header) {
@@ -41,25 +41,25 @@ std::string shapeText(const StoreHeader& header) {
 
 }  // namespace
 
-int packJob(const Options& options) {
-  const auto [session, isDisplayGiven] = contentOf(options);
+int runPack(const CommandLine& line) {
+  const auto [session, isDisplayGiven] = loadContent(line);
+  const std::string output = line.text("output");
+  const bool isQuiet = line.has("quiet");
   const auto file = openLightField(session.lightField, session.display);
-  checkOutputs({options.output}, inputsOf(options, file.get()));
+  checkOutputs({output}, inputFiles({line.subject, line.text("session")}, *file));
   const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // the reader's half
   const PackPlan plan =
       planPack(session.lightField, *file,
                isDisplayGiven ? std::optional(session.display) : std::nullopt, memory);
-  makeFolderOf(options.output);
-  if (!options.quiet)
+  makeFolderOf(output);
+  if (!isQuiet)
     std::cout << shapeText(plan.header) << "; rows in memory " << bytesText(plan.memory)
-              << ", on the disk about " << bytesText(plan.storeBytes) << readingTime(*file)
+              << ", on the disk about " << bytesText(plan.storeBytes) << readingTimeText(*file)
               << std::endl;
-  ProgressBar bar("packing", options.quiet);
-  pack(*file, plan, options.output, options.threads, bar.progress());
+  ProgressBar bar("packing", isQuiet);
+  pack(*file, plan, output, int(line.number("threads").value_or(0)), bar.progress());
   bar.done();
-  if (!options.quiet)
-    std::cout << options.output << ": " << bytesText(RandomAccessFile(options.output).size())
-              << "\n";
+  if (!isQuiet) std::cout << output << ": " << bytesText(RandomAccessFile(output).size()) << "\n";
   return 0;
 }
 

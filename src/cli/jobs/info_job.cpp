@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --info: what a file is.
-#include "cli/info.h"
-
+// --info: prints what a file is.
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 
 #include "cli/inputs.h"
+#include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
@@ -43,7 +42,7 @@ void printSize(std::ostream& out, const Session& around) {
   printSize(out, openLightField(around.lightField, around.display)->size());
 }
 
-void printPicture(std::ostream& out, const Session& around) {
+void printImage(std::ostream& out, const Session& around) {
   const LightFieldParams& params = around.lightField;
   const ImageFile image{fs::path(params.file)};
   out << "picture     " << image.format() << ", " << image.width() << "×" << image.height()
@@ -104,18 +103,18 @@ void printSession(std::ostream& out, const Session& session) {
 
 }  // namespace
 
-int infoJob(const Options& options) {
-  const std::string& file = options.subject;
+int runInfo(const CommandLine& line) {
+  const std::string& file = line.subject;
   std::ostringstream out;
   try {
     if (isSessionFile(file)) {
-      printSession(out, loadSession(file, options.overrides));
+      printSession(out, loadSession(file, line.texts("set")));
     } else {
-      const Session around = aroundLightField(file, options);
+      const Session around = sessionAroundSubject(line);
       const Layout layout = around.lightField.layout;
       (layout == Layout::views  ? printFolder
        : layout == Layout::pack ? printStore
-                                : printPicture)(out, around);
+                                : printImage)(out, around);
     }
   } catch (const InputError& error) {
     throw error.in(file);

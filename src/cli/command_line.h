@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line as a value.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hogelscope {
+
+enum class Command {
+  window,
+  render,
+  report,
+  makeCameras,
+  generate,
+  pack,
+  tradeoff,
+  stability,
+  info,
+  help,
+  version
+};
+
+/// A job and its options, with checked values. Reading an option that the table of flags does not
+/// give to the job throws std::logic_error.
+struct CommandLine {
+  Command command = Command::window;
+  /// The value of the job's own option: a camera set, a pattern, a light field, a file; or the
+  /// topic of --help.
+  std::string subject;
+  std::string shellText;                  ///< the whole command line, see shellText()
+  std::vector<std::string> files;         ///< to open in the window
+  std::vector<std::string> jobOverrides;  ///< --set of the job's own sections, such as pattern
+  /// The values of each option that the job may have; empty if it is not given. Those of --set are
+  /// the session's.
+  std::map<std::string_view, std::vector<std::string>> options;
+
+  [[nodiscard]] bool mayHave(std::string_view option) const { return options.contains(option); }
+  [[nodiscard]] bool has(std::string_view option) const { return !texts(option).empty(); }
+  [[nodiscard]] const std::vector<std::string>& texts(std::string_view option) const;
+  [[nodiscard]] std::string text(std::string_view option, const char* otherwise = "") const;
+  [[nodiscard]] std::optional<double> number(std::string_view option) const;
+};
+
+/// The program with its arguments, as a shell reads it.
+std::string shellText(const std::vector<std::string>& arguments);
+
+}  // namespace hogelscope
