@@ -3,7 +3,7 @@
 #pragma once
 
 #include "report/page/report_page.h"
-#include "report/report_run.h"
+#include "report/report_request.h"
 
 namespace hogelscope {
 

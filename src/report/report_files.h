@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "core/metrics/panel_error.h"
-#include "report/report_run.h"
+#include "report/page/report_page.h"
+#include "report/report_request.h"
 #include "report/view_pairs.h"
 
 namespace hogelscope {

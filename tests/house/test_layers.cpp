@@ -37,8 +37,8 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"chart", {"core", "study"}},
       {"report/page", {"core"}},
       {"report", {"core", "io", "report/page"}},
-      {"cli", {"core", "io", "vtk", "report", "cli/jobs"}},
-      {"cli/jobs", {"core", "io", "vtk", "study", "chart", "report", "cli"}},
+      {"cli", {"core", "io", "report", "cli/jobs"}},
+      {"cli/jobs", {"core", "io", "study", "chart", "report", "cli"}},
       {"gui/widgets", {"core", "report"}},
       {"gui/keys", {"core", "io", "gui/widgets"}},
       {"gui/session", {"core", "io", "gui/keys", "gui/widgets"}},
@@ -55,14 +55,15 @@ const std::map<QString, QStringList>& allowedRooms() {
 /// Headers of libraries that a folder of src must not include. The simulation includes the standard
 /// library's, which have no folder and no ending, and the one of huge pages.
 const std::map<QString, QString>& foreignHeaders() {
-  static const std::map<QString, QString> headers{{"core", R"([./])"},
-                                                  {"io", "^(Q[A-Z]|vtk)"},
-                                                  {"vtk", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
-                                                  {"study", "^(Q[A-Z]|vtk|OpenImageIO|nlohmann)"},
-                                                  {"chart", "^(vtk|opencv|OpenImageIO|nlohmann)"},
-                                                  {"report", "^(vtk|opencv|OpenImageIO|nlohmann)"},
-                                                  {"cli", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
-                                                  {"gui", "^(opencv|OpenImageIO|nlohmann)"}};
+  static const std::map<QString, QString> headers{
+      {"core", R"(^(?!sys/mman\.h$).*[./])"},
+      {"io", "^(Q[A-Z]|vtk)"},
+      {"vtk", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
+      {"study", "^(Q[A-Z]|vtk|OpenImageIO|nlohmann)"},
+      {"chart", "^(vtk|opencv|OpenImageIO|nlohmann)"},
+      {"report", "^(vtk(?!Version)|opencv|OpenImageIO|nlohmann)"},
+      {"cli", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
+      {"gui", "^(opencv|OpenImageIO|nlohmann)"}};
   return headers;
 }
 

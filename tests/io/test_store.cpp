@@ -314,7 +314,7 @@ void TestStore::sliceBeyondTheMemoryAllowed() {
   writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
   (void)packed(paramsOf("a.png"), displayOf(size));
   LightFieldStore store("store.tif");
-  const auto all = [] { return allOf(size); };
+  const std::function<Footprint()> all = [&] { return allOf(size); };
   allowMemory(1000);
   const QString error = errorOf([&] { (void)store.slice(all, {}); });
   allowMemory(0);

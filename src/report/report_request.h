@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a report is asked for, who follows it, and what it gives.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/metrics/report_rows.h"
+#include "core/metrics/summary.h"
+#include "io/files/system_limits.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+/// A test light field: its name in the report, and it in the place of the session's own.
+struct ReportTest {
+  std::string name;
+  Session session;
+  LightFieldSize size;
+};
+
+struct ReportRequest {
+  std::string name;         ///< of the session, in the page's heading
+  std::string sessionFile;  ///< empty where the session is not what a file holds
+  Session session;          ///< its states are rendered; its tolerance is left aside
+  std::vector<ReportTest> tests;
+  std::vector<RateGroup> groups;
+  std::string output;                    ///< the folder, made if missing
+  std::string command;                   ///< how the report was asked for, for its page
+  bool images = false;                   ///< keep every picture, too
+  std::size_t memory = allowedMemory();  ///< bytes for light fields, besides the pictures
+  std::optional<Scene> reference{};      ///< the session's light field, if it is in memory already
+};
+
+/// Who follows the run. Each may be empty; all are called from several threads, one at a time.
+struct ReportListener {
+  Progress progress;
+  std::function<void(const Scene&)> loaded;
+  /// Row `index` is finished; rows are in the order of the states, then of the tests.
+  std::function<void(std::size_t index, const ReportRow& row)> finished;
+};
+
+struct Report {
+  std::vector<ReportRow> rows;
+  std::vector<TestSummary> summaries;
+  std::vector<BdRow> comparisons;
+  std::size_t taken = 0;         ///< rows of an earlier run
+  bool replacedAnother = false;  ///< the folder had the journal of another, unfinished report
+  double rendering = 0;          ///< seconds of all threads
+  double metrics = 0;            ///< the same
+  double pictures = 0;           ///< the same: compressing and writing
+};
+
+}  // namespace hogelscope
