@@ -75,4 +75,18 @@ std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows) {
   return pick(rows, fastestOf(rows, mostAccurateOf(rows, all)));
 }
 
+std::vector<Purpose> purposesOf(const std::vector<TradeoffRow>& rows, std::size_t row) {
+  std::vector<Purpose> purposes;
+  if (forMovingView(rows) == row) purposes.push_back(Purpose::movingView);
+  if (forPaper(rows) == row) purposes.push_back(Purpose::paper);
+  if (rows[row].isDefault && isMeasured(rows[row])) purposes.push_back(Purpose::standard);
+  return purposes;
+}
+
+const char* words(Purpose purpose) {
+  if (purpose == Purpose::movingView) return "for a moving view";
+  if (purpose == Purpose::paper) return "for a paper";
+  return "default";
+}
+
 }  // namespace hogelscope

@@ -28,4 +28,9 @@ std::optional<std::size_t> forMovingView(const std::vector<TradeoffRow>& rows);
 /// The least error, and the fastest with that error.
 std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows);
 
+enum class Purpose { movingView, paper, standard };
+/// The purposes that a row is the answer to.
+std::vector<Purpose> purposesOf(const std::vector<TradeoffRow>& rows, std::size_t row);
+const char* words(Purpose purpose);
+
 }  // namespace hogelscope

@@ -27,20 +27,24 @@ struct Guide {
 constexpr std::array guidesOfViews{Guide{movingViewMilliseconds, "60 views/s", Qt::AlignRight},
                                    Guide{1000.0 / 30, "30 views/s", Qt::AlignLeft}};
 
+/// Of logarithms to the base 10.
 struct Range {
-  double least = 0;
-  double most = 0;  ///< 0: nothing yet
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
 
-  void take(double value) {
-    least = most > 0 ? std::min(least, value) : value;
-    most = std::max(most, value);
+  void add(double value) {
+    least = std::min(least, std::log10(value));
+    most = std::max(most, std::log10(value));
   }
-  /// Room beyond both ends, as shares of the range: no marker lies on the frame.
-  Range widened(double before, double behind) const {
-    using Limits = std::numeric_limits<double>;
-    const double decades = std::max(1.0, std::log10(most) - std::log10(least));
-    return {std::max(least / std::pow(10.0, before * decades), Limits::min()),
-            std::min(most * std::pow(10.0, behind * decades), Limits::max())};
+  /// A decade at least, so that ticks tell, with room beyond both ends: no marker lies on the
+  /// frame.
+  Axis axis(double from, double to) const {
+    constexpr double margin = 0.06;
+    if (least > most) return {0, 2, from, to};
+    const double decades = std::max(1 - 2 * margin, most - least);
+    const double middle = (least + most) / 2;
+    const double half = (0.5 + margin) * decades;
+    return {std::max(middle - half, -307.0), std::min(middle + half, 308.0), from, to};
   }
 };
 
@@ -66,39 +70,42 @@ QFont sized(QFont font, double size, bool isBold) {
 }
 
 TradeoffAxes::TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& size)
-    : m_size(size), m_em(std::clamp(size.width() / 64, 11.0, 16.0)) {
+    : m_size(size), m_em(std::clamp(size.width() / 44, 11.0, 16.0)) {
   Range times;
   Range errors;
-  int zeros = 0;
+  bool hasZeros = false;
   for (const TradeoffRow& row : rows) {
     if (!isMeasured(row)) continue;
-    times.take(row.milliseconds);
-    if (row.rmse > 0) errors.take(row.rmse);
-    zeros += row.rmse == 0 ? 1 : 0;
+    times.add(row.milliseconds);
+    if (row.rmse > 0) errors.add(row.rmse);
+    hasZeros = hasZeros || row.rmse == 0;
   }
-  if (times.most == 0) times = {1, 100};
-  if (errors.most == 0) errors = {0.1, 10};
   // Whether a view moves smoothly is seen where its limit is seen.
-  if (times.most > movingViewMilliseconds / 10) times.take(movingViewMilliseconds);
+  if (times.most > std::log10(movingViewMilliseconds / 10)) times.add(movingViewMilliseconds);
 
   m_plot = QRectF({0, 0}, size).adjusted(5.2 * m_em, 4.7 * m_em, -4 * m_em, -3.6 * m_em);
   m_plot.setSize(m_plot.size().expandedTo({1, 1}));  // however small the chart
-  if (zeros > 0) {
+  if (hasZeros) {
     const double gap = std::min(0.5 * m_em, 0.1 * m_plot.height());
-    const double height = std::min((4.5 + 0.6 * zeros) * m_em, 0.5 * m_plot.height());
+    const double height = std::min(5.5 * m_em, 0.5 * m_plot.height());
     m_zero = m_plot.adjusted(0, m_plot.height() - height, 0, 0);
     m_plot.setBottom(m_zero.top() - gap);
   }
-  times = times.widened(0.05, 0.05);
-  errors = errors.widened(0.06, 0.11);  // the fastest want their names above them
-  m_times = LogAxis(times.least, times.most, m_plot.left(), m_plot.right());
-  m_errors = LogAxis(errors.least, errors.most, m_plot.bottom(), m_plot.top());
+  m_times = times.axis(m_plot.left(), m_plot.right());
+  m_errors = errors.axis(m_plot.bottom(), m_plot.top());
+}
+
+double TradeoffAxes::x(double milliseconds) const {
+  return m_times.at(std::log10(milliseconds));
+}
+
+double TradeoffAxes::y(double rmse) const {
+  return m_errors.at(std::log10(rmse));
 }
 
 std::optional<QPointF> TradeoffAxes::place(const TradeoffRow& row) const {
   if (!isMeasured(row)) return std::nullopt;
-  const double y = row.rmse > 0 ? m_errors.place(row.rmse) : m_zero.center().y();
-  return QPointF(m_times.place(row.milliseconds), y);
+  return QPointF(x(row.milliseconds), row.rmse > 0 ? y(row.rmse) : m_zero.center().y());
 }
 
 std::vector<QRectF> TradeoffAxes::areas() const {
@@ -110,8 +117,9 @@ std::vector<QLineF> TradeoffAxes::guides() const {
   std::vector<QLineF> lines;
   const double bottom = areas().back().bottom();
   for (const Guide& guide : guidesOfViews) {
-    const double x = m_times.place(guide.milliseconds);
-    if (m_times.holds(guide.milliseconds)) lines.emplace_back(x, m_plot.top(), x, bottom);
+    const double at = x(guide.milliseconds);
+    if (at >= m_plot.left() && at <= m_plot.right())
+      lines.emplace_back(at, m_plot.top(), at, bottom);
   }
   return lines;
 }
@@ -120,8 +128,9 @@ QRectF TradeoffAxes::zeroCaption(const QFont& font) const {
   if (m_zero.isEmpty()) return {};
   const QFontMetricsF metrics(sized(font, 0.9 * m_em));
   const double width = metrics.horizontalAdvance(zeroText);
-  // On the right, where it is slow: nobody's choice lies there.
-  return {m_zero.right() - 0.5 * m_em - width, m_zero.top() + 0.2 * m_em, width, metrics.height()};
+  // The Pareto front comes from above and ends half way down.
+  return {m_zero.right() - 0.5 * m_em - width, m_zero.bottom() - 0.2 * m_em - metrics.height(),
+          width, metrics.height()};
 }
 
 void TradeoffAxes::paint(QPainter& painter, const QString& title) const {
@@ -141,10 +150,9 @@ void TradeoffAxes::paint(QPainter& painter, const QString& title) const {
 }
 
 void TradeoffAxes::paintGround(QPainter& painter, const QRectF& box) const {
-  const double limit = m_times.place(movingViewMilliseconds);
   QRectF smooth = box;
   QRectF slow = box;
-  smooth.setRight(std::clamp(limit, box.left(), box.right()));
+  smooth.setRight(std::clamp(x(movingViewMilliseconds), box.left(), box.right()));
   slow.setLeft(smooth.right());
   painter.fillRect(smooth, smoothArea);
   painter.fillRect(slow, Qt::white);
@@ -160,59 +168,58 @@ void TradeoffAxes::paintGuides(QPainter& painter) const {
   painter.setPen(QPen(ink, 1, Qt::DashLine));
   for (const QLineF& line : guides()) painter.drawLine(line);
   for (const Guide& guide : guidesOfViews) {
-    if (!m_times.holds(guide.milliseconds)) continue;
+    const double at = x(guide.milliseconds);
+    if (at < m_plot.left() || at > m_plot.right()) continue;
     QRectF box(0, m_plot.top() - 1.4 * m_em, 8 * m_em, 1.2 * m_em);
-    const double x = m_times.place(guide.milliseconds);
     const double width = QFontMetricsF(painter.font()).horizontalAdvance(guide.caption);
     if (guide.side == Qt::AlignRight)
-      box.moveRight(x + 0.1 * m_em);
+      box.moveRight(at + 0.1 * m_em);
     else
-      box.moveLeft(std::min(x, m_size.width() - width) - 0.1 * m_em);
+      box.moveLeft(std::min(at, m_size.width() - width) - 0.1 * m_em);
     text(painter, box, guide.side | Qt::AlignVCenter, guide.caption);
   }
 }
 
 void TradeoffAxes::paintTimes(QPainter& painter) const {
   const double bottom = areas().back().bottom();
-  for (const Tick& tick : m_times.ticks(3.2 * m_em)) {
-    const double x = tick.place;
+  for (const Tick& tick : logarithmicTicks(m_times, 3.2 * m_em)) {
+    const double at = x(tick.value);
+    const bool isMinor = tick.text.empty();
     painter.setPen(QPen(faint, 1));
-    if (tick.isLabelled)
-      for (const QRectF& area : areas()) painter.drawLine(QLineF(x, area.top(), x, area.bottom()));
+    for (const QRectF& area : areas())
+      if (!isMinor) painter.drawLine(QLineF(at, area.top(), at, area.bottom()));
     painter.setPen(QPen(ink, 1));
-    painter.drawLine(QLineF(x, bottom, x, bottom + (tick.isLabelled ? 6 : 3)));
-    if (tick.isLabelled)
-      text(painter, {x - 50, bottom + 7, 100, 1.2 * m_em}, Qt::AlignHCenter | Qt::AlignTop,
-           QString::number(tick.value, 'g', 4));
+    painter.drawLine(QLineF(at, bottom, at, bottom + (isMinor ? 3 : 6)));
+    text(painter, {at - 50, bottom + 7, 100, 1.2 * m_em}, Qt::AlignHCenter | Qt::AlignTop,
+         QString::fromStdString(tick.text));
   }
 }
 
 void TradeoffAxes::paintErrors(QPainter& painter) const {
-  for (const Tick& tick : m_errors.ticks(2.2 * m_em)) {
-    const double y = tick.place;
+  for (const Tick& tick : logarithmicTicks(m_errors, 2.2 * m_em)) {
+    const double at = y(tick.value);
+    const bool isMinor = tick.text.empty();
     painter.setPen(QPen(faint, 1));
-    if (tick.isLabelled) painter.drawLine(QLineF(m_plot.left(), y, m_plot.right(), y));
+    if (!isMinor) painter.drawLine(QLineF(m_plot.left(), at, m_plot.right(), at));
     painter.setPen(QPen(ink, 1));
-    painter.drawLine(QLineF(m_plot.left() - (tick.isLabelled ? 6 : 3), y, m_plot.left(), y));
-    if (tick.isLabelled)
-      text(painter, {m_plot.left() - 108, y - 10, 100, 20}, Qt::AlignRight | Qt::AlignVCenter,
-           QString::number(tick.value, 'g', 4));
+    painter.drawLine(QLineF(m_plot.left() - (isMinor ? 3 : 6), at, m_plot.left(), at));
+    text(painter, {m_plot.left() - 108, at - 10, 100, 20}, Qt::AlignRight | Qt::AlignVCenter,
+         QString::fromStdString(tick.text));
   }
 }
 
 /// PSNR = 20 log10(255 / RMS error): the same axis, read in dB.
 void TradeoffAxes::paintPsnr(QPainter& painter) const {
   const double logCodeValues = std::log10(255.0);
-  const double least = 20 * (logCodeValues - m_errors.mostLog());
-  const double most = 20 * (logCodeValues - m_errors.leastLog());
-  int step = 5;
-  while (step * m_plot.height() / (most - least) < 2.5 * m_em && step < most - least) step *= 2;
+  const Axis decibels{20 * (logCodeValues - m_errors.high), 20 * (logCodeValues - m_errors.low),
+                      m_plot.top(), m_plot.bottom()};
   painter.setPen(QPen(ink, 1));
-  for (int k = static_cast<int>(std::ceil(least / step)); k * step <= most; ++k) {
-    const double y = m_errors.place(std::pow(10.0, logCodeValues - k * step / 20.0));
-    painter.drawLine(QLineF(m_plot.right(), y, m_plot.right() + 6, y));
-    text(painter, {m_plot.right() + 8, y - 10, 100, 20}, Qt::AlignLeft | Qt::AlignVCenter,
-         QString::number(k * step));
+  const int most = std::max(1, static_cast<int>(m_plot.height() / (2.5 * m_em)));
+  for (const Tick& tick : linearTicks(decibels, most)) {
+    const double at = decibels.at(tick.value);
+    painter.drawLine(QLineF(m_plot.right(), at, m_plot.right() + 6, at));
+    text(painter, {m_plot.right() + 8, at - 10, 100, 20}, Qt::AlignLeft | Qt::AlignVCenter,
+         QString::fromStdString(tick.text));
   }
 }
 

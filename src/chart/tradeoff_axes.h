@@ -10,21 +10,21 @@
 #include <optional>
 #include <vector>
 
-#include "chart/log_axis.h"
+#include "core/base/axis.h"
 #include "study/tradeoff_row.h"
 
 namespace hogelscope {
 
 class TradeoffAxes {
  public:
-  /// For a chart of `size`, points, whose axes hold all measured rows.
+  /// For a plot of `size` in points, legend excluded, whose axes hold all measured rows.
   TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& size);
 
   /// The row's point; none for a row without a time or an error.
   std::optional<QPointF> place(const TradeoffRow& row) const;
   /// The size of the text, points.
   double em() const { return m_em; }
-  /// Parts of the plot that labels may use: above the band of zeros, and the band.
+  /// The parts of the plot: above the band of zeros, and the band.
   std::vector<QRectF> areas() const;
   /// The lines at 60 and 30 views per second, as far as the time axis reaches.
   std::vector<QLineF> guides() const;
@@ -32,10 +32,11 @@ class TradeoffAxes {
   QRectF zeroCaption(const QFont& font) const;
 
   void paint(QPainter& painter, const QString& title) const;
-  /// The plot's ground alone: what lies under a label.
-  void paintGround(QPainter& painter, const QRectF& box) const;
 
  private:
+  double x(double milliseconds) const;
+  double y(double rmse) const;  ///< > 0
+  void paintGround(QPainter& painter, const QRectF& box) const;
   void paintFrames(QPainter& painter) const;
   void paintGuides(QPainter& painter) const;
   void paintTimes(QPainter& painter) const;
@@ -48,8 +49,8 @@ class TradeoffAxes {
   double m_em;
   QRectF m_plot;  ///< of errors > 0
   QRectF m_zero;  ///< of errors 0; empty where there are none
-  LogAxis m_times{1, 10, 0, 1};
-  LogAxis m_errors{1, 10, 0, 1};
+  Axis m_times;   ///< of log10
+  Axis m_errors;  ///< of log10
 };
 
 /// `font` at a size in points of the chart.

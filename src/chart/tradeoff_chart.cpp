@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "chart/recommendations.h"
+#include "chart/tradeoff_numbers.h"
 
 namespace hogelscope {
 
@@ -29,6 +30,12 @@ void text(QPainter& painter, const QRectF& box, int flags, const QString& words)
   painter.drawText(box, flags | Qt::TextSingleLine | Qt::TextDontClip | Qt::AlignVCenter, words);
 }
 
+/// The right part of the chart; empty where nothing is measured.
+QRectF legendArea(const std::vector<TradeoffRow>& rows, const QSizeF& size) {
+  const double width = std::ranges::any_of(rows, isMeasured) ? 0.36 * size.width() : 0;
+  return {size.width() - width, 0, width, size.height()};
+}
+
 void disc(QPainter& painter, const QPointF& centre, double radius) {
   painter.drawEllipse(centre, radius, radius);
 }
@@ -38,31 +45,36 @@ void disc(QPainter& painter, const QPointF& centre, double radius) {
 TradeoffChart::TradeoffChart(std::vector<TradeoffRow> rows, std::string question)
     : m_rows(std::move(rows)), m_question(std::move(question)) {}
 
+TradeoffAxes TradeoffChart::axes(const QSizeF& size) const {
+  return {m_rows, {size.width() - legendArea(m_rows, size).width(), size.height()}};
+}
+
+TradeoffLegend TradeoffChart::legend(const QSizeF& size, const QFont& font) const {
+  const double em = axes(size).em();
+  const QRectF area = legendArea(m_rows, size).adjusted(0, 0.5 * em, -0.8 * em, -0.5 * em);
+  return legendOf(m_rows, area, font, 0.9 * em);
+}
+
 void TradeoffChart::paint(QPainter& painter, const QSizeF& size) const {
   painter.save();
-  const TradeoffAxes axes(m_rows, size);
-  const TradeoffLabels labels = labelsOf(m_rows, axes, painter.font());
+  const TradeoffAxes axes = this->axes(size);
   axes.paint(painter, QString::fromStdString(m_question));
-  paintLegend(painter, axes);
-  if (labels.labels.empty()) {
+  const TradeoffLegend legend = this->legend(size, painter.font());
+  if (legend.lines.empty()) {
     painter.setFont(sized(painter.font(), 1.25 * axes.em()));
     text(painter, axes.areas().front(), Qt::AlignHCenter, QStringLiteral("Nothing measured yet"));
+  } else {
+    paintKey(painter, axes);
+    paintFront(painter, axes);
+    paintMarkers(painter, axes);
+    paintNumbers(painter, axes);
+    paintLegend(painter, legend);
   }
-  painter.setPen(QPen(paleGrey, 0.8));
-  for (const TradeoffLabel& label : labels.labels)
-    if (label.leader) painter.drawLine(*label.leader);
-  paintFront(painter, axes);
-  for (const TradeoffLabel& label : labels.labels)
-    axes.paintGround(painter, label.box);  // lines pass behind names
-  paintMarkers(painter, axes);
-  painter.setFont(labels.font);
-  for (const TradeoffLabel& label : labels.labels)
-    label.purposes.empty() ? paintNames(painter, label) : paintCallout(painter, label);
   painter.restore();
 }
 
 std::optional<std::size_t> TradeoffChart::rowAt(const QPointF& place, const QSizeF& size) const {
-  const TradeoffAxes axes(m_rows, size);
+  const TradeoffAxes axes = this->axes(size);
   double nearest = 6;
   std::optional<std::size_t> found;
   for (std::size_t k = 0; k < m_rows.size(); ++k) {
@@ -77,28 +89,27 @@ std::optional<std::size_t> TradeoffChart::rowAt(const QPointF& place, const QSiz
 
 std::vector<QRectF> TradeoffChart::nameBoxes(const QSizeF& size, const QFont& font) const {
   std::vector<QRectF> boxes(m_rows.size());
-  for (const TradeoffLabel& label : labelsOf(m_rows, TradeoffAxes(m_rows, size), font).labels)
-    for (std::size_t k = 0; k < label.rows.size(); ++k)
-      boxes[label.rows[k]] = label.purposes.empty() ? label.line(k) : label.box;
+  for (const LegendLine& line : legend(size, font).lines)
+    if (!line.purpose) boxes[line.row] = line.box;
   return boxes;
 }
 
-void TradeoffChart::paintLegend(QPainter& painter, const TradeoffAxes& axes) const {
+void TradeoffChart::paintKey(QPainter& painter, const TradeoffAxes& axes) const {
   painter.save();
   painter.setFont(sized(painter.font(), 0.9 * axes.em()));
   const double em = axes.em();
   const double y = 2.7 * em;
   double x = 1.5 * em;
-  const auto entry = [&](const QColor& colour, double radius, const QString& words) {
+  const auto entry = [&](const QColor& colour, const QString& words) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    disc(painter, {x, y}, radius);
+    disc(painter, {x, y}, 0.27 * em);
     painter.setPen(colour);
     text(painter, {x + em, y - em, 300, 2 * em}, Qt::AlignLeft, words);
     x += QFontMetricsF(painter.font()).horizontalAdvance(words) + 3 * em;
   };
-  entry(ink, 4, QStringLiteral("no other is both faster and more accurate"));
-  entry(grey, 4, QStringLiteral("others"));
+  entry(ink, QStringLiteral("Pareto front"));
+  entry(grey, QStringLiteral("others"));
   painter.restore();
 }
 
@@ -115,67 +126,86 @@ void TradeoffChart::paintMarkers(QPainter& painter, const TradeoffAxes& axes) co
   for (int level = 0; level <= 3; ++level)
     for (std::size_t k = 0; k < m_rows.size(); ++k)
       if (const auto point = axes.place(m_rows[k]); point && importance(k) == level)
-        paintMarker(painter, *point, k);
+        paintMarker(painter, *point, axes.em(), k);
 }
 
-void TradeoffChart::paintMarker(QPainter& painter, const QPointF& point, std::size_t row) const {
+void TradeoffChart::paintMarker(QPainter& painter, const QPointF& point, double em,
+                                std::size_t row) const {
   const std::vector<Purpose> purposes = purposesOf(m_rows, row);
-  const double radius = markerRadius(purposes);
+  const double radius = em * markerRadius(m_rows, row);
   if (m_selected == row) {
-    painter.setPen(QPen(ink, 1));
+    painter.setPen(QPen(ink, 0.07 * em));
     painter.setBrush(highlight);
-    disc(painter, point, radius + 5);
+    disc(painter, point, radius + 0.2 * em);
   }
   const bool hasRing = m_rows[row].isDefault;
   if (hasRing) {
-    painter.setPen(QPen(ink, 2));
+    painter.setPen(QPen(ink, 0.13 * em));
     painter.setBrush(Qt::white);
-    disc(painter, point, radius - 1);
+    disc(painter, point, radius - 0.07 * em);
   }
-  painter.setPen(QPen(Qt::white, 1));
+  painter.setPen(QPen(Qt::white, 0.07 * em));
   painter.setBrush(!purposes.empty()      ? colourOf(purposes.front())
                    : m_rows[row].isPareto ? ink
                                           : grey);
-  disc(painter, point, hasRing ? radius - 3.5 : radius);
+  disc(painter, point, hasRing ? radius - 0.23 * em : radius);
 }
 
-void TradeoffChart::paintNames(QPainter& painter, const TradeoffLabel& label) const {
-  QFont font = painter.font();
-  const bool isRight = label.box.center().x() < label.point.x() - label.box.width() / 4;
-  for (std::size_t k = 0; k < label.rows.size(); ++k) {
-    const std::size_t row = label.rows[k];
-    if (m_selected == row) painter.fillRect(label.line(k), highlight);
-    font.setBold(m_rows[row].isPareto || m_selected == row);
-    painter.setFont(font);
-    painter.setPen(m_rows[row].isPareto || m_selected == row ? ink : grey);
-    text(painter, label.line(k), isRight ? Qt::AlignRight : Qt::AlignLeft,
-         QString::fromStdString(m_rows[row].method));
+void TradeoffChart::paintNumbers(QPainter& painter, const TradeoffAxes& axes) const {
+  painter.setFont(sized(painter.font(), std::max(9.0, 0.8 * axes.em()), true));
+  const std::vector<std::size_t> rows = numbered(m_rows);
+  for (const PointNumbers& group : numbersBesidePoints(m_rows, axes, painter.font())) {
+    const bool isOnFront = std::ranges::any_of(
+        group.numbers, [&](std::size_t number) { return m_rows[rows[number - 1]].isPareto; });
+    painter.setPen(QPen(paleGrey, 0.8));
+    if (group.leader) painter.drawLine(*group.leader);
+    painter.setPen(isOnFront ? ink : grey);
+    text(painter, group.box, Qt::AlignHCenter, textOf(group));
   }
 }
 
-void TradeoffChart::paintCallout(QPainter& painter, const TradeoffLabel& label) const {
-  const TradeoffRow& row = m_rows[label.rows.front()];
-  const QColor colour = colourOf(label.purposes.front());
-  QFont font = painter.font();
-  painter.save();
-  painter.setPen(QPen(colour, 2));
-  if (label.leader) painter.drawLine(*label.leader);
-  painter.setBrush(m_selected == label.rows.front() ? highlight : Qt::white);
-  painter.drawRect(label.box);
-  font.setBold(true);
-  painter.setFont(font);
-  std::size_t line = 0;
-  for (const Purpose purpose : label.purposes) {
-    painter.fillRect(label.line(line), colourOf(purpose));
+void TradeoffChart::paintLegend(QPainter& painter, const TradeoffLegend& legend) const {
+  const double height = legend.lines.front().box.height();
+  painter.setFont(legend.font);
+  painter.setPen(grey);
+  QRectF head = legend.lines.front().box.translated(0, -height);
+  text(painter, head.adjusted(legend.name, 0, 0, 0), Qt::AlignLeft, QStringLiteral("method"));
+  if (legend.timeEnd > 0) {
+    text(painter, head, Qt::AlignRight, QStringLiteral("error"));
+    head.setWidth(legend.timeEnd);
+    text(painter, head, Qt::AlignRight, QStringLiteral("ms"));
+  }
+  std::size_t number = 0;
+  for (const auto& [row, purpose, box] : legend.lines) {
+    if (!purpose) {
+      paintLegendRow(painter, legend, box, row, ++number);
+      continue;
+    }
+    const QRectF band = box.adjusted(legend.name, 1, 0, -1);
+    painter.fillRect(band, colourOf(*purpose));
     painter.setPen(Qt::white);
-    text(painter, label.line(line++), Qt::AlignHCenter, words(purpose));
+    painter.setFont(sized(legend.font, legend.font.pixelSize(), true));
+    text(painter, band, Qt::AlignHCenter, words(*purpose));
   }
-  painter.setPen(ink);
-  text(painter, label.line(line++), Qt::AlignHCenter, QString::fromStdString(row.method));
-  font.setBold(false);
-  painter.setFont(font);
-  text(painter, label.line(line), Qt::AlignHCenter, figures(row));
-  painter.restore();
+}
+
+void TradeoffChart::paintLegendRow(QPainter& painter, const TradeoffLegend& legend,
+                                   const QRectF& box, std::size_t row, std::size_t number) const {
+  const double height = box.height();
+  const bool isStrong = m_rows[row].isPareto || m_selected == row;
+  if (m_selected == row) painter.fillRect(box, highlight);
+  paintMarker(painter, {box.left() + 0.5 * height, box.center().y()}, 0.8 * height, row);
+  painter.setPen(isStrong ? ink : grey);
+  painter.setFont(sized(legend.font, legend.font.pixelSize(), isStrong));
+  text(painter, {box.left(), box.top(), legend.numberEnd, height}, Qt::AlignRight,
+       QString::number(number));
+  text(painter, box.adjusted(legend.name, 0, 0, 0), Qt::AlignLeft,
+       QString::fromStdString(m_rows[row].method));
+  if (legend.timeEnd == 0) return;
+  painter.setFont(legend.font);
+  text(painter, box, Qt::AlignRight, figureText(m_rows[row].rmse));
+  text(painter, {box.left(), box.top(), legend.timeEnd, height}, Qt::AlignRight,
+       figureText(m_rows[row].milliseconds));
 }
 
 }  // namespace hogelscope

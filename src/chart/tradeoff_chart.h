@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "chart/tradeoff_axes.h"
-#include "chart/tradeoff_labels.h"
+#include "chart/tradeoff_legend.h"
 #include "study/tradeoff_row.h"
 
 namespace hogelscope {
@@ -28,20 +28,25 @@ class TradeoffChart {
 
   /// The row whose point lies within a few points of `place` on a chart of `size`.
   std::optional<std::size_t> rowAt(const QPointF& place, const QSizeF& size) const;
-  /// Where each row's name stands; empty where it doesn't.
+  /// Each row's line in the legend; empty for a row that is not measured.
   std::vector<QRectF> nameBoxes(const QSizeF& size, const QFont& font) const;
+  /// The axes of a chart of `size`, left of the legend.
+  TradeoffAxes axes(const QSizeF& size) const;
 
   /// Highlights a row.
   void select(std::optional<std::size_t> row) { m_selected = row; }
   const std::vector<TradeoffRow>& rows() const { return m_rows; }
 
  private:
-  void paintLegend(QPainter& painter, const TradeoffAxes& axes) const;
+  TradeoffLegend legend(const QSizeF& size, const QFont& font) const;
+  void paintKey(QPainter& painter, const TradeoffAxes& axes) const;
   void paintFront(QPainter& painter, const TradeoffAxes& axes) const;
   void paintMarkers(QPainter& painter, const TradeoffAxes& axes) const;
-  void paintMarker(QPainter& painter, const QPointF& point, std::size_t row) const;
-  void paintNames(QPainter& painter, const TradeoffLabel& label) const;
-  void paintCallout(QPainter& painter, const TradeoffLabel& label) const;
+  void paintMarker(QPainter& painter, const QPointF& point, double em, std::size_t row) const;
+  void paintNumbers(QPainter& painter, const TradeoffAxes& axes) const;
+  void paintLegend(QPainter& painter, const TradeoffLegend& legend) const;
+  void paintLegendRow(QPainter& painter, const TradeoffLegend& legend, const QRectF& box,
+                      std::size_t row, std::size_t number) const;
 
   std::vector<TradeoffRow> m_rows;
   std::string m_question;

@@ -9,7 +9,8 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/base/axis.h"
 
 vtkStandardNewMacro(vtkScaleBarSource);
 
@@ -30,11 +31,7 @@ void vtkScaleBarSource::SetDisplay(const hogelscope::DisplayParams& display)
 
 double vtkScaleBarSource::GetLength() const
 {
-  const double longest = this->Display.size[0] / 2;
-  const double decade = std::pow(10, std::floor(std::log10(longest)));
-  // A rounding error more, so that half of 0.2 m is 0.1 m.
-  const double share = longest / decade * (1 + 1e-12);
-  return decade * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
+  return hogelscope::roundedDown(this->Display.size[0] / 2);
 }
 
 hogelscope::Vec3 vtkScaleBarSource::At(double along, double down) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the chart of speed against accuracy: nothing covers anything, points lie where axes say.
+// Tests the chart of speed against accuracy: numbers cover nothing, points lie where axes say.
 #include <QFontMetricsF>
 #include <QImage>
 #include <QRegularExpression>
@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "chart/painting.h"
 #include "chart/recommendations.h"
 #include "chart/tradeoff_chart.h"
+#include "chart/tradeoff_numbers.h"
 #include "tests/chart/sample_rows.h"
 #include "tests/core/random.h"
 
@@ -88,12 +90,14 @@ class TestTradeoffChart : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void labelsCoverNothing_data();
-  void labelsCoverNothing();
+  void numbersCoverNothing_data();
+  void numbersCoverNothing();
+  void legendIsSorted_data() { numbersCoverNothing_data(); }
+  void legendIsSorted();
   void pointsLieOnALogarithmicScale();
   void ticksAgreeWithPoints();
   void everyPointIsFound();
-  void equalPointsShareAMarker();
+  void nearPointsShareABox();
   void zeroLiesBelowAllOthers();
   void recommendationsAreWritten();
   void svgNamesEveryMethod();
@@ -104,7 +108,7 @@ class TestTradeoffChart : public QObject {
   void oddRows();
 };
 
-void TestTradeoffChart::labelsCoverNothing_data() {
+void TestTradeoffChart::numbersCoverNothing_data() {
   QTest::addColumn<QSize>("size");
   QTest::addColumn<std::vector<TradeoffRow>>("rows");
   for (const QSize& size : {QSize(900, 640), QSize(600, 450)}) {
@@ -117,27 +121,50 @@ void TestTradeoffChart::labelsCoverNothing_data() {
   }
 }
 
-void TestTradeoffChart::labelsCoverNothing() {
+void TestTradeoffChart::numbersCoverNothing() {
+  QFETCH(QSize, size);
+  QFETCH(std::vector<TradeoffRow>, rows);
+  const TradeoffAxes axes = TradeoffChart(rows, "Error").axes(size);
+  const QFont font = sized(chartFont(), 0.8 * axes.em(), true);
+  std::set<std::size_t> seen;
+  std::vector<QRectF> boxes;
+  for (const PointNumbers& group : numbersBesidePoints(rows, axes, font)) {
+    seen.insert(group.numbers.begin(), group.numbers.end());
+    const QString text = textOf(group);
+    QVERIFY(group.box.width() >= QFontMetricsF(font).horizontalAdvance(text));
+    const auto holds = [&](const QRectF& area) { return area.contains(group.box); };
+    QCOMPARE(std::ranges::count_if(axes.areas(), holds), 1);
+    const auto covers = [&](const QRectF& other) { return other.intersects(group.box); };
+    QVERIFY2(std::ranges::none_of(boxes, covers), qPrintable(text));
+    QVERIFY2(!axes.zeroCaption(font).intersects(group.box), qPrintable(text));
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const double radius = 0.9 * axes.em() * markerRadius(rows, k);
+      const QPointF reach(radius, radius);
+      const QPointF point = *axes.place(rows[k]);
+      QVERIFY2(!covers({point - reach, point + reach}), qPrintable(text));
+    }
+    boxes.push_back(group.box);
+  }
+  QCOMPARE(seen.size(), rows.size());
+}
+
+/// One line for each method from fast to slow, right of the plot, and none covers another.
+void TestTradeoffChart::legendIsSorted() {
   QFETCH(QSize, size);
   QFETCH(std::vector<TradeoffRow>, rows);
   const TradeoffChart chart(rows, "Error");
-  const TradeoffAxes axes(rows, size);
   const std::vector<QRectF> boxes = chart.nameBoxes(size, chartFont());
   QCOMPARE(boxes.size(), rows.size());
-  for (std::size_t a = 0; a < rows.size(); ++a) {
-    QVERIFY2(!boxes[a].isEmpty(), rows[a].method.c_str());
-    int inside = 0;
-    for (const QRectF& area : axes.areas()) inside += area.contains(boxes[a]) ? 1 : 0;
-    QCOMPARE(inside, 1);
-    for (std::size_t b = 0; b < rows.size(); ++b) {
-      const QString pair = QString::fromStdString(rows[a].method + " and " + rows[b].method);
-      // Lines of one stack touch.
-      const QRectF box = boxes[a].adjusted(0.01, 0.01, -0.01, -0.01);
-      QVERIFY2(a == b || !box.intersects(boxes[b]), qPrintable(pair));
-      const QPointF reach(4, 4);
-      const QPointF point = *axes.place(rows[b]);
-      QVERIFY2(!box.intersects(QRectF(point - reach, point + reach)), qPrintable(pair));
-    }
+  const double plotEnd = chart.axes(size).areas().front().right();
+  const TradeoffRow* before = nullptr;
+  double bottom = 0;
+  for (const std::size_t row : numbered(rows)) {
+    const QRectF& box = boxes[row];
+    QVERIFY(box.height() > 6 && box.top() > bottom - 1e-6);
+    QVERIFY(box.left() > plotEnd && QRectF({0, 0}, size).contains(box));
+    QVERIFY(before == nullptr || before->milliseconds <= rows[row].milliseconds);
+    before = &rows[row];
+    bottom = box.bottom();
   }
 }
 
@@ -162,7 +189,7 @@ void TestTradeoffChart::ticksAgreeWithPoints() {
   const Rows rows = rowsOf({{"a", 1, 0.01}, {"b", 100, 8.0638}});
   const std::string svg = chartSvg(rows, size);
   const TradeoffChart chart(rows, "Error");
-  const double em = TradeoffAxes(rows, size).em();
+  const double em = chart.axes(size).em();
   const QFontMetricsF metrics(sized(chartFont(), 0.9 * em));
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const QPointF point = *centreOf(chart, k, size);
@@ -180,7 +207,7 @@ void TestTradeoffChart::everyPointIsFound() {
   const QSizeF size(900, 640);
   const Rows rows = sampleRows();
   const TradeoffChart chart(rows, "Error");
-  const TradeoffAxes axes(rows, size);
+  const TradeoffAxes axes = chart.axes(size);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::optional<std::size_t> found = chart.rowAt(*axes.place(rows[k]), size);
     QVERIFY(found.has_value());
@@ -190,7 +217,7 @@ void TestTradeoffChart::everyPointIsFound() {
   QVERIFY(!chart.rowAt({450, 5}, size).has_value());
 }
 
-void TestTradeoffChart::equalPointsShareAMarker() {
+void TestTradeoffChart::nearPointsShareABox() {
   Rows rows;
   for (int k = 0; k < 4; ++k)
     rows.push_back(rowsOf({{("method " + std::to_string(k)).c_str(), 10, 1}}).front());
@@ -199,13 +226,13 @@ void TestTradeoffChart::equalPointsShareAMarker() {
   markPareto(rows);
   const QSizeF size(600, 450);
   const TradeoffChart chart(rows, "Error");
-  const std::vector<QRectF> boxes = chart.nameBoxes(size, chartFont());
-  QCOMPARE(chart.rowAt(*TradeoffAxes(rows, size).place(rows[2]), size),
-           std::optional<std::size_t>(0));
-  for (std::size_t k = 1; k < 4; ++k) {
-    QCOMPARE(boxes[k].left(), boxes[0].left());
-    QVERIFY(std::abs(boxes[k].top() - boxes[k - 1].bottom()) < 1e-6);
-  }
+  QCOMPARE(chart.rowAt(*chart.axes(size).place(rows[2]), size), std::optional<std::size_t>(0));
+  QStringList texts;
+  for (const PointNumbers& group : numbersBesidePoints(rows, chart.axes(size), chartFont()))
+    texts += textOf(group);
+  QCOMPARE(texts, (QStringList{"2–5", "1", "6"}));
+  QCOMPARE(textOf({{1, 2, 4, 5, 6, 9, 11, 12, 13, 14}, {}, {}, {}}),
+           QString("1, 2, 4–6, 9, 11–14"));
 }
 
 void TestTradeoffChart::zeroLiesBelowAllOthers() {
@@ -252,12 +279,12 @@ void TestTradeoffChart::selectionShows() {
   chart.select(12);
   const std::string chosen = pngOf(paintOf(chart), {600, 450});
   const QImage picture = QImage::fromData(QByteArray::fromStdString(chosen));
-  const QPointF point = *TradeoffAxes(chart.rows(), QSizeF(600, 450)).place(chart.rows()[12]);
+  const QPointF point = *chart.axes(QSizeF(600, 450)).place(chart.rows()[12]);
   const auto isYellow = [&](const QPointF& place) {
     const QColor colour = picture.pixelColor((2 * place).toPoint());
     return colour.red() > 200 && colour.green() > 200 && colour.blue() < 120;
   };
-  QVERIFY(isYellow(point + QPointF(0, 6)) && isYellow(point - QPointF(0, 6)));
+  QVERIFY(isYellow(point + QPointF(0, 4)) && isYellow(point - QPointF(0, 4)));
   QVERIFY(!isYellow(point));
   chart.select(std::nullopt);
   QCOMPARE(pngOf(paintOf(chart), {600, 450}), plain);

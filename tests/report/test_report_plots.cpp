@@ -98,8 +98,6 @@ class TestReportPlots : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void ticks_data();
-  void ticks();
   void circlesFollowTheEyes();
   void displayFrame();
   void colours();
@@ -112,29 +110,6 @@ class TestReportPlots : public QObject {
   void nothingToPlot();
   void namesAreEscaped();
 };
-
-void TestReportPlots::ticks_data() {
-  QTest::addColumn<double>("low");
-  QTest::addColumn<double>("high");
-  QTest::addColumn<QString>("texts");
-  QTest::newRow("whole") << -0.4 << 10.2 << "0 2 4 6 8 10";
-  QTest::newRow("small") << -0.25 << 0.25 << "-0.2 -0.1 0.0 0.1 0.2";
-  QTest::newRow("large") << 0.0 << 4e6 << "0 1000000 2000000 3000000 4000000";
-  QTest::newRow("ends count") << 20.0 << 21.0 << "20.0 20.2 20.4 20.6 20.8 21.0";
-  QTest::newRow("fine") << 0.001 << 0.0019 << "0.0010 0.0012 0.0014 0.0016 0.0018";
-}
-
-void TestReportPlots::ticks() {
-  QFETCH(const double, low);
-  QFETCH(const double, high);
-  QFETCH(const QString, texts);
-  QStringList found;
-  for (const PlotTick& tick : ticksOf({low, high, 0, 1}, 6)) {
-    found.push_back(QString::fromStdString(tick.text));
-    QVERIFY(std::abs(tick.value - found.last().toDouble()) < 1e-9);
-  }
-  QCOMPARE(found.join(' '), texts);
-}
 
 /// From above x goes right and z down, from the front y goes up, at one scale; the panel too.
 void TestReportPlots::circlesFollowTheEyes() {

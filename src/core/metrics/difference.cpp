@@ -25,20 +25,22 @@ int gainFor(const std::array<std::size_t, 256>& counts) {
 
 }  // namespace
 
+void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, int gain,
+                     std::span<std::uint8_t> result) {
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = static_cast<std::uint8_t>(std::min(gain * std::abs(a[k] - b[k]), 255));
+}
+
 DifferencePicture differencePicture(const Image& reference, const Image& test) {
   if (reference.width != test.width || reference.height != test.height)
     throw std::invalid_argument("differencePicture: pictures of different sizes");
   DifferencePicture result{Image(reference.width, reference.height)};
   Image& image = result.image;
+  writeDifference(reference.rgb, test.rgb, 1, image.rgb);
   std::array<std::size_t, 256> counts{};
-  for (std::size_t k = 0; k < image.rgb.size(); ++k) {
-    const int difference = std::abs(reference.rgb[k] - test.rgb[k]);
-    image.rgb[k] = static_cast<std::uint8_t>(difference);
-    ++counts[static_cast<std::size_t>(difference)];
-  }
+  for (const std::uint8_t value : image.rgb) ++counts[value];
   result.gain = gainFor(counts);
-  for (std::uint8_t& value : image.rgb)
-    value = static_cast<std::uint8_t>(std::min(255, value * result.gain));
+  writeDifference(reference.rgb, test.rgb, result.gain, image.rgb);
   for (std::size_t k = 0; k < image.seen.size(); ++k)
     image.seen[k] = std::min(reference.seen[k], test.seen[k]);
   return result;

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The difference of two pictures as a picture, for the report's page.
+// The difference of two pictures as a picture.
 #pragma once
+
+#include <cstdint>
+#include <span>
 
 #include "core/optics/image.h"
 
 namespace hogelscope {
+
+/// Writes gain · |a − b|, limited to 255, for each value. All three have the same length.
+void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, int gain,
+                     std::span<std::uint8_t> result);
 
 struct DifferencePicture {
   Image image;   ///< gain · |reference − test|, each channel; seen where both are

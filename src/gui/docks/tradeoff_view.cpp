@@ -13,33 +13,25 @@
 namespace hogelscope {
 
 TradeoffChartWidget::TradeoffChartWidget(QWidget* parent) : QWidget(parent), m_chart({}, "") {
-  setMinimumSize(420, 260);
+  setMinimumSize(480, 320);  // so that the legend is readable
   setObjectName("tradeoffChart");
 }
 
 void TradeoffChartWidget::setChart(TradeoffChart chart) {
   m_chart = std::move(chart);
-  m_painted = {};
   update();
 }
 
 void TradeoffChartWidget::select(std::optional<std::size_t> row) {
   m_chart.select(row);
-  m_painted = {};
   update();
 }
 
 void TradeoffChartWidget::paintEvent(QPaintEvent*) {
-  const QSize pixels = size() * devicePixelRatio();
-  if (m_painted.size() != pixels) {
-    m_painted = QPixmap(pixels);
-    m_painted.setDevicePixelRatio(devicePixelRatio());
-    m_painted.fill(Qt::white);
-    QPainter painter(&m_painted);
-    painter.setRenderHint(QPainter::Antialiasing);
-    m_chart.paint(painter, QSizeF(size()));
-  }
-  QPainter(this).drawPixmap(0, 0, m_painted);
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), Qt::white);
+  m_chart.paint(painter, QSizeF(size()));
 }
 
 void TradeoffChartWidget::mousePressEvent(QMouseEvent* event) {

@@ -3,7 +3,6 @@
 // chooses its method.
 #pragma once
 
-#include <QPixmap>
 #include <QWidget>
 #include <optional>
 
@@ -36,7 +35,6 @@ class TradeoffChartWidget : public QWidget {
 
  private:
   TradeoffChart m_chart;
-  QPixmap m_painted;  ///< placing the labels takes a while
 };
 
 class TradeoffView : public QWidget {

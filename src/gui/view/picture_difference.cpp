@@ -2,8 +2,7 @@
 // The difference of two pictures, as the simulated view shows it.
 #include "gui/view/picture_difference.h"
 
-#include <algorithm>
-#include <cstdlib>
+#include "core/metrics/difference.h"
 
 namespace hogelscope {
 
@@ -11,11 +10,10 @@ QImage pictureDifference(const QImage& a, const QImage& b, int gain) {
   if (a.size() != b.size()) return {};
   QImage result = a.convertToFormat(QImage::Format_RGB888);
   const QImage other = b.convertToFormat(QImage::Format_RGB888);
+  const std::size_t values = 3 * static_cast<std::size_t>(result.width());
   for (int y = 0; y < result.height(); ++y) {
-    uchar* to = result.scanLine(y);
-    const uchar* from = other.constScanLine(y);
-    for (int k = 0; k < 3 * result.width(); ++k)
-      to[k] = static_cast<uchar>(std::min(gain * std::abs(to[k] - from[k]), 255));
+    const std::span row(result.scanLine(y), values);
+    writeDifference(row, {other.constScanLine(y), values}, gain, row);
   }
   return result;
 }

@@ -3,12 +3,11 @@
 #include "io/images/degradation.h"
 
 #include <charconv>
-#include <cmath>
-#include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/random_numbers.h"
 #include "core/optics/image.h"
 
 namespace hogelscope {
@@ -38,14 +37,8 @@ std::uint64_t mixed(std::uint64_t counter) {
   return z ^ z >> 31U;
 }
 
-double unit(std::uint64_t bits) {
-  return static_cast<double>(bits >> 11U) * 0x1p-53;
-}
-
-/// Box and Muller (1958).
 double normal(std::uint64_t counter) {
-  const double radius = std::sqrt(-2 * std::log(1 - unit(mixed(2 * counter))));
-  return radius * std::cos(2 * std::numbers::pi * unit(mixed(2 * counter + 1)));
+  return normalOf(unitOf(mixed(2 * counter)), unitOf(mixed(2 * counter + 1)));
 }
 
 void addNoise(double sigma, std::uint64_t start, std::span<std::uint8_t> band,

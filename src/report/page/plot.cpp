@@ -10,23 +10,6 @@
 
 namespace hogelscope {
 
-double tickStep(double range, int most) {
-  const double power = std::pow(10, std::floor(std::log10(range / most)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power * most >= range) return factor * power;
-  return 10 * power;
-}
-
-std::vector<PlotTick> ticksOf(const PlotAxis& axis, int most) {
-  const double step = tickStep(axis.high - axis.low, most);
-  const int digits = std::max(0, -int(std::floor(std::log10(step) + 1e-9)));
-  std::vector<PlotTick> ticks;
-  const double slack = 1e-6 * step;
-  for (double k = std::ceil((axis.low - slack) / step); k * step <= axis.high + slack; ++k)
-    ticks.push_back({k * step, rounded(k * step, digits)});
-  return ticks;
-}
-
 std::string coordinate(double value) {
   return rounded(value, 2);
 }
@@ -41,18 +24,18 @@ std::string svgLine(double x1, double y1, double x2, double y2, std::string_view
          coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" class=\"" + std::string(style) + "\"/>";
 }
 
-std::string plotFrame(const PlotAxis& across, const PlotAxis& up, const std::string& titleAcross,
+std::string plotFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
                       const std::string& titleUp) {
   const double left = std::min(across.from, across.to);
   const double right = std::max(across.from, across.to);
   const double top = std::min(up.from, up.to);
   const double bottom = std::max(up.from, up.to);
   std::string text;
-  for (const PlotTick& tick : ticksOf(across, std::max(2, int((right - left) / 50)))) {
+  for (const Tick& tick : linearTicks(across, std::max(2, int((right - left) / 50)))) {
     const double x = across.at(tick.value);
     text += svgLine(x, top, x, bottom, "grid") + svgText(x, bottom + 17, "middle", tick.text);
   }
-  for (const PlotTick& tick : ticksOf(up, std::max(2, int((bottom - top) / 30)))) {
+  for (const Tick& tick : linearTicks(up, std::max(2, int((bottom - top) / 30)))) {
     const double y = up.at(tick.value);
     text += svgLine(left, y, right, y, "grid") + svgText(left - 6, y + 4, "end", tick.text);
   }

@@ -6,31 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/axis.h"
 #include "core/metrics/report_rows.h"
 #include "core/optics/display.h"
 
 namespace hogelscope {
-
-/// Values [low, high] along [from, to], which may fall; low < high.
-struct PlotAxis {
-  double low = 0;
-  double high = 1;
-  double from = 0;
-  double to = 1;
-  [[nodiscard]] double at(double value) const {
-    return from + (value - low) / (high - low) * (to - from);
-  }
-};
-
-struct PlotTick {
-  double value = 0;
-  std::string text;
-};
-
-/// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `range`.
-double tickStep(double range, int most);
-/// The multiples of that step within the axis.
-std::vector<PlotTick> ticksOf(const PlotAxis& axis, int most);
 
 /// A number with two digits after the point, as coordinates need.
 std::string coordinate(double value);
@@ -38,7 +18,7 @@ std::string coordinate(double value);
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
 std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
 /// Grid, ticks, frame and titles around the area of the two axes.
-std::string plotFrame(const PlotAxis& across, const PlotAxis& up, const std::string& titleAcross,
+std::string plotFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
                       const std::string& titleUp);
 
 /// What there is to say of a view at its place in a plot.

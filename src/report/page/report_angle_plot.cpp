@@ -57,9 +57,9 @@ std::vector<Series> seriesOf(const std::vector<ReportRow>& rows, const DisplayPa
 
 /// Both axes out to where the points are; identical views lie in a strip of their own above.
 struct Area {
-  PlotAxis across{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                  62, 744};
-  PlotAxis up{across.low, across.high, 290, 14};
+  Axis across{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 62,
+              744};
+  Axis up{across.low, across.high, 290, 14};
   std::size_t tests = 0;
   bool hasNumbers = false;
   bool hasIdentical = false;
@@ -89,7 +89,7 @@ struct Area {
     up.high = std::max(up.high, point.psnr);
   }
 
-  static void pad(PlotAxis& axis, double least) {
+  static void pad(Axis& axis, double least) {
     if (!(axis.low <= axis.high)) axis.low = axis.high = 0;
     const double by = std::max(0.05 * (axis.high - axis.low), least - (axis.high - axis.low) / 2);
     axis.low -= by;

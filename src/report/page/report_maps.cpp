@@ -80,8 +80,8 @@ struct MapKind {
 };
 
 /// Axes at one scale that hold the panel and all eyes, in a shape between 1:1 and about 2:1.
-std::array<PlotAxis, 2> axesOf(const MapKind& kind, const std::vector<PlotPoint>& points,
-                               double halfWidth) {
+std::array<Axis, 2> axesOf(const MapKind& kind, const std::vector<PlotPoint>& points,
+                           double halfWidth) {
   Span x{-halfWidth, halfWidth};
   Span y{-kind.panelHalf, kind.panelHalf};
   for (const PlotPoint& point : points) {
@@ -96,13 +96,12 @@ std::array<PlotAxis, 2> axesOf(const MapKind& kind, const std::vector<PlotPoint>
   x.widen(scale * mapWidth - x.width());
   y.widen(scale * shape * mapWidth - y.width());
   const double bottom = mapTop + shape * mapWidth;
-  PlotAxis up{y.low, y.high, bottom, mapTop};
+  Axis up{y.low, y.high, bottom, mapTop};
   if (kind.isDown) std::swap(up.from, up.to);
-  return {PlotAxis{x.low, x.high, mapLeft, mapLeft + mapWidth}, up};
+  return {Axis{x.low, x.high, mapLeft, mapLeft + mapWidth}, up};
 }
 
-std::string panelMark(const MapKind& kind, const PlotAxis& across, const PlotAxis& up,
-                      double halfWidth) {
+std::string panelMark(const MapKind& kind, const Axis& across, const Axis& up, double halfWidth) {
   const double left = across.at(-halfWidth);
   const double top = std::min(up.at(-kind.panelHalf), up.at(kind.panelHalf));
   const double height = std::abs(up.at(kind.panelHalf) - up.at(-kind.panelHalf));
@@ -131,13 +130,13 @@ std::string map(const MapKind& kind, const std::vector<PlotPoint>& points, doubl
 
 std::string colourBar(double low, double high, const std::string& unit) {
   constexpr int steps = 64;
-  const PlotAxis up{low, high, 250, 30};
+  const Axis up{low, high, 250, 30};
   std::string text = "<svg class=\"colours\" viewBox=\"0 0 84 266\" role=\"img\" aria-label=\"" +
                      escaped(unit) + "\">" + svgText(4, 17, "start", unit);
   for (int k = 0; k < steps; ++k)
     text += "<rect x=\"4\" y=\"" + coordinate(up.from - 220.0 * (k + 1) / steps) +
             "\" width=\"20\" height=\"4\" fill=\"" + colourOf((k + 0.5) / steps) + "\"/>";
-  for (const PlotTick& tick : ticksOf(up, 6)) {
+  for (const Tick& tick : linearTicks(up, 6)) {
     const double y = up.at(tick.value);
     text += svgLine(24, y, 29, y, "tick") + svgText(33, y + 4, "start", tick.text);
   }
