@@ -1,7 +1,8 @@
 #!/bin/sh
-# Builds Hogelscope and runs all its tests.
+# Checks the style, builds Hogelscope and runs all its tests.
 set -eu
-here=$(dirname "$0")
-"$here/build.sh"
-cd "$here/.."
+cd "$(dirname "$0")/.."
+packaging/install.sh packaging/style-packages.txt
+packaging/style.sh
+packaging/build.sh
 ctest --preset release
