@@ -40,18 +40,19 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   const auto line = [&](const std::string& name, const std::string& value) {
     facts.lines.push_back({name, value});
   };
-  const auto lightField = [&](const std::string& name, const Session& of) {
-    const auto file = openLightField(of.lightField, of.display);
-    const std::string hash = sha256(file->files(), progress);
-    line(name, described(of.lightField, file->size(), hash));
+  const auto lightField = [&](const std::string& name, const Session& of,
+                              const LightFieldFile& file) {
+    const std::string hash = sha256(file.files(), progress);
+    line(name, described(of.lightField, file.size(), hash));
     all += hash;
   };
   if (!request.sessionFile.empty())
     line("Session", request.sessionFile + ", SHA-256 " +
                         sha256(std::vector<std::filesystem::path>{request.sessionFile}, progress));
-  lightField("Light field", session);
+  lightField("Light field", session, *request.file);
   for (const ReportTest& test : request.tests) {
-    lightField(request.tests.size() == 1 ? "Test light field" : "Test " + test.name, test.session);
+    lightField(request.tests.size() == 1 ? "Test light field" : "Test " + test.name, test.session,
+               *test.file);
     Session other = test.session;
     other.cameras.clear();
     all += textOf(other);

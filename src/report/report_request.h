@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,17 +16,19 @@
 
 namespace hogelscope {
 
-/// A test light field: its name in the report, and it in the place of the session's own.
+/// A test light field: its name in the report, it in the place of the session's own, and its file,
+/// which is opened once.
 struct ReportTest {
   std::string name;
   Session session;
-  LightFieldSize size;
+  std::shared_ptr<LightFieldFile> file;
 };
 
 struct ReportRequest {
-  std::string name;         ///< of the session, in the page's heading
-  std::string sessionFile;  ///< empty where the session is not what a file holds
-  Session session;          ///< its states are rendered; its tolerance is left aside
+  std::string name;                        ///< of the session, in the page's heading
+  std::string sessionFile;                 ///< empty where the session is not what a file holds
+  Session session;                         ///< its states are rendered; its tolerance is left aside
+  std::shared_ptr<LightFieldFile> file{};  ///< of the session; makeReport() opens it if null
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
   std::string output;                    ///< the folder, made if missing

@@ -111,7 +111,7 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_facts(factsOf(request, m_progress.within())),
       m_journal(m_folder, m_facts.key),
       m_workers(workersFor(request)),
-      m_pairs(request.session, m_workers, m_workers == 1 ? parallelRows : serialRows,
+      m_pairs(request.session, *request.file, m_workers, m_workers == 1 ? parallelRows : serialRows,
               request.tests.size() > 1, request.memory),
       m_hasRow(states() * request.tests.size()) {
   m_report.rows.resize(m_hasRow.size());
@@ -136,10 +136,10 @@ void ReportRun::takeUp() {
     ++m_report.taken;
     if (m_listener.finished) m_listener.finished(index, m_report.rows[index]);
   }
-  const auto display = openLightField(m_request.session.lightField, m_request.session.display);
   for (std::size_t test = 0; test < tests.size(); ++test)
-    m_projections.push_back(std::make_unique<PanelProjection>(
-        m_folder / ("report.panel" + std::to_string(test + 1)), m_facts.key, display->size()));
+    m_projections.push_back(
+        std::make_unique<PanelProjection>(m_folder / ("report.panel" + std::to_string(test + 1)),
+                                          m_facts.key, m_request.file->size()));
 }
 
 void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t worker,
@@ -216,7 +216,7 @@ void ReportRun::readLightFields(std::size_t test) {
   const bool isFirst = test == 0;
   if (isFirst && m_request.reference) m_pairs.setReference(*m_request.reference);
   const double steps = (isFirst && !m_request.reference ? 2 : 1) * readingSteps();
-  m_pairs.read(m_request.tests[test].session, m_progress.of(steps));
+  m_pairs.read(m_request.tests[test], m_progress.of(steps));
   m_progress.finish(steps);
   if (!m_listener.loaded) return;
   if (isFirst && !m_request.reference) m_listener.loaded(m_pairs.reference());
@@ -293,24 +293,20 @@ std::vector<ReportTest> openTests(const Session& session, const std::vector<std:
   std::vector<ReportTest> tests;
   for (const std::string& file : files) {
     const Session other = withLightField(session, file);
-    tests.push_back({file, other, openLightField(other.lightField, other.display)->size()});
+    tests.push_back({file, other, openLightField(other.lightField, other.display)});
   }
   return tests;
 }
 
 namespace {
 
-/// The pictures and tables of a report must not replace what it reads.
+/// The images and tables of a report must not replace what it reads.
 void checkFiles(const ReportRequest& request) {
   std::vector<fs::path> inputs{request.sessionFile};
-  const auto addFiles = [&inputs](const Session& session) {
-    for (const fs::path& file : openLightField(session.lightField, session.display)->files())
-      inputs.push_back(file);
-  };
-  addFiles(request.session);
+  std::ranges::copy(request.file->files(), std::back_inserter(inputs));
   for (const ReportTest& test : request.tests) {
     inputs.emplace_back(test.name);
-    addFiles(test.session);
+    std::ranges::copy(test.file->files(), std::back_inserter(inputs));
   }
   checkOutputs(filesOf(request), inputs);
 }
@@ -326,8 +322,9 @@ ReportRequest withoutTolerance(ReportRequest request) {
 }  // namespace
 
 Report makeReport(const ReportRequest& request, const ReportListener& listener) {
-  checkFiles(request);
-  const ReportRequest exact = withoutTolerance(request);
+  ReportRequest exact = withoutTolerance(request);
+  if (!exact.file) exact.file = openLightField(exact.session.lightField, exact.session.display);
+  checkFiles(exact);
   return ReportRun(exact, listener).run();
 }
 

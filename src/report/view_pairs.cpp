@@ -11,25 +11,28 @@
 
 namespace hogelscope {
 
-ViewPairs::ViewPairs(Session session, std::size_t workers, const ParallelRows& rowsWithin,
-                     bool keepsReferences, std::size_t memory)
+ViewPairs::ViewPairs(Session session, LightFieldFile& file, std::size_t workers,
+                     const ParallelRows& rowsWithin, bool keepsReferences, std::size_t memory)
     : m_session(std::move(session)),
+      m_file(file),
       m_memory(memory / 2),
       m_references(keepsReferences ? m_session.cameras.size() : 0),
       m_renderers(workers, Renderer(rowsWithin)) {}
 
-bool ViewPairs::passes(const Session& session) const {
-  return mustPass(*openLightField(session.lightField, session.display), m_memory);
+bool ViewPairs::streams(const LightFieldFile& file) const {
+  return mustPass(file, m_memory);
 }
 
-ViewPairs::Source ViewPairs::readSource(const Session& of, const Progress& progress) const {
-  if (!passes(of))
-    return {loadScene(of, progress, m_memory, {0, m_renderers.size() > 1 ? 1 : threadCount()}), {}};
-  const auto file = openLightField(of.lightField, of.display);
-  Source source{unloadedScene(of, *file), {}};
+ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& file,
+                                        const Progress& progress) const {
+  if (!streams(file))
+    return {loadScene(session, file, progress, m_memory,
+                      {0, m_renderers.size() > 1 ? 1 : threadCount()}),
+            {}};
+  Source source{unloadedScene(session, file), {}};
   std::vector<View> views;
   for (const CameraState& state : m_session.cameras) views.push_back(source.scene.view(state));
-  source.pictures = picturesInPassing(*file, views, m_memory, serialRows, progress);
+  source.pictures = picturesInPassing(file, views, m_memory, serialRows, progress);
   return source;
 }
 
@@ -61,13 +64,14 @@ class Halves {
 
 }  // namespace
 
-void ViewPairs::readSideBySide(const Session& test, const Progress& progress) {
+void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress) {
   Halves halves(progress);
   auto reading = std::async([&] {  // one after the other where no thread can be started
-    return halves.run(0, [&](const Progress& half) { return readSource(m_session, half); });
+    return halves.run(0, [&](const Progress& half) { return readSource(m_session, m_file, half); });
   });
   try {
-    m_test = halves.run(1, [&](const Progress& half) { return readSource(test, half); });
+    m_test = halves.run(
+        1, [&](const Progress& half) { return readSource(test.session, *test.file, half); });
   } catch (const Cancelled&) {
     reading.get();  // may have stopped for a better reason
     throw;
@@ -75,12 +79,12 @@ void ViewPairs::readSideBySide(const Session& test, const Progress& progress) {
   m_reference = reading.get();
 }
 
-void ViewPairs::read(const Session& test, const Progress& progress) {
+void ViewPairs::read(const ReportTest& test, const Progress& progress) {
   m_test.reset();
-  if (!m_reference && passes(m_session) && passes(test)) return readSideBySide(test, progress);
+  if (!m_reference && streams(m_file) && streams(*test.file)) return readSideBySide(test, progress);
   const bool isFirst = !m_reference;
-  if (isFirst) m_reference = readSource(m_session, part(progress, 0, 0.5));
-  m_test = readSource(test, part(progress, isFirst ? 0.5 : 0, 1));
+  if (isFirst) m_reference = readSource(m_session, m_file, part(progress, 0, 0.5));
+  m_test = readSource(test.session, *test.file, part(progress, isFirst ? 0.5 : 0, 1));
 }
 
 View ViewPairs::view(std::size_t state) const {

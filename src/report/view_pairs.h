@@ -9,6 +9,7 @@
 #include "core/engine/renderer.h"
 #include "io/scene/scene.h"
 #include "report/passing_pictures.h"
+#include "report/report_request.h"
 
 namespace hogelscope {
 
@@ -26,13 +27,13 @@ class ViewPairs {
  public:
   /// `rowsWithin` is how the rows of one picture are shared out. `memory` bytes are for light
   /// fields.
-  ViewPairs(Session session, std::size_t workers, const ParallelRows& rowsWithin,
-            bool keepsReferences, std::size_t memory);
+  ViewPairs(Session session, LightFieldFile& file, std::size_t workers,
+            const ParallelRows& rowsWithin, bool keepsReferences, std::size_t memory);
 
   void setReference(const Scene& scene) { m_reference.emplace().scene = scene; }
   /// Reads the session's light field, the first time, and a test's, side by side where both pass
   /// by. The last test's memory is free before the next one is read.
-  void read(const Session& test, const Progress& progress);
+  void read(const ReportTest& test, const Progress& progress);
 
   /// `progress` may be called from several threads. Throws Cancelled.
   ViewPair render(std::size_t state, std::size_t worker, const Progress& progress);
@@ -48,14 +49,16 @@ class ViewPairs {
     std::vector<StatePicture> pictures;
   };
 
-  [[nodiscard]] bool passes(const Session& session) const;
-  void readSideBySide(const Session& test, const Progress& progress);
-  [[nodiscard]] Source readSource(const Session& of, const Progress& progress) const;
+  [[nodiscard]] bool streams(const LightFieldFile& file) const;
+  void readSideBySide(const ReportTest& test, const Progress& progress);
+  [[nodiscard]] Source readSource(const Session& session, LightFieldFile& file,
+                                  const Progress& progress) const;
   [[nodiscard]] Image picture(const Source& source, std::size_t state, std::size_t worker,
                               const Progress& progress);
 
   Session m_session;
-  std::size_t m_memory;  ///< of each of the two
+  LightFieldFile& m_file;  ///< the session's light field
+  std::size_t m_memory;    ///< of each of the two
   std::optional<Source> m_reference;
   std::optional<Source> m_test;
   std::vector<Image> m_references;    ///< of the states rendered, if they are kept for more tests

@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
   addLens();
   addViews();
   addLayouts();
-  addOneThread();  // last: vtkSMPTools does not widen again after one thread
+  addOneThread();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -146,6 +146,28 @@ void limit(benchmark::State& state, View (*make)(int), int across, int hogelsAcr
   countViews(state);
 }
 
+/// What a view costs beside its pixels: 16×16 of them, on one thread, the eye moving.
+void smallViews(benchmark::State& state, View (*make)(int)) {
+  constexpr int side = 16;
+  LensTables tables;
+  Image image(side, side);
+  std::vector<View> views;
+  for (int pose = 0; pose < poses; ++pose) {
+    views.push_back(make(pose));
+    views.back().state.camera.res = {side, side};
+  }
+  std::size_t pose = 0;
+  for (auto _ : state) {
+    const FastSimulation simulation(views[pose++ % views.size()], tables, serialRows);
+    for (int y = 0; y < side; ++y)
+      simulation.row(y, 0, side, &image.rgb[std::size_t(3 * side * y)],
+                     &image.seen[std::size_t(side * y)]);
+    benchmark::DoNotOptimize(image.rgb.data());
+  }
+  state.counters["views/s"] =
+      benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
+}
+
 /// The reference loop, one thread.
 void reference(benchmark::State& state) {
   int pose = 0;
@@ -198,6 +220,9 @@ void addViews() {
   add("view/psf 7x7", timeViews, leaking7, 0);
   add("limit/quadrilinear", limit, plain, 2, 2);
   add("view/quadrilinear", timeViews, quadrilinear, 0);
+  add("16x16 px/nearest", smallViews, plain);
+  add("16x16 px/nearest distorted", smallViews, distorted);
+  add("16x16 px/psf 5x5", smallViews, leaking5);
   add("panel error/plain lens", panelError, plain);
   add("panel error/distorted", panelError, distorted);
   add("reference/nearest one thread", reference);

@@ -38,9 +38,10 @@ int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
 std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const CommandLine& line) {
   std::vector<TestSize> sizes;
   sizes.reserve(tests.size());
-  for (const auto& [name, session, size] : tests)
-    sizes.push_back(
-        {name, session.lightField.file, double(size.nx) * size.ny * double(size.du) * size.dv});
+  for (const auto& [name, session, file] : tests) {
+    sizes.push_back({name, session.lightField.file,
+                     double(file->size().width()) * double(file->size().height())});
+  }
   return rateGroups(line, sizes);
 }
 
@@ -91,12 +92,10 @@ int runReport(const CommandLine& line) {
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
-  const auto announce = [&](const Session& session) {
-    announcePassing(*openLightField(session.lightField, session.display), request.memory / 2,
-                    isQuiet);
-  };
-  announce(request.session);
-  for (const ReportTest& test : request.tests) announce(test.session);
+  request.file = openLightField(request.session.lightField, request.session.display);
+  announcePassing(*request.file, request.memory / 2, isQuiet);
+  for (const ReportTest& test : request.tests)
+    announcePassing(*test.file, request.memory / 2, isQuiet);
   const Report report = makeWithProgress(request, line);
   if (!isQuiet) {
     const fs::path folder = line.text("output");

@@ -87,14 +87,19 @@ bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
 
 Scene loadScene(const Session& session, const Progress& progress, std::size_t memory,
                 const StoreUse& use) {
-  const auto file = openLightField(session.lightField, session.display);
-  Scene scene{nullptr, resolved(session.display, file->size()), session.sampling};
-  if (session.lightField.layout == Layout::pack && !fitsInMemory(*file, memory))
+  return loadScene(session, *openLightField(session.lightField, session.display), progress, memory,
+                   use);
+}
+
+Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
+                std::size_t memory, const StoreUse& use) {
+  Scene scene{nullptr, resolved(session.display, file.size()), session.sampling};
+  if (session.lightField.layout == Layout::pack && !fitsInMemory(file, memory))
     scene.lightField = std::make_shared<const LightFieldStore>(
         session.lightField.file, session.lightField.incoming, std::min(memory, use.cache),
         use.threads);
   else
-    scene.lightField = std::make_shared<const LightField>(file->read(progress));
+    scene.lightField = std::make_shared<const LightField>(file.read(progress));
   return scene;
 }
 

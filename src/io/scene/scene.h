@@ -41,6 +41,9 @@ struct StoreUse {
 /// bytes. Throws InputError, or Cancelled.
 Scene loadScene(const Session& session, const Progress& progress,
                 std::size_t memory = allowedMemory(), const StoreUse& use = {});
+/// The same of a light field that is open already: `file` is the session's.
+Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
+                std::size_t memory = allowedMemory(), const StoreUse& use = {});
 /// For StreamingRenderer: the light field has no texels. The tolerance is 0, since no view can be
 /// probed before the texels have come.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
