@@ -231,6 +231,7 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
               const Progress& progress) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
+  checkContent(view);
   choice.view.sampling.tolerance = 0;  // resolved
   const std::vector<View> candidates = cheaper(choice.view);
   if (candidates.empty()) return choice;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests that the renderer alone resolves tolerance, method and scale, into images of the camera's
+// size, and that it asks for no more texels than a view reads.
+#include <QTest>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/engine/renderer.h"
+#include "core/engine/scaled_view.h"
+#include "core/engine/view_rays.h"
+#include "core/light_field/light_field.h"
+#include "tests/core/random.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// 16×12 hogels of 11×9 directions of noise, seen by 70×50 pixels.
+View sampleView() {
+  Random random(1);
+  constexpr LightFieldSize size{16, 12, 11, 9};
+  std::vector<std::uint8_t> values(3 * size.width() * size.height());
+  for (std::uint8_t& value : values) value = static_cast<std::uint8_t>(random.integer(0, 255));
+  View view;
+  view.lightField = std::make_shared<const LightField>(size, values);
+  view.display.hogels = {size.nx, size.ny};
+  view.display.directions = {size.du, size.dv};
+  view.state.camera.eye = {0.03, 0.02, 0.6};
+  view.state.camera.lookat = {0.013, 0.007, 0};
+  view.state.camera.res = {70, 50};
+  return view;
+}
+
+/// A source that counts what is asked for, and says that nothing is in memory.
+class CountingSource : public LightFieldSource {
+ public:
+  explicit CountingSource(std::shared_ptr<const LightFieldSource> source)
+      : m_source(std::move(source)) {}
+
+  [[nodiscard]] LightFieldSize size() const override { return m_source->size(); }
+  [[nodiscard]] StoredType type() const override { return m_source->type(); }
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
+                                                        const Progress& progress) const override {
+    asked = footprint();
+    ++slices;
+    return m_source->slice(footprint, progress);
+  }
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
+    return m_source->overview();
+  }
+
+  mutable Footprint asked;
+  mutable int slices = 0;
+
+ private:
+  std::shared_ptr<const LightFieldSource> m_source;
+};
+
+}  // namespace
+
+class TestRenderer : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void isTheReference() {
+    View view = sampleView();
+    QVERIFY(Renderer().render(view) == simulate(view));
+    view.state.psf.windowSize = 3;
+    view.state.distortion.k1 = 0.1;
+    QVERIFY(Renderer(serialRows).render(view) == Renderer().render(view));
+  }
+
+  void toleranceIsTheChoices() {
+    View view = sampleView();
+    view.state.camera.res = {300, 220};
+    view.state.psf.windowSize = 5;
+    view.sampling.samplesPerPixel = 3;
+    const Image exact = Renderer().render(view);
+    view.sampling.tolerance = 40;
+    Renderer renderer;
+    const Choice choice = renderer.choose(view);
+    QVERIFY(choice.pixels > 0 && choice.view.method != view.method);
+    QCOMPARE(choice.view.sampling.tolerance, 0.0);
+    const Image image = renderer.render(view);
+    QVERIFY(image == renderer.render(choice.view));
+    QVERIFY(image != exact);
+    QCOMPARE(image.width, 300);
+  }
+
+  void scaleIsEnlarged() {
+    View view = sampleView();
+    view.method.scale = 4;
+    QVERIFY(Renderer().render(view) == enlarged(simulate(reduced(view)), 4, {70, 50}));
+  }
+
+  void floatsRoundToTheImage() {
+    View view = sampleView();
+    view.state.psf.windowSize = 3;
+    for (const int scale : {1, 2}) {
+      view.method.scale = scale;
+      const Image image = Renderer().render(view);
+      const FloatImage floats = Renderer().renderFloat(view);
+      QVERIFY(floats.seen == image.seen);
+      QCOMPARE(floats.rgb.size(), image.rgb.size());
+      bool hasFraction = false;
+      for (std::size_t k = 0; k < image.rgb.size(); ++k) {
+        QVERIFY(std::abs(double(floats.rgb[k]) - image.rgb[k]) <= 0.5 * scale + 0.001);
+        hasFraction = hasFraction || floats.rgb[k] != std::floor(floats.rgb[k]);
+      }
+      QVERIFY(hasFraction);
+    }
+  }
+
+  /// One slice for a view: all that its rays, its leakage and its interpolation read.
+  void asksForItsFootprintOnce() {
+    View view = sampleView();
+    view.state.psf.windowSize = 3;
+    const Image expected = Renderer().render(view);
+    const auto source = std::make_shared<const CountingSource>(view.lightField);
+    view.lightField = source;
+    QVERIFY(Renderer().render(view) == expected);
+    QCOMPARE(source->slices, 1);
+    LensTables tables;
+    QVERIFY(source->asked == ViewRays(view, tables, serialRows).footprint(serialRows));
+    QVERIFY(source->asked.texels() <
+            view.lightField->size().width() * view.lightField->size().height());
+  }
+
+  void cancels() {
+    QVERIFY_THROWS_EXCEPTION(Cancelled,
+                             (void)Renderer().render(sampleView(), [](double) { return false; }));
+    QVERIFY_THROWS_EXCEPTION(
+        Cancelled, (void)Renderer().renderFloat(sampleView(), [](double) { return false; }));
+  }
+
+  void withoutALightFieldItThrows() {
+    View view = sampleView();
+    view.lightField = nullptr;
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)Renderer().render(view));
+    view.sampling.tolerance = 1;
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)Renderer().render(view));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestRenderer)
+#include "test_renderer.moc"
