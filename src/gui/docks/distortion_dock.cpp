@@ -7,7 +7,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/base/error.h"
 #include "core/engine/plan.h"
 #include "gui/docks/lens_view.h"
 #include "gui/session/session_forms.h"
@@ -57,12 +56,9 @@ void DistortionDock::showLens(const CertifiedLens& lens) {
 }
 
 void DistortionDock::noteEdits() {
-  bool isShown = false;
-  try {
-    isShown = m_shown == lensKeyOf(m_model->current(), m_model->session().sampling);
-  } catch (const InputError&) {
-    // a camera without a frame has no lens: the simulated view says why
-  }
+  const CameraState state = m_model->current();
+  const bool isShown =
+      hasFrame(state.camera) && m_shown == lensKeyOf(state, m_model->session().sampling);
   m_certificate->setEnabled(isShown);
   m_lens->setEnabled(isShown);
 }
