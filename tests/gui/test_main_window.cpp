@@ -17,10 +17,10 @@
 #include "core/engine/scaled_view.h"
 #include "gui/app/main_window.h"
 #include "gui/docks/tradeoff_view.h"
-#include "gui/docks/tradeoff_worker.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/state_commands.h"
 #include "gui/view/picture_view.h"
+#include "gui/widgets/task.h"
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
@@ -141,8 +141,8 @@ class TestMainWindow : public QObject {
     QSignalSpy moved(dock->findChild<QProgressBar*>(), &QProgressBar::valueChanged);
     QTest::mouseClick(measure, Qt::LeftButton);
     moved.clear();
-    const auto* worker = m_window->findChild<TradeoffWorker*>();
-    QVERIFY(sleepUntil([&] { return worker->share() > 0.5; }));
+    const auto* task = dock->findChild<Task*>();
+    QVERIFY(sleepUntil([&] { return task->share() > 0.5; }));
     QCoreApplication::processEvents();
     QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
     QTRY_VERIFY_WITH_TIMEOUT(!chart->chart().rows().empty(), patience);

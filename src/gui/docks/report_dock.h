@@ -20,8 +20,8 @@ namespace hogelscope {
 class PolledBar;
 class ReportPictures;
 class ReportTable;
-class ReportWorker;
 class SessionModel;
+class Task;
 
 class ReportDock : public QWidget {
   Q_OBJECT
@@ -55,19 +55,21 @@ class ReportDock : public QWidget {
   void start();
   void stop();
   void showIdle();
+  void showReport(const Report& report);
   void showTimeLeft();
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
   void showPictures(std::size_t index);
   void tellPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
+  [[nodiscard]] ReportOrder order() const { return {m_tests.size()}; }
 
   SessionModel* m_model = nullptr;
   std::optional<Scene> m_reference;
   ReportRequest m_request;           ///< of the rows that are shown
   std::vector<std::string> m_tests;  ///< likewise
   std::size_t m_test = 0;            ///< of the chosen row
-  ReportWorker* m_worker;
+  Task* m_task;
   ReportTable* m_table;
   QSortFilterProxyModel* m_sorted;
   QListWidget* m_testList;
@@ -80,7 +82,6 @@ class ReportDock : public QWidget {
   QTableView* m_rows;
   ReportPictures* m_pictures;
   QElapsedTimer m_clock;
-  bool m_isAtWork = false;
 };
 
 }  // namespace hogelscope

@@ -7,8 +7,9 @@
 #include <QPainter>
 #include <QPushButton>
 
-#include "gui/docks/tradeoff_worker.h"
+#include "core/base/parallel.h"
 #include "gui/widgets/polled_bar.h"
+#include "gui/widgets/task.h"
 
 namespace hogelscope {
 
@@ -54,11 +55,11 @@ void TradeoffChartWidget::mousePressEvent(QMouseEvent* event) {
 
 TradeoffView::TradeoffView(QWidget* parent)
     : QWidget(parent),
-      m_worker(new TradeoffWorker(this)),
+      m_task(new Task(this)),
       m_chart(new TradeoffChartWidget(this)),
       m_measureButton(new QPushButton(this)),
       m_defaultButton(new QPushButton(tr("Back to the session's own"), this)),
-      m_progress(new PolledBar([this] { return m_worker->share(); }, this)) {
+      m_progress(new PolledBar([this] { return m_task->share(); }, this)) {
   m_measureButton->setObjectName("measureButton");
   m_defaultButton->setObjectName("ownMethodButton");
   m_measureButton->setToolTip(tr("Times every method on all states, and compares their pictures"));
@@ -75,9 +76,8 @@ TradeoffView::TradeoffView(QWidget* parent)
   connect(m_measureButton, &QPushButton::clicked, this, &TradeoffView::measureOrStop);
   connect(m_defaultButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
   connect(m_chart, &TradeoffChartWidget::clicked, this, [this](std::size_t row) { choose(row); });
-  connect(m_worker, &TradeoffWorker::finished, this, &TradeoffView::show);
-  connect(m_worker, &TradeoffWorker::stopped, this, &TradeoffView::showIdle);
-  connect(m_worker, &TradeoffWorker::failed, this, [this](const QString& line) {
+  connect(m_task, &Task::stopped, this, &TradeoffView::showIdle);
+  connect(m_task, &Task::failed, this, [this](const QString& line) {
     showIdle();
     Q_EMIT failed(line);
   });
@@ -86,7 +86,7 @@ TradeoffView::TradeoffView(QWidget* parent)
 void TradeoffView::setViews(const std::vector<View>& views) {
   m_views = views;
   m_chart->setChart(TradeoffChart({}, ""));
-  if (m_isMeasuring)
+  if (m_task->isRunning())
     stop();
   else
     showIdle();
@@ -98,16 +98,17 @@ void TradeoffView::forgetChoice() {
 }
 
 void TradeoffView::stop() {
-  m_worker->stop();
+  m_task->stop();
   m_measureButton->setText(tr("Stopping…"));
   m_measureButton->setEnabled(false);
 }
 
 void TradeoffView::measureOrStop() {
-  if (m_isMeasuring) return stop();
-  m_isMeasuring = true;
+  if (m_task->isRunning()) return stop();
   m_measureButton->setText(tr("&Stop measuring"));
-  m_worker->start(m_views);
+  m_task->start([this, views = m_views](const Progress& progress) {
+    return [this, tradeoff = measureTradeoff(views, parallelRows, progress)] { show(tradeoff); };
+  });
   m_progress->setVisible(true);
 }
 
@@ -130,7 +131,6 @@ void TradeoffView::choose(std::optional<std::size_t> row) {
 }
 
 void TradeoffView::showIdle() {
-  m_isMeasuring = false;
   m_measureButton->setText(tr("&Measure speed and accuracy"));
   m_measureButton->setEnabled(!m_views.empty());
   m_progress->setVisible(false);

@@ -15,7 +15,7 @@ class QPushButton;
 namespace hogelscope {
 
 class PolledBar;
-class TradeoffWorker;
+class Task;
 
 /// The chart alone.
 class TradeoffChartWidget : public QWidget {
@@ -64,12 +64,11 @@ class TradeoffView : public QWidget {
   void showIdle();
 
   std::vector<View> m_views;
-  TradeoffWorker* m_worker;
+  Task* m_task;
   TradeoffChartWidget* m_chart;
   QPushButton* m_measureButton;
   QPushButton* m_defaultButton;
   PolledBar* m_progress;
-  bool m_isMeasuring = false;
 };
 
 }  // namespace hogelscope
