@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that counts read right: "1 thread", "2 threads".
-#include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
@@ -59,10 +59,11 @@ class TestTranslations : public QObject {
     const QMap<QString, QStringList> known = forms();
     for (const QStringList& each : known) QVERIFY(each.size() == 2 && !each.contains(QString()));
     static const QRegularExpression count(R"rx(tr\(\s*"([^"]*%n[^"]*)")rx");
-    const QDir folder(HOGELSCOPE_SOURCE_DIR "/src/gui");
+    QDirIterator files(HOGELSCOPE_SOURCE_DIR "/src/gui", {"*.cpp"}, QDir::Files,
+                       QDirIterator::Subdirectories);
     QStringList found;
-    for (const QString& name : folder.entryList({"*.cpp"}))
-      for (const auto& match : count.globalMatch(contentOf(folder.filePath(name))))
+    while (files.hasNext())
+      for (const auto& match : count.globalMatch(contentOf(files.next())))
         found << match.captured(1);
     QVERIFY(found.size() >= 6);
     for (const QString& source : found) QVERIFY2(known.contains(source), qPrintable(source));
