@@ -15,12 +15,12 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/app/main_window.h"
 #include "gui/docks/report_dock.h"
 #include "gui/keys/key_window.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/picture_commands.h"
 #include "gui/view/picture_view.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -41,7 +41,7 @@ class Shooting {
     QTest::qWait(300);
     m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
     QTest::qWait(300);
-    m_window.openSession(sample);
+    files(m_window).open(sample);
     wait([this] { return !view()->image().isNull(); });
     shoot("sample");
     lens();

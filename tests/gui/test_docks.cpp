@@ -15,6 +15,7 @@
 #include "tests/core/rendered.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_picture.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -33,7 +34,7 @@ class TestDocks : public DocksTest {
       return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     const QByteArray before = bytes();
-    QVERIFY(!m_window->saveSession(lightField));
+    QVERIFY(!files(*m_window).save(lightField));
     QVERIFY(message().contains("which is read"));
     QVERIFY(!m_window->findChild<PictureCommands*>()->savePicture(lightField));
     QVERIFY(message().contains("which is read"));
@@ -191,7 +192,7 @@ class TestDocks : public DocksTest {
     columns->setValue(4);
     QTRY_VERIFY_WITH_TIMEOUT(
         child<QLabel>("contentsLabel")->text().startsWith("10×20 hogels of 8×1"), patience);
-    QVERIFY(m_window->saveSession(m_folder.filePath("around.json")));
+    QVERIFY(files(*m_window).save(m_folder.filePath("around.json")));
     QVERIFY(loadSession(m_folder.filePath("around.json").toStdString()).cameras ==
             m_model->session().cameras);
   }
@@ -199,9 +200,9 @@ class TestDocks : public DocksTest {
   void aHogelImageAsksForItsHogels() {
     writePicture(m_folder.filePath("plain.png"), 60, 60,
                  [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
-    QVERIFY(m_window->openSession(m_folder.filePath("plain.png")));
+    QVERIFY(files(*m_window).open(m_folder.filePath("plain.png")));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), patience);
-    QVERIFY(!m_window->saveSession(m_folder.filePath("plain.json")));
+    QVERIFY(!files(*m_window).save(m_folder.filePath("plain.json")));
     for (const char* name : {"hogels.0", "hogels.1"})
       editor<QSpinBox>("displayArea", name)->setValue(10);
     for (const char* name : {"directions.0", "directions.1"})
@@ -209,7 +210,7 @@ class TestDocks : public DocksTest {
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QVERIFY(!view().isNull());
     nothingReplacesWhatIsRead(m_folder.filePath("plain.png"));
-    QVERIFY(!m_window->openSession(m_folder.filePath("none.png")));
+    QVERIFY(!files(*m_window).open(m_folder.filePath("none.png")));
     QVERIFY(message().contains("none.png"));
     QVERIFY(m_window->windowTitle().startsWith("new session"));
   }

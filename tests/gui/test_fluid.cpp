@@ -109,7 +109,7 @@ void TestFluid::initTestCase() {
       [](vtkObject*, unsigned long, void* paints, void*) { ++*static_cast<int*>(paints); });
   sceneWidget()->renderWindow()->AddObserver(vtkCommand::EndEvent, painted);
   QSignalSpy loaded(worker, &ViewWorker::loaded);
-  QVERIFY(m_window->openSession("s.json"));
+  QVERIFY(files(*m_window).open("s.json"));
   QTRY_COMPARE_WITH_TIMEOUT(loaded.count(), 1, patience);
   for (const QAbstractItemModel* list :
        {child<QComboBox>("stateBox")->model(), child<QListWidget>("stateList")->model()})

@@ -11,6 +11,7 @@
 #include "gui/app/manual_window.h"
 #include "report/versions.h"
 #include "tests/gui/habits_test.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -60,7 +61,7 @@ class TestHabits : public HabitsTest {
     auto* button = m_window->findChild<QToolButton*>("errorsButton");
     QVERIFY(!button->isVisible());
     const QColor normal = m_window->statusBar()->palette().color(QPalette::WindowText);
-    QVERIFY(!m_window->importCalibration("/nowhere/a.yml"));
+    QVERIFY(!files(*m_window).importCalibration("/nowhere/a.yml"));
     QVERIFY(message().startsWith("Error: /nowhere/a.yml"));
     const QColor red = m_window->statusBar()->palette().color(QPalette::WindowText);
     QVERIFY(red != normal && red.red() > red.green() + 50);
@@ -73,7 +74,7 @@ class TestHabits : public HabitsTest {
     QVERIFY(!message().isEmpty() && !message().startsWith("Error"));
     QCOMPARE(m_window->statusBar()->palette().color(QPalette::WindowText), normal);
 
-    QVERIFY(!m_window->openSession("/nowhere/b.json"));
+    QVERIFY(!files(*m_window).open("/nowhere/b.json"));
     QVERIFY(button->isVisible() && button->text().contains("2"));
     button->click();
     QVERIFY(m_window->findChild<QDockWidget*>("errorsDock")->isVisible());

@@ -222,7 +222,7 @@ void TestKeys::lensOffAndOn() {
   QVERIFY(now() == DistortionParams{});
   editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.3);
   key(Qt::Key_B);
-  QVERIFY(m_window->openSession("s.json"));  // nor one of another session
+  QVERIFY(files(*m_window).open("s.json"));  // nor one of another session
   QVERIFY(now() == lens);
   key(Qt::Key_PageDown);
   key(Qt::Key_B);

@@ -15,7 +15,6 @@
 
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
-#include "gui/app/main_window.h"
 #include "gui/docks/tradeoff_view.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/state_commands.h"
@@ -26,6 +25,7 @@
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -49,7 +49,7 @@ class TestMainWindow : public QObject {
   }
   QString message() const { return m_window->statusBar()->currentMessage(); }
   void waitForSample() {
-    QVERIFY(m_window->openSession(sampleFile));
+    QVERIFY(files(*m_window).open(sampleFile));
     QTRY_VERIFY_WITH_TIMEOUT(!view().isNull() && message().contains(" ms"), patience);
   }
 
@@ -115,13 +115,13 @@ class TestMainWindow : public QObject {
         "{\"K\": [534.8, 0, 335.7, 0, 534.8, 240.7, 0, 0, 1], \"D\": [0.2958943955272433, "
         "-1.0354662043042675, 0, 0], \"image_width\": 640, \"image_height\": 480}");
     file.close();
-    QVERIFY(m_window->importCalibration(file.fileName()));
+    QVERIFY(files(*m_window).importCalibration(file.fileName()));
     QCOMPARE(editor<QDoubleSpinBox>("cameraArea", "fx")->value(), 534.8);
     QCOMPARE(editor<QDoubleSpinBox>("distortionArea", "k3")->value(), 0.0);
     QTRY_COMPARE_WITH_TIMEOUT(view().size(), QSize(640, 480), patience);
     QTRY_VERIFY_WITH_TIMEOUT(certificate->text().contains("have no ray: the lens folds"), patience);
     QVERIFY(certificate->text().contains("one-to-one within r = 0.7304"));
-    QVERIFY(!m_window->importCalibration(m_folder.filePath("missing.yml")));
+    QVERIFY(!files(*m_window).importCalibration(m_folder.filePath("missing.yml")));
     QVERIFY(message().contains("missing.yml: cannot be read"));
     QCOMPARE(view().size(), QSize(640, 480));
   }
@@ -131,7 +131,7 @@ class TestMainWindow : public QObject {
     session.cameras.resize(1);
     const QString file = m_folder.filePath("small.json");
     saveSession(file.toStdString(), session);
-    QVERIFY(m_window->openSession(file));
+    QVERIFY(files(*m_window).open(file));
     QTRY_VERIFY_WITH_TIMEOUT(!view().isNull() && message().contains(" ms"), patience);
     auto* dock = m_window->findChild<QDockWidget*>("tradeoffDock");
     dock->toggleViewAction()->trigger();
@@ -193,7 +193,7 @@ class TestMainWindow : public QObject {
     QCOMPARE(box->currentIndex(), 1);
     auto* commands = m_window->findChild<StateCommands*>();
     const QString other = m_folder.filePath("other.json");
-    QVERIFY(m_window->saveSession(other));
+    QVERIFY(files(*m_window).save(other));
     QVERIFY(commands->appendStatesTo(other));
     QCOMPARE(loadSession(other.toStdString()).cameras.back().camera.name, std::string("Fig 1 2 2"));
     QVERIFY(commands->mergeStatesOf(sampleFile));
@@ -248,7 +248,7 @@ class TestMainWindow : public QObject {
     waitForSample();
     editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(1.25);
     const QString file = m_folder.filePath("copy.json");
-    QVERIFY(m_window->saveSession(file));
+    QVERIFY(files(*m_window).save(file));
     QVERIFY(!m_window->isWindowModified());
     Session expected = loadSession(sampleFile.toStdString());
     expected.cameras[0].psf.sigma = 1.25;
@@ -266,7 +266,7 @@ class TestMainWindow : public QObject {
     QVERIFY(bad.open(QIODevice::WriteOnly));
     bad.write(R"({"hogelscope": 1, "cameras": []})");
     bad.close();
-    QVERIFY(!m_window->openSession(file));
+    QVERIFY(!files(*m_window).open(file));
     QVERIFY2(message().contains("lightField.file"), qPrintable(message()));
     QVERIFY(m_window->windowTitle().startsWith("table1.json"));
   }

@@ -80,13 +80,13 @@ class TestNotices : public WindowTest {
     return true;
   }
   void openSmall() {
-    QVERIFY(m_window->openSession("s.json"));
+    QVERIFY(files(*m_window).open("s.json"));
     QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
   }
   /// The same states before a light field that is not there.
   void openMissing() {
     writeFile("missing.json", contentOf("s.json").replace("a.png", "missing.png"));
-    QVERIFY(m_window->openSession("missing.json"));
+    QVERIFY(files(*m_window).open("missing.json"));
   }
   /// Under a pointer that has just come to the middle of the right half.
   QString readOut() const {
@@ -112,7 +112,7 @@ void TestNotices::init() {
 void TestNotices::withoutASession() {
   const QString hint("No view yet: open a session (Ctrl+O)");
   QVERIFY(isWrong(hint));
-  QVERIFY(!m_window->openSession("none.json"));
+  QVERIFY(!files(*m_window).open("none.json"));
   QVERIFY(isWrong(hint));
   openSmall();
   openMissing();
@@ -155,7 +155,7 @@ void TestNotices::theSceneForgetsTheSessionBefore() {
 
 void TestNotices::aHogelImageSaysWhatItNeeds() {
   openSmall();
-  QVERIFY(m_window->openSession("a.png"));
+  QVERIFY(files(*m_window).open("a.png"));
   QVERIFY(view()->image().isNull());
   QTRY_VERIFY_WITH_TIMEOUT(isWrong("give display.hogels and display.directions"), patience);
   for (const char* name : {"hogels.0", "hogels.1"})

@@ -20,7 +20,6 @@
 #include <QtTest>
 #include <cmath>
 
-#include "gui/app/main_window.h"
 #include "gui/docks/camera_set_view.h"
 #include "gui/docks/report_dock.h"
 #include "gui/scene/vtk_widget.h"
@@ -28,6 +27,7 @@
 #include "io/documents/session_file.h"
 #include "tests/cli/csv.h"
 #include "tests/gui/patience.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -127,7 +127,7 @@ void TestReportDock::init() {
 
 void TestReportDock::open(const QByteArray& res, const QByteArray& sampling) {
   writeFile("s.json", session(res, sampling));
-  QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
+  QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   QTRY_VERIFY_WITH_TIMEOUT(m_dock->isVisible(), patience);
 }
@@ -242,7 +242,7 @@ void TestReportDock::theSceneIsTold() {
   QCOMPARE(last()[1], psnrOf(1, 1));
   child<QComboBox>("stateBox")->setCurrentIndex(3);
   QCOMPARE(table->currentIndex().row(), 7);
-  QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
+  QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QVERIFY(last().empty());
   QCOMPARE(table->model()->rowCount(), 0);
 }
@@ -308,7 +308,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   QCOMPARE(heading("s-report"), "Perceived views of " + name);
   QVERIFY(contentOf("s-report/report.html")
               .contains(("made in the window, from " + name + "<").toUtf8()));
-  QVERIFY(m_window->saveSession(m_folder->filePath("s.json")));
+  QVERIFY(files(*m_window).save(m_folder->filePath("s.json")));
   child<QPushButton>("openPageButton")->setEnabled(false);
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
@@ -320,7 +320,7 @@ void TestReportDock::anUntitledSessionHasAHeading() {
   const QString quilt = m_folder->filePath("q_qs2x2a1.png");
   writePicture(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
   writePicture("t_qs2x2a1.png", 40, 40, [](int x, int y, int) { return float(x + 2 * y) / 120; });
-  QVERIFY(m_window->openSession(quilt));
+  QVERIFY(files(*m_window).open(quilt));
   QCOMPARE(child<QLineEdit>("reportFolder")->text(), m_folder->filePath("q_qs2x2a1-report"));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   m_dock->addTest("t_qs2x2a1.png");
@@ -339,7 +339,7 @@ void TestReportDock::aReportOfAnotherSessionIsNotTold() {
   QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
   QTest::qSleep(300);  // its end waits in the queue
   writeFile("s2.json", contentOf("s.json"));
-  QVERIFY(m_window->openSession(m_folder->filePath("s2.json")));
+  QVERIFY(files(*m_window).open(m_folder->filePath("s2.json")));
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"),
                            patience);
   QCOMPARE(child<QLabel>("reportNote")->text(), QString());

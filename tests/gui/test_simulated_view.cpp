@@ -11,7 +11,6 @@
 #include <QtTest>
 
 #include "core/engine/fast_simulation.h"
-#include "gui/app/main_window.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/comparison.h"
 #include "gui/view/picture_commands.h"
@@ -22,6 +21,7 @@
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -58,7 +58,7 @@ class TestSimulatedView : public QObject {
   /// The picture that is shown is not a smaller one.
   bool isFull() const { return message().contains("views/s") && !message().contains("resolution"); }
   void openSample() {
-    QVERIFY(m_window->openSession(m_sampleFile));
+    QVERIFY(files(*m_window).open(m_sampleFile));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(), patience);
   }
   void compare() {
@@ -288,7 +288,7 @@ class TestSimulatedView : public QObject {
   }
 
   void closesWhileReading() {
-    QVERIFY(m_window->openSession(dataFolder + "table1.json"));
+    QVERIFY(files(*m_window).open(dataFolder + "table1.json"));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(), patience);
     QVERIFY(commands()->compareWith(dataFolder + "scene.png"));
     m_window.reset();  // must neither hang nor crash

@@ -8,7 +8,6 @@
 #include <QtTest>
 
 #include "core/engine/fast_simulation.h"
-#include "gui/app/main_window.h"
 #include "gui/docks/light_field_dock.h"
 #include "gui/view/picture_view.h"
 #include "gui/view/view_worker.h"
@@ -17,6 +16,7 @@
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_picture.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -69,7 +69,7 @@ void TestStoreView::init() {
   QApplication::setActiveWindow(m_window.get());
   connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
           [this](const RenderedView& rendered) { m_views.push_back(rendered); });
-  QVERIFY(m_window->openSession("s.json"));
+  QVERIFY(files(*m_window).open("s.json"));
 }
 
 void TestStoreView::theWholePictureFollowsTheOverview() {
@@ -118,7 +118,7 @@ void TestStoreView::aDamagedBlockIsTold() {
   writeFile("s2.json", contentOf("s.json").replace("store.tif", "damaged.tif"));
   m_window = std::make_unique<MainWindow>();
   m_window->show();
-  QVERIFY(m_window->openSession("s2.json"));
+  QVERIFY(files(*m_window).open("s2.json"));
   const auto line = [this] { return m_window->statusBar()->currentMessage(); };
   QTRY_VERIFY2_WITH_TIMEOUT(line().contains("damaged.tif: "), qPrintable(line()), patience);
   QVERIFY2(line().contains("is damaged"), qPrintable(line()));

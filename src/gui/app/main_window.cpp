@@ -215,18 +215,6 @@ void MainWindow::offerViews() {
   m_ui->tradeoffView->setViews(views);
 }
 
-bool MainWindow::openSession(const QString& file) {
-  return m_files->open(file);
-}
-
-bool MainWindow::saveSession(const QString& file) {
-  return m_files->save(file);
-}
-
-bool MainWindow::importCalibration(const QString& file) {
-  return m_files->importCalibration(file);
-}
-
 void MainWindow::start(const QStringList& files) {
   m_layout->restore();
   show();

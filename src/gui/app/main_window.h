@@ -39,12 +39,6 @@ class MainWindow : public QMainWindow {
   /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
   /// command line (FileCommands::take).
   void start(const QStringList& files);
-  /// None of these asks; what goes wrong is told by Messages. True if it is done. What opens is a
-  /// session document, or a light field (an image or a folder), which a new session is made around.
-  bool openSession(const QString& file);
-  bool saveSession(const QString& file);
-  /// Into the current state.
-  bool importCalibration(const QString& file);
 
  private:
   void connectActions();

@@ -24,10 +24,11 @@ class FileCommands : public QObject {
  public:
   FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
 
-  /// These do not ask; a light field opens as a session around it; what goes wrong is told by
-  /// failed(). True if it is done.
+  /// These do not ask, and report errors through failed(). True if it is done. A session document
+  /// opens, or a light field (an image or a folder), which a new session is made around.
   bool open(const QString& file);
   bool save(const QString& file);
+  /// Into the current state.
   bool importCalibration(const QString& file);
 
   /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the

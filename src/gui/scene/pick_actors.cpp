@@ -69,10 +69,6 @@ void PickActors::hideRay() {
   m_ray->VisibilityOff();
 }
 
-bool PickActors::hasHogel() const {
-  return m_end->GetVisibility() != 0;
-}
-
 std::string PickActors::label() const {
   return m_label->GetVisibility() != 0 ? m_label->GetInput() : "";
 }

@@ -31,7 +31,6 @@ class PickActors {
   void showRay(const Vec3& from, const Vec3& to);
   void hideHogel();
   void hideRay();
-  [[nodiscard]] bool hasHogel() const;
   [[nodiscard]] bool hasRay() const;
   /// Of the hogel; "" where there is none.
   [[nodiscard]] std::string label() const;

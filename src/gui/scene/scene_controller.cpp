@@ -193,7 +193,6 @@ void SceneController::pickAt(int x, int y) {
   const auto next = std::upper_bound(states.begin(), states.end(), int(m_model->currentIndex()));
   const int picked = next == states.end() ? states.front() : *next;
   m_model->setCurrentIndex(std::size_t(picked));
-  Q_EMIT statePicked(picked);
 }
 
 void SceneController::nameAt(int x, int y) {

@@ -37,10 +37,6 @@ class SceneController : public QObject {
   void showPixel(int x, int y);
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
 
- Q_SIGNALS:
-  /// A click on a frustum made this state current.
-  void statePicked(int index);
-
  private:
   void connectActions();
   void connectModel();
