@@ -7,7 +7,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"
@@ -107,8 +107,8 @@ class TestFiles : public HabitsTest {
   }
 
   void dropsOpenImportAndCompare() {
-    auto* picture = m_window->findChild<PictureView*>("pictureView");
-    QTRY_VERIFY_WITH_TIMEOUT(!picture->image().isNull(), patience);
+    auto* image = m_window->findChild<ImageWidget*>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!image->image().isNull(), patience);
     QFile file(m_folder->filePath("k.yml"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(
@@ -141,22 +141,22 @@ class TestFiles : public HabitsTest {
   void readingCanBeStopped() {
     const QString file = largeSession();
     auto* bar = m_window->findChild<QWidget*>("readingBar");
-    auto* picture = m_window->findChild<PictureView*>("pictureView");
-    QTRY_VERIFY_WITH_TIMEOUT(!picture->image().isNull(), patience);
+    auto* image = m_window->findChild<ImageWidget*>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!image->image().isNull(), patience);
     QVERIFY(!bar->isVisible());
     QVERIFY(files(*m_window).open(file));
     QVERIFY(bar->isVisible());
     bar->findChild<QToolButton*>()->click();
     QTRY_VERIFY_WITH_TIMEOUT(message().startsWith("Stopped reading"), patience);
-    QVERIFY(picture->notice().startsWith("Stopped reading"));
+    QVERIFY(image->notice().startsWith("Stopped reading"));
     QVERIFY(!bar->isVisible());
-    QVERIFY(picture->image().isNull());  // not the picture of another session
-    eye()->setValue(0.01);               // the window goes on
+    QVERIFY(image->image().isNull());  // not the image of another session
+    eye()->setValue(0.01);             // the window goes on
     QTest::qWait(100);
-    QVERIFY(picture->image().isNull());
+    QVERIFY(image->image().isNull());
     const BoxAnswer discard("unsavedBox", Qt::Key_D);
     drop({m_session});
-    QTRY_COMPARE_WITH_TIMEOUT(picture->image().size(), QSize(80, 60), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(image->image().size(), QSize(80, 60), patience);
     QVERIFY(!bar->isVisible());
   }
 

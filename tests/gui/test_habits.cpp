@@ -114,7 +114,7 @@ class TestHabits : public HabitsTest {
     QCOMPARE(psnr.size(), 1);
     contents->setCurrentItem(psnr[0]);
     QCOMPARE(page->cursorForPosition({20, 8}).block().text(), "Metrics");
-    for (const QString& line : lines.filter("![")) {  // every picture is there, none too wide
+    for (const QString& line : lines.filter("![")) {  // every image is there, none too wide
       const QString name = line.section('(', -1).section(')', 0, 0);
       const auto image =
           page->loadResource(QTextDocument::ImageResource, "qrc:/manual/" + name).value<QImage>();

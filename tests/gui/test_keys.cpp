@@ -78,7 +78,7 @@ void TestKeys::eachMotionHasItsKey() {
   QVERIFY(m_model->current().camera == moved(expected, Motion(motion), 5 * step));
 }
 
-/// Over scene, picture and docks, in a list and on a button.
+/// Over scene, image and docks, in a list and on a button.
 void TestKeys::whereverTheFocusIs() {
   m_window->findChild<QDockWidget*>("reportDock")->show();
   m_window->findChild<QDockWidget*>("tradeoffDock")->show();

@@ -15,16 +15,16 @@
 
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
-#include "gui/docks/tradeoff_view.h"
+#include "gui/docks/tradeoff_widget.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/state_commands.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "gui/widgets/task.h"
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
 #include "tests/gui/window_files.h"
 
 using namespace hogelscope;
@@ -42,7 +42,7 @@ class TestMainWindow : public QObject {
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
-  const QImage& view() const { return m_window->findChild<PictureView*>("pictureView")->image(); }
+  const QImage& view() const { return m_window->findChild<ImageWidget*>("pictureView")->image(); }
   template <class T>
   T* editor(const char* dock, const char* name) const {
     return m_window->findChild<QScrollArea*>(dock)->widget()->findChild<T*>(name);
@@ -61,7 +61,7 @@ class TestMainWindow : public QObject {
   }
   void cleanup() { m_window.reset(); }
 
-  void opensAndShowsTheReferencePicture() {
+  void opensAndShowsTheReferenceImage() {
     waitForSample();
     const Session session = loadSession(sampleFile.toStdString());
     const Scene scene = loadScene(session, {});
@@ -88,7 +88,7 @@ class TestMainWindow : public QObject {
         patience);
   }
 
-  void movingASliderChangesThePicture() {
+  void movingASliderChangesTheImage() {
     waitForSample();
     const QImage before = view().copy();
     auto* slider = editor<QSlider>("psfArea", "windowSize.slider");

@@ -5,9 +5,9 @@
 #include <QToolTip>
 
 #include "core/optics/pixel_trace.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "tests/gui/scene_test.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
 
 using namespace hogelscope;
 
@@ -90,7 +90,7 @@ class TestScenePicking : public SceneTest {
   }
 
   void aPickedPixelIsTracedInNumbers() {
-    auto* view = m_window->findChild<PictureView*>("pictureView");
+    auto* view = m_window->findChild<ImageWidget*>("pictureView");
     const int side = std::min(view->width(), view->height());
     const QPoint at = view->rect().center() + QPoint(side / 10, side / 7);
     QTest::mouseClick(view, Qt::LeftButton, {}, at);
@@ -124,14 +124,14 @@ class TestScenePicking : public SceneTest {
     QVERIFY2(readout().contains("Pixel (0, 0): no ray"), qPrintable(readout()));
     QVERIFY(!scene().picked().hasRay());
     child<QComboBox>("stateBox")->setCurrentIndex(3);
-    controller()->showPixel(0, 0);  // the picture's corner does not see the panel
+    controller()->showPixel(0, 0);  // the image's corner does not see the panel
     QVERIFY2(readout().contains("Pixel (0, 0): misses the panel"), qPrintable(readout()));
     QVERIFY(scene().picked().hasRay() && scene().picked().label().empty());
     controller()->showPixel(-1, 0);
     QVERIFY(!scene().picked().hasRay() && readout().contains("Click a frustum"));
   }
 
-  void aPickedHogelShowsItsPicture() {
+  void aPickedHogelShowsItsImage() {
     press(Qt::Key_F5);
     const Vec2 middle = hogelscope::Display(m_loaded.display).position(100.5, 20.5);
     click(onScreen({middle.x, middle.y, 0}));

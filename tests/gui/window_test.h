@@ -50,7 +50,7 @@ class WindowTest : public QObject {
     QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
     m_model = m_window->findChild<hogelscope::SessionModel*>();
   }
-  /// Until its picture is shown.
+  /// Until its image is shown.
   void open(const QString& file) {
     QVERIFY(files(*m_window).open(file));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);

@@ -21,7 +21,7 @@ class DistortionDock;
 class FileCommands;
 class LightFieldDock;
 class Messages;
-class PictureCommands;
+class ImageCommands;
 class ReadingBar;
 class SceneController;
 class SessionModel;
@@ -37,7 +37,7 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
-  /// command line (FileCommands::take).
+  /// command line (FileCommands::openFiles).
   void start(const QStringList& files);
 
  private:
@@ -56,7 +56,7 @@ class MainWindow : public QMainWindow {
   void showSession();
   void showContent();
   void load();
-  void take(const Scene& scene);
+  void onSceneLoaded(const Scene& scene);
   void showCurrent();
   void showTitle();
   void render();
@@ -73,7 +73,7 @@ class MainWindow : public QMainWindow {
   ReadingBar* m_readingBar = nullptr;
   QComboBox* m_stateBox;
   SceneController* m_scene;
-  PictureCommands* m_pictures = nullptr;
+  ImageCommands* m_imageCommands = nullptr;
   DistortionDock* m_distortion = nullptr;
   LightFieldDock* m_lightField = nullptr;
   DisplayParams m_display;              ///< resolved

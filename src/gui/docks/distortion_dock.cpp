@@ -8,14 +8,14 @@
 #include <QVBoxLayout>
 
 #include "core/engine/plan.h"
-#include "gui/docks/lens_view.h"
+#include "gui/docks/lens_widget.h"
 #include "gui/session/session_forms.h"
 #include "gui/view/view_worker.h"
 
 namespace hogelscope {
 
 DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent)
-    : QWidget(parent), m_model(model), m_lens(new LensView), m_certificate(new QLabel) {
+    : QWidget(parent), m_model(model), m_lens(new LensWidget), m_certificate(new QLabel) {
   m_certificate->setObjectName("certificateLabel");
   m_certificate->setWordWrap(true);
   m_certificate->setMargin(9);

@@ -22,7 +22,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gui/docks/report_pictures.h"
+#include "gui/docks/report_images_widget.h"
 #include "gui/docks/report_table.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
@@ -36,7 +36,7 @@ namespace hogelscope {
 
 namespace {
 
-QWidget* beside(std::initializer_list<QWidget*> widgets) {
+QWidget* makeRow(std::initializer_list<QWidget*> widgets) {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -76,7 +76,7 @@ ReportDock::ReportDock(QWidget* parent)
       m_note(new QLabel),
       m_stale(new QLabel(tr("The session has been edited since this report was made."))),
       m_rows(new QTableView),
-      m_pictures(new ReportPictures) {
+      m_images(new ReportImagesWidget) {
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
   m_rows->setObjectName("reportTable");
@@ -95,7 +95,7 @@ ReportDock::ReportDock(QWidget* parent)
   auto* parts = new QSplitter;
   parts->addWidget(makeSettings());
   parts->addWidget(m_rows);
-  parts->addWidget(m_pictures);
+  parts->addWidget(m_images);
   parts->setSizes({280, 420, 800});
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
@@ -134,10 +134,10 @@ QWidget* ReportDock::makeSettings() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(new QLabel(tr("Test light fields")));
   layout->addWidget(m_testList);
-  layout->addWidget(beside({addFile, addFolder, remove}));
+  layout->addWidget(makeRow({addFile, addFolder, remove}));
   layout->addWidget(new QLabel(tr("Report folder")));
-  layout->addWidget(beside({m_folder, choose}));
-  layout->addWidget(beside({m_makeButton, m_pageButton}));
+  layout->addWidget(makeRow({m_folder, choose}));
+  layout->addWidget(makeRow({m_makeButton, m_pageButton}));
   layout->addWidget(m_progress);
   layout->addWidget(m_stale);
   layout->addWidget(m_note);
@@ -189,8 +189,8 @@ void ReportDock::forget() {
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
-  m_pictures->clear();
-  tellPsnr();
+  m_images->clear();
+  emitPsnr();
   showIdle();
 }
 
@@ -261,9 +261,9 @@ void ReportDock::start() {
   m_request.reference = m_reference;
   m_table->begin(m_request.session.cameras.size() * m_tests.size());
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
-  m_pictures->clear();
+  m_images->clear();
   m_test = 0;
-  tellPsnr();
+  emitPsnr();
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
@@ -312,11 +312,11 @@ void ReportDock::showTimeLeft() {
 
 void ReportDock::showRow(std::size_t index, const ReportRow& row) {
   m_table->set(index, row);
-  if (chosenRow() == index) showPictures(index);
-  tellPsnr();
+  if (chosenRow() == index) showImages(index);
+  emitPsnr();
 }
 
-void ReportDock::tellPsnr() {
+void ReportDock::emitPsnr() {
   std::vector<double> dB;
   if (m_table->rowCount() > 0) {
     dB.assign(m_request.session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
@@ -339,15 +339,15 @@ void ReportDock::showChosen() {
   if (!row || m_tests.empty()) return;
   if (const std::size_t test = order().test(*row); test != m_test) {
     m_test = test;
-    tellPsnr();
+    emitPsnr();
   }
-  showPictures(*row);
+  showImages(*row);
   m_model->setCurrentIndex(order().state(*row));
 }
 
-void ReportDock::showPictures(std::size_t index) {
+void ReportDock::showImages(std::size_t index) {
   const std::optional<ReportRow>& row = m_table->row(index);
-  if (!row) return m_pictures->clear();
+  if (!row) return m_images->clear();
   QImage reference;
   QImage test;
   if (row->problem.empty()) {
@@ -357,7 +357,7 @@ void ReportDock::showPictures(std::size_t index) {
     load(reference, referenceImage(m_request.output, row->state));
     load(test, testImage(m_request.output, order().test(index), row->state));
   }
-  m_pictures->setPictures(QString::fromStdString(row->state), reference, test);
+  m_images->setImages(QString::fromStdString(row->state), reference, test);
 }
 
 void ReportDock::chooseState(std::size_t state) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock: test light fields, a run in the background, its rows, and the pictures of the
+// The report dock: test light fields, a run in the background, its rows, and the images of the
 // row that is chosen.
 #pragma once
 
@@ -18,7 +18,7 @@ class QTableView;
 namespace hogelscope {
 
 class PolledBar;
-class ReportPictures;
+class ReportImagesWidget;
 class ReportTable;
 class SessionModel;
 class Task;
@@ -59,8 +59,8 @@ class ReportDock : public QWidget {
   void showTimeLeft();
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
-  void showPictures(std::size_t index);
-  void tellPsnr();
+  void showImages(std::size_t index);
+  void emitPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
   [[nodiscard]] ReportOrder order() const { return {m_tests.size()}; }
 
@@ -80,7 +80,7 @@ class ReportDock : public QWidget {
   QLabel* m_note;
   QLabel* m_stale;  ///< shown while the session is not what the rows are of
   QTableView* m_rows;
-  ReportPictures* m_pictures;
+  ReportImagesWidget* m_images;
   QElapsedTimer m_clock;
 };
 

@@ -34,7 +34,7 @@ class FileCommands : public QObject {
   /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
   /// current state, and the open session is compared with anything else; where none is open, a
   /// light field opens as a new one.
-  void take(const QStringList& files);
+  void openFiles(const QStringList& files);
   /// True if there are no edits, or they are saved or not wanted any more.
   bool mayLeave();
   /// The window closes: no edits are left to recover.
@@ -49,7 +49,7 @@ class FileCommands : public QObject {
  private:
   template <class Action>
   bool guarded(Action action);
-  void takeOne(const QString& file, bool isFirst);
+  void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
   void askOpen();

@@ -68,7 +68,7 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
   m_frusta.show(display, states, current);
   const bool hasCurrent = current < states.size() && hasFrame(states[current].camera);
   if (hasCurrent)
-    m_handles.place(states[current].camera.eye, states[current].camera.lookat);
+    m_handles.showAt(states[current].camera.eye, states[current].camera.lookat);
   else
     m_handles.hide();
   redraw();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The difference of two pictures, as the simulated view shows it.
+// The difference of two images, as the simulated view shows it.
 #pragma once
 
 #include <QImage>
@@ -7,6 +7,6 @@
 namespace hogelscope {
 
 /// gain · |a − b| of each channel, limited to 255. Null where the sizes differ.
-QImage pictureDifference(const QImage& a, const QImage& b, int gain);
+QImage differenceImage(const QImage& a, const QImage& b, int gain);
 
 }  // namespace hogelscope

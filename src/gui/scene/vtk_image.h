@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures as textures of the 3-D scene.
+// Images as textures of the 3-D scene.
 #pragma once
 
 #include <vtkImageData.h>
@@ -13,11 +13,11 @@
 namespace hogelscope {
 
 /// RGB, row 0 at the bottom as VTK has it; what is not seen has the colour given.
-vtkSmartPointer<vtkImageData> vtkPicture(const Image& image,
+vtkSmartPointer<vtkImageData> toVtkImage(const Image& image,
                                          const std::array<std::uint8_t, 3>& unseen);
 
 /// The same of an output of vtkHogelViewFilter.
-vtkSmartPointer<vtkImageData> vtkPicture(vtkImageData& view,
+vtkSmartPointer<vtkImageData> toVtkImage(vtkImageData& view,
                                          const std::array<std::uint8_t, 3>& unseen);
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window of all keys.
-#include "gui/keys/key_window.h"
+#include "gui/keys/key_dialog.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -16,7 +16,7 @@ namespace hogelscope {
 
 namespace {
 
-QString textOf(const QList<QKeySequence>& keys) {
+QString textOfKeys(const QList<QKeySequence>& keys) {
   return QKeySequence::listToString(keys, QKeySequence::NativeText);
 }
 
@@ -35,7 +35,7 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 
 }  // namespace
 
-KeyWindow::KeyWindow(KeyMap* map, QWidget* parent)
+KeyDialog::KeyDialog(KeyMap* map, QWidget* parent)
     : QDialog(parent),
       m_map(map),
       m_search(new QLineEdit),
@@ -49,22 +49,22 @@ KeyWindow::KeyWindow(KeyMap* map, QWidget* parent)
   resize(1200, 640);
   makeTable();
   layOut();
-  connect(m_search, &QLineEdit::textChanged, this, &KeyWindow::search);
+  connect(m_search, &QLineEdit::textChanged, this, &KeyDialog::search);
   connect(m_search, &QLineEdit::returnPressed, m_field, [this] { m_field->setFocus(); });
-  connect(m_table, &QTableWidget::currentCellChanged, this, &KeyWindow::showChosen);
+  connect(m_table, &QTableWidget::currentCellChanged, this, &KeyDialog::showChosen);
   connect(m_table, &QTableWidget::cellActivated, m_field, [this] { m_field->setFocus(); });
   connect(m_field, &KeyField::keyPressed, this, [this](const QKeySequence& key) {
     m_map->setKey(std::size_t(m_table->currentRow()), key);
   });
   connect(m_resetButton, &QPushButton::clicked, this,
           [this] { m_map->reset(std::size_t(m_table->currentRow())); });
-  connect(m_map, &KeyMap::changed, this, &KeyWindow::refresh);
+  connect(m_map, &KeyMap::changed, this, &KeyDialog::refresh);
   m_table->setCurrentCell(0, commandColumn);
   refresh();
   setWidths();
 }
 
-void KeyWindow::makeTable() {
+void KeyDialog::makeTable() {
   m_table->setObjectName("keyTable");
   m_table->setAccessibleName(tr("Commands and keys"));
   m_table->setRowCount(int(m_map->commands().size()));
@@ -83,7 +83,7 @@ void KeyWindow::makeTable() {
       m_table->setItem(row, column, new QTableWidgetItem);
 }
 
-void KeyWindow::layOut() {
+void KeyDialog::layOut() {
   m_search->setObjectName("keySearch");
   m_search->setPlaceholderText(tr("Search commands and keys"));
   m_search->setToolTip(tr("Shows the rows that have these words; a key too, such as Ctrl+D"));
@@ -110,7 +110,7 @@ void KeyWindow::layOut() {
 }
 
 /// Once, so that nothing jumps when rows are hidden or keys change.
-void KeyWindow::setWidths() {
+void KeyDialog::setWidths() {
   m_table->resizeColumnToContents(commandColumn);
   const int keyWidth = fontMetrics().horizontalAdvance("Ctrl+Alt+Shift+PgDown ");
   for (const int column : {keyColumn, defaultColumn}) m_table->setColumnWidth(column, keyWidth);
@@ -119,7 +119,7 @@ void KeyWindow::setWidths() {
 }
 
 /// Rows that have all words, in any column.
-void KeyWindow::search(const QString& words) {
+void KeyDialog::search(const QString& words) {
   const QStringList wanted = words.split(' ', Qt::SkipEmptyParts);
   for (int row = 0; row < m_table->rowCount(); ++row) {
     QString all;
@@ -133,18 +133,18 @@ void KeyWindow::search(const QString& words) {
     if (!m_table->isRowHidden(row)) return m_table->setCurrentCell(row, commandColumn);
 }
 
-QString KeyWindow::conflictText(int row) const {
+QString KeyDialog::conflictText(int row) const {
   QStringList names;
   for (const std::size_t other : m_map->conflictsOf(std::size_t(row)))
     names << nameOf(m_map->commands()[other]);
   return names.join("; ");
 }
 
-void KeyWindow::showRow(int row) {
+void KeyDialog::showRow(int row) {
   const KeyMap::Command& command = m_map->commands()[std::size_t(row)];
   const QString conflict = conflictText(row);
-  const QStringList texts{nameOf(command), command.help, textOf(command.keys),
-                          textOf(command.defaults),
+  const QStringList texts{nameOf(command), command.help, textOfKeys(command.keys),
+                          textOfKeys(command.defaults),
                           conflict.isEmpty() ? QString() : tr("⚠ also %1").arg(conflict)};
   for (int column = 0; column < columnCount; ++column) {
     QTableWidgetItem* item = m_table->item(row, column);
@@ -157,24 +157,24 @@ void KeyWindow::showRow(int row) {
   m_table->item(row, keyColumn)->setFont(font);
 }
 
-void KeyWindow::refresh() {
+void KeyDialog::refresh() {
   for (int row = 0; row < m_table->rowCount(); ++row) showRow(row);
   showChosen();
 }
 
-void KeyWindow::showChosen() {
+void KeyDialog::showChosen() {
   const int row = m_table->currentRow();
   if (row < 0) return;
   const KeyMap::Command& command = m_map->commands()[std::size_t(row)];
   m_label->setText(nameOf(command));
-  m_field->setText(textOf(command.keys));
+  m_field->setText(textOfKeys(command.keys));
   m_resetButton->setEnabled(command.keys != command.defaults);
   const QString conflict = conflictText(row);
   m_note->setText(conflict.isEmpty()
                       ? tr("Choose a command, press Return, then press its new key.")
                       : tr("⚠ %1 is also the key of %2: it does nothing until one of them "
                            "has another.")
-                            .arg(textOf(command.keys), conflict));
+                            .arg(textOfKeys(command.keys), conflict));
 }
 
 }  // namespace hogelscope

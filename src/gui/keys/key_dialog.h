@@ -16,11 +16,11 @@ namespace hogelscope {
 class KeyField;
 
 /// Changes take effect, and are saved, at once.
-class KeyWindow : public QDialog {
+class KeyDialog : public QDialog {
   Q_OBJECT
 
  public:
-  KeyWindow(KeyMap* map, QWidget* parent);
+  KeyDialog(KeyMap* map, QWidget* parent);
 
  private:
   enum Column { commandColumn, helpColumn, keyColumn, defaultColumn, conflictColumn, columnCount };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of camera states.
-#include "gui/docks/state_list.h"
+#include "gui/docks/state_list_widget.h"
 
 #include <QDrag>
 #include <QDropEvent>
@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-StateList::StateList(QWidget* parent) : QListWidget(parent) {
+StateListWidget::StateListWidget(QWidget* parent) : QListWidget(parent) {
   setObjectName("stateList");
   setSelectionMode(ExtendedSelection);
   setEditTriggers(DoubleClicked);
@@ -18,14 +18,14 @@ StateList::StateList(QWidget* parent) : QListWidget(parent) {
   setDragDropOverwriteMode(false);
 }
 
-QSize StateList::sizeHint() const {
+QSize StateListWidget::sizeHint() const {
   constexpr int rows = 6;
   const int row = count() > 0 ? sizeHintForRow(0) : fontMetrics().height() + 4;
   return {QListWidget::sizeHint().width(), rows * row + 2 * frameWidth()};
 }
 
 /// The upper half of a row is above it, the lower one below; under the last row is the end.
-int StateList::rowBelow(const QDropEvent& event) const {
+int StateListWidget::rowBelow(const QDropEvent& event) const {
   const QPoint at = event.position().toPoint();
   const QModelIndex index = indexAt(at);
   if (!index.isValid()) return count();
@@ -33,7 +33,7 @@ int StateList::rowBelow(const QDropEvent& event) const {
 }
 
 /// Qt's own would delete the rows afterwards.
-void StateList::startDrag(Qt::DropActions) {
+void StateListWidget::startDrag(Qt::DropActions) {
   auto* drag = new QDrag(this);
   drag->setMimeData(model()->mimeData(selectedIndexes()));
   drag->setPixmap(viewport()->grab(visualRect(currentIndex())));
@@ -41,7 +41,7 @@ void StateList::startDrag(Qt::DropActions) {
 }
 
 /// The session moves its states and the list follows.
-void StateList::dropEvent(QDropEvent* event) {
+void StateListWidget::dropEvent(QDropEvent* event) {
   std::vector<std::size_t> rows;
   for (const QModelIndex& index : selectionModel()->selectedRows())
     rows.push_back(std::size_t(index.row()));

@@ -7,11 +7,11 @@
 
 namespace hogelscope {
 
-class StateList : public QListWidget {
+class StateListWidget : public QListWidget {
   Q_OBJECT
 
  public:
-  explicit StateList(QWidget* parent = nullptr);
+  explicit StateListWidget(QWidget* parent = nullptr);
 
   /// Six rows.
   [[nodiscard]] QSize sizeHint() const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows a picture, or compares two of the same size: zoom, pan, mask and pixel read-out.
+// Shows an image, or compares two of the same size: zoom, pan, mask and pixel read-out.
 #pragma once
 
 #include <QWidget>
@@ -12,46 +12,46 @@ class QAction;
 
 namespace hogelscope {
 
-class PictureView : public QWidget {
+class ImageWidget : public QWidget {
   Q_OBJECT
 
  public:
   enum class Mode { single, sideBySide, wipe, difference };
 
-  explicit PictureView(QWidget* parent = nullptr);
+  explicit ImageWidget(QWidget* parent = nullptr);
 
   /// A second one of another size is not shown; without one there is nothing to compare.
   void setImages(const QImage& image, const QImage& other = {});
-  /// 0 = not seen, for each picture; of its size. A null one marks nothing.
+  /// 0 = not seen, for each image; of its size. A null one marks nothing.
   void setMask(const QImage& seen, const QImage& otherSeen = {});
-  /// What the pictures are, shown where both are.
+  /// What the images are, shown where both are.
   void setTitles(const QString& title, const QString& otherTitle);
-  /// Stands in the place of a picture, or on it: then it is not what it should be, is dimmed, and
-  /// no pixel of it is read out or picked. Empty: the picture is right.
+  /// Stands in the place of an image, or on it: then it is not what it should be, is dimmed, and
+  /// no pixel of it is read out or picked. Empty: the image is right.
   void setNotice(const QString& notice);
-  /// How two pictures are compared.
+  /// How two images are compared.
   void setMode(Mode mode);
   void showMask(bool isShown);
   /// Factor of the difference, 1 … 128.
   void setGain(int gain);
-  /// Share of the width, 0 … 1, left of the line: there the first picture is shown.
+  /// Share of the width, 0 … 1, left of the line: there the first image is shown.
   void setWipe(double share);
   void setViewport(const Viewport& viewport);
   /// From now on both show the same part at the same zoom: first the other's.
-  void linkTo(PictureView& other);
-  /// The whole picture.
+  void linkTo(ImageWidget& other);
+  /// The whole image.
   void fit();
-  /// One pixel of the picture on one of the screen.
+  /// One pixel of the image on one of the screen.
   void oneToOne();
 
-  [[nodiscard]] const QImage& image() const { return m_pictures[0].image.image(); }
+  [[nodiscard]] const QImage& image() const { return m_images[0].image.image(); }
   [[nodiscard]] const QString& notice() const { return m_notice; }
-  [[nodiscard]] const QImage& otherImage() const { return m_pictures[1].image.image(); }
+  [[nodiscard]] const QImage& otherImage() const { return m_images[1].image.image(); }
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
   [[nodiscard]] double wipe() const { return m_wipe; }
   [[nodiscard]] int gain() const { return m_gain; }
-  /// The whole picture as the mode shows it, pixel for pixel, without mask and grid.
-  [[nodiscard]] QImage shownPicture() const;
+  /// The whole image as the mode shows it, pixel for pixel, without mask and grid.
+  [[nodiscard]] QImage shownImage() const;
   /// Place, code values and zoom under the pointer; "" where no pixel is.
   [[nodiscard]] QString readOut() const;
 
@@ -81,7 +81,7 @@ class PictureView : public QWidget {
   void addCommands();
   void addCommand(const char* name, const QString& text, const QString& help,
                   const QList<QKeySequence>& keys, std::optional<Mode> mode,
-                  void (PictureView::*does)());
+                  void (ImageWidget::*does)());
   void showActions();
   void zoomIn();
   void zoomOut();
@@ -107,14 +107,14 @@ class PictureView : public QWidget {
   void updateDifference();
   void updateHatch();
 
-  void paintPictures(QPainter& painter) const;
+  void paintImages(QPainter& painter) const;
   void paintOne(QPainter& painter, const QRect& pane, const QRect& clip, std::size_t which) const;
   void paintDifference(QPainter& painter, const QRect& pane) const;
   void paintOtherPointer(QPainter& painter) const;
   void paintTexts(QPainter& painter) const;
   void paintNotice(QPainter& painter) const;
 
-  std::array<Shown, 2> m_pictures;
+  std::array<Shown, 2> m_images;
   ZoomableImage m_difference;  ///< only in its mode
   Viewport m_viewport;
   Mode m_mode = Mode::sideBySide;

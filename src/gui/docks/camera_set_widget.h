@@ -13,11 +13,11 @@ namespace hogelscope {
 
 class SessionModel;
 
-class CameraSetView : public QWidget {
+class CameraSetWidget : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CameraSetView(QWidget* parent = nullptr);
+  explicit CameraSetWidget(QWidget* parent = nullptr);
 
   void setModel(SessionModel* model);
   /// A user's distribution (JSON) or a viewer's trace (CSV). True if its states were added.

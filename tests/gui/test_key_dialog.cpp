@@ -8,16 +8,16 @@
 #include <QTableWidget>
 #include <set>
 
+#include "gui/keys/key_dialog.h"
 #include "gui/keys/key_field.h"
 #include "gui/keys/key_map.h"
-#include "gui/keys/key_window.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "io/documents/key_map_file.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;
 
-class TestKeyWindow : public WindowTest {
+class TestKeyDialog : public WindowTest {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -30,7 +30,7 @@ class TestKeyWindow : public WindowTest {
   void searching();
   void takenAway();
   void keptForNextTime();
-  void picturesToo();
+  void imagesToo();
   void aBadFileIsOneLine();
   void signsAndModifiers();
 
@@ -47,39 +47,39 @@ class TestKeyWindow : public WindowTest {
   void press(const char* action, Qt::Key which, Qt::KeyboardModifiers modifiers = {}) const;
 };
 
-void TestKeyWindow::init() {
+void TestKeyDialog::init() {
   QFile::remove(keysFile());
   start();
 }
 
-void TestKeyWindow::openKeys() {
+void TestKeyDialog::openKeys() {
   key(Qt::Key_K, Qt::ControlModifier);
-  QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<KeyWindow*>() != nullptr, patience);
-  QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<KeyWindow*>()->isVisible(), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<KeyDialog*>() != nullptr, patience);
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<KeyDialog*>()->isVisible(), patience);
 }
 
-int TestKeyWindow::rowOf(const char* action) const {
+int TestKeyDialog::rowOf(const char* action) const {
   const auto& commands = map()->commands();
   const auto found = std::ranges::find(commands, QString(action), &KeyMap::Command::name);
   if (found == commands.end()) qFatal("no command %s", action);
   return int(found - commands.begin());
 }
 
-QString TestKeyWindow::cell(const char* action, int column) const {
+QString TestKeyDialog::cell(const char* action, int column) const {
   return child<QTableWidget>("keyTable")->item(rowOf(action), column)->text();
 }
 
 /// As a user does: a click on the row, Return.
-void TestKeyWindow::choose(const char* action) const {
+void TestKeyDialog::choose(const char* action) const {
   auto* table = child<QTableWidget>("keyTable");
-  QApplication::setActiveWindow(m_window->findChild<KeyWindow*>());
+  QApplication::setActiveWindow(m_window->findChild<KeyDialog*>());
   QTableWidgetItem* item = table->item(rowOf(action), 0);
   table->scrollToItem(item);
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(item).center());
   QTest::keyClick(table, Qt::Key_Return);
 }
 
-void TestKeyWindow::press(const char* action, Qt::Key which,
+void TestKeyDialog::press(const char* action, Qt::Key which,
                           Qt::KeyboardModifiers modifiers) const {
   choose(action);
   auto* field = child<KeyField>("keyField");
@@ -88,7 +88,7 @@ void TestKeyWindow::press(const char* action, Qt::Key which,
   QApplication::setActiveWindow(m_window.get());
 }
 
-void TestKeyWindow::everythingHasAKeyOfItsOwn() {
+void TestKeyDialog::everythingHasAKeyOfItsOwn() {
   QVERIFY(map()->commands().size() > 60);
   for (std::size_t k = 0; k < map()->commands().size(); ++k) {
     const KeyMap::Command& command = map()->commands()[k];
@@ -100,7 +100,7 @@ void TestKeyWindow::everythingHasAKeyOfItsOwn() {
 }
 
 /// keys.md holds a row for each command, and no other; what it should be lies beside this program.
-void TestKeyWindow::theManualListsAllKeys() {
+void TestKeyDialog::theManualListsAllKeys() {
   QByteArray table = "| menu | command | key |\n|---|---|---|\n";
   for (const KeyMap::Command& command : map()->commands())
     table += QString("| %1 | %2 | %3 |\n")
@@ -114,7 +114,7 @@ void TestKeyWindow::theManualListsAllKeys() {
   QVERIFY2(contentOf(made) == manual, qPrintable("the manual should be as " + made));
 }
 
-void TestKeyWindow::anotherKeyAtOnce() {
+void TestKeyDialog::anotherKeyAtOnce() {
   openKeys();
   QCOMPARE(cell("walkForwardAction", 0), QString("Camera: Walk forward"));
   QCOMPARE(cell("walkForwardAction", 1), QString("Moves the camera 1 cm along its view"));
@@ -137,7 +137,7 @@ void TestKeyWindow::anotherKeyAtOnce() {
 }
 
 /// Both are marked, neither works, and one solves it for both.
-void TestKeyWindow::conflicts() {
+void TestKeyDialog::conflicts() {
   openKeys();
   press("walkForwardAction", Qt::Key_D, Qt::ControlModifier);
   QCOMPARE(cell("walkForwardAction", 4), QString("⚠ also States: Duplicate"));
@@ -162,7 +162,7 @@ void TestKeyWindow::conflicts() {
   QCOMPARE(m_model->session().cameras.size(), std::size_t(5));
 }
 
-void TestKeyWindow::searching() {
+void TestKeyDialog::searching() {
   openKeys();
   auto* table = child<QTableWidget>("keyTable");
   auto* search = child<QLineEdit>("keySearch");
@@ -180,16 +180,16 @@ void TestKeyWindow::searching() {
   QVERIFY(shown().contains("orbitUpAction") && shown().contains("orbitUpLargeAction"));
   QVERIFY(!shown().contains("walkForwardAction"));
   QCOMPARE(table->currentRow(), rowOf("orbitUpAction"));
-  QApplication::setActiveWindow(m_window->findChild<KeyWindow*>());
+  QApplication::setActiveWindow(m_window->findChild<KeyDialog*>());
   QTest::keyClick(search, Qt::Key_Return);
   QVERIFY(child<KeyField>("keyField")->hasFocus());
-  m_window->findChild<KeyWindow*>()->grab().save(QCoreApplication::applicationDirPath() +
+  m_window->findChild<KeyDialog*>()->grab().save(QCoreApplication::applicationDirPath() +
                                                  "/key_window.png");
   QTest::keyClicks(search, " no such thing");
   QVERIFY(shown().empty());
 }
 
-void TestKeyWindow::takenAway() {
+void TestKeyDialog::takenAway() {
   openKeys();
   press("walkForwardAction", Qt::Key_Backspace);
   QCOMPARE(cell("walkForwardAction", 2), QString());
@@ -201,7 +201,7 @@ void TestKeyWindow::takenAway() {
   QCOMPARE(eye().z, 0.7);
 }
 
-void TestKeyWindow::keptForNextTime() {
+void TestKeyDialog::keptForNextTime() {
   openKeys();
   press("reportDockAction", Qt::Key_F10);
   m_window.reset();
@@ -213,16 +213,16 @@ void TestKeyWindow::keptForNextTime() {
   QCOMPARE(cell("reportDockAction", 3), QString("Ctrl+R"));
 }
 
-/// One key for the same command of all pictures.
-void TestKeyWindow::picturesToo() {
-  QTRY_VERIFY_WITH_TIMEOUT(!child<PictureView>("pictureView")->image().isNull(), patience);
+/// One key for the same command of all images.
+void TestKeyDialog::imagesToo() {
+  QTRY_VERIFY_WITH_TIMEOUT(!child<ImageWidget>("pictureView")->image().isNull(), patience);
   openKeys();
   press("zoomInAction", Qt::Key_F12);
   child<QDockWidget>("reportDock")->show();
-  const QImage picture = child<PictureView>("pictureView")->image();
+  const QImage image = child<ImageWidget>("pictureView")->image();
   for (const char* name : {"pictureView", "reportReference"}) {
-    auto* view = child<PictureView>(name);
-    view->setImages(picture);
+    auto* view = child<ImageWidget>(name);
+    view->setImages(image);
     view->setFocus();
     const Viewport before = view->viewport();
     QTest::keyClick(view, Qt::Key_Plus);
@@ -232,7 +232,7 @@ void TestKeyWindow::picturesToo() {
   }
 }
 
-void TestKeyWindow::aBadFileIsOneLine() {
+void TestKeyDialog::aBadFileIsOneLine() {
   m_window.reset();
   for (const auto& [document, line] :
        {std::pair("{", "is not JSON"),
@@ -250,7 +250,7 @@ void TestKeyWindow::aBadFileIsOneLine() {
   QVERIFY(window.statusBar()->currentMessage().isEmpty());
 }
 
-void TestKeyWindow::signsAndModifiers() {
+void TestKeyDialog::signsAndModifiers() {
   KeyField field;
   field.show();
   QSignalSpy pressed(&field, &KeyField::keyPressed);
@@ -272,6 +272,6 @@ void TestKeyWindow::signsAndModifiers() {
 }
 
 int main(int argc, char** argv) {
-  return runWindowTest<TestKeyWindow>(argc, argv);
+  return runWindowTest<TestKeyDialog>(argc, argv);
 }
-#include "test_key_window.moc"
+#include "test_key_dialog.moc"

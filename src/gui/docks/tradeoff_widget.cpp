@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The speed-accuracy dock.
-#include "gui/docks/tradeoff_view.h"
+#include "gui/docks/tradeoff_widget.h"
 
 #include <QHBoxLayout>
 #include <QMouseEvent>
@@ -53,7 +53,7 @@ void TradeoffChartWidget::mousePressEvent(QMouseEvent* event) {
   if (row) Q_EMIT clicked(*row);
 }
 
-TradeoffView::TradeoffView(QWidget* parent)
+TradeoffWidget::TradeoffWidget(QWidget* parent)
     : QWidget(parent),
       m_task(new Task(this)),
       m_chart(new TradeoffChartWidget(this)),
@@ -73,17 +73,17 @@ TradeoffView::TradeoffView(QWidget* parent)
   layout->addLayout(buttons);
   forgetChoice();
   showIdle();
-  connect(m_measureButton, &QPushButton::clicked, this, &TradeoffView::measureOrStop);
+  connect(m_measureButton, &QPushButton::clicked, this, &TradeoffWidget::measureOrStop);
   connect(m_defaultButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
   connect(m_chart, &TradeoffChartWidget::clicked, this, [this](std::size_t row) { choose(row); });
-  connect(m_task, &Task::stopped, this, &TradeoffView::showIdle);
+  connect(m_task, &Task::stopped, this, &TradeoffWidget::showIdle);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
     showIdle();
     Q_EMIT failed(line);
   });
 }
 
-void TradeoffView::setViews(const std::vector<View>& views) {
+void TradeoffWidget::setViews(const std::vector<View>& views) {
   m_views = views;
   m_chart->setChart(TradeoffChart({}, ""));
   if (m_task->isRunning())
@@ -92,18 +92,18 @@ void TradeoffView::setViews(const std::vector<View>& views) {
     showIdle();
 }
 
-void TradeoffView::forgetChoice() {
+void TradeoffWidget::forgetChoice() {
   m_chart->select(std::nullopt);
   m_defaultButton->setEnabled(false);
 }
 
-void TradeoffView::stop() {
+void TradeoffWidget::stop() {
   m_task->stop();
   m_measureButton->setText(tr("Stopping…"));
   m_measureButton->setEnabled(false);
 }
 
-void TradeoffView::measureOrStop() {
+void TradeoffWidget::measureOrStop() {
   if (m_task->isRunning()) return stop();
   m_measureButton->setText(tr("&Stop measuring"));
   m_task->start([this, views = m_views](const Progress& progress) {
@@ -112,7 +112,7 @@ void TradeoffView::measureOrStop() {
   m_progress->setVisible(true);
 }
 
-void TradeoffView::show(const Tradeoff& tradeoff) {
+void TradeoffWidget::show(const Tradeoff& tradeoff) {
   const bool isWanted = m_measureButton->isEnabled();  // nobody said stop just before its end
   showIdle();
   if (!isWanted) return;
@@ -121,7 +121,7 @@ void TradeoffView::show(const Tradeoff& tradeoff) {
   m_chart->setChart(TradeoffChart(tradeoff.rows, title.toStdString()));
 }
 
-void TradeoffView::choose(std::optional<std::size_t> row) {
+void TradeoffWidget::choose(std::optional<std::size_t> row) {
   m_chart->select(row);
   m_defaultButton->setEnabled(row.has_value());
   if (row)
@@ -130,7 +130,7 @@ void TradeoffView::choose(std::optional<std::size_t> row) {
     Q_EMIT methodChosen(std::nullopt);
 }
 
-void TradeoffView::showIdle() {
+void TradeoffWidget::showIdle() {
   m_measureButton->setText(tr("&Measure speed and accuracy"));
   m_measureButton->setEnabled(!m_views.empty());
   m_progress->setVisible(false);

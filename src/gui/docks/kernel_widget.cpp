@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A drawing of the light leakage.
-#include "gui/docks/kernel_view.h"
+#include "gui/docks/kernel_widget.h"
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -26,13 +26,13 @@ QString percent(double weight) {
 
 }  // namespace
 
-KernelView::KernelView(QWidget* parent) : QWidget(parent) {
+KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {
   setObjectName("kernelView");
   setMinimumSize(120, 120);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
-void KernelView::setParams(const PsfParams& params) {
+void KernelWidget::setParams(const PsfParams& params) {
   m_params = params;
   const bool hasKernel = params.windowSize == 1 || params.sigma > 0;
   m_weights = hasKernel ? kernel(params) : std::vector<double>{};
@@ -41,7 +41,7 @@ void KernelView::setParams(const PsfParams& params) {
 }
 
 /// Of tap k.
-QRectF KernelView::cell(int k) const {
+QRectF KernelWidget::cell(int k) const {
   const int side = m_params.windowSize;
   const double width = square().width() / side;
   const int row = k / side;
@@ -49,13 +49,13 @@ QRectF KernelView::cell(int k) const {
 }
 
 /// Of the taps; below it is a line of text.
-QRectF KernelView::square() const {
+QRectF KernelWidget::square() const {
   const double below = fontMetrics().height() + 6;
   const double side = std::max(1.0, std::min(width() - 8.0, height() - below - 4.0));
   return {(width() - side) / 2, 4, side, side};
 }
 
-QString KernelView::textAt(const QPointF& position) const {
+QString KernelWidget::textAt(const QPointF& position) const {
   if (m_weights.empty() || !square().contains(position)) return {};
   const int side = m_params.windowSize;
   const QPointF inside = (position - square().topLeft()) / square().width() * side;
@@ -67,14 +67,14 @@ QString KernelView::textAt(const QPointF& position) const {
       .arg(100 * m_weights[std::size_t(row) * std::size_t(side) + std::size_t(column)], 0, 'g', 4);
 }
 
-bool KernelView::event(QEvent* event) {
+bool KernelWidget::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QToolTip::showText(help->globalPos(), textAt(help->pos()), this);
   return true;
 }
 
-void KernelView::paintEvent(QPaintEvent*) {
+void KernelWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (m_weights.empty()) {
@@ -92,7 +92,7 @@ void KernelView::paintEvent(QPaintEvent*) {
                    m_params.windowSize == 1 ? tr("no leakage") : tr("weights in %, circle: sigma"));
 }
 
-void KernelView::paintCells(QPainter& painter) const {
+void KernelWidget::paintCells(QPainter& painter) const {
   const double most = *std::max_element(m_weights.begin(), m_weights.end());
   const bool hasGrid = cell(0).width() >= 6;
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -106,7 +106,7 @@ void KernelView::paintCells(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing, true);
 }
 
-void KernelView::paintNumbers(QPainter& painter) const {
+void KernelWidget::paintNumbers(QPainter& painter) const {
   QFont small = font();
   small.setPointSizeF(0.85 * small.pointSizeF());
   painter.setFont(small);
@@ -120,7 +120,7 @@ void KernelView::paintNumbers(QPainter& painter) const {
 }
 
 /// A circle of radius sigma around the middle tap, clipped to the window.
-void KernelView::paintSigma(QPainter& painter) const {
+void KernelWidget::paintSigma(QPainter& painter) const {
   const double radius = m_params.sigma * square().width() / m_params.windowSize;
   painter.save();
   painter.setClipRect(square());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawing of a lens: straight lines of the world in the picture, the fold, what has no ray.
+// A drawing of a lens: straight lines of the world in the image, the fold, what has no ray.
 #pragma once
 
 #include <QWidget>
@@ -11,11 +11,11 @@ class QPainterPath;
 namespace hogelscope {
 
 /// Pale while it is disabled.
-class LensView : public QWidget {
+class LensWidget : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LensView(QWidget* parent = nullptr);
+  explicit LensWidget(QWidget* parent = nullptr);
 
   void setLens(const LensGrid& grid);
 
@@ -25,7 +25,7 @@ class LensView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  [[nodiscard]] QTransform widgetFromPicture() const;
+  [[nodiscard]] QTransform widgetFromImage() const;
   [[nodiscard]] QRectF border() const;
   [[nodiscard]] QPainterPath foldPath() const;
   void paintLines(QPainter& painter, const QTransform& transform) const;

@@ -39,11 +39,11 @@ class TradeoffChartWidget : public QWidget {
   QPixmap m_painted;  ///< placing the labels takes a while
 };
 
-class TradeoffView : public QWidget {
+class TradeoffWidget : public QWidget {
   Q_OBJECT
 
  public:
-  explicit TradeoffView(QWidget* parent = nullptr);
+  explicit TradeoffWidget(QWidget* parent = nullptr);
 
   /// What the next measurement is over. Results of others are not shown any more, and one that is
   /// under way stops.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows a picture, or compares two of the same size: what it paints, and what it says of a pixel.
+// Shows an image, or compares two of the same size: what it paints, and what it says of a pixel.
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 
 namespace hogelscope {
 
@@ -33,13 +33,13 @@ void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const
 
 }  // namespace
 
-void PictureView::paintEvent(QPaintEvent*) {
+void ImageWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(38, 40, 44));
   if (!image().isNull()) {
     painter.save();
     painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
-    paintPictures(painter);
+    paintImages(painter);
     paintOtherPointer(painter);
     painter.restore();
     paintTexts(painter);
@@ -47,7 +47,7 @@ void PictureView::paintEvent(QPaintEvent*) {
   paintNotice(painter);
 }
 
-void PictureView::paintNotice(QPainter& painter) const {
+void ImageWidget::paintNotice(QPainter& painter) const {
   if (m_notice.isEmpty()) return;
   if (!image().isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 150));
   const int longest = 60 * fontMetrics().averageCharWidth();
@@ -55,7 +55,7 @@ void PictureView::paintNotice(QPainter& painter) const {
   paintText(painter, rect().adjusted(margin, 0, -margin, 0), Qt::AlignCenter, m_notice);
 }
 
-void PictureView::paintPictures(QPainter& painter) const {
+void ImageWidget::paintImages(QPainter& painter) const {
   const QRect all = deviceRect();
   const QRect left = paneAt({});
   const QRect right = paneAt(all.bottomRight());
@@ -76,23 +76,23 @@ void PictureView::paintPictures(QPainter& painter) const {
   }
 }
 
-void PictureView::paintOne(QPainter& painter, const QRect& pane, const QRect& clip,
+void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& clip,
                            std::size_t which) const {
   const Placement at = placement(pane);
-  m_pictures[which].image.paint(painter, clip, at);
-  m_pictures[which].hatch.paint(painter, clip, at);
+  m_images[which].image.paint(painter, clip, at);
+  m_images[which].hatch.paint(painter, clip, at);
   paintPixelGrid(painter, clip, at, image().size());
 }
 
-void PictureView::paintDifference(QPainter& painter, const QRect& pane) const {
+void ImageWidget::paintDifference(QPainter& painter, const QRect& pane) const {
   const Placement at = placement(pane);
   m_difference.paint(painter, pane, at);
-  for (const Shown& picture : m_pictures) picture.hatch.paint(painter, pane, at);
+  for (const Shown& image : m_images) image.hatch.paint(painter, pane, at);
   paintPixelGrid(painter, pane, at, image().size());
 }
 
 /// Side by side: where the pointer would be in the other pane.
-void PictureView::paintOtherPointer(QPainter& painter) const {
+void ImageWidget::paintOtherPointer(QPainter& painter) const {
   if (shownMode() != Mode::sideBySide || !m_pointer || !pixelAt(*m_pointer)) return;
   const QPointF device = inDevice(*m_pointer);
   const QRect pane = paneAt(device);
@@ -106,7 +106,7 @@ void PictureView::paintOtherPointer(QPainter& painter) const {
   }
 }
 
-void PictureView::paintTexts(QPainter& painter) const {
+void ImageWidget::paintTexts(QPainter& painter) const {
   const Mode mode = shownMode();
   const auto corner = [](Qt::AlignmentFlag side, Qt::AlignmentFlag end) { return side | end; };
   if (mode == Mode::difference)
@@ -115,10 +115,10 @@ void PictureView::paintTexts(QPainter& painter) const {
   if (mode == Mode::sideBySide || mode == Mode::wipe) {
     QRect second = rect();
     if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
-    paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), m_pictures[0].title);
+    paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), m_images[0].title);
     paintText(painter, second,
               corner(mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignTop),
-              m_pictures[1].title);
+              m_images[1].title);
   }
   // Away from the pointer, so that it hides nothing that is looked at.
   const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
@@ -126,41 +126,41 @@ void PictureView::paintTexts(QPainter& painter) const {
             readOut());
 }
 
-QString PictureView::readOut() const {
+QString ImageWidget::readOut() const {
   const std::optional<QPoint> pixel = m_pointer ? pixelAt(*m_pointer) : std::nullopt;
   if (!pixel) return {};
-  const auto of = [&](const Shown& picture) {
-    const bool isUnseen = picture.seen.valid(*pixel) && qGray(picture.seen.pixel(*pixel)) == 0;
-    return isUnseen ? tr("not seen") : values(picture.image.image().pixelColor(*pixel));
+  const auto valuesOf = [&](const Shown& image) {
+    const bool isUnseen = image.seen.valid(*pixel) && qGray(image.seen.pixel(*pixel)) == 0;
+    return isUnseen ? tr("not seen") : values(image.image.image().pixelColor(*pixel));
   };
-  QString text = tr("x %1, y %2: ").arg(pixel->x()).arg(pixel->y()) + of(m_pictures[0]);
+  QString text = tr("x %1, y %2: ").arg(pixel->x()).arg(pixel->y()) + valuesOf(m_images[0]);
   if (!otherImage().isNull())
     text +=
         tr(" | %1, difference %2")
-            .arg(of(m_pictures[1]),
+            .arg(valuesOf(m_images[1]),
                  values(difference(image().pixelColor(*pixel), otherImage().pixelColor(*pixel))));
   const double zoom = placement(paneAt(inDevice(*m_pointer))).zoom;
   return text + tr(" (%1 %)").arg(100 * zoom, 0, 'f', 0);
 }
 
-QImage PictureView::shownPicture() const {
+QImage ImageWidget::shownImage() const {
   const Mode mode = shownMode();
   if (mode == Mode::single) return image();
   if (mode == Mode::difference) return m_difference.image();
   const bool isWipe = mode == Mode::wipe;
   const int split =
-      isWipe ? int(std::round(placement(deviceRect()).toPicture(QPointF(wipeColumn(), 0)).x()))
+      isWipe ? int(std::round(placement(deviceRect()).toImage(QPointF(wipeColumn(), 0)).x()))
              : image().width();
-  QImage picture(isWipe ? image().size() : QSize(2 * image().width(), image().height()),
-                 image().format());
-  QPainter painter(&picture);
+  QImage shown(isWipe ? image().size() : QSize(2 * image().width(), image().height()),
+               image().format());
+  QPainter painter(&shown);
   painter.drawImage(0, 0, image());
   const int from = std::clamp(split, 0, image().width());
   if (isWipe)
     painter.drawImage(from, 0, otherImage(), from, 0);
   else
     painter.drawImage(from, 0, otherImage());
-  return picture;
+  return shown;
 }
 
 }  // namespace hogelscope

@@ -18,24 +18,24 @@ class ReadingBar;
 class SessionModel;
 struct RenderedView;
 
-class PictureCommands : public QObject {
+class ImageCommands : public QObject {
   Q_OBJECT
 
  public:
-  PictureCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
+  ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
   /// What is to be rendered beside the session's own light field.
   [[nodiscard]] std::optional<Scene> other() const;
   void show(const RenderedView& view);
-  /// Why the picture is not what it should be. Until the next one is shown this stands on it, and
+  /// Why the image is not what it should be. Until the next one is shown this stands on it, and
   /// it can neither be saved nor copied.
-  void doubt(const QString& why);
-  /// The same, without the picture: it is of another session.
+  void showNotice(const QString& why);
+  /// The same, without the image: it is of another session.
   void drop(const QString& why);
   /// Begins to read; what goes wrong is told by failed(), now or later.
   bool compareWith(const QString& file);
-  /// The picture as it is shown, if it is right; format by extension.
-  bool savePicture(const QString& file);
+  /// The image as it is shown, if it is right; format by extension.
+  bool saveImage(const QString& file);
 
  Q_SIGNALS:
   void otherChanged();  ///< what other() says
@@ -51,7 +51,7 @@ class PictureCommands : public QObject {
   void copy();
   void askFile();
   void askFolder();
-  void askPicture();
+  void askImage();
 
   const Ui::MainWindow& m_ui;
   SessionModel* m_model;

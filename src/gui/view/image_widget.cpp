@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows a picture, or compares two of the same size: what it shows and how it is moved. How it is
-// painted is in picture_view_painting.cpp.
-#include "gui/view/picture_view.h"
+// Shows an image, or compares two of the same size: what it shows and how it is moved. How it is
+// painted is in image_widget_painting.cpp.
+#include "gui/view/image_widget.h"
 
 #include <QAction>
 #include <QApplication>
@@ -11,11 +11,11 @@
 #include <cmath>
 #include <utility>
 
-#include "gui/view/picture_difference.h"
+#include "gui/view/image_difference.h"
 
 namespace hogelscope {
 
-PictureView::PictureView(QWidget* parent) : QWidget(parent) {
+ImageWidget::ImageWidget(QWidget* parent) : QWidget(parent) {
   setMinimumSize(160, 120);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -25,8 +25,8 @@ PictureView::PictureView(QWidget* parent) : QWidget(parent) {
 }
 
 /// Shortcuts of the widget that has the focus, and its context menu.
-void PictureView::addCommands() {
-  using View = PictureView;
+void ImageWidget::addCommands() {
+  using View = ImageWidget;
   addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
              {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
   addCommand("zoomOutAction", tr("Zoom &out"), tr("Shows more, smaller by √2"), {Qt::Key_Minus}, {},
@@ -56,9 +56,9 @@ void PictureView::addCommands() {
   showActions();
 }
 
-void PictureView::addCommand(const char* name, const QString& text, const QString& help,
+void ImageWidget::addCommand(const char* name, const QString& text, const QString& help,
                              const QList<QKeySequence>& keys, std::optional<Mode> mode,
-                             void (PictureView::*does)()) {
+                             void (ImageWidget::*does)()) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setToolTip(help);
@@ -70,99 +70,99 @@ void PictureView::addCommand(const char* name, const QString& text, const QStrin
 }
 
 /// Only those that do something.
-void PictureView::showActions() {
+void ImageWidget::showActions() {
   for (QAction* action : actions())
     if (action->data().isValid()) action->setVisible(action->data().toInt() == int(shownMode()));
 }
 
-void PictureView::setImages(const QImage& image, const QImage& other) {
+void ImageWidget::setImages(const QImage& image, const QImage& other) {
   const bool hasOther = !other.isNull() && other.size() == image.size();
-  m_pictures[0].image = ZoomableImage(image);
-  m_pictures[1].image = ZoomableImage(hasOther ? other : QImage());
+  m_images[0].image = ZoomableImage(image);
+  m_images[1].image = ZoomableImage(hasOther ? other : QImage());
   updateDifference();
   setViewport(m_viewport);
 }
 
-void PictureView::setMask(const QImage& seen, const QImage& otherSeen) {
-  m_pictures[0].seen = seen;
-  m_pictures[1].seen = otherSeen;
+void ImageWidget::setMask(const QImage& seen, const QImage& otherSeen) {
+  m_images[0].seen = seen;
+  m_images[1].seen = otherSeen;
   updateHatch();
 }
 
-void PictureView::setTitles(const QString& title, const QString& otherTitle) {
-  m_pictures[0].title = title;
-  m_pictures[1].title = otherTitle;
+void ImageWidget::setTitles(const QString& title, const QString& otherTitle) {
+  m_images[0].title = title;
+  m_images[1].title = otherTitle;
   update();
 }
 
-void PictureView::setNotice(const QString& notice) {
+void ImageWidget::setNotice(const QString& notice) {
   m_notice = notice;
   setAccessibleDescription(notice);
   update();
 }
 
-void PictureView::setMode(Mode mode) {
+void ImageWidget::setMode(Mode mode) {
   m_mode = mode;
   updateDifference();
 }
 
-void PictureView::showMask(bool isShown) {
+void ImageWidget::showMask(bool isShown) {
   m_showsMask = isShown;
   updateHatch();
 }
 
-void PictureView::setGain(int gain) {
+void ImageWidget::setGain(int gain) {
   m_gain = std::clamp(gain, 1, 128);
   updateDifference();
 }
 
-void PictureView::setWipe(double share) {
+void ImageWidget::setWipe(double share) {
   m_wipe = std::clamp(share, 0.0, 1.0);
   update();
 }
 
-void PictureView::updateDifference() {
+void ImageWidget::updateDifference() {
   m_difference = shownMode() == Mode::difference
-                     ? ZoomableImage(pictureDifference(image(), otherImage(), m_gain))
+                     ? ZoomableImage(differenceImage(image(), otherImage(), m_gain))
                      : ZoomableImage();
   showActions();
   update();
 }
 
-void PictureView::updateHatch() {
-  for (Shown& picture : m_pictures)
-    picture.hatch = m_showsMask ? ZoomableImage(hatched(picture.seen)) : ZoomableImage();
+void ImageWidget::updateHatch() {
+  for (Shown& image : m_images)
+    image.hatch = m_showsMask ? ZoomableImage(hatched(image.seen)) : ZoomableImage();
   update();
 }
 
-void PictureView::setViewport(const Viewport& viewport) {
-  const Viewport next = limited(viewport, image().size());
+void ImageWidget::setViewport(const Viewport& viewport) {
+  const Viewport next = limitCentre(viewport, image().size());
   update();
   if (next == m_viewport) return;
   m_viewport = next;
   Q_EMIT viewportChanged(m_viewport);
 }
 
-void PictureView::linkTo(PictureView& other) {
+void ImageWidget::linkTo(ImageWidget& other) {
   setViewport(other.viewport());
-  connect(this, &PictureView::viewportChanged, &other, &PictureView::setViewport);
-  connect(&other, &PictureView::viewportChanged, this, &PictureView::setViewport);
+  connect(this, &ImageWidget::viewportChanged, &other, &ImageWidget::setViewport);
+  connect(&other, &ImageWidget::viewportChanged, this, &ImageWidget::setViewport);
 }
 
-PictureView::Mode PictureView::shownMode() const {
+ImageWidget::Mode ImageWidget::shownMode() const {
   return otherImage().isNull() ? Mode::single : m_mode;
 }
 
-QRect PictureView::deviceRect() const {
+QRect ImageWidget::deviceRect() const {
   return {QPoint(0, 0), (QSizeF(size()) * devicePixelRatioF()).toSize()};
 }
 
-QPointF PictureView::inDevice(const QPointF& position) const {
+QPointF ImageWidget::inDevice(const QPointF& position) const {
   return position * devicePixelRatioF();
 }
 
 /// Side by side there are two of one size, with a gap between them.
-QRect PictureView::paneAt(const QPointF& device) const {
+QRect ImageWidget::paneAt(const QPointF& device) const {
   QRect pane = deviceRect();
   if (shownMode() != Mode::sideBySide) return pane;
   constexpr int gap = 2;
@@ -171,96 +171,96 @@ QRect PictureView::paneAt(const QPointF& device) const {
   return {isRight ? pane.width() - width : 0, 0, width, pane.height()};
 }
 
-Placement PictureView::placement(const QRect& pane) const {
-  return place(m_viewport, pane, image().size());
+Placement ImageWidget::placement(const QRect& pane) const {
+  return placementOf(m_viewport, pane, image().size());
 }
 
-std::optional<QPoint> PictureView::pixelAt(const QPointF& position) const {
+std::optional<QPoint> ImageWidget::pixelAt(const QPointF& position) const {
   if (image().isNull() || !m_notice.isEmpty()) return {};
   const QPointF device = inDevice(position);
-  const QPointF point = placement(paneAt(device)).toPicture(device);
+  const QPointF point = placement(paneAt(device)).toImage(device);
   const QPoint pixel(int(std::floor(point.x())), int(std::floor(point.y())));
   return image().rect().contains(pixel) ? std::optional(pixel) : std::nullopt;
 }
 
-int PictureView::wipeColumn() const {
+int ImageWidget::wipeColumn() const {
   return int(std::round(m_wipe * deviceRect().width()));
 }
 
-bool PictureView::isOnLine(const QPointF& position) const {
+bool ImageWidget::isOnLine(const QPointF& position) const {
   constexpr double reach = 6;
   return shownMode() == Mode::wipe && std::abs(position.x() - m_wipe * width()) <= reach;
 }
 
-void PictureView::zoomBy(int steps, const QPointF& device) {
+void ImageWidget::zoomBy(int steps, const QPointF& device) {
   if (image().isNull() || steps == 0) return;
   setViewport(zoomed(m_viewport, paneAt(device), image().size(), steps, device));
 }
 
-void PictureView::zoomIn() {
+void ImageWidget::zoomIn() {
   zoomBy(1, paneAt({}).toRectF().center());
 }
 
-void PictureView::zoomOut() {
+void ImageWidget::zoomOut() {
   zoomBy(-1, paneAt({}).toRectF().center());
 }
 
-void PictureView::fit() {
+void ImageWidget::fit() {
   setViewport({});
 }
 
-void PictureView::oneToOne() {
+void ImageWidget::oneToOne() {
   if (!image().isNull()) setViewport(zoomedTo(m_viewport, paneAt({}), image().size(), 1));
 }
 
 /// The part that is shown, by a tenth of the pane.
-void PictureView::pan(int x, int y) {
+void ImageWidget::pan(int x, int y) {
   if (image().isNull()) return;
   const QRect pane = paneAt({});
   const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
   setViewport(moved(m_viewport, pane, image().size(), by));
 }
 
-void PictureView::panLeft() {
+void ImageWidget::panLeft() {
   pan(-1, 0);
 }
 
-void PictureView::panRight() {
+void ImageWidget::panRight() {
   pan(1, 0);
 }
 
-void PictureView::panUp() {
+void ImageWidget::panUp() {
   pan(0, -1);
 }
 
-void PictureView::panDown() {
+void ImageWidget::panDown() {
   pan(0, 1);
 }
 
-void PictureView::wipeLeft() {
+void ImageWidget::wipeLeft() {
   setWipe(m_wipe - 0.02);
 }
 
-void PictureView::wipeRight() {
+void ImageWidget::wipeRight() {
   setWipe(m_wipe + 0.02);
 }
 
-void PictureView::moreGain() {
+void ImageWidget::moreGain() {
   setGain(2 * m_gain);
 }
 
-void PictureView::lessGain() {
+void ImageWidget::lessGain() {
   setGain(m_gain / 2);
 }
 
-void PictureView::mousePressEvent(QMouseEvent* event) {
+void ImageWidget::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   m_pressed = event->position();
   m_draggedFrom = m_viewport;
   m_drag = isOnLine(m_pressed) ? Drag::wipe : Drag::press;
 }
 
-void PictureView::mouseMoveEvent(QMouseEvent* event) {
+void ImageWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF position = event->position();
   m_pointer = position;
   const bool isFar = (position - m_pressed).manhattanLength() >= QApplication::startDragDistance();
@@ -272,23 +272,23 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
   update();
 }
 
-void PictureView::mouseReleaseEvent(QMouseEvent* event) {
+void ImageWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const std::optional<QPoint> pixel = pixelAt(event->position());
   if (std::exchange(m_drag, Drag::none) == Drag::press && pixel)
     Q_EMIT pixelPicked(pixel->x(), pixel->y());
 }
 
-void PictureView::mouseDoubleClickEvent(QMouseEvent* event) {
+void ImageWidget::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) fit();
 }
 
-void PictureView::leaveEvent(QEvent*) {
+void ImageWidget::leaveEvent(QEvent*) {
   m_pointer.reset();
   update();
 }
 
-void PictureView::wheelEvent(QWheelEvent* event) {
+void ImageWidget::wheelEvent(QWheelEvent* event) {
   constexpr int notch = 120;
   m_wheel += event->angleDelta().y();
   const int steps = m_wheel / notch;

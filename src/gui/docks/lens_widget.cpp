@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A drawing of a lens.
-#include "gui/docks/lens_view.h"
+#include "gui/docks/lens_widget.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -22,7 +22,7 @@ QPolygonF polygonOf(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-LensView::LensView(QWidget* parent) : QWidget(parent) {
+LensWidget::LensWidget(QWidget* parent) : QWidget(parent) {
   setObjectName("lensView");
   setAccessibleName(tr("Drawing of the lens"));
   setToolTip(
@@ -32,17 +32,17 @@ LensView::LensView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
-void LensView::setLens(const LensGrid& grid) {
+void LensWidget::setLens(const LensGrid& grid) {
   m_grid = grid;
   update();
 }
 
-QRectF LensView::border() const {
+QRectF LensWidget::border() const {
   return {-0.5, -0.5, double(m_grid.res[0]), double(m_grid.res[1])};
 }
 
 /// With a margin, in which the grid goes on.
-QTransform LensView::widgetFromPicture() const {
+QTransform LensWidget::widgetFromImage() const {
   constexpr double margin = 1.12;
   const double scale =
       std::min(width() / (margin * m_grid.res[0]), height() / (margin * m_grid.res[1]));
@@ -53,19 +53,19 @@ QTransform LensView::widgetFromPicture() const {
   return transform;
 }
 
-QPainterPath LensView::foldPath() const {
+QPainterPath LensWidget::foldPath() const {
   QPainterPath path;
   path.addPolygon(polygonOf(m_grid.fold));
   path.closeSubpath();
   return path;
 }
 
-void LensView::paintEvent(QPaintEvent*) {
+void LensWidget::paintEvent(QPaintEvent*) {
   if (m_grid.res[0] < 1 || m_grid.res[1] < 1) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!isEnabled()) painter.setOpacity(0.35);
-  const QTransform transform = widgetFromPicture();
+  const QTransform transform = widgetFromImage();
   const QRectF frame = transform.mapRect(border());
   painter.fillRect(frame, paper);
   paintLines(painter, transform);
@@ -75,16 +75,16 @@ void LensView::paintEvent(QPaintEvent*) {
   painter.drawRect(frame);
 }
 
-void LensView::paintLines(QPainter& painter, const QTransform& transform) const {
+void LensWidget::paintLines(QPainter& painter, const QTransform& transform) const {
   painter.setPen(QPen(line, 1));
   for (const std::vector<Vec2>& points : m_grid.lines)
     painter.drawPolyline(transform.map(polygonOf(points)));
 }
 
-void LensView::paintFold(QPainter& painter, const QTransform& transform) const {
-  QPainterPath picture;
-  picture.addRect(border());
-  painter.fillPath(transform.map(picture.subtracted(foldPath())), QBrush(fold, Qt::BDiagPattern));
+void LensWidget::paintFold(QPainter& painter, const QTransform& transform) const {
+  QPainterPath image;
+  image.addRect(border());
+  painter.fillPath(transform.map(image.subtracted(foldPath())), QBrush(fold, Qt::BDiagPattern));
   painter.setClipRect(transform.mapRect(border()));
   painter.strokePath(transform.map(foldPath()), QPen(fold, 2));
   painter.setClipping(false);

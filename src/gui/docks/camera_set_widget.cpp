@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The camera set dock.
-#include "gui/docks/camera_set_view.h"
+#include "gui/docks/camera_set_widget.h"
 
 #include <QPushButton>
 #include <QScrollArea>
@@ -13,7 +13,7 @@
 
 namespace hogelscope {
 
-CameraSetView::CameraSetView(QWidget* parent)
+CameraSetWidget::CameraSetWidget(QWidget* parent)
     : QWidget(parent),
       m_addButton(new QPushButton(tr("&Add these states"), this)),
       m_fileButton(new QPushButton(tr("Add from &file…"), this)) {
@@ -40,10 +40,10 @@ CameraSetView::CameraSetView(QWidget* parent)
   connect(m_addButton, &QPushButton::clicked, this, [this] {
     add([this] { return CameraSet{m_params, m_region, {}}; });
   });
-  connect(m_fileButton, &QPushButton::clicked, this, &CameraSetView::askFile);
+  connect(m_fileButton, &QPushButton::clicked, this, &CameraSetWidget::askFile);
 }
 
-void CameraSetView::setModel(SessionModel* model) {
+void CameraSetWidget::setModel(SessionModel* model) {
   m_model = model;
   const auto enable = [this] {
     const bool has = !m_model->session().cameras.empty();
@@ -54,7 +54,7 @@ void CameraSetView::setModel(SessionModel* model) {
   enable();
 }
 
-bool CameraSetView::add(const std::function<CameraSet()>& set) {
+bool CameraSetWidget::add(const std::function<CameraSet()>& set) {
   try {
     m_model->changeStates(tr("Add camera set"), [&](Session& session) {
       const std::size_t first = session.cameras.size();
@@ -68,11 +68,11 @@ bool CameraSetView::add(const std::function<CameraSet()>& set) {
   }
 }
 
-bool CameraSetView::addFromFile(const QString& file) {
+bool CameraSetWidget::addFromFile(const QString& file) {
   return add([&] { return loadCameraSet(file.toStdString(), {}); });
 }
 
-void CameraSetView::askFile() {
+void CameraSetWidget::askFile() {
   const QString file = chooseFile(this, tr("Add states from a camera set"),
                                   tr("Camera sets and traces (*.json *.csv)"));
   if (!file.isEmpty()) addFromFile(file);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The widget for pictures alone: zoom, pan, linked views, the ways to compare, read-out and mask,
-// by what it paints. Positions are worked out here from the definition of one to one: one picture
+// The widget for images alone: zoom, pan, linked views, the ways to compare, read-out and mask,
+// by what it paints. Positions are worked out here from the definition of one to one: one image
 // pixel on one pixel of the screen.
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 
 #include <QAction>
 #include <QSignalSpy>
 #include <QtTest>
 #include <cmath>
 
-#include "gui/view/picture_difference.h"
+#include "gui/view/image_difference.h"
 #include "gui/view/view_pace.h"
 #include "tests/gui/patience.h"
 
@@ -30,17 +30,17 @@ constexpr int secondBlue = 90;
 
 }  // namespace
 
-class TestPictureView : public QObject {
+class TestImageWidget : public QObject {
   Q_OBJECT
 
  private:
-  std::unique_ptr<PictureView> m_view;
+  std::unique_ptr<ImageWidget> m_view;
 
   /// The screen's own pixels.
   QImage grabbed() const {
-    QImage picture = m_view->grab().toImage();
-    picture.setDevicePixelRatio(1);
-    return picture;
+    QImage image = m_view->grab().toImage();
+    image.setDevicePixelRatio(1);
+    return image;
   }
   double ratio() const { return m_view->devicePixelRatioF(); }
   /// What is painted under a place of the widget.
@@ -84,7 +84,7 @@ class TestPictureView : public QObject {
 
  private Q_SLOTS:
   void init() {
-    m_view = std::make_unique<PictureView>();
+    m_view = std::make_unique<ImageWidget>();
     m_view->resize(400, 300);
     m_view->setImages(coordinates(200, 150, firstBlue));
     m_view->show();
@@ -108,9 +108,9 @@ class TestPictureView : public QObject {
   void oneToOneIsTheScreensOwnPixels() {
     key(Qt::Key_1);
     QCOMPARE(m_view->viewport().zoom, 1.0);
-    const QImage picture = grabbed();
-    const QPoint corner((picture.width() - 200) / 2, (picture.height() - 150) / 2);
-    QCOMPARE(picture.copy(QRect(corner, QSize(200, 150))).convertToFormat(QImage::Format_RGB888),
+    const QImage image = grabbed();
+    const QPoint corner((image.width() - 200) / 2, (image.height() - 150) / 2);
+    QCOMPARE(image.copy(QRect(corner, QSize(200, 150))).convertToFormat(QImage::Format_RGB888),
              coordinates(200, 150, firstBlue));
     key(Qt::Key_0);
     QVERIFY(m_view->viewport().fits);
@@ -156,9 +156,9 @@ class TestPictureView : public QObject {
     lookAway();
     const auto strangers = [&] {
       int count = 0;
-      const QImage picture = grabbed();
-      for (int x = 0; x < picture.width(); ++x)
-        if (picture.pixelColor(x, picture.height() / 2 + 1).blue() != firstBlue) ++count;
+      const QImage image = grabbed();
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, image.height() / 2 + 1).blue() != firstBlue) ++count;
       return count;
     };
     QCOMPARE(strangers(), 0);
@@ -181,7 +181,7 @@ class TestPictureView : public QObject {
     QVERIFY2(std::abs(grey.red() - 128) < 12, qPrintable(grey.name()));
   }
 
-  void dragAndArrowsMoveThePicture() {
+  void dragAndArrowsMoveTheImage() {
     key(Qt::Key_1);
     for (int k = 0; k < 4; ++k) key(Qt::Key_Plus);
     const QString place = placeAt({200, 150});
@@ -194,11 +194,11 @@ class TestPictureView : public QObject {
     key(Qt::Key_Left);
     QVERIFY(std::abs(m_view->viewport().centre.x() - x) < 0.5);
     for (int k = 0; k < 50; ++k) key(Qt::Key_Down);
-    QCOMPARE(m_view->viewport().centre.y(), 150.0);  // the picture is not lost
+    QCOMPARE(m_view->viewport().centre.y(), 150.0);  // the image is not lost
   }
 
   void aClickPicksAPixelADragDoesNot() {
-    const QSignalSpy picked(m_view.get(), &PictureView::pixelPicked);
+    const QSignalSpy picked(m_view.get(), &ImageWidget::pixelPicked);
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, {101, 51});
     QCOMPARE(picked.count(), 1);
     QCOMPARE(picked[0][0].toInt(), 50);
@@ -211,9 +211,9 @@ class TestPictureView : public QObject {
   }
 
   void linkedViewsShowTheSame() {
-    PictureView second;
-    PictureView third;
-    for (PictureView* view : {&second, &third}) {
+    ImageWidget second;
+    ImageWidget third;
+    for (ImageWidget* view : {&second, &third}) {
       view->resize(300, 300);
       view->setImages(coordinates(200, 150, secondBlue));
     }
@@ -233,9 +233,9 @@ class TestPictureView : public QObject {
 
   void sideBySideShowsBothAlike() {
     compare();
-    const QImage picture = grabbed();  // each pane is 199 wide, the picture 0.995 times its size
-    QCOMPARE(picture.pixelColor(QPoint(100, 150) * ratio()).blue(), firstBlue);
-    QCOMPARE(picture.pixelColor(QPoint(300, 150) * ratio()).blue(), secondBlue);
+    const QImage image = grabbed();  // each pane is 199 wide, the image 0.995 times its size
+    QCOMPARE(image.pixelColor(QPoint(100, 150) * ratio()).blue(), firstBlue);
+    QCOMPARE(image.pixelColor(QPoint(300, 150) * ratio()).blue(), secondBlue);
     key(Qt::Key_1);
     for (int k = 0; k < 2; ++k) key(Qt::Key_Plus);
     lookAway();
@@ -254,7 +254,7 @@ class TestPictureView : public QObject {
 
   void theWipesLineIsWhereItIsPut() {
     compare();
-    m_view->setMode(PictureView::Mode::wipe);
+    m_view->setMode(ImageWidget::Mode::wipe);
     const auto isAt = [&](int line) {  // widget coordinates, two pixels of shade at most
       return at({line - 4.0, 100}).blue() == firstBlue &&
              at({line + 4.0, 100}).blue() == secondBlue;
@@ -263,14 +263,14 @@ class TestPictureView : public QObject {
     drag({{202, 100}, {120, 100}, {80, 100}});
     lookAway();
     QVERIFY(isAt(80));
-    QVERIFY(m_view->viewport().fits);  // the line moved, not the picture
+    QVERIFY(m_view->viewport().fits);  // the line moved, not the image
     key(Qt::Key_Right, Qt::ShiftModifier);
     QCOMPARE(m_view->wipe(), 0.22);
     QVERIFY(isAt(88));
     key(Qt::Key_Left, Qt::ShiftModifier);
     key(Qt::Key_Left, Qt::ShiftModifier);
     QVERIFY(isAt(72));
-    const QImage shown = m_view->shownPicture();
+    const QImage shown = m_view->shownImage();
     QCOMPARE(shown.size(), QSize(200, 150));
     QCOMPARE(shown.pixelColor(35, 7), QColor(35, 7, firstBlue));
     QCOMPARE(shown.pixelColor(36, 7), QColor(36, 7, secondBlue));
@@ -278,7 +278,7 @@ class TestPictureView : public QObject {
 
   void theDifferenceIsTimesTheGain() {
     compare();
-    m_view->setMode(PictureView::Mode::difference);
+    m_view->setMode(ImageWidget::Mode::difference);
     m_view->setGain(1);
     QCOMPARE(at({201, 151}), QColor(0, 0, secondBlue - firstBlue));
     key(Qt::Key_Up, Qt::ShiftModifier);
@@ -289,22 +289,22 @@ class TestPictureView : public QObject {
     QCOMPARE(at({201, 151}), QColor(0, 0, 255));
     for (int k = 0; k < 9; ++k) key(Qt::Key_Down, Qt::ShiftModifier);
     QCOMPARE(m_view->gain(), 1);
-    QCOMPARE(m_view->shownPicture(),
-             pictureDifference(coordinates(200, 150, 90), coordinates(200, 150, 50), 1));
-    QVERIFY(pictureDifference(coordinates(2, 3, 0), coordinates(3, 2, 0), 1).isNull());
+    QCOMPARE(m_view->shownImage(),
+             differenceImage(coordinates(200, 150, 90), coordinates(200, 150, 50), 1));
+    QVERIFY(differenceImage(coordinates(2, 3, 0), coordinates(3, 2, 0), 1).isNull());
     QImage light(1, 1, QImage::Format_RGB888);
     QImage dark = light;
     light.fill(QColor(10, 200, 30));
     dark.fill(QColor(13, 100, 30));
-    QCOMPARE(pictureDifference(light, dark, 2).pixelColor(0, 0), QColor(6, 200, 0));
-    QCOMPARE(pictureDifference(light, dark, 4).pixelColor(0, 0), QColor(12, 255, 0));
+    QCOMPARE(differenceImage(light, dark, 2).pixelColor(0, 0), QColor(6, 200, 0));
+    QCOMPARE(differenceImage(light, dark, 4).pixelColor(0, 0), QColor(12, 255, 0));
   }
 
   void readsOutPixels() {
     look({101, 51});
     QCOMPARE(m_view->readOut(), QString("x 50, y 25: 50 25 50 (%1 %)").arg(200 * ratio()));
     compare();
-    m_view->setMode(PictureView::Mode::wipe);
+    m_view->setMode(ImageWidget::Mode::wipe);
     look({103, 51});
     QVERIFY2(m_view->readOut().startsWith("x 51, y 25: 51 25 50 | 51 25 90, difference 0 0 40"),
              qPrintable(m_view->readOut()));
@@ -318,7 +318,7 @@ class TestPictureView : public QObject {
     m_view->resize(500, 300);
     QTRY_COMPARE_WITH_TIMEOUT(m_view->width(), 500, patience);
     look({20, 51});
-    QCOMPARE(m_view->readOut(), QString());  // beside the picture
+    QCOMPARE(m_view->readOut(), QString());  // beside the image
   }
 
   void theMaskMarksWhatIsNotSeen() {
@@ -342,7 +342,7 @@ class TestPictureView : public QObject {
   }
 
   void nothingToShowIsSaid() {
-    const QImage picture = grabbed();
+    const QImage image = grabbed();
     m_view->setNotice("Nothing here");
     m_view->setImages({});
     const QImage empty = grabbed();
@@ -355,15 +355,15 @@ class TestPictureView : public QObject {
     for (const Qt::Key which : {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_1, Qt::Key_0, Qt::Key_Left})
       key(which);
     wheel({10, 10}, 120);
-    QVERIFY(m_view->shownPicture().isNull());
+    QVERIFY(m_view->shownImage().isNull());
     m_view->setImages(coordinates(200, 150, firstBlue), coordinates(100, 75, secondBlue));
     QVERIFY(m_view->otherImage().isNull());  // another size
-    QVERIFY(grabbed() != picture);
+    QVERIFY(grabbed() != image);
     m_view->setNotice({});
-    QCOMPARE(grabbed(), picture);
+    QCOMPARE(grabbed(), image);
   }
 
-  void thePaceGoesByWhatPicturesTook() {
+  void thePaceGoesByWhatImagesTook() {
     ViewPace pace;
     QCOMPARE(pace.firstScale(), 1);
     pace.rendered(1, 100);
@@ -379,5 +379,5 @@ class TestPictureView : public QObject {
   }
 };
 
-QTEST_MAIN(TestPictureView)
-#include "test_picture_view.moc"
+QTEST_MAIN(TestImageWidget)
+#include "test_image_widget.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is in a picture that the window shows: the simulated one, or so much of a colour?
+// What is in an image that the window shows: the simulated one, or so much of a colour?
 #pragma once
 
 #include <QColor>

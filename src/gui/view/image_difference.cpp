@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The difference of two pictures, as the simulated view shows it.
-#include "gui/view/picture_difference.h"
+// The difference of two images, as the simulated view shows it.
+#include "gui/view/image_difference.h"
 
 #include <algorithm>
 #include <cstdlib>
 
 namespace hogelscope {
 
-QImage pictureDifference(const QImage& a, const QImage& b, int gain) {
+QImage differenceImage(const QImage& a, const QImage& b, int gain) {
   if (a.size() != b.size()) return {};
   QImage result = a.convertToFormat(QImage::Format_RGB888);
   const QImage other = b.convertToFormat(QImage::Format_RGB888);

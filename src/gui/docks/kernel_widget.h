@@ -8,11 +8,11 @@
 
 namespace hogelscope {
 
-class KernelView : public QWidget {
+class KernelWidget : public QWidget {
   Q_OBJECT
 
  public:
-  explicit KernelView(QWidget* parent = nullptr);
+  explicit KernelWidget(QWidget* parent = nullptr);
 
   void setParams(const PsfParams& params);
   /// None where the parameters give no kernel.

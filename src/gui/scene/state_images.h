@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The states' small pictures in one texture, a tile for each.
+// The states' small images in one texture, a tile for each.
 #pragma once
 
 #include <vtkNew.h>
@@ -13,19 +13,19 @@ class vtkTexture;
 
 namespace hogelscope {
 
-class StatePictures {
+class StateImages {
  public:
-  StatePictures();
-  ~StatePictures();
-  StatePictures(const StatePictures&) = delete;
-  StatePictures& operator=(const StatePictures&) = delete;
+  StateImages();
+  ~StateImages();
+  StateImages(const StateImages&) = delete;
+  StateImages& operator=(const StateImages&) = delete;
 
   /// Room for so many; all are empty where the number is another one.
   void setCount(std::size_t count);
   /// All are empty.
   void clear();
   /// RGB, stretched to the tile. Does nothing where there is no such tile.
-  void put(std::size_t index, vtkImageData* picture);
+  void setImage(std::size_t index, vtkImageData* image);
   [[nodiscard]] int columns() const { return m_atlas.Columns; }
   [[nodiscard]] vtkTexture* texture() const { return m_texture; }
 

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A state's reference, test and difference.
-#include "gui/docks/report_pictures.h"
+#include "gui/docks/report_images_widget.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 
 namespace hogelscope {
 
 namespace {
 
 std::array<QString, 3> titles() {
-  return {ReportPictures::tr("Reference"), ReportPictures::tr("Test"),
-          ReportPictures::tr("Difference")};
+  return {ReportImagesWidget::tr("Reference"), ReportImagesWidget::tr("Test"),
+          ReportImagesWidget::tr("Difference")};
 }
 
 }  // namespace
 
-ReportPictures::ReportPictures(QWidget* parent) : QWidget(parent) {
+ReportImagesWidget::ReportImagesWidget(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   m_reference = add(0, "reportReference");
   m_test = add(1, "reportTest");
   m_difference = add(2, "reportDifference");
-  m_difference->setMode(PictureView::Mode::difference);
+  m_difference->setMode(ImageWidget::Mode::difference);
   m_test->linkTo(*m_reference);
   m_difference->linkTo(*m_reference);
   clear();
 }
 
-PictureView* ReportPictures::add(std::size_t index, const char* name) {
-  auto* view = new PictureView;
+ImageWidget* ReportImagesWidget::add(std::size_t index, const char* name) {
+  auto* view = new ImageWidget;
   view->setObjectName(name);
   view->setMinimumSize(90, 90);
   m_captions[index] = new QLabel(titles()[index]);
@@ -42,8 +42,8 @@ PictureView* ReportPictures::add(std::size_t index, const char* name) {
   return view;
 }
 
-void ReportPictures::setPictures(const QString& state, const QImage& reference,
-                                 const QImage& test) {
+void ReportImagesWidget::setImages(const QString& state, const QImage& reference,
+                                   const QImage& test) {
   for (std::size_t k = 0; k < m_captions.size(); ++k)
     m_captions[k]->setText(state.isEmpty() ? titles()[k] : titles()[k] + ": " + state);
   m_reference->setImages(reference);
@@ -54,8 +54,8 @@ void ReportPictures::setPictures(const QString& state, const QImage& reference,
     views[k]->setNotice(views[k]->image().isNull() ? titles()[k] : QString());
 }
 
-void ReportPictures::clear() {
-  setPictures({}, {}, {});
+void ReportImagesWidget::clear() {
+  setImages({}, {}, {});
 }
 
 }  // namespace hogelscope
