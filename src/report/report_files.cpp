@@ -12,14 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path referenceImage(const fs::path& folder, const std::string& state) {
-  return folder / "reference" / (state + ".png");
-}
-
-fs::path testImage(const fs::path& folder, std::size_t test, const std::string& state) {
-  return folder / ("test" + std::to_string(test + 1)) / (state + ".png");
-}
-
 fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& ending) {
   return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
 }
@@ -38,6 +30,14 @@ void writeCells(const fs::path& file, int width, int height,
 }
 
 }  // namespace
+
+fs::path referenceImage(const fs::path& folder, const std::string& state) {
+  return folder / "reference" / (state + ".png");
+}
+
+fs::path testImage(const fs::path& folder, std::size_t test, const std::string& state) {
+  return folder / ("test" + std::to_string(test + 1)) / (state + ".png");
+}
 
 std::vector<fs::path> filesOf(const ReportRequest& request) {
   const fs::path folder = request.output;

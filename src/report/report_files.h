@@ -15,10 +15,16 @@ namespace hogelscope {
 /// All that a report may write, but for the files by which it goes on.
 std::vector<std::filesystem::path> filesOf(const ReportRequest& request);
 
+/// FOLDER/reference/NAME.png of a state.
+std::filesystem::path referenceImage(const std::filesystem::path& folder, const std::string& state);
+/// FOLDER/testN/NAME.png of a state, N from 1.
+std::filesystem::path testImage(const std::filesystem::path& folder, std::size_t test,
+                                const std::string& state);
+
 /// report.csv, metrics.csv, summary.csv, and bd.csv where there are groups.
 void writeTables(const std::filesystem::path& folder, const Report& report);
 
-/// FOLDER/reference/NAME.png, FOLDER/testN/NAME.png.
+/// Writes testImage(), and referenceImage() with the first test.
 void writePictures(const std::filesystem::path& folder, std::size_t test, const std::string& state,
                    const ViewPair& pair, const Progress& progress);
 

@@ -38,11 +38,21 @@ struct ReportRequest {
   std::optional<Scene> reference{};      ///< the session's light field, if it is in memory already
 };
 
+/// The order of a report's rows: of the states, then of the tests.
+struct ReportOrder {
+  std::size_t tests = 0;
+  [[nodiscard]] std::size_t row(std::size_t state, std::size_t test) const {
+    return state * tests + test;
+  }
+  [[nodiscard]] std::size_t state(std::size_t row) const { return row / tests; }
+  [[nodiscard]] std::size_t test(std::size_t row) const { return row % tests; }
+};
+
 /// Who follows the run. Each may be empty; all are called from several threads, one at a time.
 struct ReportListener {
   Progress progress;
   std::function<void(const Scene&)> loaded;
-  /// Row `index` is finished; rows are in the order of the states, then of the tests.
+  /// Row `index` (ReportOrder) is finished.
   std::function<void(std::size_t index, const ReportRow& row)> finished;
 };
 

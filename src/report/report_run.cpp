@@ -71,7 +71,7 @@ class ReportRun {
   /// What reading a light field counts as, in states: a guess for the progress bar.
   [[nodiscard]] double readingSteps() const { return 1 + 0.1 * double(states()); }
   [[nodiscard]] std::size_t rowOf(std::size_t test, std::size_t state) const {
-    return state * m_request.tests.size() + test;
+    return ReportOrder{m_request.tests.size()}.row(state, test);
   }
 
   const ReportRequest& m_request;

@@ -14,7 +14,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "atlas.h"
-#include "core/base/error.h"
 
 vtkStandardNewMacro(vtkCameraFrustumSource);
 
@@ -157,14 +156,10 @@ int vtkCameraFrustumSource::RequestData(
   Pictures pictures(this->AtlasColumns);
   for (const CameraFrustum& frustum : this->Frusta)
   {
-    try
+    if (hasFrame(frustum.Camera))
     {
       lines.Add(frustum);
       pictures.Add(frustum);
-    }
-    catch (const hogelscope::InputError&)
-    {
-      // no frame: nothing to draw
     }
   }
   lines.Into(vtkPolyData::GetData(outputVector, 0));

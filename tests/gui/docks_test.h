@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of the docks share: the sample session with small pictures, and its list of states.
+// What tests of the docks share: the sample session with small images, and its list of states.
 #pragma once
 
 #include <QListWidget>
 
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
 #include "tests/gui/window_test.h"
 
@@ -12,7 +12,7 @@ inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/ta
 
 class DocksTest : public WindowTest {
  protected:
-  /// The reference renders its pictures quickly.
+  /// The reference renders its images quickly.
   void openSmall() {
     const QString file = m_folder.filePath("small.json");
     hogelscope::saveSession(file.toStdString(), hogelscope::loadSession(sampleFile.toStdString(),
@@ -20,7 +20,7 @@ class DocksTest : public WindowTest {
     open(file);
   }
   [[nodiscard]] const QImage& view() const {
-    return child<hogelscope::PictureView>("pictureView")->image();
+    return child<hogelscope::ImageWidget>("pictureView")->image();
   }
   [[nodiscard]] QListWidget* list() const { return child<QListWidget>("stateList"); }
   [[nodiscard]] QStringList names() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture file of a light field in closed form.
+// An image file of a light field in closed form.
 #pragma once
 
 #include <vector>

@@ -30,7 +30,7 @@ class SceneTest : public WindowTest {
     session.lightField.file = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
     start(session);
   }
-  /// With few directions and small pictures, which are quick.
+  /// With few directions and small images, which are quick.
   void startSmall() {
     hogelscope::Session session =
         hogelscope::loadSession(sampleFile, {"display.directions=[6,6]", "camera.res=[120,120]"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the manual's pictures of the window, so that they stay true: packaging/manual.sh.
+// Makes the manual's images of the window, so that they stay true: packaging/manual.sh.
 // screenshots FOLDER WIDTHxHEIGHT TEST drives the real window on the sample session; TEST is a
 // light field to compare with.
 #include <QApplication>
@@ -15,12 +15,12 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/app/main_window.h"
 #include "gui/docks/report_dock.h"
-#include "gui/keys/key_window.h"
+#include "gui/keys/key_dialog.h"
 #include "gui/scene/vtk_widget.h"
-#include "gui/view/picture_commands.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_commands.h"
+#include "gui/view/image_widget.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -41,7 +41,7 @@ class Shooting {
     QTest::qWait(300);
     m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
     QTest::qWait(300);
-    m_window.openSession(sample);
+    files(m_window).open(sample);
     wait([this] { return !view()->image().isNull(); });
     shoot("sample");
     lens();
@@ -55,9 +55,9 @@ class Shooting {
   template <class Condition>
   void wait(Condition condition) {
     if (!QTest::qWaitFor(condition, patience)) qFatal("waited in vain");
-    QTest::qWait(1500);  // the scene and the full picture follow
+    QTest::qWait(1500);  // the scene and the full image follow
   }
-  PictureView* view() const { return m_window.findChild<PictureView*>("pictureView"); }
+  ImageWidget* view() const { return m_window.findChild<ImageWidget*>("pictureView"); }
   void trigger(const char* action) {
     m_window.findChild<QAction*>(action)->trigger();
     QTest::qWait(300);
@@ -67,15 +67,15 @@ class Shooting {
     m_window.findChild<QDockWidget*>(dock)->raise();
     QTest::qWait(300);
   }
-  /// OpenGL's part of the window is not in a widget's own picture.
+  /// OpenGL's part of the window is not in a widget's own image.
   void shoot(const QString& name) {
-    QImage picture = m_window.grab().toImage();
+    QImage image = m_window.grab().toImage();
     auto* scene = m_window.findChild<VtkWidget*>("sceneWidget");
-    QPainter(&picture).drawImage(scene->mapTo(&m_window, QPoint()), scene->grabFramebuffer());
-    picture.save(m_folder + "/window_" + name + ".png");
+    QPainter(&image).drawImage(scene->mapTo(&m_window, QPoint()), scene->grabFramebuffer());
+    image.save(m_folder + "/window_" + name + ".png");
   }
 
-  /// The paper's Fig. 2: its lens folds within the picture.
+  /// The paper's Fig. 2: its lens folds within the image.
   void lens() {
     raise("distortionDock");
     m_window.findChild<QComboBox*>("stateBox")->setCurrentIndex(1);
@@ -86,7 +86,7 @@ class Shooting {
   }
 
   void wipe() {
-    m_window.findChild<PictureCommands*>()->compareWith(m_test);
+    m_window.findChild<ImageCommands*>()->compareWith(m_test);
     wait([this] { return !view()->otherImage().isNull(); });
     trigger("wipeAction");
     shoot("wipe");
@@ -110,7 +110,7 @@ class Shooting {
 
   void keys() {
     trigger("keysAction");
-    auto* window = m_window.findChild<KeyWindow*>();
+    auto* window = m_window.findChild<KeyDialog*>();
     window->grab().save(m_folder + "/window_keys.png");
     window->close();
   }

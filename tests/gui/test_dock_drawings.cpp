@@ -7,10 +7,10 @@
 #include <QSlider>
 
 #include "core/base/colour_map.h"
-#include "gui/docks/kernel_view.h"
-#include "gui/docks/lens_view.h"
+#include "gui/docks/kernel_widget.h"
+#include "gui/docks/lens_widget.h"
 #include "tests/gui/docks_test.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
 
 using namespace hogelscope;
 
@@ -22,7 +22,7 @@ int pixelsOf(QWidget* drawing, const QColor& colour) {
 }
 
 /// Of a tap in the drawing, near its top left corner.
-QColor colourOfTap(KernelView& kernel, const QString& tap) {
+QColor colourOfTap(KernelWidget& kernel, const QString& tap) {
   const QImage image = kernel.grab().toImage();
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
@@ -48,7 +48,7 @@ class TestDockDrawings : public DocksTest {
   void theKernelIsDrawnAndItsLossTold() {
     openSmall();
     child<QDockWidget>("psfDock")->raise();
-    auto* kernel = m_window->findChild<KernelView*>();
+    auto* kernel = m_window->findChild<KernelWidget*>();
     auto* energy = child<QLabel>("energyLabel");
     QTRY_VERIFY_WITH_TIMEOUT(kernel->isVisible(), patience);
     editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(2);
@@ -78,7 +78,7 @@ class TestDockDrawings : public DocksTest {
   void theLensIsDrawnWithItsFold() {
     openSmall();
     child<QDockWidget>("distortionDock")->raise();
-    auto* lens = m_window->findChild<LensView*>();
+    auto* lens = m_window->findChild<LensWidget*>();
     QTRY_VERIFY_WITH_TIMEOUT(lens->isVisible(), patience);
     const QColor red(200, 40, 40);
     const QColor blue(52, 94, 150);
@@ -102,7 +102,7 @@ class TestDockDrawings : public DocksTest {
     openSmall();
     child<QDockWidget>("distortionDock")->raise();
     auto* certificate = child<QLabel>("certificateLabel");
-    auto* lens = m_window->findChild<LensView*>();
+    auto* lens = m_window->findChild<LensWidget*>();
     const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };
     QTRY_VERIFY_WITH_TIMEOUT(certificate->isEnabled() && lens->isEnabled(), patience);
     const QString before = certificate->text();

@@ -9,12 +9,13 @@
 
 #include "core/engine/fast_simulation.h"
 #include "gui/docks/light_field_dock.h"
-#include "gui/view/picture_commands.h"
+#include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/docks_test.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -33,9 +34,9 @@ class TestDocks : public DocksTest {
       return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     const QByteArray before = bytes();
-    QVERIFY(!m_window->saveSession(lightField));
+    QVERIFY(!files(*m_window).save(lightField));
     QVERIFY(message().contains("which is read"));
-    QVERIFY(!m_window->findChild<PictureCommands*>()->savePicture(lightField));
+    QVERIFY(!m_window->findChild<ImageCommands*>()->saveImage(lightField));
     QVERIFY(message().contains("which is read"));
     QCOMPARE(bytes(), before);
   }
@@ -48,7 +49,7 @@ class TestDocks : public DocksTest {
     openSmall();
     m_window->resize(1280, 800);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1280, 800), patience);
-    QVERIFY(child<PictureView>("pictureView")->width() > 300);
+    QVERIFY(child<ImageWidget>("pictureView")->width() > 300);
     QVERIFY(list()->viewport()->height() >= 6 * list()->visualItemRect(list()->item(0)).height());
     auto* camera = child<QDockWidget>("cameraDock");
     camera->setFloating(true);
@@ -108,28 +109,28 @@ class TestDocks : public DocksTest {
     editor<QSpinBox>("lightFieldArea", "samplesPerPixel")->setValue(2);
     QCOMPARE(m_model->undoStack()->undoText(), QString("Change samplesPerPixel"));
     QVERIFY(m_window->isWindowModified());
-    const Image picture = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), picture), patience);
+    const Image image = expected();
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), image), patience);
     QCOMPARE(loaded.count(), 0);
     while (m_model->undoStack()->canUndo()) m_model->undoStack()->undo();
     QTRY_VERIFY_WITH_TIMEOUT(view() == before, patience);
     QCOMPARE(editor<QDoubleSpinBox>("displayArea", "size.0")->value(), 0.5);
   }
 
-  /// The same light field compared with itself stays the same picture.
+  /// The same light field compared with itself stays the same image.
   void aComparisonFollowsTheDisplay() {
     openSmall();
     const QString file = QString::fromStdString(m_model->session().lightField.file);
-    QVERIFY(m_window->findChild<PictureCommands*>()->compareWith(file));
+    QVERIFY(m_window->findChild<ImageCommands*>()->compareWith(file));
     RenderedView last;
     connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
             [&](const RenderedView& view) { last = view; });
     QTRY_VERIFY_WITH_TIMEOUT(!last.otherImage.isNull(), patience);
     editor<QDoubleSpinBox>("displayArea", "size.0")->setValue(0.3);
     editor<QSpinBox>("lightFieldArea", "samplesPerPixel")->setValue(2);
-    const Image picture = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(last.image, picture), patience);
-    QVERIFY(equals(last.otherImage, picture));
+    const Image image = expected();
+    QTRY_VERIFY_WITH_TIMEOUT(equals(last.image, image), patience);
+    QVERIFY(equals(last.otherImage, image));
     disconnect(m_window->findChild<ViewWorker*>(), nullptr, this, nullptr);
   }
 
@@ -143,7 +144,7 @@ class TestDocks : public DocksTest {
       editor<QSpinBox>("displayArea", name)->setValue(64);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 20×20 directions need"), patience);
     QVERIFY(view() == before);
-    QVERIFY(child<PictureView>("pictureView")->notice().contains("64×64 hogels of 20×20"));
+    QVERIFY(child<ImageWidget>("pictureView")->notice().contains("64×64 hogels of 20×20"));
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0.7);  // nothing to render it from
     QTest::qWait(100);
     QVERIFY2(!message().startsWith("Reading"), qPrintable(message()));
@@ -151,8 +152,8 @@ class TestDocks : public DocksTest {
     for (const char* name : {"directions.0", "directions.1"})
       editor<QSpinBox>("displayArea", name)->setValue(40);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
-    const Image picture = expected();
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), picture), patience);
+    const Image image = expected();
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), image), patience);
     QVERIFY(contents->text().startsWith("64×64 hogels of 40×40 directions"));
   }
 
@@ -191,7 +192,7 @@ class TestDocks : public DocksTest {
     columns->setValue(4);
     QTRY_VERIFY_WITH_TIMEOUT(
         child<QLabel>("contentsLabel")->text().startsWith("10×20 hogels of 8×1"), patience);
-    QVERIFY(m_window->saveSession(m_folder.filePath("around.json")));
+    QVERIFY(files(*m_window).save(m_folder.filePath("around.json")));
     QVERIFY(loadSession(m_folder.filePath("around.json").toStdString()).cameras ==
             m_model->session().cameras);
   }
@@ -199,9 +200,9 @@ class TestDocks : public DocksTest {
   void aHogelImageAsksForItsHogels() {
     writePicture(m_folder.filePath("plain.png"), 60, 60,
                  [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
-    QVERIFY(m_window->openSession(m_folder.filePath("plain.png")));
+    QVERIFY(files(*m_window).open(m_folder.filePath("plain.png")));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), patience);
-    QVERIFY(!m_window->saveSession(m_folder.filePath("plain.json")));
+    QVERIFY(!files(*m_window).save(m_folder.filePath("plain.json")));
     for (const char* name : {"hogels.0", "hogels.1"})
       editor<QSpinBox>("displayArea", name)->setValue(10);
     for (const char* name : {"directions.0", "directions.1"})
@@ -209,7 +210,7 @@ class TestDocks : public DocksTest {
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QVERIFY(!view().isNull());
     nothingReplacesWhatIsRead(m_folder.filePath("plain.png"));
-    QVERIFY(!m_window->openSession(m_folder.filePath("none.png")));
+    QVERIFY(!files(*m_window).open(m_folder.filePath("none.png")));
     QVERIFY(message().contains("none.png"));
     QVERIFY(m_window->windowTitle().startsWith("new session"));
   }

@@ -7,9 +7,10 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "tests/gui/habits_test.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -51,7 +52,7 @@ class TestFiles : public HabitsTest {
 
   void remembersRecentFiles() {
     const QString second = m_folder->filePath("second.json");
-    QVERIFY(m_window->saveSession(second));
+    QVERIFY(files(*m_window).save(second));
     auto* menu = m_window->findChild<QMenu*>("recentMenu");
     Q_EMIT menu->aboutToShow();
     QCOMPARE(menu->actions().size(), 2);
@@ -64,7 +65,7 @@ class TestFiles : public HabitsTest {
     QVERIFY(menu->actions()[0]->text().contains("mine.json"));
     QVERIFY(!menu->actions()[1]->isEnabled());  // missing
     for (int k = 0; k < 12; ++k)
-      QVERIFY(m_window->saveSession(m_folder->filePath(QString("%1.json").arg(k))));
+      QVERIFY(files(*m_window).save(m_folder->filePath(QString("%1.json").arg(k))));
     Q_EMIT menu->aboutToShow();
     QCOMPARE(menu->actions().size(), 10);
   }
@@ -89,7 +90,7 @@ class TestFiles : public HabitsTest {
       QCOMPARE(open.name, QString());
       QCOMPARE(model().file(), far + "/kept.json");
     }
-    QVERIFY(m_window->openSession(m_session));  // without a dialog
+    QVERIFY(files(*m_window).open(m_session));  // without a dialog
     QTRY_VERIFY_WITH_TIMEOUT(action("compareAction")->isEnabled(), patience);
     for (const char* name : {"loadStatesAction", "compareAction", "importAction"}) {
       const DialogAnswer dialog({});
@@ -106,8 +107,8 @@ class TestFiles : public HabitsTest {
   }
 
   void dropsOpenImportAndCompare() {
-    auto* picture = m_window->findChild<PictureView*>("pictureView");
-    QTRY_VERIFY_WITH_TIMEOUT(!picture->image().isNull(), patience);
+    auto* image = m_window->findChild<ImageWidget*>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!image->image().isNull(), patience);
     QFile file(m_folder->filePath("k.yml"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(
@@ -140,22 +141,22 @@ class TestFiles : public HabitsTest {
   void readingCanBeStopped() {
     const QString file = largeSession();
     auto* bar = m_window->findChild<QWidget*>("readingBar");
-    auto* picture = m_window->findChild<PictureView*>("pictureView");
-    QTRY_VERIFY_WITH_TIMEOUT(!picture->image().isNull(), patience);
+    auto* image = m_window->findChild<ImageWidget*>("pictureView");
+    QTRY_VERIFY_WITH_TIMEOUT(!image->image().isNull(), patience);
     QVERIFY(!bar->isVisible());
-    QVERIFY(m_window->openSession(file));
+    QVERIFY(files(*m_window).open(file));
     QVERIFY(bar->isVisible());
     bar->findChild<QToolButton*>()->click();
     QTRY_VERIFY_WITH_TIMEOUT(message().startsWith("Stopped reading"), patience);
-    QVERIFY(picture->notice().startsWith("Stopped reading"));
+    QVERIFY(image->notice().startsWith("Stopped reading"));
     QVERIFY(!bar->isVisible());
-    QVERIFY(picture->image().isNull());  // not the picture of another session
-    eye()->setValue(0.01);               // the window goes on
+    QVERIFY(image->image().isNull());  // not the image of another session
+    eye()->setValue(0.01);             // the window goes on
     QTest::qWait(100);
-    QVERIFY(picture->image().isNull());
+    QVERIFY(image->image().isNull());
     const BoxAnswer discard("unsavedBox", Qt::Key_D);
     drop({m_session});
-    QTRY_COMPARE_WITH_TIMEOUT(picture->image().size(), QSize(80, 60), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(image->image().size(), QSize(80, 60), patience);
     QVERIFY(!bar->isVisible());
   }
 
@@ -166,7 +167,7 @@ class TestFiles : public HabitsTest {
     auto* worker = m_window->findChild<ViewWorker*>();
     QSignalSpy moved(bar, &QProgressBar::valueChanged);
     QSignalSpy loaded(worker, &ViewWorker::loaded);
-    QVERIFY(m_window->openSession(file));
+    QVERIFY(files(*m_window).open(file));
     QVERIFY(sleepUntil([&] { return worker->readShare() > 0.5; }));
     QTRY_VERIFY_WITH_TIMEOUT(!moved.isEmpty() && moved.last()[0].toInt() > 0, patience);
     QVERIFY(sleepUntil([&] { return worker->readShare() == 1; }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses the real window while a picture is rendered that takes far longer than each use: 300 states
-// before a display of 512×512 hogels. The window's thread waits for no picture, hears everything,
+// Uses the real window while an image is rendered that takes far longer than each use: 300 states
+// before a display of 512×512 hogels. The window's thread waits for no image, hears everything,
 // and does nothing twice.
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -15,7 +15,7 @@
 
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
 #include "tests/gui/pattern_file.h"
@@ -41,7 +41,7 @@ class CountingApplication : public QApplication {
   int count = 0;
 };
 
-/// A full picture of a state takes seconds, and is never asked for.
+/// A full image of a state takes seconds, and is never asked for.
 void writeSession() {
   Session session;
   session.display.hogels = {512, 512};
@@ -109,14 +109,14 @@ void TestFluid::initTestCase() {
       [](vtkObject*, unsigned long, void* paints, void*) { ++*static_cast<int*>(paints); });
   sceneWidget()->renderWindow()->AddObserver(vtkCommand::EndEvent, painted);
   QSignalSpy loaded(worker, &ViewWorker::loaded);
-  QVERIFY(m_window->openSession("s.json"));
+  QVERIFY(files(*m_window).open("s.json"));
   QTRY_COMPARE_WITH_TIMEOUT(loaded.count(), 1, patience);
   for (const QAbstractItemModel* list :
        {child<QComboBox>("stateBox")->model(), child<QListWidget>("stateList")->model()})
     connect(list, &QAbstractItemModel::rowsInserted, this, [this] { ++m_rows; });
 }
 
-/// After each use: it did not wait for a picture each time, since then all would be full ones; no
+/// After each use: it did not wait for an image each time, since then all would be full ones; no
 /// more were made than were asked for; and the newest one is shown.
 void TestFluid::cleanup() {
   const auto full = std::count_if(m_views.begin(), m_views.end(),
@@ -126,7 +126,7 @@ void TestFluid::cleanup() {
   m_views.clear();
   sigma()->setValue(sigma()->value() + 1);
   QTRY_VERIFY_WITH_TIMEOUT(!m_views.empty(), patience);
-  QCOMPARE(child<PictureView>("pictureView")->image(), m_views.back().image);
+  QCOMPARE(child<ImageWidget>("pictureView")->image(), m_views.back().image);
   m_views.clear();
 }
 

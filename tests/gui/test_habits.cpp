@@ -11,6 +11,7 @@
 #include "gui/app/manual_window.h"
 #include "report/versions.h"
 #include "tests/gui/habits_test.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -60,7 +61,7 @@ class TestHabits : public HabitsTest {
     auto* button = m_window->findChild<QToolButton*>("errorsButton");
     QVERIFY(!button->isVisible());
     const QColor normal = m_window->statusBar()->palette().color(QPalette::WindowText);
-    QVERIFY(!m_window->importCalibration("/nowhere/a.yml"));
+    QVERIFY(!files(*m_window).importCalibration("/nowhere/a.yml"));
     QVERIFY(message().startsWith("Error: /nowhere/a.yml"));
     const QColor red = m_window->statusBar()->palette().color(QPalette::WindowText);
     QVERIFY(red != normal && red.red() > red.green() + 50);
@@ -73,7 +74,7 @@ class TestHabits : public HabitsTest {
     QVERIFY(!message().isEmpty() && !message().startsWith("Error"));
     QCOMPARE(m_window->statusBar()->palette().color(QPalette::WindowText), normal);
 
-    QVERIFY(!m_window->openSession("/nowhere/b.json"));
+    QVERIFY(!files(*m_window).open("/nowhere/b.json"));
     QVERIFY(button->isVisible() && button->text().contains("2"));
     button->click();
     QVERIFY(m_window->findChild<QDockWidget*>("errorsDock")->isVisible());
@@ -113,7 +114,7 @@ class TestHabits : public HabitsTest {
     QCOMPARE(psnr.size(), 1);
     contents->setCurrentItem(psnr[0]);
     QCOMPARE(page->cursorForPosition({20, 8}).block().text(), "Metrics");
-    for (const QString& line : lines.filter("![")) {  // every picture is there, none too wide
+    for (const QString& line : lines.filter("![")) {  // every image is there, none too wide
       const QString name = line.section('(', -1).section(')', 0, 0);
       const auto image =
           page->loadResource(QTextDocument::ImageResource, "qrc:/manual/" + name).value<QImage>();

@@ -78,7 +78,7 @@ void TestKeys::eachMotionHasItsKey() {
   QVERIFY(m_model->current().camera == moved(expected, Motion(motion), 5 * step));
 }
 
-/// Over scene, picture and docks, in a list and on a button.
+/// Over scene, image and docks, in a list and on a button.
 void TestKeys::whereverTheFocusIs() {
   m_window->findChild<QDockWidget*>("reportDock")->show();
   m_window->findChild<QDockWidget*>("tradeoffDock")->show();
@@ -222,7 +222,7 @@ void TestKeys::lensOffAndOn() {
   QVERIFY(now() == DistortionParams{});
   editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(0.3);
   key(Qt::Key_B);
-  QVERIFY(m_window->openSession("s.json"));  // nor one of another session
+  QVERIFY(files(*m_window).open("s.json"));  // nor one of another session
   QVERIFY(now() == lens);
   key(Qt::Key_PageDown);
   key(Qt::Key_B);

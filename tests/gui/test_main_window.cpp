@@ -15,17 +15,17 @@
 
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
-#include "gui/app/main_window.h"
-#include "gui/docks/tradeoff_view.h"
-#include "gui/docks/tradeoff_worker.h"
+#include "gui/docks/tradeoff_widget.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/state_commands.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
+#include "gui/widgets/task.h"
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
+#include "tests/gui/window_files.h"
 
 using namespace hogelscope;
 
@@ -42,14 +42,14 @@ class TestMainWindow : public QObject {
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
-  const QImage& view() const { return m_window->findChild<PictureView*>("pictureView")->image(); }
+  const QImage& view() const { return m_window->findChild<ImageWidget*>("pictureView")->image(); }
   template <class T>
   T* editor(const char* dock, const char* name) const {
     return m_window->findChild<QScrollArea*>(dock)->widget()->findChild<T*>(name);
   }
   QString message() const { return m_window->statusBar()->currentMessage(); }
   void waitForSample() {
-    QVERIFY(m_window->openSession(sampleFile));
+    QVERIFY(files(*m_window).open(sampleFile));
     QTRY_VERIFY_WITH_TIMEOUT(!view().isNull() && message().contains(" ms"), patience);
   }
 
@@ -61,7 +61,7 @@ class TestMainWindow : public QObject {
   }
   void cleanup() { m_window.reset(); }
 
-  void opensAndShowsTheReferencePicture() {
+  void opensAndShowsTheReferenceImage() {
     waitForSample();
     const Session session = loadSession(sampleFile.toStdString());
     const Scene scene = loadScene(session, {});
@@ -88,7 +88,7 @@ class TestMainWindow : public QObject {
         patience);
   }
 
-  void movingASliderChangesThePicture() {
+  void movingASliderChangesTheImage() {
     waitForSample();
     const QImage before = view().copy();
     auto* slider = editor<QSlider>("psfArea", "windowSize.slider");
@@ -115,13 +115,13 @@ class TestMainWindow : public QObject {
         "{\"K\": [534.8, 0, 335.7, 0, 534.8, 240.7, 0, 0, 1], \"D\": [0.2958943955272433, "
         "-1.0354662043042675, 0, 0], \"image_width\": 640, \"image_height\": 480}");
     file.close();
-    QVERIFY(m_window->importCalibration(file.fileName()));
+    QVERIFY(files(*m_window).importCalibration(file.fileName()));
     QCOMPARE(editor<QDoubleSpinBox>("cameraArea", "fx")->value(), 534.8);
     QCOMPARE(editor<QDoubleSpinBox>("distortionArea", "k3")->value(), 0.0);
     QTRY_COMPARE_WITH_TIMEOUT(view().size(), QSize(640, 480), patience);
     QTRY_VERIFY_WITH_TIMEOUT(certificate->text().contains("have no ray: the lens folds"), patience);
     QVERIFY(certificate->text().contains("one-to-one within r = 0.7304"));
-    QVERIFY(!m_window->importCalibration(m_folder.filePath("missing.yml")));
+    QVERIFY(!files(*m_window).importCalibration(m_folder.filePath("missing.yml")));
     QVERIFY(message().contains("missing.yml: cannot be read"));
     QCOMPARE(view().size(), QSize(640, 480));
   }
@@ -131,7 +131,7 @@ class TestMainWindow : public QObject {
     session.cameras.resize(1);
     const QString file = m_folder.filePath("small.json");
     saveSession(file.toStdString(), session);
-    QVERIFY(m_window->openSession(file));
+    QVERIFY(files(*m_window).open(file));
     QTRY_VERIFY_WITH_TIMEOUT(!view().isNull() && message().contains(" ms"), patience);
     auto* dock = m_window->findChild<QDockWidget*>("tradeoffDock");
     dock->toggleViewAction()->trigger();
@@ -141,8 +141,8 @@ class TestMainWindow : public QObject {
     QSignalSpy moved(dock->findChild<QProgressBar*>(), &QProgressBar::valueChanged);
     QTest::mouseClick(measure, Qt::LeftButton);
     moved.clear();
-    const auto* worker = m_window->findChild<TradeoffWorker*>();
-    QVERIFY(sleepUntil([&] { return worker->share() > 0.5; }));
+    const auto* task = dock->findChild<Task*>();
+    QVERIFY(sleepUntil([&] { return task->share() > 0.5; }));
     QCoreApplication::processEvents();
     QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
     QTRY_VERIFY_WITH_TIMEOUT(!chart->chart().rows().empty(), patience);
@@ -193,7 +193,7 @@ class TestMainWindow : public QObject {
     QCOMPARE(box->currentIndex(), 1);
     auto* commands = m_window->findChild<StateCommands*>();
     const QString other = m_folder.filePath("other.json");
-    QVERIFY(m_window->saveSession(other));
+    QVERIFY(files(*m_window).save(other));
     QVERIFY(commands->appendStatesTo(other));
     QCOMPARE(loadSession(other.toStdString()).cameras.back().camera.name, std::string("Fig 1 2 2"));
     QVERIFY(commands->mergeStatesOf(sampleFile));
@@ -248,7 +248,7 @@ class TestMainWindow : public QObject {
     waitForSample();
     editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(1.25);
     const QString file = m_folder.filePath("copy.json");
-    QVERIFY(m_window->saveSession(file));
+    QVERIFY(files(*m_window).save(file));
     QVERIFY(!m_window->isWindowModified());
     Session expected = loadSession(sampleFile.toStdString());
     expected.cameras[0].psf.sigma = 1.25;
@@ -266,7 +266,7 @@ class TestMainWindow : public QObject {
     QVERIFY(bad.open(QIODevice::WriteOnly));
     bad.write(R"({"hogelscope": 1, "cameras": []})");
     bad.close();
-    QVERIFY(!m_window->openSession(file));
+    QVERIFY(!files(*m_window).open(file));
     QVERIFY2(message().contains("lightField.file"), qPrintable(message()));
     QVERIFY(m_window->windowTitle().startsWith("table1.json"));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drives the real window into states in which its picture is not right: what stands on it then,
+// Drives the real window into states in which its image is not right: what stands on it then,
 // that it cannot be saved, and that nothing of another session is shown.
 #include <QComboBox>
 #include <QDeadlineTimer>
@@ -14,12 +14,12 @@
 #include "gui/docks/report_dock.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
-#include "gui/view/picture_commands.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_commands.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;
@@ -38,17 +38,17 @@ class TestNotices : public WindowTest {
   void init();
   void cleanup() { m_window.reset(); }
   void withoutASession();
-  void openingDropsThePicture();
+  void openingDropsTheImage();
   void theSceneForgetsTheSessionBefore();
   void aHogelImageSaysWhatItNeeds();
   void aPathThatCannotBeReadAndItsUndo();
   void aStateThatCannotBeRendered();
-  void aNoticeIsPaintedOnTheDimmedPicture();
+  void aNoticeIsPaintedOnTheDimmedImage();
   void aReportGoesOn();
 
  private:
-  PictureView* view() const { return child<PictureView>("pictureView"); }
-  PictureCommands* commands() const { return m_window->findChild<PictureCommands*>(); }
+  ImageWidget* view() const { return child<ImageWidget>("pictureView"); }
+  ImageCommands* commands() const { return m_window->findChild<ImageCommands*>(); }
   QAction* action(const char* name) const { return child<QAction>(name); }
   DisplayScene& scene() const { return m_window->findChild<SceneController*>()->scene(); }
   QImage drawn() const { return m_window->findChild<VtkWidget*>()->grabFramebuffer(); }
@@ -56,10 +56,10 @@ class TestNotices : public WindowTest {
     return view()->notice().isEmpty() && action("savePictureAction")->isEnabled() &&
            action("copyPictureAction")->isEnabled();
   }
-  /// Nothing can be taken for the right picture.
+  /// Nothing can be taken for the right image.
   bool isWrong(const QString& why) const {
     return view()->notice().contains(why) && !action("savePictureAction")->isEnabled() &&
-           !action("copyPictureAction")->isEnabled() && !commands()->savePicture("saved.png") &&
+           !action("copyPictureAction")->isEnabled() && !commands()->saveImage("saved.png") &&
            !QFileInfo::exists("saved.png");
   }
   Image expected() const {
@@ -80,13 +80,13 @@ class TestNotices : public WindowTest {
     return true;
   }
   void openSmall() {
-    QVERIFY(m_window->openSession("s.json"));
+    QVERIFY(files(*m_window).open("s.json"));
     QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
   }
   /// The same states before a light field that is not there.
   void openMissing() {
     writeFile("missing.json", contentOf("s.json").replace("a.png", "missing.png"));
-    QVERIFY(m_window->openSession("missing.json"));
+    QVERIFY(files(*m_window).open("missing.json"));
   }
   /// Under a pointer that has just come to the middle of the right half.
   QString readOut() const {
@@ -112,7 +112,7 @@ void TestNotices::init() {
 void TestNotices::withoutASession() {
   const QString hint("No view yet: open a session (Ctrl+O)");
   QVERIFY(isWrong(hint));
-  QVERIFY(!m_window->openSession("none.json"));
+  QVERIFY(!files(*m_window).open("none.json"));
   QVERIFY(isWrong(hint));
   openSmall();
   openMissing();
@@ -120,8 +120,8 @@ void TestNotices::withoutASession() {
   QVERIFY(!view()->notice().contains("No view yet"));
 }
 
-/// Also where the last picture of the session before is still on its way.
-void TestNotices::openingDropsThePicture() {
+/// Also where the last image of the session before is still on its way.
+void TestNotices::openingDropsTheImage() {
   openSmall();
   for (const bool hasEdit : {false, true}) {
     if (hasEdit) {
@@ -133,14 +133,14 @@ void TestNotices::openingDropsThePicture() {
     QVERIFY2(isWrong("Reading missing.png"), qPrintable(view()->notice()));
     QVERIFY(staysTrue([this] { return view()->image().isNull(); }));
     QVERIFY(isWrong("missing.png: there is no such file"));
-    QVERIFY(view()->shownPicture().isNull());
+    QVERIFY(view()->shownImage().isNull());
     QVERIFY(!view()->grab().toImage().isNull());
   }
   openSmall();  // and the right one comes back
   QVERIFY(equals(view()->image(), expected()));
 }
 
-/// Its picture on the panel, and its views on the frusta.
+/// Its image on the panel, and its views on the frusta.
 void TestNotices::theSceneForgetsTheSessionBefore() {
   writePicture("a.png", 64, 64, [](int, int, int channel) { return channel == 1 ? 0.0F : 1.0F; });
   openSmall();
@@ -155,7 +155,7 @@ void TestNotices::theSceneForgetsTheSessionBefore() {
 
 void TestNotices::aHogelImageSaysWhatItNeeds() {
   openSmall();
-  QVERIFY(m_window->openSession("a.png"));
+  QVERIFY(files(*m_window).open("a.png"));
   QVERIFY(view()->image().isNull());
   QTRY_VERIFY_WITH_TIMEOUT(isWrong("give display.hogels and display.directions"), patience);
   for (const char* name : {"hogels.0", "hogels.1"})
@@ -202,7 +202,7 @@ void TestNotices::aStateThatCannotBeRendered() {
       QVERIFY(commands()->compareWith("b.png"));
       QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull() && isRight(), patience);
     }
-    const QImage before = view()->shownPicture();
+    const QImage before = view()->shownImage();
     depth->setValue(0);  // the eye is the look-at point
     QTRY_VERIFY_WITH_TIMEOUT(isWrong("lookat: is the eye itself"), patience);
     QCOMPARE(view()->notice().contains("stop comparing"), hasOther);
@@ -213,12 +213,12 @@ void TestNotices::aStateThatCannotBeRendered() {
     QTRY_VERIFY_WITH_TIMEOUT(isWrong("lookat: is the eye itself"), patience);
     m_model->undoStack()->undo();
     QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
-    QCOMPARE(view()->shownPicture(), before);
+    QCOMPARE(view()->shownImage(), before);
     QVERIFY(!readOut().isEmpty());
   }
 }
 
-void TestNotices::aNoticeIsPaintedOnTheDimmedPicture() {
+void TestNotices::aNoticeIsPaintedOnTheDimmedImage() {
   openSmall();
   view()->setFixedSize(300, 400);
   const QImage before = view()->grab().toImage();
@@ -239,7 +239,7 @@ void TestNotices::aNoticeIsPaintedOnTheDimmedPicture() {
   QVERIFY2(dimmed > after.width() * after.height() / 2, qPrintable(QString::number(dimmed)));
 }
 
-/// It has a light field of its own; and what it says of its tests is not about the picture.
+/// It has a light field of its own; and what it says of its tests is not about the image.
 void TestNotices::aReportGoesOn() {
   openSmall();
   writePicture("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });

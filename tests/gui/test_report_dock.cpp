@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drives the report and camera set docks in the real window: makes reports, stops them, looks at
-// their rows and pictures.
+// their rows and images.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -20,14 +20,14 @@
 #include <QtTest>
 #include <cmath>
 
-#include "gui/app/main_window.h"
-#include "gui/docks/camera_set_view.h"
+#include "gui/docks/camera_set_widget.h"
 #include "gui/docks/report_dock.h"
 #include "gui/scene/vtk_widget.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
 #include "tests/cli/csv.h"
 #include "tests/gui/patience.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -70,7 +70,7 @@ class TestReportDock : public QObject {
   void makesAReport();
   void sorts();
   void namesStayWhenScrolledSideways();
-  void aRowShowsItsPictures();
+  void aRowShowsItsImages();
   void theSceneIsTold();
   void stopsAndGoesOn();
   void errors();
@@ -127,7 +127,7 @@ void TestReportDock::init() {
 
 void TestReportDock::open(const QByteArray& res, const QByteArray& sampling) {
   writeFile("s.json", session(res, sampling));
-  QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
+  QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   QTRY_VERIFY_WITH_TIMEOUT(m_dock->isVisible(), patience);
 }
@@ -196,19 +196,19 @@ void TestReportDock::namesStayWhenScrolledSideways() {
   QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString("s3"));
 }
 
-void TestReportDock::aRowShowsItsPictures() {
+void TestReportDock::aRowShowsItsImages() {
   make();
   auto* table = child<QTableView>("reportTable");
   const QRect place = table->visualRect(table->model()->index(5, 0));  // s2, c.png
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, place.center());
-  auto* reference = child<PictureView>("reportReference");
-  auto* test = child<PictureView>("reportTest");
-  auto* difference = child<PictureView>("reportDifference");
+  auto* reference = child<ImageWidget>("reportReference");
+  auto* test = child<ImageWidget>("reportTest");
+  auto* difference = child<ImageWidget>("reportDifference");
   const QImage wanted = QImage("s-report/reference/s2.png").convertToFormat(QImage::Format_RGB32);
   const QImage other = QImage("s-report/test2/s2.png").convertToFormat(QImage::Format_RGB32);
   QCOMPARE(reference->image().convertToFormat(QImage::Format_RGB32), wanted);
   QCOMPARE(test->image().convertToFormat(QImage::Format_RGB32), other);
-  const QImage shown = difference->shownPicture().convertToFormat(QImage::Format_RGB32);
+  const QImage shown = difference->shownImage().convertToFormat(QImage::Format_RGB32);
   for (int y = 0; y < 60; y += 7)
     for (int x = 0; x < 80; x += 5)
       QCOMPARE(qRed(shown.pixel(x, y)),
@@ -242,7 +242,7 @@ void TestReportDock::theSceneIsTold() {
   QCOMPARE(last()[1], psnrOf(1, 1));
   child<QComboBox>("stateBox")->setCurrentIndex(3);
   QCOMPARE(table->currentIndex().row(), 7);
-  QVERIFY(m_window->openSession(m_folder->filePath("s.json")));
+  QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QVERIFY(last().empty());
   QCOMPARE(table->model()->rowCount(), 0);
 }
@@ -265,7 +265,7 @@ void TestReportDock::stopsAndGoesOn() {
 void TestReportDock::errors() {
   writeGrey("small.png", 8, 8);
   open();
-  // The picture's line would take the place of the error's.
+  // The image's line would take the place of the error's.
   QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), patience);
   m_dock->addTest("small.png");
   click("makeReportButton");
@@ -308,7 +308,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   QCOMPARE(heading("s-report"), "Perceived views of " + name);
   QVERIFY(contentOf("s-report/report.html")
               .contains(("made in the window, from " + name + "<").toUtf8()));
-  QVERIFY(m_window->saveSession(m_folder->filePath("s.json")));
+  QVERIFY(files(*m_window).save(m_folder->filePath("s.json")));
   child<QPushButton>("openPageButton")->setEnabled(false);
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
@@ -320,7 +320,7 @@ void TestReportDock::anUntitledSessionHasAHeading() {
   const QString quilt = m_folder->filePath("q_qs2x2a1.png");
   writePicture(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
   writePicture("t_qs2x2a1.png", 40, 40, [](int x, int y, int) { return float(x + 2 * y) / 120; });
-  QVERIFY(m_window->openSession(quilt));
+  QVERIFY(files(*m_window).open(quilt));
   QCOMPARE(child<QLineEdit>("reportFolder")->text(), m_folder->filePath("q_qs2x2a1-report"));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   m_dock->addTest("t_qs2x2a1.png");
@@ -339,7 +339,7 @@ void TestReportDock::aReportOfAnotherSessionIsNotTold() {
   QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
   QTest::qSleep(300);  // its end waits in the queue
   writeFile("s2.json", contentOf("s.json"));
-  QVERIFY(m_window->openSession(m_folder->filePath("s2.json")));
+  QVERIFY(files(*m_window).open(m_folder->filePath("s2.json")));
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"),
                            patience);
   QCOMPARE(child<QLabel>("reportNote")->text(), QString());
@@ -364,7 +364,7 @@ void TestReportDock::progressQueuesNothing() {
 void TestReportDock::addsCameraSets() {
   open();
   QTest::keyClick(m_window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
-  auto* sets = m_window->findChild<CameraSetView*>();
+  auto* sets = m_window->findChild<CameraSetWidget*>();
   QTRY_VERIFY_WITH_TIMEOUT(sets->isVisible(), patience);
   sets->findChild<QSpinBox*>("count")->setValue(7);
   auto* states = child<QComboBox>("stateBox");

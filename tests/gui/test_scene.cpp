@@ -9,7 +9,7 @@
 #include "gui/app/main_window.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
 
 using namespace hogelscope;
 
@@ -262,7 +262,7 @@ class TestScene : public SceneTest {
     press(Qt::Key_F6);
     click(onScreen(many.cameras[250].camera.eye));
     QVERIFY2(std::abs(current() - 250) <= 3, qPrintable(QString::number(current())));
-    m_window.reset();  // while pictures are being rendered
+    m_window.reset();  // while images are being rendered
   }
 };
 

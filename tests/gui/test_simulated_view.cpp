@@ -11,17 +11,17 @@
 #include <QtTest>
 
 #include "core/engine/fast_simulation.h"
-#include "gui/app/main_window.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/comparison.h"
-#include "gui/view/picture_commands.h"
-#include "gui/view/picture_difference.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_commands.h"
+#include "gui/view/image_difference.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -29,7 +29,7 @@ using namespace hogelscope;
 namespace {
 
 const QString dataFolder = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/");
-constexpr int side = 120;  ///< of a picture: quick to render, like the light field of 16×16 hogels
+constexpr int side = 120;  ///< of an image: quick to render, like the light field of 16×16 hogels
 
 QImage content(int grey) {
   QImage image(320, 320, QImage::Format_RGB888);
@@ -51,14 +51,14 @@ class TestSimulatedView : public QObject {
   QString m_otherFile;
   std::unique_ptr<MainWindow> m_window;
 
-  PictureView* view() const { return m_window->findChild<PictureView*>("pictureView"); }
-  PictureCommands* commands() const { return m_window->findChild<PictureCommands*>(); }
+  ImageWidget* view() const { return m_window->findChild<ImageWidget*>("pictureView"); }
+  ImageCommands* commands() const { return m_window->findChild<ImageCommands*>(); }
   QAction* action(const char* name) const { return m_window->findChild<QAction*>(name); }
   QString message() const { return m_window->statusBar()->currentMessage(); }
-  /// The picture that is shown is not a smaller one.
+  /// The image that is shown is not a smaller one.
   bool isFull() const { return message().contains("views/s") && !message().contains("resolution"); }
   void openSample() {
-    QVERIFY(m_window->openSession(m_sampleFile));
+    QVERIFY(files(*m_window).open(m_sampleFile));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(), patience);
   }
   void compare() {
@@ -125,26 +125,26 @@ class TestSimulatedView : public QObject {
     compare();
     const QImage own = view()->image();
     const QImage other = view()->otherImage();
-    QCOMPARE(view()->shownPicture().size(), QSize(2 * side, side));
+    QCOMPARE(view()->shownImage().size(), QSize(2 * side, side));
     QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier);
     QVERIFY(action("differenceAction")->isChecked());
-    QCOMPARE(view()->shownPicture(), pictureDifference(own, other, view()->gain()));
+    QCOMPARE(view()->shownImage(), differenceImage(own, other, view()->gain()));
     QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier);
-    QCOMPARE(view()->shownPicture().size(), QSize(side, side));
+    QCOMPARE(view()->shownImage().size(), QSize(side, side));
     const QRect left(0, 0, 55, side);
     const QRect right(65, 0, 55, side);
-    QCOMPARE(view()->shownPicture().copy(left), own.copy(left));
-    QCOMPARE(view()->shownPicture().copy(right), other.copy(right));
+    QCOMPARE(view()->shownImage().copy(left), own.copy(left));
+    QCOMPARE(view()->shownImage().copy(right), other.copy(right));
     QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
-    QCOMPARE(view()->shownPicture(), own);
+    QCOMPARE(view()->shownImage(), own);
     QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
     QVERIFY(action("sideBySideAction")->isChecked() && !action("singleAction")->isChecked());
-    QCOMPARE(view()->shownPicture().copy(side, 0, side, side), other);
+    QCOMPARE(view()->shownImage().copy(side, 0, side, side), other);
   }
 
   /// From the View menu, wherever the focus is.
   void fitsAndShowsOneToOne() {
-    auto* view = m_window->findChild<PictureView*>("pictureView");
+    auto* view = m_window->findChild<ImageWidget*>("pictureView");
     auto* one = m_window->findChild<QAction*>("oneToOneViewAction");
     QVERIFY(!one->isEnabled());
     openSample();
@@ -218,17 +218,17 @@ class TestSimulatedView : public QObject {
     compare();
     action("differenceAction")->trigger();
     const QString file = m_folder.filePath("shown.png");
-    QVERIFY(commands()->savePicture(file));
-    QCOMPARE(QImage(file).convertToFormat(QImage::Format_RGB888), view()->shownPicture());
+    QVERIFY(commands()->saveImage(file));
+    QCOMPARE(QImage(file).convertToFormat(QImage::Format_RGB888), view()->shownImage());
     action("copyPictureAction")->trigger();
     QCOMPARE(QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB888),
-             view()->shownPicture());
-    QVERIFY(!commands()->savePicture(m_folder.filePath("none/shown.png")));
+             view()->shownImage());
+    QVERIFY(!commands()->saveImage(m_folder.filePath("none/shown.png")));
     QVERIFY2(message().startsWith("Error: ") && message().contains("shown.png"),
              qPrintable(message()));
   }
 
-  void theMaskIsOfEachPicture() {
+  void theMaskIsOfEachImage() {
     openSample();
     m_window->findChild<QComboBox*>("stateBox")->setCurrentIndex(2);
     const Image third = expected(m_ownFile, loadSession(m_sampleFile.toStdString()).cameras[2]);
@@ -240,7 +240,7 @@ class TestSimulatedView : public QObject {
     QCOMPARE(view()->grab().toImage(), plain);
   }
 
-  /// The exact picture of the newest edit comes at last, and nothing after it; where a full picture
+  /// The exact image of the newest edit comes at last, and nothing after it; where a full image
   /// takes longer than an edit, smaller ones come meanwhile.
   void theNewestWinsWhileASliderMoves() {
     openSample();
@@ -288,7 +288,7 @@ class TestSimulatedView : public QObject {
   }
 
   void closesWhileReading() {
-    QVERIFY(m_window->openSession(dataFolder + "table1.json"));
+    QVERIFY(files(*m_window).open(dataFolder + "table1.json"));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(), patience);
     QVERIFY(commands()->compareWith(dataFolder + "scene.png"));
     m_window.reset();  // must neither hang nor crash

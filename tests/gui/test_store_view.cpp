@@ -8,15 +8,15 @@
 #include <QtTest>
 
 #include "core/engine/fast_simulation.h"
-#include "gui/app/main_window.h"
 #include "gui/docks/light_field_dock.h"
-#include "gui/view/picture_view.h"
+#include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
 #include "io/store/store_writer.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
-#include "tests/gui/shown_picture.h"
+#include "tests/gui/shown_image.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -32,7 +32,7 @@ class TestStoreView : public QObject {
   std::vector<RenderedView> m_views;  ///< all that came to the window
   std::unique_ptr<MainWindow> m_window;
 
-  PictureView* view() const { return m_window->findChild<PictureView*>("pictureView"); }
+  ImageWidget* view() const { return m_window->findChild<ImageWidget*>("pictureView"); }
   bool shows(const CameraState& state) const {
     return equals(view()->image(), rendered(m_whole.view(state)));
   }
@@ -42,7 +42,7 @@ class TestStoreView : public QObject {
   void init();
   void cleanup() { m_window.reset(); }
   void cleanupTestCase() { allowMemory(0); }
-  void theWholePictureFollowsTheOverview();
+  void theWholeImageFollowsTheOverview();
   void followsTheEye();
   void aPixelIsTraced();
   void aDamagedBlockIsTold();
@@ -69,10 +69,10 @@ void TestStoreView::init() {
   QApplication::setActiveWindow(m_window.get());
   connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
           [this](const RenderedView& rendered) { m_views.push_back(rendered); });
-  QVERIFY(m_window->openSession("s.json"));
+  QVERIFY(files(*m_window).open("s.json"));
 }
 
-void TestStoreView::theWholePictureFollowsTheOverview() {
+void TestStoreView::theWholeImageFollowsTheOverview() {
   QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   QVERIFY(m_views.size() >= 2);
   QVERIFY(m_views.front().isOverview && !m_views.back().isOverview);
@@ -84,7 +84,7 @@ void TestStoreView::theWholePictureFollowsTheOverview() {
   QVERIFY(isSaid);
 }
 
-/// Keys move the camera: something is shown for each, and the whole picture in the end.
+/// Keys move the camera: something is shown for each, and the whole image in the end.
 void TestStoreView::followsTheEye() {
   QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   m_views.clear();
@@ -118,7 +118,7 @@ void TestStoreView::aDamagedBlockIsTold() {
   writeFile("s2.json", contentOf("s.json").replace("store.tif", "damaged.tif"));
   m_window = std::make_unique<MainWindow>();
   m_window->show();
-  QVERIFY(m_window->openSession("s2.json"));
+  QVERIFY(files(*m_window).open("s2.json"));
   const auto line = [this] { return m_window->statusBar()->currentMessage(); };
   QTRY_VERIFY2_WITH_TIMEOUT(line().contains("damaged.tif: "), qPrintable(line()), patience);
   QVERIFY2(line().contains("is damaged"), qPrintable(line()));

@@ -161,7 +161,7 @@ void TestUndo::aCameraSetComesBack() {
 void TestUndo::afterSavingUndoIsAnEdit() {
   trigger("duplicateAction");
   QVERIFY(m_window->isWindowModified());
-  QVERIFY(m_window->saveSession("t.json"));
+  QVERIFY(files(*m_window).save("t.json"));
   QVERIFY(!m_window->isWindowModified());
   undo();
   QVERIFY(m_window->isWindowModified());
@@ -191,7 +191,7 @@ void TestUndo::nothingChangedIsNoStep() {
 
 void TestUndo::anotherSessionHasNoSteps() {
   trigger("duplicateAction");
-  QVERIFY(m_window->openSession("s.json"));
+  QVERIFY(files(*m_window).open("s.json"));
   QCOMPARE(steps(), 0);
   QVERIFY(!child<QAction>("undoAction")->isEnabled());
   undo();

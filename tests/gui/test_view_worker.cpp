@@ -11,7 +11,7 @@ using namespace hogelscope;
 
 namespace {
 
-/// A lens that folds within the picture: of 16384² pixels hardly any has a ray, which takes the
+/// A lens that folds within the image: of 16384² pixels hardly any has a ray, which takes the
 /// certified inverse long to find out.
 CameraState throughHardLens(CameraState state) {
   state.camera.res = {16384, 16384};
@@ -51,7 +51,7 @@ class TestViewWorker : public QObject {
     QCOMPARE(rendered[0][0].value<RenderedView>().image.size(), QSize(64, 48));
   }
 
-  /// The picture is made without the lens, by the paper's mapping; its drawing is not.
+  /// The image is made without the lens, by the paper's mapping; its drawing is not.
   void leavesTheDrawingOfAHardLens() {
     ViewWorker worker;
     QSignalSpy loaded(&worker, &ViewWorker::loaded);
@@ -60,7 +60,7 @@ class TestViewWorker : public QObject {
     worker.load(m_session);
     QVERIFY(loaded.wait());
     ViewRequest first = request(throughHardLens(m_session.cameras[0]));
-    first.state.camera.res = {100, 16384};  // a small picture, but all of its points are hard
+    first.state.camera.res = {100, 16384};  // a small image, but all of its points are hard
     first.state.intrinsics = {1e5, 1e5, -65000, 0};
     first.method = NamedMethod{"direct", Reconstruction::nearest, 1, LensMapping::direct, {}};
     worker.render(first);

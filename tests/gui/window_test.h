@@ -7,11 +7,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/app/main_window.h"
 #include "gui/app/translations.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "tests/gui/patience.h"
+#include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
 #include "tests/io/pictures.h"
 
@@ -39,7 +39,7 @@ class WindowTest : public QObject {
     QVERIFY(QDir::setCurrent(m_folder.path()));
     writeSmallSession();
     showWindow();
-    QVERIFY(m_window->openSession("s.json"));
+    QVERIFY(files(*m_window).open("s.json"));
   }
   /// Without a session.
   void showWindow(const QSize& size = {}) {
@@ -50,9 +50,9 @@ class WindowTest : public QObject {
     QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
     m_model = m_window->findChild<hogelscope::SessionModel*>();
   }
-  /// Until its picture is shown.
+  /// Until its image is shown.
   void open(const QString& file) {
-    QVERIFY(m_window->openSession(file));
+    QVERIFY(files(*m_window).open(file));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
   }
 

@@ -10,16 +10,19 @@ namespace hogelscope {
 
 namespace {
 
+/// Its length is the sine of the angle between forward and up.
+Vec3 rightOf(const CameraParams& p) {
+  return cross(normalise(p.lookat - p.eye), normalise(p.up));
+}
+
 RigidTransform frameOf(const CameraParams& p) {
   const Vec3 forward = normalise(p.lookat - p.eye);
   if (forward == Vec3{}) throw InputError("lookat", "is the eye itself: the camera looks nowhere");
-  const Vec3 right = cross(forward, normalise(p.up));
-  // The sine of the angle between forward and up; below this the roll is rounding noise.
-  if (!(length(right) > 1e-9))
+  if (!hasFrame(p))
     throw InputError("up", p.up == Vec3{} ? "is zero: give the direction that is up in the picture"
                                           : "is parallel to the line from eye to lookat");
-  const Vec3 unitRight = normalise(right);
-  return {unitRight, cross(forward, unitRight), forward, p.eye};
+  const Vec3 right = normalise(rightOf(p));
+  return {right, cross(forward, right), forward, p.eye};
 }
 
 double orElse(double value, double otherwise) {
@@ -55,6 +58,10 @@ void describe(ParameterVisitor& v, IntrinsicsParams& p) {
   v.field("cx", cx, {-1e6, 1e6, 1, true}, "px",
           "Where the axis meets the picture; left out: its middle.");
   v.field("cy", cy, {-1e6, 1e6, 1, true}, "px", "The same, from the top.");
+}
+
+bool hasFrame(const CameraParams& p) {
+  return length(rightOf(p)) > 1e-9;  // below this the roll is rounding noise
 }
 
 Camera::Camera(const CameraParams& params, const IntrinsicsParams& intrinsics)

@@ -24,6 +24,9 @@ struct CameraParams {
 
 void describe(ParameterVisitor& v, CameraParams& p);
 
+/// Whether eye, lookat and up give the camera a frame.
+bool hasFrame(const CameraParams& p);
+
 /// A calibrated camera's `intrinsics`, in pixels of the state's own pictures; they take the place
 /// of `fov` where fx is given. Without fy the pixels are square, without cx or cy the axis goes
 /// through the picture's middle.
@@ -42,7 +45,7 @@ void describe(ParameterVisitor& v, IntrinsicsParams& p);
 /// intrinsics say otherwise.
 class Camera {
  public:
-  /// Throws InputError ("lookat" or "up") where eye, lookat and up give no frame.
+  /// Throws InputError ("lookat" or "up") where the camera has no frame.
   explicit Camera(const CameraParams& params, const IntrinsicsParams& intrinsics = {});
 
   /// Columns right, down, forward; origin at the eye.

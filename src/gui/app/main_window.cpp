@@ -27,7 +27,7 @@
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
-#include "gui/view/picture_commands.h"
+#include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/reading_bar.h"
 #include "ui_main_window.h"
@@ -68,8 +68,8 @@ MainWindow::~MainWindow() {
 
 void MainWindow::addDocks() {
   m_ui->lightFieldArea->setWidget(m_lightField = new LightFieldDock(m_model));
-  m_ui->displayArea->setWidget(stacked({contentForm(m_model, &Session::display)}));
-  m_ui->cameraArea->setWidget(stacked(
+  m_ui->displayArea->setWidget(stackWidgets({contentForm(m_model, &Session::display)}));
+  m_ui->cameraArea->setWidget(stackWidgets(
       {stateForm(m_model, &CameraState::camera), stateForm(m_model, &CameraState::intrinsics)}));
   m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
   m_ui->psfArea->setWidget(new PsfDock(m_model));
@@ -81,8 +81,8 @@ void MainWindow::addDocks() {
     m_ui->statesDock->raise();
     states->editName();
   });
-  connect(commands, &StateCommands::failed, m_messages, &Messages::fail);
-  connect(commands, &StateCommands::done, m_messages, &Messages::say);
+  connect(commands, &StateCommands::failed, m_messages, &Messages::showError);
+  connect(commands, &StateCommands::done, m_messages, &Messages::showMessage);
 }
 
 /// In the order of the line, one behind the other below the list of states: each is seen whole, and
@@ -137,32 +137,32 @@ void MainWindow::connectModel() {
 }
 
 void MainWindow::connectDocks() {
-  connect(m_ui->tradeoffView, &TradeoffView::failed, m_messages, &Messages::fail);
-  connect(m_ui->tradeoffView, &TradeoffView::methodChosen, this,
+  connect(m_ui->tradeoffView, &TradeoffWidget::failed, m_messages, &Messages::showError);
+  connect(m_ui->tradeoffView, &TradeoffWidget::methodChosen, this,
           [this](const std::optional<NamedMethod>& method) {
             m_method = method;
             render();
           });
   m_ui->reportPanel->setModel(m_model);
-  connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::fail);
+  connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
-  connect(m_ui->cameraSetView, &CameraSetView::failed, m_messages, &Messages::fail);
-  connect(m_ui->pictureView, &PictureView::pixelPicked, m_scene, &SceneController::showPixel);
-  m_pictures = new PictureCommands(*m_ui, m_model, this);
+  connect(m_ui->cameraSetView, &CameraSetWidget::failed, m_messages, &Messages::showError);
+  connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
+  m_imageCommands = new ImageCommands(*m_ui, m_model, this);
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
-  connect(m_pictures, &PictureCommands::otherChanged, this, &MainWindow::render);
-  connect(m_pictures, &PictureCommands::failed, m_messages, &Messages::fail);
-  connect(m_pictures, &PictureCommands::done, m_messages, &Messages::say);
+  connect(m_imageCommands, &ImageCommands::otherChanged, this, &MainWindow::render);
+  connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
+  connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
 }
 
 /// Last: keys are given to all actions.
 void MainWindow::addEditing() {
   auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
-  connect(camera, &CameraCommands::failed, m_messages, &Messages::fail);
+  connect(camera, &CameraCommands::failed, m_messages, &Messages::showError);
   auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
-  connect(edit, &EditCommands::failed, m_messages, &Messages::fail);
+  connect(edit, &EditCommands::failed, m_messages, &Messages::showError);
   edit->readKeys();
 }
 
@@ -174,22 +174,22 @@ void MainWindow::leaveForm() {
 
 void MainWindow::connectWorker() {
   connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
-  connect(m_worker, &ViewWorker::failed, m_messages, &Messages::fail);
+  connect(m_worker, &ViewWorker::failed, m_messages, &Messages::showError);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showFailure);
   connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // of an older reading
-  connect(m_worker, &ViewWorker::loaded, this, &MainWindow::take);
+  connect(m_worker, &ViewWorker::loaded, this, &MainWindow::onSceneLoaded);
   connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
 }
 
 void MainWindow::render() {
-  if (!m_loaded) return;  // take() renders
-  m_worker->render(
-      {m_model->current(), m_display, m_model->session().sampling, m_method, m_pictures->other()});
+  if (!m_loaded) return;  // onSceneLoaded() renders
+  m_worker->render({m_model->current(), m_display, m_model->session().sampling, m_method,
+                    m_imageCommands->other()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
-  m_pictures->show(view);
+  m_imageCommands->show(view);
   const int views = view.otherImage.isNull() ? 1 : 2;
   const QString form = views == 1 ? tr("%1 × %2 px in %3 ms, %4 views/s, %5")
                                   : tr("%1 × %2 px, both in %3 ms, %4 views/s, %5");
@@ -203,7 +203,7 @@ void MainWindow::showView(const RenderedView& view) {
   else if (view.scale > 1)
     line += tr(", resolution 1/%1").arg(view.scale);
   if (m_method) line += tr(", method: %1").arg(QString::fromStdString(m_method->name));
-  m_messages->say(line);
+  m_messages->showMessage(line);
 }
 
 /// To the measurement: the states as they are in the session now.
@@ -215,23 +215,11 @@ void MainWindow::offerViews() {
   m_ui->tradeoffView->setViews(views);
 }
 
-bool MainWindow::openSession(const QString& file) {
-  return m_files->open(file);
-}
-
-bool MainWindow::saveSession(const QString& file) {
-  return m_files->save(file);
-}
-
-bool MainWindow::importCalibration(const QString& file) {
-  return m_files->importCalibration(file);
-}
-
 void MainWindow::start(const QStringList& files) {
   m_layout->restore();
   show();
   m_files->offerRecovery();
-  m_files->take(files);
+  m_files->openFiles(files);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -244,9 +232,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 /// Files, help, colours, layout: classes that only need to be there.
 void MainWindow::addHabits() {
   m_files = new FileCommands(*m_ui, m_model, this);
-  connect(m_files, &FileCommands::done, m_messages, &Messages::say);
-  connect(m_files, &FileCommands::failed, m_messages, &Messages::fail);
-  connect(m_files, &FileCommands::comparisonAsked, m_pictures, &PictureCommands::compareWith);
+  connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
+  connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
+  connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
   new HelpCommands(*m_ui, this);
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, m_ui->splitter);
@@ -261,15 +249,15 @@ void MainWindow::addHabits() {
   connect(m_readingBar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
 }
 
-/// No picture is better than that of another light field.
+/// Shows nothing rather than the image of another light field.
 void MainWindow::showStopped() {
   const QString line = tr("Stopped reading %1; to read it, open the session again")
                            .arg(QString::fromStdString(m_model->session().lightField.file));
-  m_pictures->drop(line);
-  m_messages->say(line);
+  m_imageCommands->drop(line);
+  m_messages->showMessage(line);
 }
 
-/// What the worker could not do, on the picture until it can.
+/// What the worker could not do, on the image until it can.
 void MainWindow::showFailure(const QString& line) {
   const QString what =
       m_loaded ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
@@ -278,9 +266,9 @@ void MainWindow::showFailure(const QString& line) {
     advice =
         tr("Correct it in the Light field or Display dock, undo the edit, or open the session "
            "again.");
-  else if (m_pictures->other())
+  else if (m_imageCommands->other())
     advice += tr(" Where it is the other light field's fault, stop comparing.");
-  m_pictures->doubt(what + "\n\n" + line + "\n\n" + advice);
+  m_imageCommands->showNotice(what + "\n\n" + line + "\n\n" + advice);
 }
 
 /// Fills the list of states again.
@@ -297,7 +285,7 @@ void MainWindow::showSession() {
   m_method.reset();
   m_isNew = true;
   m_ui->tradeoffView->forgetChoice();
-  m_pictures->drop({});
+  m_imageCommands->drop({});
   load();
   showStates();
 }
@@ -312,14 +300,14 @@ void MainWindow::load() {
   m_worker->load(m_asked);
   m_readingBar->show();
   const QString line = tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file));
-  m_pictures->doubt(line);
-  m_messages->say(line);
+  m_imageCommands->showNotice(line);
+  m_messages->showMessage(line);
 }
 
 /// What has been read, with the session's display and sampling as they are now.
-void MainWindow::take(const Scene& scene) {
+void MainWindow::onSceneLoaded(const Scene& scene) {
   m_loaded = scene;
-  m_pictures->doubt(tr("Rendering …"));
+  m_imageCommands->showNotice(tr("Rendering …"));
   showContent();
   if (std::exchange(m_isNew, false)) m_scene->scene().fit();
 }

@@ -21,7 +21,7 @@ class DistortionDock;
 class FileCommands;
 class LightFieldDock;
 class Messages;
-class PictureCommands;
+class ImageCommands;
 class ReadingBar;
 class SceneController;
 class SessionModel;
@@ -37,14 +37,8 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
-  /// command line (FileCommands::take).
+  /// command line (FileCommands::openFiles).
   void start(const QStringList& files);
-  /// None of these asks; what goes wrong is told by Messages. True if it is done. What opens is a
-  /// session document, or a light field (an image or a folder), which a new session is made around.
-  bool openSession(const QString& file);
-  bool saveSession(const QString& file);
-  /// Into the current state.
-  bool importCalibration(const QString& file);
 
  private:
   void connectActions();
@@ -62,7 +56,7 @@ class MainWindow : public QMainWindow {
   void showSession();
   void showContent();
   void load();
-  void take(const Scene& scene);
+  void onSceneLoaded(const Scene& scene);
   void showCurrent();
   void showTitle();
   void render();
@@ -79,7 +73,7 @@ class MainWindow : public QMainWindow {
   ReadingBar* m_readingBar = nullptr;
   QComboBox* m_stateBox;
   SceneController* m_scene;
-  PictureCommands* m_pictures = nullptr;
+  ImageCommands* m_imageCommands = nullptr;
   DistortionDock* m_distortion = nullptr;
   LightFieldDock* m_lightField = nullptr;
   DisplayParams m_display;              ///< resolved

@@ -11,7 +11,7 @@ class QTreeWidgetItem;
 
 namespace hogelscope {
 
-/// Shows pictures no wider than itself.
+/// Shows images no wider than itself.
 class ManualPage : public QTextBrowser {
   Q_OBJECT
 

@@ -62,12 +62,12 @@ Messages::Messages(QMainWindow* window)
   qApp->installEventFilter(this);
 }
 
-void Messages::say(const QString& line) {
+void Messages::showMessage(const QString& line) {
   m_line = line;
   show();
 }
 
-void Messages::fail(const QString& line) {
+void Messages::showError(const QString& line) {
   m_error = line;
   m_line.clear();  // such as "Reading …"
   const QString time = QTime::currentTime().toString("HH:mm:ss");

@@ -20,8 +20,8 @@ class Messages : public QObject {
   /// Adds the dock of errors to the window and its button to the status bar, both hidden.
   explicit Messages(QMainWindow* window);
 
-  void say(const QString& line);
-  void fail(const QString& line);
+  void showMessage(const QString& line);
+  void showError(const QString& line);
   /// The user has done something else: the error leaves the status bar, not the list.
   void dismiss();
   [[nodiscard]] QDockWidget* dock() const { return m_dock; }

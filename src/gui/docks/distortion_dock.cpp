@@ -7,16 +7,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/base/error.h"
 #include "core/engine/plan.h"
-#include "gui/docks/lens_view.h"
+#include "gui/docks/lens_widget.h"
 #include "gui/session/session_forms.h"
 #include "gui/view/view_worker.h"
 
 namespace hogelscope {
 
 DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent)
-    : QWidget(parent), m_model(model), m_lens(new LensView), m_certificate(new QLabel) {
+    : QWidget(parent), m_model(model), m_lens(new LensWidget), m_certificate(new QLabel) {
   m_certificate->setObjectName("certificateLabel");
   m_certificate->setWordWrap(true);
   m_certificate->setMargin(9);
@@ -57,12 +56,9 @@ void DistortionDock::showLens(const CertifiedLens& lens) {
 }
 
 void DistortionDock::noteEdits() {
-  bool isShown = false;
-  try {
-    isShown = m_shown == lensKeyOf(m_model->current(), m_model->session().sampling);
-  } catch (const InputError&) {
-    // a camera without a frame has no lens: the simulated view says why
-  }
+  const CameraState state = m_model->current();
+  const bool isShown =
+      hasFrame(state.camera) && m_shown == lensKeyOf(state, m_model->session().sampling);
   m_certificate->setEnabled(isShown);
   m_lens->setEnabled(isShown);
 }

@@ -13,7 +13,7 @@ class QLabel;
 
 namespace hogelscope {
 
-class LensView;
+class LensWidget;
 class SessionModel;
 struct CertifiedLens;
 
@@ -31,7 +31,7 @@ class DistortionDock : public QWidget {
 
   SessionModel* m_model;
   std::optional<LensKey> m_shown;
-  LensView* m_lens;
+  LensWidget* m_lens;
   QLabel* m_certificate;
 };
 

@@ -32,8 +32,8 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   row->addWidget(folderButton);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stacked({contentForm(m_model, &Session::lightField), buttons, m_contents,
-                             contentForm(m_model, &Session::sampling)}));
+  layout->addWidget(stackWidgets({contentForm(m_model, &Session::lightField), buttons, m_contents,
+                                  contentForm(m_model, &Session::sampling)}));
   const auto enable = [this, buttons] { buttons->setEnabled(!m_model->session().cameras.empty()); };
   connect(m_model, &SessionModel::opened, this, enable);
   enable();

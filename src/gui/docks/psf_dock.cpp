@@ -5,13 +5,13 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "gui/docks/kernel_view.h"
+#include "gui/docks/kernel_widget.h"
 #include "gui/session/session_forms.h"
 
 namespace hogelscope {
 
 PsfDock::PsfDock(SessionModel* model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_kernel(new KernelView), m_energy(new QLabel) {
+    : QWidget(parent), m_model(model), m_kernel(new KernelWidget), m_energy(new QLabel) {
   m_energy->setObjectName("energyLabel");
   m_energy->setToolTip(
       tr("How much of the Gaussian's light the window leaves out; a wider window "

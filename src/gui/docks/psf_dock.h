@@ -8,7 +8,7 @@ class QLabel;
 
 namespace hogelscope {
 
-class KernelView;
+class KernelWidget;
 class SessionModel;
 
 class PsfDock : public QWidget {
@@ -21,7 +21,7 @@ class PsfDock : public QWidget {
   void showKernel();
 
   SessionModel* m_model;
-  KernelView* m_kernel;
+  KernelWidget* m_kernel;
   QLabel* m_energy;
 };
 

@@ -22,20 +22,21 @@
 #include <cmath>
 #include <limits>
 
-#include "gui/docks/report_pictures.h"
+#include "gui/docks/report_images_widget.h"
 #include "gui/docks/report_table.h"
-#include "gui/docks/report_worker.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/polled_bar.h"
+#include "gui/widgets/task.h"
 #include "report/page/summary_page.h"
+#include "report/report_files.h"
 
 namespace hogelscope {
 
 namespace {
 
-QWidget* beside(std::initializer_list<QWidget*> widgets) {
+QWidget* makeRow(std::initializer_list<QWidget*> widgets) {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -61,7 +62,7 @@ QString folderBeside(const SessionModel& model) {
 
 ReportDock::ReportDock(QWidget* parent)
     : QWidget(parent),
-      m_worker(new ReportWorker(this)),
+      m_task(new Task(this)),
       m_table(new ReportTable(this)),
       m_sorted(new QSortFilterProxyModel(this)),
       m_testList(new QListWidget),
@@ -71,11 +72,11 @@ ReportDock::ReportDock(QWidget* parent)
                              "field and from each test, and compares"))),
       m_pageButton(
           button("openPageButton", tr("&Open page"), tr("Shows report.html in the web browser"))),
-      m_progress(new PolledBar([this] { return m_worker->share(); })),
+      m_progress(new PolledBar([this] { return m_task->share(); })),
       m_note(new QLabel),
       m_stale(new QLabel(tr("The session has been edited since this report was made."))),
       m_rows(new QTableView),
-      m_pictures(new ReportPictures) {
+      m_images(new ReportImagesWidget) {
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
   m_rows->setObjectName("reportTable");
@@ -94,7 +95,7 @@ ReportDock::ReportDock(QWidget* parent)
   auto* parts = new QSplitter;
   parts->addWidget(makeSettings());
   parts->addWidget(m_rows);
-  parts->addWidget(m_pictures);
+  parts->addWidget(m_images);
   parts->setSizes({280, 420, 800});
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
@@ -133,10 +134,10 @@ QWidget* ReportDock::makeSettings() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(new QLabel(tr("Test light fields")));
   layout->addWidget(m_testList);
-  layout->addWidget(beside({addFile, addFolder, remove}));
+  layout->addWidget(makeRow({addFile, addFolder, remove}));
   layout->addWidget(new QLabel(tr("Report folder")));
-  layout->addWidget(beside({m_folder, choose}));
-  layout->addWidget(beside({m_makeButton, m_pageButton}));
+  layout->addWidget(makeRow({m_folder, choose}));
+  layout->addWidget(makeRow({m_makeButton, m_pageButton}));
   layout->addWidget(m_progress);
   layout->addWidget(m_stale);
   layout->addWidget(m_note);
@@ -157,19 +158,11 @@ void ReportDock::connectAll() {
   connect(m_rows->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ReportDock::showChosen);
   connect(m_progress, &QProgressBar::valueChanged, this, &ReportDock::showTimeLeft);
-  connect(m_worker, &ReportWorker::rowFinished, this, &ReportDock::showRow);
-  connect(m_worker, &ReportWorker::finished, this, [this](const Report& report) {
-    showIdle();
-    if (m_table->rowCount() == 0) return;  // of another session
-    m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
-    m_pageButton->setEnabled(true);
-    if (!chosenRow()) chooseState(m_model->currentIndex());
-  });
-  connect(m_worker, &ReportWorker::stopped, this, [this] {
+  connect(m_task, &Task::stopped, this, [this] {
     showIdle();
     m_note->setText(tr("Stopped. What is finished is kept: the same report goes on from there."));
   });
-  connect(m_worker, &ReportWorker::failed, this, [this](const QString& line) {
+  connect(m_task, &Task::failed, this, [this](const QString& line) {
     showIdle();
     m_note->setText(line);
     Q_EMIT failed(line);
@@ -191,14 +184,14 @@ void ReportDock::setModel(SessionModel* model) {
 
 /// Rows of another session are not shown any more, and a report that is under way stops.
 void ReportDock::forget() {
-  if (m_isAtWork) stop();
+  if (m_task->isRunning()) stop();
   m_table->begin(0);
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
-  m_pictures->clear();
-  tellPsnr();
-  if (!m_isAtWork) showIdle();
+  m_images->clear();
+  emitPsnr();
+  showIdle();
 }
 
 void ReportDock::noteEdits() {
@@ -230,7 +223,7 @@ void ReportDock::askTestFolder() {
 void ReportDock::addTest(const QString& file) {
   m_testList->addItem(file);
   m_testList->setCurrentRow(m_testList->count() - 1);
-  if (!m_isAtWork) showIdle();
+  showIdle();
 }
 
 void ReportDock::askFolder() {
@@ -249,7 +242,7 @@ void ReportDock::openPage() {
 }
 
 void ReportDock::makeOrStop() {
-  if (m_isAtWork) return stop();
+  if (m_task->isRunning()) return stop();
   start();
 }
 
@@ -268,50 +261,67 @@ void ReportDock::start() {
   m_request.reference = m_reference;
   m_table->begin(m_request.session.cameras.size() * m_tests.size());
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
-  m_pictures->clear();
+  m_images->clear();
   m_test = 0;
-  tellPsnr();
-  m_isAtWork = true;
+  emitPsnr();
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
   m_makeButton->setText(tr("&Stop"));
   m_clock.start();
-  m_worker->start(m_request, m_tests);
+  m_task->start([this, task = m_task, request = m_request,
+                 tests = m_tests](const Progress& progress) mutable {
+    ReportListener listener;
+    listener.progress = progress;
+    listener.finished = [=, this](std::size_t index, const ReportRow& row) {
+      task->queue([this, index, row] { showRow(index, row); });
+    };
+    request.tests = openTests(request.session, tests);
+    return [this, report = makeReport(request, listener)] { showReport(report); };
+  });
   m_progress->setVisible(true);
 }
 
 void ReportDock::stop() {
-  m_worker->stop();
+  m_task->stop();
   m_makeButton->setText(tr("Stopping…"));
   m_makeButton->setEnabled(false);
 }
 
+/// Changes nothing while a report is made.
 void ReportDock::showIdle() {
-  m_isAtWork = false;
+  if (m_task->isRunning()) return;
   m_makeButton->setText(tr("&Make report"));
   m_makeButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&
                            m_testList->count() > 0);
   m_progress->setVisible(false);
 }
 
+void ReportDock::showReport(const Report& report) {
+  showIdle();
+  if (m_table->rowCount() == 0) return;  // of another session
+  m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
+  m_pageButton->setEnabled(true);
+  if (!chosenRow()) chooseState(m_model->currentIndex());
+}
+
 void ReportDock::showTimeLeft() {
-  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, m_worker->share());
+  const std::string left = timeLeft(double(m_clock.elapsed()) / 1000, m_task->share());
   m_progress->setFormat("%p % " + QString::fromStdString(left));
 }
 
 void ReportDock::showRow(std::size_t index, const ReportRow& row) {
   m_table->set(index, row);
-  if (chosenRow() == index) showPictures(index);
-  tellPsnr();
+  if (chosenRow() == index) showImages(index);
+  emitPsnr();
 }
 
-void ReportDock::tellPsnr() {
+void ReportDock::emitPsnr() {
   std::vector<double> dB;
   if (m_table->rowCount() > 0) {
     dB.assign(m_request.session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t state = 0; state < dB.size(); ++state)
-      if (const auto& row = m_table->row(state * m_tests.size() + m_test); row)
+      if (const auto& row = m_table->row(order().row(state, m_test)); row)
         dB[state] = psnr(row->metrics.mse);
   }
   if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
@@ -327,30 +337,31 @@ std::optional<std::size_t> ReportDock::chosenRow() const {
 void ReportDock::showChosen() {
   const std::optional<std::size_t> row = chosenRow();
   if (!row || m_tests.empty()) return;
-  if (const std::size_t test = *row % m_tests.size(); test != m_test) {
+  if (const std::size_t test = order().test(*row); test != m_test) {
     m_test = test;
-    tellPsnr();
+    emitPsnr();
   }
-  showPictures(*row);
-  m_model->setCurrentIndex(*row / m_tests.size());
+  showImages(*row);
+  m_model->setCurrentIndex(order().state(*row));
 }
 
-void ReportDock::showPictures(std::size_t index) {
+void ReportDock::showImages(std::size_t index) {
   const std::optional<ReportRow>& row = m_table->row(index);
-  if (!row) return m_pictures->clear();
+  if (!row) return m_images->clear();
   QImage reference;
   QImage test;
   if (row->problem.empty()) {
-    const QString folder = QString::fromStdString(m_request.output);
-    const QString name = "/" + QString::fromStdString(row->state) + ".png";
-    reference.load(folder + "/reference" + name);
-    test.load(folder + "/test" + QString::number(index % m_tests.size() + 1) + name);
+    const auto load = [](QImage& image, const std::filesystem::path& file) {
+      image.load(QString::fromStdString(file.string()));
+    };
+    load(reference, referenceImage(m_request.output, row->state));
+    load(test, testImage(m_request.output, order().test(index), row->state));
   }
-  m_pictures->setPictures(QString::fromStdString(row->state), reference, test);
+  m_images->setImages(QString::fromStdString(row->state), reference, test);
 }
 
 void ReportDock::chooseState(std::size_t state) {
-  const std::size_t row = state * m_tests.size() + m_test;
+  const std::size_t row = order().row(state, m_test);
   if (m_tests.empty() || row >= std::size_t(m_table->rowCount()) || chosenRow() == row) return;
   m_rows->selectRow(m_sorted->mapFromSource(m_table->index(int(row), 0)).row());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock: test light fields, a run in the background, its rows, and the pictures of the
+// The report dock: test light fields, a run in the background, its rows, and the images of the
 // row that is chosen.
 #pragma once
 
@@ -18,10 +18,10 @@ class QTableView;
 namespace hogelscope {
 
 class PolledBar;
-class ReportPictures;
+class ReportImagesWidget;
 class ReportTable;
-class ReportWorker;
 class SessionModel;
+class Task;
 
 class ReportDock : public QWidget {
   Q_OBJECT
@@ -55,19 +55,21 @@ class ReportDock : public QWidget {
   void start();
   void stop();
   void showIdle();
+  void showReport(const Report& report);
   void showTimeLeft();
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
-  void showPictures(std::size_t index);
-  void tellPsnr();
+  void showImages(std::size_t index);
+  void emitPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
+  [[nodiscard]] ReportOrder order() const { return {m_tests.size()}; }
 
   SessionModel* m_model = nullptr;
   std::optional<Scene> m_reference;
   ReportRequest m_request;           ///< of the rows that are shown
   std::vector<std::string> m_tests;  ///< likewise
   std::size_t m_test = 0;            ///< of the chosen row
-  ReportWorker* m_worker;
+  Task* m_task;
   ReportTable* m_table;
   QSortFilterProxyModel* m_sorted;
   QListWidget* m_testList;
@@ -78,9 +80,8 @@ class ReportDock : public QWidget {
   QLabel* m_note;
   QLabel* m_stale;  ///< shown while the session is not what the rows are of
   QTableView* m_rows;
-  ReportPictures* m_pictures;
+  ReportImagesWidget* m_images;
   QElapsedTimer m_clock;
-  bool m_isAtWork = false;
 };
 
 }  // namespace hogelscope

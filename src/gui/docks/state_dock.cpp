@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/docks/state_list.h"
+#include "gui/docks/state_list_widget.h"
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
 #include "io/documents/session_file.h"
@@ -18,7 +18,7 @@
 namespace hogelscope {
 
 StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* parent)
-    : QWidget(parent), m_model(model), m_commands(commands), m_list(new StateList) {
+    : QWidget(parent), m_model(model), m_commands(commands), m_list(new StateListWidget) {
   setAcceptDrops(true);
   m_list->setToolTip(
       tr("The camera states; Ctrl or Shift marks several, for deleting, saving and dragging"));
@@ -27,9 +27,9 @@ StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* pare
   layout->addWidget(makeButtons());
   connect(m_list, &QListWidget::currentRowChanged, this,
           [this](int row) { m_model->setCurrentIndex(std::size_t(row)); });
-  connect(m_list, &QListWidget::itemSelectionChanged, this, &StateDock::tellSelection);
+  connect(m_list, &QListWidget::itemSelectionChanged, this, &StateDock::emitSelection);
   connect(m_list, &QListWidget::itemChanged, this, &StateDock::rename);
-  connect(m_list, &StateList::rowsDropped, m_commands, &StateCommands::move);
+  connect(m_list, &StateListWidget::rowsDropped, m_commands, &StateCommands::move);
   connect(m_model, &SessionModel::opened, this, &StateDock::fill);
   connect(m_model, &SessionModel::statesChanged, this, &StateDock::fill);
   connect(m_model, &SessionModel::edited, this, &StateDock::showCurrent);
@@ -76,10 +76,10 @@ void StateDock::showCurrent() {
     const QSignalBlocker quiet(m_list);
     m_list->setCurrentRow(row, QItemSelectionModel::ClearAndSelect);
   }
-  tellSelection();
+  emitSelection();
 }
 
-void StateDock::tellSelection() {
+void StateDock::emitSelection() {
   std::vector<std::size_t> marked;
   for (const QModelIndex& index : m_list->selectionModel()->selectedRows())
     marked.push_back(std::size_t(index.row()));

@@ -10,7 +10,7 @@ namespace hogelscope {
 
 class SessionModel;
 class StateCommands;
-class StateList;
+class StateListWidget;
 
 /// Session documents that are dropped onto it give it their states; its own rows are dragged to
 /// another place.
@@ -31,12 +31,12 @@ class StateDock : public QWidget {
   QWidget* makeButtons();
   void fill();
   void showCurrent();
-  void tellSelection();
+  void emitSelection();
   void rename(const QListWidgetItem* item);
 
   SessionModel* m_model;
   StateCommands* m_commands;
-  StateList* m_list;
+  StateListWidget* m_list;
 };
 
 }  // namespace hogelscope

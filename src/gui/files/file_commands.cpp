@@ -35,7 +35,7 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
     if (mayLeave()) open(file);
   });
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
-  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::take,
+  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::openFiles,
           Qt::QueuedConnection);
 }
 
@@ -79,15 +79,15 @@ bool FileCommands::importCalibration(const QString& file) {
   });
 }
 
-void FileCommands::take(const QStringList& files) {
+void FileCommands::openFiles(const QStringList& files) {
   QStringList sorted = files;  // the session comes first
   std::stable_partition(sorted.begin(), sorted.end(),
                         [](const QString& file) { return isSessionFile(file.toStdString()); });
-  for (qsizetype k = 0; k < sorted.size(); ++k) takeOne(sorted[k], k == 0);
+  for (qsizetype k = 0; k < sorted.size(); ++k) openAny(sorted[k], k == 0);
 }
 
 /// Only the first can be the session to open: a second one is a light field to compare with.
-void FileCommands::takeOne(const QString& file, bool isFirst) {
+void FileCommands::openAny(const QString& file, bool isFirst) {
   const QString suffix = QFileInfo(file).suffix().toLower();
   const bool isCalibration = suffix == "yml" || suffix == "yaml";
   const bool isOpen = !m_model->session().cameras.empty();

@@ -24,16 +24,17 @@ class FileCommands : public QObject {
  public:
   FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
 
-  /// These do not ask; a light field opens as a session around it; what goes wrong is told by
-  /// failed(). True if it is done.
+  /// These do not ask, and report errors through failed(). True if it is done. A session document
+  /// opens, or a light field (an image or a folder), which a new session is made around.
   bool open(const QString& file);
   bool save(const QString& file);
+  /// Into the current state.
   bool importCalibration(const QString& file);
 
   /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
   /// current state, and the open session is compared with anything else; where none is open, a
   /// light field opens as a new one.
-  void take(const QStringList& files);
+  void openFiles(const QStringList& files);
   /// True if there are no edits, or they are saved or not wanted any more.
   bool mayLeave();
   /// The window closes: no edits are left to recover.
@@ -48,7 +49,7 @@ class FileCommands : public QObject {
  private:
   template <class Action>
   bool guarded(Action action);
-  void takeOne(const QString& file, bool isFirst);
+  void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
   void askOpen();

@@ -22,7 +22,7 @@ std::string fileName() {
 }
 
 /// A menu's text without mnemonic and dots.
-QString plain(QString text) {
+QString withoutMnemonic(QString text) {
   return text.remove('&').remove(QStringLiteral("…"));
 }
 
@@ -37,7 +37,8 @@ Widget* holderOf(const QAction* action) {
 QString sectionOf(const QAction* action) {
   if (const auto* menu = holderOf<QMenu>(action)) {
     const QString above = sectionOf(menu->menuAction());
-    return above.isEmpty() ? plain(menu->title()) : above + ", " + plain(menu->title());
+    return above.isEmpty() ? withoutMnemonic(menu->title())
+                           : above + ", " + withoutMnemonic(menu->title());
   }
   const auto* widget = holderOf<QWidget>(action);
   if (widget == nullptr || widget->accessibleName().isEmpty()) return {};
@@ -92,7 +93,7 @@ void KeyMap::addAction(QAction* action) {
     same->actions.append(action);
     return;
   }
-  const QString title = plain(action->text());
+  const QString title = withoutMnemonic(action->text());
   const QString help = action->toolTip();
   m_commands.push_back({action->objectName(),
                         sectionOf(action),

@@ -11,7 +11,7 @@
 namespace hogelscope {
 
 /// A command is what has an object name among the window's actions; several actions of one name,
-/// such as those of several pictures, are one command. Keys that differ from the defaults are saved
+/// such as those of several images, are one command. Keys that differ from the defaults are saved
 /// at once, and read when the map is made by load().
 class KeyMap : public QObject {
   Q_OBJECT

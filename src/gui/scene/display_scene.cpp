@@ -14,7 +14,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/error.h"
 #include "core/optics/panel_view.h"
 #include "gui/scene/vtk_widget.h"
 #include "vtk/line_picker.h"
@@ -25,15 +24,6 @@ namespace {
 
 Vec3 vec3(const double* p) {
   return {p[0], p[1], p[2]};
-}
-
-bool hasFrame(const CameraState& state) {
-  try {
-    const Camera camera(state.camera, state.intrinsics);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
 }
 
 }  // namespace
@@ -76,9 +66,9 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
   m_display = display;
   m_panel.setDisplay(display);
   m_frusta.show(display, states, current);
-  const bool hasCurrent = current < states.size() && hasFrame(states[current]);
+  const bool hasCurrent = current < states.size() && hasFrame(states[current].camera);
   if (hasCurrent)
-    m_handles.place(states[current].camera.eye, states[current].camera.lookat);
+    m_handles.showAt(states[current].camera.eye, states[current].camera.lookat);
   else
     m_handles.hide();
   redraw();
@@ -143,7 +133,7 @@ void DisplayScene::approach(double factor) {
 }
 
 void DisplayScene::lookThrough(const CameraState& state) {
-  if (!hasFrame(state)) return;
+  if (!hasFrame(state.camera)) return;
   look(state.camera.lookat, state.camera.eye, state.camera.up);
   const double focal = Camera(state.camera, state.intrinsics).focalLength().y;
   m_renderer->GetActiveCamera()->SetViewAngle(2 * std::atan(state.camera.res[1] / 2.0 / focal) *

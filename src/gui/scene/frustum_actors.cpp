@@ -31,15 +31,15 @@ constexpr Colour outsideColour{200, 120, 120};
 }  // namespace
 
 FrustumActors::FrustumActors(vtkRenderer* renderer) {
-  addToScene(renderer, m_otherPictures, m_others->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
-  addToScene(renderer, m_markedPicture, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
+  addToScene(renderer, m_otherImages, m_others->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
+  addToScene(renderer, m_markedImage, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
   addToScene(renderer, m_otherLines, m_others->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
   addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
   m_markedLines->GetProperty()->SetLineWidth(3);
   m_markedLines->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
-  for (vtkActor* pictures : {m_otherPictures.Get(), m_markedPicture.Get()})
-    pictures->SetTexture(m_pictures.texture());
-  setPicturesVisible(false);
+  for (vtkActor* images : {m_otherImages.Get(), m_markedImage.Get()})
+    images->SetTexture(m_images.texture());
+  setImagesVisible(false);
   renderer->AddViewProp(m_psnr.bar());
 }
 
@@ -50,7 +50,7 @@ void FrustumActors::show(const DisplayParams& display, const std::vector<CameraS
   m_display = display;
   m_states = states;
   m_current = current;
-  m_pictures.setCount(states.size());
+  m_images.setCount(states.size());
   update();
 }
 
@@ -72,17 +72,17 @@ void FrustumActors::update() {
   }
   m_others->SetFrusta(others);
   m_marked->SetFrusta(marked);
-  m_others->SetAtlasColumns(m_pictures.columns());
-  m_marked->SetAtlasColumns(m_pictures.columns());
+  m_others->SetAtlasColumns(m_images.columns());
+  m_marked->SetAtlasColumns(m_images.columns());
 }
 
-void FrustumActors::setPicturesVisible(bool areVisible) {
-  m_otherPictures->SetVisibility(areVisible);
-  m_markedPicture->SetVisibility(areVisible);
+void FrustumActors::setImagesVisible(bool areVisible) {
+  m_otherImages->SetVisibility(areVisible);
+  m_markedImage->SetVisibility(areVisible);
 }
 
-void FrustumActors::putPicture(std::size_t state, vtkImageData* picture) {
-  m_pictures.put(state, picture);
+void FrustumActors::setImage(std::size_t state, vtkImageData* image) {
+  m_images.setImage(state, image);
 }
 
 std::vector<int> FrustumActors::statesAt(vtkRenderer* renderer, const ScreenPlace& place) const {

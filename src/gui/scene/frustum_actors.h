@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frusta of all states in the 3-D scene: the current one marked, those outside the viewing zone
-// dashed, coloured by PSNR where there is one, with their pictures where wanted.
+// dashed, coloured by PSNR where there is one, with their images where wanted.
 #pragma once
 
 #include <vtkNew.h>
@@ -9,7 +9,7 @@
 
 #include "core/optics/session.h"
 #include "gui/scene/psnr_scale.h"
-#include "gui/scene/state_pictures.h"
+#include "gui/scene/state_images.h"
 
 class vtkActor;
 class vtkCameraFrustumSource;
@@ -30,9 +30,9 @@ class FrustumActors {
             std::size_t current);
   /// In dB, by state; empty: none.
   void showPsnr(const std::vector<double>& values);
-  void setPicturesVisible(bool areVisible);
-  void putPicture(std::size_t state, vtkImageData* picture);
-  void clearPictures() { m_pictures.clear(); }
+  void setImagesVisible(bool areVisible);
+  void setImage(std::size_t state, vtkImageData* image);
+  void clearImages() { m_images.clear(); }
   /// The states whose frusta are drawn at a place of the screen, in ascending order.
   [[nodiscard]] std::vector<int> statesAt(vtkRenderer* renderer, const ScreenPlace& place) const;
 
@@ -43,13 +43,13 @@ class FrustumActors {
   std::vector<CameraState> m_states;
   std::size_t m_current = 0;
   PsnrScale m_psnr;
-  StatePictures m_pictures;
+  StateImages m_images;
   vtkNew<vtkCameraFrustumSource> m_others;
   vtkNew<vtkCameraFrustumSource> m_marked;
   vtkNew<vtkActor> m_otherLines;
   vtkNew<vtkActor> m_markedLines;
-  vtkNew<vtkActor> m_otherPictures;
-  vtkNew<vtkActor> m_markedPicture;
+  vtkNew<vtkActor> m_otherImages;
+  vtkNew<vtkActor> m_markedImage;
 };
 
 }  // namespace hogelscope

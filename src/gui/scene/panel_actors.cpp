@@ -24,10 +24,10 @@ namespace hogelscope {
 PanelActors::PanelActors(vtkRenderer* renderer) {
   addToScene(renderer, m_panel, m_source->GetOutputPort(0), {1, 1, 1}, SceneLevel::panel);
   addToScene(renderer, m_grid, m_source->GetOutputPort(1), {0.50, 0.58, 0.70}, SceneLevel::onPanel);
-  m_picture->InterpolateOn();
+  m_image->InterpolateOn();
   addAxes(renderer);
   addScaleBar(renderer);
-  setPicture(nullptr);
+  setImage(nullptr);
 }
 
 PanelActors::~PanelActors() = default;
@@ -63,13 +63,13 @@ void PanelActors::setDisplay(const DisplayParams& display) {
   m_axes->SetTotalLength(length, length, length);
 }
 
-void PanelActors::setPicture(vtkImageData* picture) {
-  m_picture->SetInputData(picture);
-  m_panel->SetTexture(picture != nullptr ? m_picture.Get() : nullptr);
-  m_grid->SetVisibility(picture == nullptr);
+void PanelActors::setImage(vtkImageData* image) {
+  m_image->SetInputData(image);
+  m_panel->SetTexture(image != nullptr ? m_image.Get() : nullptr);
+  m_grid->SetVisibility(image == nullptr);
   const auto [r, g, b] = SceneWorker::panelColour;
   // A texture is multiplied by the colour.
-  if (picture != nullptr)
+  if (image != nullptr)
     m_panel->GetProperty()->SetColor(1, 1, 1);
   else
     m_panel->GetProperty()->SetColor(r / 255.0, g / 255.0, b / 255.0);

@@ -27,7 +27,7 @@ class PanelActors {
 
   void setDisplay(const DisplayParams& display);
   /// RGB over the whole panel; null: none yet, or not to be shown. Without one the grid is there.
-  void setPicture(vtkImageData* picture);
+  void setImage(vtkImageData* image);
   /// Grid lines stay so far apart, in metres.
   void setGridSpacing(double spacing);
   /// How many lines the grid has now; 0 where it is not shown.
@@ -40,7 +40,7 @@ class PanelActors {
   vtkNew<vtkHogelDisplaySource> m_source;
   vtkNew<vtkActor> m_panel;
   vtkNew<vtkActor> m_grid;
-  vtkNew<vtkTexture> m_picture;
+  vtkNew<vtkTexture> m_image;
   vtkNew<vtkAxesActor> m_axes;
   vtkNew<vtkScaleBarSource> m_barSource;
   vtkNew<vtkActor> m_bar;

@@ -22,7 +22,7 @@ namespace hogelscope {
 PickActors::PickActors(vtkRenderer* renderer) {
   addToScene(renderer, m_rays, m_field->GetOutputPort(0), {0.35, 0.80, 0.95}, SceneLevel::onPanel);
   addToScene(renderer, m_end, m_field->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
-  m_end->SetTexture(m_picture);  // without interpolation: a directional pixel is a square
+  m_end->SetTexture(m_image);  // without interpolation: a directional pixel is a square
   const vtkNew<vtkTrivialProducer> line;
   line->SetOutput(m_line);
   addToScene(renderer, m_ray, line->GetOutputPort(), {1.00, 0.25, 0.45}, SceneLevel::onPanel);
@@ -37,9 +37,9 @@ PickActors::PickActors(vtkRenderer* renderer) {
 
 PickActors::~PickActors() = default;
 
-void PickActors::showHogel(const DisplayParams& display, int i, int j, vtkImageData* picture) {
+void PickActors::showHogel(const DisplayParams& display, int i, int j, vtkImageData* image) {
   m_field->SetHogel(display, i, j);
-  m_picture->SetInputData(picture);
+  m_image->SetInputData(image);
   const Vec3 below = m_field->GetLabelPosition();
   m_label->GetPositionCoordinate()->SetValue(below.x, below.y, below.z);
   m_label->SetInput(SceneText::hogelName(i, j).toUtf8().constData());
@@ -67,10 +67,6 @@ void PickActors::hideHogel() {
 
 void PickActors::hideRay() {
   m_ray->VisibilityOff();
-}
-
-bool PickActors::hasHogel() const {
-  return m_end->GetVisibility() != 0;
 }
 
 std::string PickActors::label() const {

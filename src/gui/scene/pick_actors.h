@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is picked, in the 3-D scene: a hogel's angular field with its own picture, a pixel's ray.
+// What is picked, in the 3-D scene: a hogel's angular field with its own image, a pixel's ray.
 #pragma once
 
 #include <vtkNew.h>
@@ -25,13 +25,12 @@ class PickActors {
   PickActors(const PickActors&) = delete;
   PickActors& operator=(const PickActors&) = delete;
 
-  /// With its indices below it; `picture` has a pixel for each of the hogel's directions.
-  void showHogel(const DisplayParams& display, int i, int j, vtkImageData* picture);
+  /// With its indices below it; `image` has a pixel for each of the hogel's directions.
+  void showHogel(const DisplayParams& display, int i, int j, vtkImageData* image);
   /// In the world, metres.
   void showRay(const Vec3& from, const Vec3& to);
   void hideHogel();
   void hideRay();
-  [[nodiscard]] bool hasHogel() const;
   [[nodiscard]] bool hasRay() const;
   /// Of the hogel; "" where there is none.
   [[nodiscard]] std::string label() const;
@@ -40,7 +39,7 @@ class PickActors {
   vtkNew<vtkHogelFieldSource> m_field;
   vtkNew<vtkActor> m_rays;
   vtkNew<vtkActor> m_end;
-  vtkNew<vtkTexture> m_picture;
+  vtkNew<vtkTexture> m_image;
   vtkNew<vtkTextActor> m_label;
   vtkNew<vtkPolyData> m_line;
   vtkNew<vtkActor> m_ray;

@@ -34,7 +34,7 @@ void makePlain(vtkTextProperty* text) {
   text->ShadowOff();
 }
 
-/// Not vtkBillboardTextActor3D: its translucency takes a pass over the whole picture.
+/// Not vtkBillboardTextActor3D: its translucency takes a pass over the whole image.
 void addLabel(vtkRenderer* renderer, vtkTextActor* label) {
   makePlain(label->GetTextProperty());
   label->GetTextProperty()->SetJustificationToCentered();

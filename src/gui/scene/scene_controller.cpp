@@ -9,7 +9,7 @@
 #include "core/optics/panel_view.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_text.h"
-#include "gui/scene/vtk_picture.h"
+#include "gui/scene/vtk_image.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "ui_main_window.h"
@@ -20,14 +20,14 @@ namespace {
 
 /// Of the overview: to fetch all directions of one hogel from a store takes longer than a click
 /// should.
-VtkPicture hogelPictureOf(const LightFieldSource& lightField, int i, int j) {
+VtkImage hogelImageOf(const LightFieldSource& lightField, int i, int j) {
   try {
     const auto small = lightField.overview();
     const int smallI = i * small->size().nx / lightField.size().nx;
     const int smallJ = j * small->size().ny / lightField.size().ny;
-    return vtkPicture(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
+    return toVtkImage(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
   } catch (const InputError&) {  // it is damaged: the simulated view says so
-    return vtkPicture(Image(1, 1), {0, 0, 0});
+    return toVtkImage(Image(1, 1), {0, 0, 0});
   }
 }
 
@@ -101,16 +101,15 @@ void SceneController::connectScene() {
   connect(m_form.sceneWidget, &VtkWidget::clicked, this, &SceneController::pickAt);
   connect(m_form.sceneWidget, &VtkWidget::hovered, this, &SceneController::nameAt);
   connect(m_scene.get(), &DisplayScene::eyeChanged, this, &SceneController::renderPanel);
-  connect(m_worker, &SceneWorker::panelRendered, this, [this](const VtkPicture& picture) {
+  connect(m_worker, &SceneWorker::panelRendered, this, [this](const VtkImage& image) {
     if (!m_form.scenePanelPictureAction->isChecked()) return;
-    m_scene->panel().setPicture(picture);
+    m_scene->panel().setImage(image);
     m_scene->redraw();
   });
-  connect(m_worker, &SceneWorker::stateRendered, this,
-          [this](int index, const VtkPicture& picture) {
-            m_scene->frusta().putPicture(std::size_t(index), picture);
-            m_scene->redraw();
-          });
+  connect(m_worker, &SceneWorker::stateRendered, this, [this](int index, const VtkImage& image) {
+    m_scene->frusta().setImage(std::size_t(index), image);
+    m_scene->redraw();
+  });
   const auto moved = [this](Vec3 CameraParams::*point) {
     return [this, point](const Vec3& to) {
       CameraState state = m_model->current();
@@ -127,8 +126,8 @@ void SceneController::setScene(const std::optional<Scene>& scene) {
   m_display = scene ? scene->display : m_model->session().display;
   m_worker->setScene(scene);
   if (!scene) {
-    m_scene->panel().setPicture(nullptr);
-    m_scene->frusta().clearPictures();
+    m_scene->panel().setImage(nullptr);
+    m_scene->frusta().clearImages();
   }
   refresh();
 }
@@ -157,7 +156,7 @@ void SceneController::renderPanel() {
   const std::optional<CameraState> state =
       panelState(m_display, m_scene->eye().eye, {pixels(width), pixels(height)});
   if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || !state) {
-    m_scene->panel().setPicture(nullptr);
+    m_scene->panel().setImage(nullptr);
     return m_scene->redraw();
   }
   CameraState seen = *state;
@@ -167,7 +166,7 @@ void SceneController::renderPanel() {
 
 void SceneController::renderStates() {
   const bool areShown = m_form.sceneStatePicturesAction->isChecked();
-  m_scene->frusta().setPicturesVisible(areShown);
+  m_scene->frusta().setImagesVisible(areShown);
   if (areShown && m_loaded)
     m_worker->renderStates(m_model->session().cameras, m_model->currentIndex());
   m_scene->redraw();
@@ -193,7 +192,6 @@ void SceneController::pickAt(int x, int y) {
   const auto next = std::upper_bound(states.begin(), states.end(), int(m_model->currentIndex()));
   const int picked = next == states.end() ? states.front() : *next;
   m_model->setCurrentIndex(std::size_t(picked));
-  Q_EMIT statePicked(picked);
 }
 
 void SceneController::nameAt(int x, int y) {
@@ -227,7 +225,7 @@ void SceneController::removePicks() {
 void SceneController::showHogel(int i, int j) {
   forgetPicks();
   if (!m_loaded) return;
-  m_scene->picked().showHogel(m_display, i, j, hogelPictureOf(*m_loaded->lightField, i, j));
+  m_scene->picked().showHogel(m_display, i, j, hogelImageOf(*m_loaded->lightField, i, j));
   m_pickText = SceneText::hogel(m_display, i, j);
   showText();
   m_scene->redraw();
@@ -256,7 +254,7 @@ void SceneController::tracePixel() {
     if (traced.end == RayEnd::misses) return;
     const int i = int(traced.place->i);
     const int j = int(traced.place->j);
-    m_scene->picked().showHogel(m_display, i, j, hogelPictureOf(*m_loaded->lightField, i, j));
+    m_scene->picked().showHogel(m_display, i, j, hogelImageOf(*m_loaded->lightField, i, j));
   } catch (const InputError&) {
     // a camera without a frame: the simulated view says so
   }

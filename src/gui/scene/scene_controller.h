@@ -33,13 +33,9 @@ class SceneController : public QObject {
   /// Colours the frusta, by state, in dB; empty: no longer. Infinite is identical, NaN no view.
   void showPsnr(const std::vector<double>& dB);
   /// A pixel of the current state's simulated view: its ray and what that meets. A pixel outside
-  /// the picture ends that.
+  /// the image ends that.
   void showPixel(int x, int y);
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
-
- Q_SIGNALS:
-  /// A click on a frustum made this state current.
-  void statePicked(int index);
 
  private:
   void connectActions();

@@ -57,7 +57,7 @@ void SceneHandles::onDrag(vtkObject* widget, unsigned long, void*) {
   if (widget == m_lookat.widget.Get()) Q_EMIT lookatDragged(positionOf(m_lookat.ball));
 }
 
-void SceneHandles::place(const Vec3& eye, const Vec3& lookat) {
+void SceneHandles::showAt(const Vec3& eye, const Vec3& lookat) {
   move(m_eye.ball, eye);
   move(m_lookat.ball, lookat);
   m_isPlaced = true;

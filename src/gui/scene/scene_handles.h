@@ -25,7 +25,7 @@ class SceneHandles : public QObject {
   ~SceneHandles() override;
 
   /// In the world, metres. They are shown once placed.
-  void place(const Vec3& eye, const Vec3& lookat);
+  void showAt(const Vec3& eye, const Vec3& lookat);
   void hide();
   /// Who looks through a ball, or nearly, would see nothing but that: it is not shown.
   void setSceneEye(const Vec3& sceneEye);

@@ -14,7 +14,7 @@ QString number(double value, int decimals) {
   return QString::number(value, 'f', decimals);
 }
 
-int whole(double index) {
+int floorIndex(double index) {
   return static_cast<int>(std::floor(index));
 }
 
@@ -42,10 +42,10 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
   const Hit& at = *trace.place;
   if (trace.end != RayEnd::misses)
     text += tr("\nhogel i %1, j %2 · direction u %3, v %4 (at %5, %6, %7, %8)")
-                .arg(whole(at.i))
-                .arg(whole(at.j))
-                .arg(whole(at.u))
-                .arg(whole(at.v))
+                .arg(floorIndex(at.i))
+                .arg(floorIndex(at.j))
+                .arg(floorIndex(at.u))
+                .arg(floorIndex(at.v))
                 .arg(number(at.i, 2), number(at.j, 2), number(at.u, 2), number(at.v, 2));
   return text + tr("\npanel x %1 m, y %2 m · slopes dx/dz %3, dy/dz %4")
                     .arg(number(trace.position.x, 4), number(trace.position.y, 4),

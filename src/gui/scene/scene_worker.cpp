@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders the 3-D scene's pictures on a thread of its own.
+// Renders the 3-D scene's images on a thread of its own.
 #include "gui/scene/scene_worker.h"
 
 #include <vtkNew.h>
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/engine/scaled_view.h"
-#include "gui/scene/vtk_picture.h"
+#include "gui/scene/vtk_image.h"
 #include "gui/widgets/queued_answer.h"
 #include "vtk/vtkHogelViewFilter.h"
 
@@ -17,16 +17,16 @@ namespace hogelscope {
 
 namespace {
 
-/// A state's picture in the scene is about this wide or high, in pixels.
+/// A state's image in the scene is about this wide or high, in pixels.
 constexpr int smallSide = 192;
 
 /// Null where it cannot be rendered, or was cancelled.
-VtkPicture pictureOf(const View& view, const std::array<std::uint8_t, 3>& unseen,
-                     vtkHogelViewFilter& filter) {
+VtkImage imageOf(const View& view, const std::array<std::uint8_t, 3>& unseen,
+                 vtkHogelViewFilter& filter) {
   try {
     filter.SetView(reduced(view));  // throws where the camera has no frame
     filter.UpdateOrThrow();
-    return vtkPicture(*filter.GetOutput(), unseen);
+    return toVtkImage(*filter.GetOutput(), unseen);
   } catch (const Cancelled&) {
     return nullptr;
   } catch (const std::exception&) {
@@ -106,7 +106,7 @@ bool SceneWorker::mustStop() {
 }
 
 /// True if there is another one now.
-bool SceneWorker::takeScene() {
+bool SceneWorker::switchScene() {
   if (!std::exchange(m_isSceneNew, false)) return false;
   m_scene = std::exchange(m_newScene, std::nullopt);
   m_number = m_asked;
@@ -120,7 +120,7 @@ void SceneWorker::run() {
     std::unique_lock lock(m_mutex);
     m_wake.wait(lock, [this] { return hasWork(); });
     if (m_ends) return;
-    const bool isNew = takeScene();
+    const bool isNew = switchScene();
     const std::optional<CameraState> panel =
         m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
     lock.unlock();
@@ -130,9 +130,9 @@ void SceneWorker::run() {
       renderNextState(*filter);
       continue;
     }
-    const VtkPicture picture = pictureOf(quick(m_scene->view(*panel)), panelColour, *filter);
-    if (picture != nullptr)
-      queueAnswer(this, m_asked, m_number, [this, picture] { Q_EMIT panelRendered(picture); });
+    const VtkImage image = imageOf(quick(m_scene->view(*panel)), panelColour, *filter);
+    if (image != nullptr)
+      queueAnswer(this, m_asked, m_number, [this, image] { Q_EMIT panelRendered(image); });
   }
 }
 
@@ -150,10 +150,10 @@ void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {
   View view = quick(m_scene->view(*state));
   const auto [width, height] = state->camera.res;
   view.method.scale = (std::max(width, height) + smallSide - 1) / smallSide;
-  VtkPicture picture = pictureOf(view, {0, 0, 0}, filter);
-  if (picture == nullptr) picture = vtkPicture(Image(1, 1), {0, 0, 0});  // black
+  VtkImage image = imageOf(view, {0, 0, 0}, filter);
+  if (image == nullptr) image = toVtkImage(Image(1, 1), {0, 0, 0});  // black
   queueAnswer(this, m_asked, m_number,
-              [this, index, picture] { Q_EMIT stateRendered(int(index), picture); });
+              [this, index, image] { Q_EMIT stateRendered(int(index), image); });
 }
 
 }  // namespace hogelscope

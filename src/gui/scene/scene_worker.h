@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders the 3-D scene's pictures on a thread of its own: the panel as the scene's eye sees it,
+// Renders the 3-D scene's images on a thread of its own: the panel as the scene's eye sees it,
 // and small views of all states.
 #pragma once
 
@@ -19,7 +19,7 @@ class vtkHogelViewFilter;
 
 namespace hogelscope {
 
-using VtkPicture = vtkSmartPointer<vtkImageData>;
+using VtkImage = vtkSmartPointer<vtkImageData>;
 
 /// Its signals come from the thread that the object lives in, and none that belongs to an older
 /// scene comes after setScene().
@@ -33,7 +33,7 @@ class SceneWorker : public QObject {
   explicit SceneWorker(QObject* parent = nullptr);
   ~SceneWorker() override;
 
-  /// What the pictures are of; without one none are made, and the old one's memory is given back
+  /// What the images are of; without one none are made, and the old one's memory is given back
   /// at the next stop.
   void setScene(const std::optional<Scene>& scene);
   /// Newest wins, but what is under way is finished, so that a turning scene keeps changing.
@@ -42,12 +42,12 @@ class SceneWorker : public QObject {
   void renderStates(const std::vector<CameraState>& states, std::size_t first);
 
  Q_SIGNALS:
-  void panelRendered(const hogelscope::VtkPicture& picture);
-  void stateRendered(int index, const hogelscope::VtkPicture& picture);
+  void panelRendered(const hogelscope::VtkImage& image);
+  void stateRendered(int index, const hogelscope::VtkImage& image);
 
  private:
   void run();
-  bool takeScene();
+  bool switchScene();
   void renderNextState(vtkHogelViewFilter& filter);
   [[nodiscard]] std::optional<std::size_t> nextState() const;
   [[nodiscard]] bool hasWork() const;

@@ -142,7 +142,7 @@ bool VtkWidget::event(QEvent* event) {
   return QOpenGLWidget::event(event);
 }
 
-void VtkWidget::tellPointer(const QPointF& position, Qt::KeyboardModifiers modifiers) {
+void VtkWidget::emitPointer(const QPointF& position, Qt::KeyboardModifiers modifiers) {
   const QPoint p = (position * devicePixelRatioF()).toPoint();
   m_interactor->SetEventInformationFlipY(p.x(), p.y(), modifiers.testFlag(Qt::ControlModifier),
                                          modifiers.testFlag(Qt::ShiftModifier));
@@ -157,14 +157,14 @@ QPoint VtkWidget::fromLowerLeft(const QPointF& position) const {
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
   m_pressedAt = event->position();
   m_isClick = event->button() == Qt::LeftButton;
-  tellPointer(event->position(), event->modifiers());
+  emitPointer(event->position(), event->modifiers());
   if (event->button() == Qt::LeftButton) m_interactor->LeftButtonPressEvent();
   if (event->button() == Qt::MiddleButton) m_interactor->MiddleButtonPressEvent();
   if (event->button() == Qt::RightButton) m_interactor->RightButtonPressEvent();
 }
 
 void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
-  tellPointer(event->position(), event->modifiers());
+  emitPointer(event->position(), event->modifiers());
   if (event->button() == Qt::LeftButton) m_interactor->LeftButtonReleaseEvent();
   if (event->button() == Qt::MiddleButton) m_interactor->MiddleButtonReleaseEvent();
   if (event->button() == Qt::RightButton) m_interactor->RightButtonReleaseEvent();
@@ -174,7 +174,7 @@ void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
-  tellPointer(event->position(), event->modifiers());
+  emitPointer(event->position(), event->modifiers());
   m_interactor->MouseMoveEvent();
   constexpr double still = 3;  // a hand trembles
   const QPointF way = event->position() - m_pressedAt;
@@ -185,7 +185,7 @@ void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
-  tellPointer(event->position(), event->modifiers());
+  emitPointer(event->position(), event->modifiers());
   if (event->angleDelta().y() > 0) m_interactor->MouseWheelForwardEvent();
   if (event->angleDelta().y() < 0) m_interactor->MouseWheelBackwardEvent();
 }

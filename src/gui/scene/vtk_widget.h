@@ -50,7 +50,7 @@ class VtkWidget : public QOpenGLWidget {
  private:
   void releaseGL();
   void copyToWidget();
-  void tellPointer(const QPointF& position, Qt::KeyboardModifiers modifiers);
+  void emitPointer(const QPointF& position, Qt::KeyboardModifiers modifiers);
   void onMakeCurrent(vtkObject* caller, unsigned long event, void* data);
   void onIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
   void onSupportsOpenGL(vtkObject* caller, unsigned long event, void* isSupported);

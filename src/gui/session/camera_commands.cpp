@@ -22,12 +22,12 @@ class RangeOf : public ParameterVisitor {
 
  private:
   void group(std::string_view, std::string_view) override {}
-  void numbers(const Field& field, std::span<double>, bool) override { take(field); }
-  void integers(const Field& field, std::span<int>, bool) override { take(field); }
+  void numbers(const Field& field, std::span<double>, bool) override { keepRange(field); }
+  void integers(const Field& field, std::span<int>, bool) override { keepRange(field); }
   void flag(const Field&, bool&) override {}
   void text(const Field&, std::string&) override {}
   void choice(const Field&, int&) override {}
-  void take(const Field& field) {
+  void keepRange(const Field& field) {
     if (field.name == m_name) range = field.range;
   }
 

@@ -2,8 +2,8 @@
 // The Edit menu.
 #include "gui/session/edit_commands.h"
 
+#include "gui/keys/key_dialog.h"
 #include "gui/keys/key_map.h"
-#include "gui/keys/key_window.h"
 #include "gui/keys/typing_guard.h"
 #include "gui/session/session_model.h"
 
@@ -38,8 +38,8 @@ void EditCommands::readKeys() {
 }
 
 void EditCommands::showKeys() {
-  auto* keys = m_window->findChild<KeyWindow*>();
-  if (keys == nullptr) keys = new KeyWindow(m_keys, m_window);
+  auto* keys = m_window->findChild<KeyDialog*>();
+  if (keys == nullptr) keys = new KeyDialog(m_keys, m_window);
   keys->show();
   keys->raise();
   keys->activateWindow();

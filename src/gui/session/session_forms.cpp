@@ -14,7 +14,7 @@ void follow(const SessionModel* model, ParameterForm* form) {
     QObject::connect(model, change, form, &ParameterForm::refresh);
 }
 
-QWidget* stacked(const std::vector<QWidget*>& widgets) {
+QWidget* stackWidgets(const std::vector<QWidget*>& widgets) {
   auto* column = new QWidget;
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);

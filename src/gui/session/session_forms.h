@@ -16,7 +16,7 @@ namespace hogelscope {
 void follow(const SessionModel* model, ParameterForm* form);
 
 /// One below the other, with nothing between them; the column takes them.
-QWidget* stacked(const std::vector<QWidget*>& widgets);
+QWidget* stackWidgets(const std::vector<QWidget*>& widgets);
 
 /// A button with its object name and tooltip; who takes it owns it.
 QPushButton* button(const char* name, const QString& text, const QString& help);

@@ -4,11 +4,10 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <optional>
-#include <thread>
 
 #include "core/optics/session.h"
+#include "gui/widgets/task.h"
 #include "io/scene/scene.h"
 
 namespace hogelscope {
@@ -18,8 +17,6 @@ class Comparison : public QObject {
 
  public:
   explicit Comparison(QObject* parent = nullptr);
-  /// Stops what is under way.
-  ~Comparison() override;
 
   /// Reads a light field (withLightField) for the session's states; an older reading stops, and
   /// until it is there nothing changes. Throws InputError.
@@ -31,9 +28,9 @@ class Comparison : public QObject {
   [[nodiscard]] std::optional<Scene> other(const Session& session) const;
   /// Its file's name.
   [[nodiscard]] const QString& name() const { return m_name; }
-  [[nodiscard]] bool isReading() const { return m_isReading; }
-  /// How much has been read, 0 … 1; to be asked (ViewWorker::readShare).
-  [[nodiscard]] double readShare() const { return m_readShare; }
+  [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
+  /// How much has been read, 0 … 1; to be polled (PolledBar).
+  [[nodiscard]] double readShare() const { return m_task.share(); }
 
  Q_SIGNALS:
   void changed();  ///< another one, or none
@@ -41,20 +38,10 @@ class Comparison : public QObject {
   void failed(const QString& line);
 
  private:
-  void stopReading();
-  void read(int number, const Session& session, const QString& name);
-  void take(const Scene& scene, const QString& name);
-  void giveUp(const QString& line);
-
   std::optional<Scene> m_other;
   QString m_name;
-  bool m_isReading = false;
-  bool m_hasOwnDisplay = false;    ///< other()
-  bool m_readsOwnDisplay = false;  ///< what is read
-  int m_reading = 0;               ///< the number of the latest reading
-  std::atomic<bool> m_stops = false;
-  std::atomic<double> m_readShare = 0;
-  std::thread m_thread;
+  bool m_hasOwnDisplay = false;  ///< other()
+  Task m_task;
 };
 
 }  // namespace hogelscope

@@ -46,7 +46,7 @@ QImage toMask(vtkImageData& output) {
   return mask;
 }
 
-/// Of a light field in a store the coarse picture has not fewer pixels, but fewer hogels and
+/// Of a light field in a store the coarse image has not fewer pixels, but fewer hogels and
 /// directions: what takes long there is to fetch them.
 View viewOf(const Scene& scene, const CameraState& state, const std::optional<NamedMethod>& method,
             int scale) {
@@ -175,7 +175,7 @@ void ViewWorker::loadNow(const Session& session) {
   send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }
 
-/// A smaller picture is finished even if newer requests come, so that something moves however fast
+/// A smaller image is finished even if newer requests come, so that something moves however fast
 /// they come; a full one that was thought to be quick gets the time it was thought to take.
 void ViewWorker::renderNow(const ViewRequest& request, vtkHogelViewFilter& filter) {
   const CameraState& state = request.state;

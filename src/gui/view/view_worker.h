@@ -29,7 +29,7 @@ struct RenderedView {
   QImage otherImage;
   QImage otherSeen;
   double milliseconds = 0;  ///< of both
-  int scale = 1;            ///< above 1: a coarse picture, because the hand moves:
+  int scale = 1;            ///< above 1: a coarse image, because the hand moves:
   bool isOverview = false;  ///< of fewer hogels and directions, or one pixel in scale × scale
   QString plan;             ///< how, in one line
 };
@@ -68,7 +68,7 @@ class ViewWorker : public QObject {
   /// come faster than a busy window can follow.
   [[nodiscard]] double readShare() const { return m_readShare; }
   /// Renders once the light field is there, and not at all where it could not be read; an older
-  /// rendering stops. Where it takes long a coarse picture comes first, and the full one when no
+  /// rendering stops. Where it takes long a coarse image comes first, and the full one when no
   /// newer request has come for a moment.
   void render(const ViewRequest& request);
 
@@ -76,7 +76,7 @@ class ViewWorker : public QObject {
   void loaded(const hogelscope::Scene& scene);
   void readingStopped();  ///< because it was asked for
   void rendered(const hogelscope::RenderedView& view);
-  /// After the picture, where its lens is another one than before.
+  /// After the image, where its lens is another one than before.
   void certified(const hogelscope::CertifiedLens& lens);
   void failed(const QString& line);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One picture painted at any zoom: its own pixels above one to one, averages below.
+// One image painted at any zoom: its own pixels above one to one, averages below.
 #include "gui/view/zoomable_image.h"
 
 #include <algorithm>
@@ -10,12 +10,12 @@ namespace hogelscope {
 namespace {
 
 /// The pixels that a part of the screen touches.
-QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& picture) {
-  const QPointF first = at.toPicture(clip.topLeft());
-  const QPointF end = at.toPicture(clip.topLeft() + QPoint(clip.width(), clip.height()));
+QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& image) {
+  const QPointF first = at.toImage(clip.topLeft());
+  const QPointF end = at.toImage(clip.topLeft() + QPoint(clip.width(), clip.height()));
   const QRect touched(QPoint(int(std::floor(first.x())), int(std::floor(first.y()))),
                       QPoint(int(std::ceil(end.x())) - 1, int(std::ceil(end.y())) - 1));
-  return touched & QRect(QPoint(0, 0), picture);
+  return touched & QRect(QPoint(0, 0), image);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void ZoomableImage::paint(QPainter& painter, const QRect& clip, const Placement&
       m_small = m_image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     painter.drawImage(at.origin, m_small);
   } else {
-    // Not the whole picture: far off the screen Qt's coordinates overflow.
+    // Not the whole image: far off the screen Qt's coordinates overflow.
     const QRect part = pixelsUnder(clip, at, m_image.size());
     const QRectF target(at.toDevice(part.topLeft()), QSizeF(part.size()) * at.zoom);
     painter.drawImage(target, m_image, part);
@@ -55,12 +55,11 @@ QImage hatched(const QImage& seen) {
   return stripes;
 }
 
-void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at,
-                    const QSize& picture) {
+void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image) {
   constexpr double closest = 8;
   if (at.zoom < closest) return;
   const QColor colour(128, 128, 128, 110);
-  const QRect part = pixelsUnder(clip, at, picture);
+  const QRect part = pixelsUnder(clip, at, image);
   const QPoint from = at.toDevice(part.topLeft()).toPoint();
   const QPoint to = at.toDevice(part.topLeft() + QPoint(part.width(), part.height())).toPoint();
   painter.save();

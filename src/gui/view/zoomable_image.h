@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One picture painted at any zoom: its own pixels above one to one, averages below.
+// One image painted at any zoom: its own pixels above one to one, averages below.
 #pragma once
 
 #include <QImage>
 #include <QPainter>
 
-#include "gui/view/picture_placement.h"
+#include "gui/view/image_placement.h"
 
 namespace hogelscope {
 
@@ -27,7 +27,6 @@ class ZoomableImage {
 QImage hatched(const QImage& seen);
 
 /// Lines between the pixels, from 8 device pixels per pixel on.
-void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at,
-                    const QSize& picture);
+void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image);
 
 }  // namespace hogelscope

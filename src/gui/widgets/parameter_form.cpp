@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A form made from a parameter description. One walk over the fields shows values in the editors,
-// or takes the one that a user changed (only that one: an editor's rounding must not touch the
-// others).
+// A form created from a parameter description. One walk over the fields shows values in the
+// editors, or takes the one that a user changed (only that one: an editor's rounding must not touch
+// the others).
 #include "gui/widgets/parameter_form.h"
 
 #include <QCheckBox>
@@ -79,11 +79,11 @@ QString boxName(const Field& field, std::size_t k, bool isList) {
   return isList ? name + "." + QString::number(k) : name;
 }
 
-double taken(const RealBox& box, const Range& range) {
+double valueInRange(const RealBox& box, const Range& range) {
   return range.mayBeLeftOut && box.value() < range.min ? notGiven : box.value();
 }
 
-int taken(const WholeBox& box, const Range& range) {
+int valueInRange(const WholeBox& box, const Range& range) {
   if (box.value() < range.min) return box.value();
   return int(range.min + range.step * std::floor((box.value() - range.min) / range.step));
 }
@@ -120,9 +120,9 @@ void ParameterForm::keyPressEvent(QKeyEvent* event) {
   Q_EMIT entered();
 }
 
-void ParameterForm::take(QObject* editor) {
-  m_pass = Pass::take;
-  m_taken = editor;
+void ParameterForm::applyEdit(QObject* editor) {
+  m_pass = Pass::apply;
+  m_edited = editor;
   m_visit(*this);
   refresh();
 }
@@ -173,7 +173,7 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
     if (field.range.mayBeLeftOut) box->mayBeLeftOut();
     layout->addWidget(box);
     row->boxes.push_back(box);
-    connect(box, &Box::valueChanged, this, [this, box] { take(box); });
+    connect(box, &Box::valueChanged, this, [this, box] { applyEdit(box); });
     if (!isList) addSlider(field, box, row);
   }
   return row;
@@ -201,8 +201,8 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
   for (std::size_t k = 0; k < values.size(); ++k) {
     Box* box = row->boxes[k];
-    if (m_pass == Pass::take) {
-      if (box == m_taken) values[k] = taken(*box, field.range);
+    if (m_pass == Pass::apply) {
+      if (box == m_edited) values[k] = valueInRange(*box, field.range);
       continue;
     }
     const QSignalBlocker quiet(box);
@@ -224,24 +224,24 @@ void ParameterForm::integers(const Field& field, std::span<int> values, bool isL
 
 void ParameterForm::flag(const Field& field, bool& value) {
   auto* box = editor(field, [this, &field] {
-    auto* made = new QCheckBox(this);
-    made->setObjectName(toQString(field.name));
-    connect(made, &QCheckBox::toggled, this, [this, made] { take(made); });
-    return made;
+    auto* created = new QCheckBox(this);
+    created->setObjectName(toQString(field.name));
+    connect(created, &QCheckBox::toggled, this, [this, created] { applyEdit(created); });
+    return created;
   });
-  if (m_pass == Pass::take && box == m_taken) value = box->isChecked();
+  if (m_pass == Pass::apply && box == m_edited) value = box->isChecked();
   const QSignalBlocker quiet(box);
   if (m_pass == Pass::show) box->setChecked(value);
 }
 
 void ParameterForm::text(const Field& field, std::string& value) {
   auto* line = editor(field, [this, &field] {
-    auto* made = new QLineEdit(this);
-    made->setObjectName(toQString(field.name));
-    connect(made, &QLineEdit::editingFinished, this, [this, made] { take(made); });
-    return made;
+    auto* created = new QLineEdit(this);
+    created->setObjectName(toQString(field.name));
+    connect(created, &QLineEdit::editingFinished, this, [this, created] { applyEdit(created); });
+    return created;
   });
-  if (m_pass == Pass::take && line == m_taken) value = line->text().toStdString();
+  if (m_pass == Pass::apply && line == m_edited) value = line->text().toStdString();
   const QSignalBlocker quiet(line);
   const QString shown = QString::fromStdString(value);
   if (m_pass == Pass::show && line->text() != shown) line->setText(shown);
@@ -249,13 +249,14 @@ void ParameterForm::text(const Field& field, std::string& value) {
 
 void ParameterForm::choice(const Field& field, int& index) {
   auto* box = editor(field, [this, &field] {
-    auto* made = new QComboBox(this);
-    made->setObjectName(toQString(field.name));
-    for (const std::string_view name : field.choices) made->addItem(toQString(name));
-    connect(made, &QComboBox::currentIndexChanged, this, [this, made] { take(made); });
-    return made;
+    auto* created = new QComboBox(this);
+    created->setObjectName(toQString(field.name));
+    for (const std::string_view name : field.choices) created->addItem(toQString(name));
+    connect(created, &QComboBox::currentIndexChanged, this,
+            [this, created] { applyEdit(created); });
+    return created;
   });
-  if (m_pass == Pass::take && box == m_taken) index = box->currentIndex();
+  if (m_pass == Pass::apply && box == m_edited) index = box->currentIndex();
   const QSignalBlocker quiet(box);
   if (m_pass == Pass::show) box->setCurrentIndex(index);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A form made from a parameter description: a heading, and a row for each field with unit, help and
-// slider.
+// A form created from a parameter description: a heading, and a row for each field with unit, help
+// and slider.
 #pragma once
 
 #include <QHash>
@@ -41,7 +41,7 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  enum class Pass { show, take };
+  enum class Pass { show, apply };
 
   void group(std::string_view name, std::string_view help) override;
   void numbers(const Field& field, std::span<double> values, bool isList) override;
@@ -59,13 +59,13 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   template <class Make>
   auto editor(const Field& field, Make make) -> decltype(make());
   void addRow(const Field& field, QWidget* editor);
-  void take(QObject* editor);
+  void applyEdit(QObject* editor);
 
   Visit m_visit;
   QFormLayout* m_layout;
   QLabel* m_heading;
   Pass m_pass = Pass::show;
-  QObject* m_taken = nullptr;  ///< the editor that a user changed
+  QObject* m_edited = nullptr;  ///< the editor that a user changed
   QHash<QString, QWidget*> m_rows;
   QSet<QWidget*> m_visited;  ///< of m_rows, in this walk
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMetaObject>
+#include <utility>
 
 namespace hogelscope {
 
@@ -13,7 +14,7 @@ template <class Answer>
 void queueAnswer(QObject* object, const int& latest, int number, Answer answer) {
   QMetaObject::invokeMethod(
       object,
-      [&latest, number, answer] {
+      [&latest, number, answer = std::move(answer)] {
         if (number == latest) answer();
       },
       Qt::QueuedConnection);

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawing of the light leakage.
+#include "gui/docks/kernel_widget.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+
+#include "core/base/colour_map.h"
+
+namespace hogelscope {
+
+namespace {
+
+QColor colourOf(double share) {
+  const auto [r, g, b] = falseColour(share);
+  return {r, g, b};
+}
+
+/// Per cent, short.
+QString percent(double weight) {
+  return weight < 0.001 ? QString::number(100 * weight, 'g', 1)
+                        : QString::number(100 * weight, 'f', 1);
+}
+
+}  // namespace
+
+KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {
+  setObjectName("kernelView");
+  setMinimumSize(120, 120);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+}
+
+void KernelWidget::setParams(const PsfParams& params) {
+  m_params = params;
+  const bool hasKernel = params.windowSize == 1 || params.sigma > 0;
+  m_weights = hasKernel ? kernel(params) : std::vector<double>{};
+  setAccessibleName(tr("Kernel of %1×%1 taps").arg(params.windowSize));
+  update();
+}
+
+/// Of tap k.
+QRectF KernelWidget::cell(int k) const {
+  const int side = m_params.windowSize;
+  const double width = square().width() / side;
+  const int row = k / side;
+  return {square().left() + width * (k % side), square().top() + width * row, width, width};
+}
+
+/// Of the taps; below it is a line of text.
+QRectF KernelWidget::square() const {
+  const double below = fontMetrics().height() + 6;
+  const double side = std::max(1.0, std::min(width() - 8.0, height() - below - 4.0));
+  return {(width() - side) / 2, 4, side, side};
+}
+
+QString KernelWidget::textAt(const QPointF& position) const {
+  if (m_weights.empty() || !square().contains(position)) return {};
+  const int side = m_params.windowSize;
+  const QPointF inside = (position - square().topLeft()) / square().width() * side;
+  const int column = std::min(int(inside.x()), side - 1);
+  const int row = std::min(int(inside.y()), side - 1);
+  return tr("Tap (%1, %2): %3 % of the light")
+      .arg(column - side / 2)
+      .arg(row - side / 2)
+      .arg(100 * m_weights[std::size_t(row) * std::size_t(side) + std::size_t(column)], 0, 'g', 4);
+}
+
+bool KernelWidget::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QToolTip::showText(help->globalPos(), textAt(help->pos()), this);
+  return true;
+}
+
+void KernelWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (m_weights.empty()) {
+    painter.drawText(rect(), Qt::AlignCenter, tr("no kernel: sigma is 0"));
+    return;
+  }
+  paintCells(painter);
+  if (m_params.windowSize > 1) paintSigma(painter);
+  painter.save();
+  paintNumbers(painter);
+  painter.restore();
+  const QRectF below(0, square().bottom(), width(), height() - square().bottom());
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(below, Qt::AlignCenter,
+                   m_params.windowSize == 1 ? tr("no leakage") : tr("weights in %, circle: sigma"));
+}
+
+void KernelWidget::paintCells(QPainter& painter) const {
+  const double most = *std::max_element(m_weights.begin(), m_weights.end());
+  const bool hasGrid = cell(0).width() >= 6;
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(hasGrid ? QPen(QColor(0, 0, 0, 90)) : QPen(Qt::NoPen));
+  for (int k = 0; k < int(m_weights.size()); ++k) {
+    painter.setBrush(colourOf(m_weights[std::size_t(k)] / most));
+    // A small overlap, so that no background shows between cells without a grid.
+    const double overlap = hasGrid ? 0 : 1;
+    painter.drawRect(cell(k).adjusted(0, 0, overlap, overlap).intersected(square()));
+  }
+  painter.setRenderHint(QPainter::Antialiasing, true);
+}
+
+void KernelWidget::paintNumbers(QPainter& painter) const {
+  QFont small = font();
+  small.setPointSizeF(0.85 * small.pointSizeF());
+  painter.setFont(small);
+  if (cell(0).width() < painter.fontMetrics().horizontalAdvance("100.0") + 2) return;
+  const double most = *std::max_element(m_weights.begin(), m_weights.end());
+  for (int k = 0; k < int(m_weights.size()); ++k) {
+    const double weight = m_weights[std::size_t(k)];
+    painter.setPen(weight > 0.6 * most ? Qt::black : Qt::white);
+    painter.drawText(cell(k), Qt::AlignCenter, percent(weight));
+  }
+}
+
+/// A circle of radius sigma around the middle tap, clipped to the window.
+void KernelWidget::paintSigma(QPainter& painter) const {
+  const double radius = m_params.sigma * square().width() / m_params.windowSize;
+  painter.save();
+  painter.setClipRect(square());
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 160), 3.5));
+  painter.drawEllipse(square().center(), radius, radius);
+  painter.setPen(QPen(Qt::white, 1.5, Qt::DashLine));
+  painter.drawEllipse(square().center(), radius, radius);
+  painter.restore();
+}
+
+}  // namespace hogelscope

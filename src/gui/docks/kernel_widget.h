@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawing of the light leakage: the window's taps with their weights, and the Gaussian's sigma.
+#pragma once
+
+#include <QWidget>
+
+#include "core/optics/psf.h"
+
+namespace hogelscope {
+
+class KernelWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit KernelWidget(QWidget* parent = nullptr);
+
+  void setParams(const PsfParams& params);
+  /// None where the parameters give no kernel.
+  [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
+  /// What the tap at a position weighs, as the drawing says it; "" beside the drawing.
+  [[nodiscard]] QString textAt(const QPointF& position) const;
+
+  [[nodiscard]] QSize sizeHint() const override { return {160, 160}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF square() const;
+  [[nodiscard]] QRectF cell(int k) const;
+  void paintCells(QPainter& painter) const;
+  void paintNumbers(QPainter& painter) const;
+  void paintSigma(QPainter& painter) const;
+
+  PsfParams m_params;
+  std::vector<double> m_weights;
+};
+
+}  // namespace hogelscope

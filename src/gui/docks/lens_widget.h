@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawing of a lens: straight lines of the world in the image, the fold, what has no ray.
+#pragma once
+
+#include <QWidget>
+
+#include "core/lens/lens_grid.h"
+
+class QPainterPath;
+
+namespace hogelscope {
+
+/// Pale while it is disabled.
+class LensWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LensWidget(QWidget* parent = nullptr);
+
+  void setLens(const LensGrid& grid);
+
+  [[nodiscard]] QSize sizeHint() const override { return {160, 160}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] QTransform widgetFromImage() const;
+  [[nodiscard]] QRectF border() const;
+  [[nodiscard]] QPainterPath foldPath() const;
+  void paintLines(QPainter& painter, const QTransform& transform) const;
+  void paintFold(QPainter& painter, const QTransform& transform) const;
+
+  LensGrid m_grid;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The speed-accuracy dock: measures the session on demand, shows the chart; a click on a point
+// chooses its method.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "chart/tradeoff_chart.h"
+#include "study/tradeoff.h"
+
+class QPushButton;
+
+namespace hogelscope {
+
+class PolledBar;
+class Task;
+
+/// The chart alone.
+class TradeoffChartWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TradeoffChartWidget(QWidget* parent = nullptr);
+  void setChart(TradeoffChart chart);
+  void select(std::optional<std::size_t> row);
+  [[nodiscard]] const TradeoffChart& chart() const { return m_chart; }
+
+ Q_SIGNALS:
+  void clicked(std::size_t row);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  TradeoffChart m_chart;
+};
+
+class TradeoffWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TradeoffWidget(QWidget* parent = nullptr);
+
+  /// What the next measurement is over. Results of others are not shown any more, and one that is
+  /// under way stops.
+  void setViews(const std::vector<View>& views);
+  /// No method is chosen any more; says nothing.
+  void forgetChoice();
+
+ Q_SIGNALS:
+  /// None: back to what the session says.
+  void methodChosen(const std::optional<hogelscope::NamedMethod>& method);
+  void failed(const QString& line);
+
+ private:
+  void measureOrStop();
+  void stop();
+  void show(const Tradeoff& tradeoff);
+  void choose(std::optional<std::size_t> row);
+  void showIdle();
+
+  std::vector<View> m_views;
+  Task* m_task;
+  TradeoffChartWidget* m_chart;
+  QPushButton* m_measureButton;
+  QPushButton* m_defaultButton;
+  PolledBar* m_progress;
+};
+
+}  // namespace hogelscope

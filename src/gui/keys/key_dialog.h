@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window of all keys: searches commands, gives them other keys, shows conflicts.
+#pragma once
+
+#include <QDialog>
+
+#include "gui/keys/key_map.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace hogelscope {
+
+class KeyField;
+
+/// Changes take effect, and are saved, at once.
+class KeyDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  KeyDialog(KeyMap* map, QWidget* parent);
+
+ private:
+  enum Column { commandColumn, helpColumn, keyColumn, defaultColumn, conflictColumn, columnCount };
+
+  void makeTable();
+  void layOut();
+  void setWidths();
+  void search(const QString& words);
+  void refresh();
+  void showRow(int row);
+  void showChosen();
+  [[nodiscard]] QString conflictText(int row) const;
+
+  KeyMap* m_map;
+  QLineEdit* m_search;
+  QTableWidget* m_table;
+  QLabel* m_label;
+  KeyField* m_field;
+  QPushButton* m_resetButton;
+  QLabel* m_note;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Picture menu.
+#include "gui/view/image_commands.h"
+
+#include <QActionGroup>
+#include <QClipboard>
+#include <QFileInfo>
+
+#include "gui/session/session_model.h"
+#include "gui/view/view_worker.h"
+#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/reading_bar.h"
+#include "io/files/output_folder.h"
+#include "io/images/image_writer.h"
+#include "io/scene/scene.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
+    : QObject(parent),
+      m_ui(ui),
+      m_model(model),
+      m_comparison(new Comparison(this)),
+      m_modes(new QActionGroup(this)),
+      m_bar(new ReadingBar(
+          tr("Other light field"), [this] { return m_comparison->readShare(); }, ui.statusBar)) {
+  const auto connectAction = [this](QAction* action, void (ImageCommands::*does)()) {
+    connect(action, &QAction::triggered, this, does);
+  };
+  connectAction(m_ui.compareAction, &ImageCommands::askFile);
+  connectAction(m_ui.compareFolderAction, &ImageCommands::askFolder);
+  connectAction(m_ui.stopComparingAction, &ImageCommands::stopComparing);
+  connectAction(m_ui.savePictureAction, &ImageCommands::askImage);
+  connectAction(m_ui.copyPictureAction, &ImageCommands::copy);
+  connect(m_ui.fitViewAction, &QAction::triggered, m_ui.pictureView, &ImageWidget::fit);
+  connect(m_ui.oneToOneViewAction, &QAction::triggered, m_ui.pictureView, &ImageWidget::oneToOne);
+  connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &ImageWidget::showMask);
+  connect(m_comparison, &Comparison::changed, this, &ImageCommands::otherChanged);
+  connect(m_comparison, &Comparison::changed, this, &ImageCommands::showComparison);
+  connect(m_comparison, &Comparison::failed, this, &ImageCommands::failed);
+  connect(m_comparison, &Comparison::failed, this, &ImageCommands::showComparison);
+  connect(m_model, &SessionModel::opened, m_comparison, &Comparison::stop);
+  m_bar->setObjectName("otherReadingBar");
+  m_ui.statusBar->addPermanentWidget(m_bar);
+  connect(m_bar, &ReadingBar::stopAsked, this, &ImageCommands::stopReading);
+  addModes();
+  drop(tr("No view yet: open a session (Ctrl+O)"));
+}
+
+void ImageCommands::addModes() {
+  using Mode = ImageWidget::Mode;
+  for (const auto& [action, mode] :
+       {std::pair(m_ui.singleAction, Mode::single),
+        std::pair(m_ui.sideBySideAction, Mode::sideBySide), std::pair(m_ui.wipeAction, Mode::wipe),
+        std::pair(m_ui.differenceAction, Mode::difference)}) {
+    m_modes->addAction(action);
+    connect(action, &QAction::triggered, this, [this, m = mode] { m_ui.pictureView->setMode(m); });
+  }
+  m_ui.sideBySideAction->setChecked(true);
+}
+
+std::optional<Scene> ImageCommands::other() const {
+  return m_comparison->other(m_model->session());
+}
+
+void ImageCommands::show(const RenderedView& view) {
+  const bool hasOther = other().has_value();  // not an image that was under way when it stopped
+  m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());
+  m_ui.pictureView->setMask(view.seen, hasOther ? view.otherSeen : QImage());
+  showNotice({});
+}
+
+void ImageCommands::showNotice(const QString& why) {
+  m_ui.pictureView->setNotice(why);
+  showComparison();
+}
+
+void ImageCommands::drop(const QString& why) {
+  m_ui.pictureView->setMask({}, {});
+  m_ui.pictureView->setImages({});
+  showNotice(why);
+}
+
+bool ImageCommands::isRight() const {
+  return !m_ui.pictureView->image().isNull() && m_ui.pictureView->notice().isEmpty();
+}
+
+/// What can be done now.
+void ImageCommands::showComparison() {
+  const bool hasImage = !m_ui.pictureView->image().isNull();
+  m_bar->setVisible(m_comparison->isReading());
+  m_modes->setEnabled(other().has_value());
+  m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
+  m_ui.compareAction->setEnabled(hasImage);
+  m_ui.compareFolderAction->setEnabled(hasImage);
+  for (QAction* action : {m_ui.fitViewAction, m_ui.oneToOneViewAction})
+    action->setEnabled(hasImage);
+  for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
+    action->setEnabled(isRight());
+  const std::string& own = m_model->session().lightField.file;
+  m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
+                              m_comparison->name());
+}
+
+void ImageCommands::stopComparing() {
+  m_comparison->stop();
+  m_ui.pictureView->setImages(m_ui.pictureView->image());
+}
+
+/// What was compared before goes too, as with every stop.
+void ImageCommands::stopReading() {
+  stopComparing();
+  Q_EMIT done(tr("Stopped reading the other light field"));
+}
+
+bool ImageCommands::compareWith(const QString& file) {
+  try {
+    m_comparison->start(m_model->session(), file);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+  Q_EMIT done(tr("Reading %1 …").arg(file));
+  showComparison();
+  return true;
+}
+
+bool ImageCommands::saveImage(const QString& file) {
+  if (!isRight()) {  // it may have become wrong while its name was asked for
+    Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
+    return false;
+  }
+  const QImage image = m_ui.pictureView->shownImage().convertToFormat(QImage::Format_RGB888);
+  const auto rowBytes = 3 * std::size_t(image.width());
+  std::vector<std::uint8_t> rgb;
+  for (int y = 0; y < image.height(); ++y)
+    rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
+  try {
+    const Session& session = m_model->session();
+    checkOutputs({file.toStdString()},
+                 openLightField(session.lightField, session.display)->files());
+    writeImage(file.toStdString(), image.width(), image.height(), rgb);
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+  Q_EMIT done(tr("Saved %1").arg(file));
+  return true;
+}
+
+void ImageCommands::copy() {
+  QGuiApplication::clipboard()->setImage(m_ui.pictureView->shownImage());
+  Q_EMIT done(tr("Copied"));
+}
+
+void ImageCommands::askFile() {
+  const QString file = chooseFile(
+      m_ui.pictureView, tr("Compare with light field"),
+      tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.json);;All files (*)"));
+  if (!file.isEmpty()) compareWith(file);
+}
+
+void ImageCommands::askFolder() {
+  const QString folder = chooseFolder(m_ui.pictureView, tr("Compare with folder of views"));
+  if (!folder.isEmpty()) compareWith(folder);
+}
+
+void ImageCommands::askImage() {
+  const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
+  const QString file =
+      chooseNewFile(m_ui.pictureView, tr("Save picture"), name, tr("Pictures (*.png *.tif *.jpg)"));
+  if (!file.isEmpty()) saveImage(file);
+}
+
+}  // namespace hogelscope

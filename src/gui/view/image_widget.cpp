@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shows an image, or compares two of the same size: what it shows and how it is moved. How it is
+// painted is in image_widget_painting.cpp.
+#include "gui/view/image_widget.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gui/view/image_difference.h"
+
+namespace hogelscope {
+
+ImageWidget::ImageWidget(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(160, 120);
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  setAccessibleName(tr("Picture"));
+  addCommands();
+}
+
+/// Shortcuts of the widget that has the focus, and its context menu.
+void ImageWidget::addCommands() {
+  using View = ImageWidget;
+  addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
+             {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
+  addCommand("zoomOutAction", tr("Zoom &out"), tr("Shows more, smaller by √2"), {Qt::Key_Minus}, {},
+             &View::zoomOut);
+  addCommand("fitPictureAction", tr("&Fit"), tr("Shows the whole picture"), {Qt::Key_0}, {},
+             &View::fit);
+  addCommand("oneToOneAction", tr("One &to one"),
+             tr("One pixel of the picture on one of the screen"), {Qt::Key_1}, {}, &View::oneToOne);
+  addCommand("panLeftAction", tr("More to the left"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Left}, {}, &View::panLeft);
+  addCommand("panRightAction", tr("More to the right"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Right}, {}, &View::panRight);
+  addCommand("panUpAction", tr("More above"), tr("Moves what is shown by a tenth"), {Qt::Key_Up},
+             {}, &View::panUp);
+  addCommand("panDownAction", tr("More below"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Down}, {}, &View::panDown);
+  addCommand("wipeLeftAction", tr("Line to the &left"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Left},
+             Mode::wipe, &View::wipeLeft);
+  addCommand("wipeRightAction", tr("Line to the &right"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Right},
+             Mode::wipe, &View::wipeRight);
+  addCommand("moreGainAction", tr("&Double the gain"), tr("Twice the difference, up to 128 times"),
+             {Qt::SHIFT | Qt::Key_Up}, Mode::difference, &View::moreGain);
+  addCommand("lessGainAction", tr("&Halve the gain"), tr("Half the difference, down to once"),
+             {Qt::SHIFT | Qt::Key_Down}, Mode::difference, &View::lessGain);
+  showActions();
+}
+
+void ImageWidget::addCommand(const char* name, const QString& text, const QString& help,
+                             const QList<QKeySequence>& keys, std::optional<Mode> mode,
+                             void (ImageWidget::*does)()) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setToolTip(help);
+  action->setShortcuts(keys);
+  action->setShortcutContext(Qt::WidgetShortcut);
+  if (mode) action->setData(int(*mode));
+  connect(action, &QAction::triggered, this, does);
+  addAction(action);
+}
+
+/// Only those that do something.
+void ImageWidget::showActions() {
+  for (QAction* action : actions())
+    if (action->data().isValid()) action->setVisible(action->data().toInt() == int(shownMode()));
+}
+
+void ImageWidget::setImages(const QImage& image, const QImage& other) {
+  const bool hasOther = !other.isNull() && other.size() == image.size();
+  m_images[0].image = ZoomableImage(image);
+  m_images[1].image = ZoomableImage(hasOther ? other : QImage());
+  updateDifference();
+  setViewport(m_viewport);
+}
+
+void ImageWidget::setMask(const QImage& seen, const QImage& otherSeen) {
+  m_images[0].seen = seen;
+  m_images[1].seen = otherSeen;
+  updateHatch();
+}
+
+void ImageWidget::setTitles(const QString& title, const QString& otherTitle) {
+  m_images[0].title = title;
+  m_images[1].title = otherTitle;
+  update();
+}
+
+void ImageWidget::setNotice(const QString& notice) {
+  m_notice = notice;
+  setAccessibleDescription(notice);
+  update();
+}
+
+void ImageWidget::setMode(Mode mode) {
+  m_mode = mode;
+  updateDifference();
+}
+
+void ImageWidget::showMask(bool isShown) {
+  m_showsMask = isShown;
+  updateHatch();
+}
+
+void ImageWidget::setGain(int gain) {
+  m_gain = std::clamp(gain, 1, 128);
+  updateDifference();
+}
+
+void ImageWidget::setWipe(double share) {
+  m_wipe = std::clamp(share, 0.0, 1.0);
+  update();
+}
+
+void ImageWidget::updateDifference() {
+  m_difference = shownMode() == Mode::difference
+                     ? ZoomableImage(differenceImage(image(), otherImage(), m_gain))
+                     : ZoomableImage();
+  showActions();
+  update();
+}
+
+void ImageWidget::updateHatch() {
+  for (Shown& image : m_images)
+    image.hatch = m_showsMask ? ZoomableImage(hatched(image.seen)) : ZoomableImage();
+  update();
+}
+
+void ImageWidget::setViewport(const Viewport& viewport) {
+  const Viewport next = limitCentre(viewport, image().size());
+  update();
+  if (next == m_viewport) return;
+  m_viewport = next;
+  Q_EMIT viewportChanged(m_viewport);
+}
+
+void ImageWidget::linkTo(ImageWidget& other) {
+  setViewport(other.viewport());
+  connect(this, &ImageWidget::viewportChanged, &other, &ImageWidget::setViewport);
+  connect(&other, &ImageWidget::viewportChanged, this, &ImageWidget::setViewport);
+}
+
+ImageWidget::Mode ImageWidget::shownMode() const {
+  return otherImage().isNull() ? Mode::single : m_mode;
+}
+
+QRect ImageWidget::deviceRect() const {
+  return {QPoint(0, 0), (QSizeF(size()) * devicePixelRatioF()).toSize()};
+}
+
+QPointF ImageWidget::inDevice(const QPointF& position) const {
+  return position * devicePixelRatioF();
+}
+
+/// Side by side there are two of one size, with a gap between them.
+QRect ImageWidget::paneAt(const QPointF& device) const {
+  QRect pane = deviceRect();
+  if (shownMode() != Mode::sideBySide) return pane;
+  constexpr int gap = 2;
+  const int width = (pane.width() - gap) / 2;
+  const bool isRight = device.x() >= width + gap / 2.0;
+  return {isRight ? pane.width() - width : 0, 0, width, pane.height()};
+}
+
+Placement ImageWidget::placement(const QRect& pane) const {
+  return placementOf(m_viewport, pane, image().size());
+}
+
+std::optional<QPoint> ImageWidget::pixelAt(const QPointF& position) const {
+  if (image().isNull() || !m_notice.isEmpty()) return {};
+  const QPointF device = inDevice(position);
+  const QPointF point = placement(paneAt(device)).toImage(device);
+  const QPoint pixel(int(std::floor(point.x())), int(std::floor(point.y())));
+  return image().rect().contains(pixel) ? std::optional(pixel) : std::nullopt;
+}
+
+int ImageWidget::wipeColumn() const {
+  return int(std::round(m_wipe * deviceRect().width()));
+}
+
+bool ImageWidget::isOnLine(const QPointF& position) const {
+  constexpr double reach = 6;
+  return shownMode() == Mode::wipe && std::abs(position.x() - m_wipe * width()) <= reach;
+}
+
+void ImageWidget::zoomBy(int steps, const QPointF& device) {
+  if (image().isNull() || steps == 0) return;
+  setViewport(zoomed(m_viewport, paneAt(device), image().size(), steps, device));
+}
+
+void ImageWidget::zoomIn() {
+  zoomBy(1, paneAt({}).toRectF().center());
+}
+
+void ImageWidget::zoomOut() {
+  zoomBy(-1, paneAt({}).toRectF().center());
+}
+
+void ImageWidget::fit() {
+  setViewport({});
+}
+
+void ImageWidget::oneToOne() {
+  if (!image().isNull()) setViewport(zoomedTo(m_viewport, paneAt({}), image().size(), 1));
+}
+
+/// The part that is shown, by a tenth of the pane.
+void ImageWidget::pan(int x, int y) {
+  if (image().isNull()) return;
+  const QRect pane = paneAt({});
+  const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
+  setViewport(moved(m_viewport, pane, image().size(), by));
+}
+
+void ImageWidget::panLeft() {
+  pan(-1, 0);
+}
+
+void ImageWidget::panRight() {
+  pan(1, 0);
+}
+
+void ImageWidget::panUp() {
+  pan(0, -1);
+}
+
+void ImageWidget::panDown() {
+  pan(0, 1);
+}
+
+void ImageWidget::wipeLeft() {
+  setWipe(m_wipe - 0.02);
+}
+
+void ImageWidget::wipeRight() {
+  setWipe(m_wipe + 0.02);
+}
+
+void ImageWidget::moreGain() {
+  setGain(2 * m_gain);
+}
+
+void ImageWidget::lessGain() {
+  setGain(m_gain / 2);
+}
+
+void ImageWidget::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  m_pressed = event->position();
+  m_draggedFrom = m_viewport;
+  m_drag = isOnLine(m_pressed) ? Drag::wipe : Drag::press;
+}
+
+void ImageWidget::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF position = event->position();
+  m_pointer = position;
+  const bool isFar = (position - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+  if (m_drag == Drag::press && isFar) m_drag = Drag::pan;
+  if (m_drag == Drag::wipe) setWipe(position.x() / width());
+  if (m_drag == Drag::pan && !image().isNull())
+    setViewport(moved(m_draggedFrom, paneAt({}), image().size(), inDevice(position - m_pressed)));
+  setCursor(isOnLine(position) ? Qt::SplitHCursor : Qt::CrossCursor);
+  update();
+}
+
+void ImageWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  const std::optional<QPoint> pixel = pixelAt(event->position());
+  if (std::exchange(m_drag, Drag::none) == Drag::press && pixel)
+    Q_EMIT pixelPicked(pixel->x(), pixel->y());
+}
+
+void ImageWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) fit();
+}
+
+void ImageWidget::leaveEvent(QEvent*) {
+  m_pointer.reset();
+  update();
+}
+
+void ImageWidget::wheelEvent(QWheelEvent* event) {
+  constexpr int notch = 120;
+  m_wheel += event->angleDelta().y();
+  const int steps = m_wheel / notch;
+  m_wheel -= steps * notch;
+  zoomBy(steps, inDevice(event->position()));
+}
+
+}  // namespace hogelscope

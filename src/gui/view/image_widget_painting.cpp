@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shows an image, or compares two of the same size: what it paints, and what it says of a pixel.
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/view/image_widget.h"
+
+namespace hogelscope {
+
+namespace {
+
+QString values(const QColor& colour) {
+  return QStringLiteral("%1 %2 %3").arg(colour.red()).arg(colour.green()).arg(colour.blue());
+}
+
+QColor difference(const QColor& a, const QColor& b) {
+  return {std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+          std::abs(a.blue() - b.blue())};
+}
+
+/// A text on a dark ground, in the corner of `area` that `corner` names.
+void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const QString& text) {
+  if (text.isEmpty()) return;
+  constexpr int margin = 4;
+  const QRect inner = area.adjusted(margin, margin, -margin, -margin);
+  QRect box = painter.boundingRect(inner, int(corner) | int(Qt::TextWordWrap), text);
+  box = box.adjusted(-margin, -margin / 2, margin, margin / 2);
+  painter.fillRect(box, QColor(0, 0, 0, 170));
+  painter.setPen(Qt::white);
+  painter.drawText(box, int(Qt::AlignCenter) | int(Qt::TextWordWrap), text);
+}
+
+}  // namespace
+
+void ImageWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(38, 40, 44));
+  if (!image().isNull()) {
+    painter.save();
+    painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
+    paintImages(painter);
+    paintOtherPointer(painter);
+    painter.restore();
+    paintTexts(painter);
+  }
+  paintNotice(painter);
+}
+
+void ImageWidget::paintNotice(QPainter& painter) const {
+  if (m_notice.isEmpty()) return;
+  if (!image().isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 150));
+  const int longest = 60 * fontMetrics().averageCharWidth();
+  const int margin = std::max(0, width() - longest) / 2;
+  paintText(painter, rect().adjusted(margin, 0, -margin, 0), Qt::AlignCenter, m_notice);
+}
+
+void ImageWidget::paintImages(QPainter& painter) const {
+  const QRect all = deviceRect();
+  const QRect left = paneAt({});
+  const QRect right = paneAt(all.bottomRight());
+  const int line = wipeColumn();
+  switch (shownMode()) {
+    case Mode::single:
+      return paintOne(painter, all, all, 0);
+    case Mode::sideBySide:
+      paintOne(painter, left, left, 0);
+      return paintOne(painter, right, right, 1);
+    case Mode::wipe:
+      paintOne(painter, all, {0, 0, line, all.height()}, 0);
+      paintOne(painter, all, all.adjusted(line, 0, 0, 0), 1);
+      painter.fillRect(line - 1, 0, 3, all.height(), QColor(0, 0, 0, 120));
+      return painter.fillRect(line, 0, 1, all.height(), Qt::white);
+    case Mode::difference:
+      return paintDifference(painter, all);
+  }
+}
+
+void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& clip,
+                           std::size_t which) const {
+  const Placement at = placement(pane);
+  m_images[which].image.paint(painter, clip, at);
+  m_images[which].hatch.paint(painter, clip, at);
+  paintPixelGrid(painter, clip, at, image().size());
+}
+
+void ImageWidget::paintDifference(QPainter& painter, const QRect& pane) const {
+  const Placement at = placement(pane);
+  m_difference.paint(painter, pane, at);
+  for (const Shown& image : m_images) image.hatch.paint(painter, pane, at);
+  paintPixelGrid(painter, pane, at, image().size());
+}
+
+/// Side by side: where the pointer would be in the other pane.
+void ImageWidget::paintOtherPointer(QPainter& painter) const {
+  if (shownMode() != Mode::sideBySide || !m_pointer || !pixelAt(*m_pointer)) return;
+  const QPointF device = inDevice(*m_pointer);
+  const QRect pane = paneAt(device);
+  const QRect all = deviceRect();
+  const QRect other = paneAt(pane.left() > 0 ? QPointF() : QPointF(all.bottomRight()));
+  const QPoint at = (device + other.topLeft() - pane.topLeft()).toPoint();
+  constexpr int arm = 7;
+  for (const auto& [colour, width] : {std::pair(Qt::black, 3), std::pair(Qt::white, 1)}) {
+    painter.fillRect(at.x() - arm, at.y() - width / 2, 2 * arm + 1, width, colour);
+    painter.fillRect(at.x() - width / 2, at.y() - arm, width, 2 * arm + 1, colour);
+  }
+}
+
+void ImageWidget::paintTexts(QPainter& painter) const {
+  const Mode mode = shownMode();
+  const auto corner = [](Qt::AlignmentFlag side, Qt::AlignmentFlag end) { return side | end; };
+  if (mode == Mode::difference)
+    paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop),
+              tr("Difference × %1").arg(m_gain));
+  if (mode == Mode::sideBySide || mode == Mode::wipe) {
+    QRect second = rect();
+    if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
+    paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), m_images[0].title);
+    paintText(painter, second,
+              corner(mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignTop),
+              m_images[1].title);
+  }
+  // Away from the pointer, so that it hides nothing that is looked at.
+  const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
+  paintText(painter, rect(), corner(isLow ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignBottom),
+            readOut());
+}
+
+QString ImageWidget::readOut() const {
+  const std::optional<QPoint> pixel = m_pointer ? pixelAt(*m_pointer) : std::nullopt;
+  if (!pixel) return {};
+  const auto valuesOf = [&](const Shown& image) {
+    const bool isUnseen = image.seen.valid(*pixel) && qGray(image.seen.pixel(*pixel)) == 0;
+    return isUnseen ? tr("not seen") : values(image.image.image().pixelColor(*pixel));
+  };
+  QString text = tr("x %1, y %2: ").arg(pixel->x()).arg(pixel->y()) + valuesOf(m_images[0]);
+  if (!otherImage().isNull())
+    text +=
+        tr(" | %1, difference %2")
+            .arg(valuesOf(m_images[1]),
+                 values(difference(image().pixelColor(*pixel), otherImage().pixelColor(*pixel))));
+  const double zoom = placement(paneAt(inDevice(*m_pointer))).zoom;
+  return text + tr(" (%1 %)").arg(100 * zoom, 0, 'f', 0);
+}
+
+QImage ImageWidget::shownImage() const {
+  const Mode mode = shownMode();
+  if (mode == Mode::single) return image();
+  if (mode == Mode::difference) return m_difference.image();
+  const bool isWipe = mode == Mode::wipe;
+  const int split =
+      isWipe ? int(std::round(placement(deviceRect()).toImage(QPointF(wipeColumn(), 0)).x()))
+             : image().width();
+  QImage shown(isWipe ? image().size() : QSize(2 * image().width(), image().height()),
+               image().format());
+  QPainter painter(&shown);
+  painter.drawImage(0, 0, image());
+  const int from = std::clamp(split, 0, image().width());
+  if (isWipe)
+    painter.drawImage(from, 0, otherImage(), from, 0);
+  else
+    painter.drawImage(from, 0, otherImage());
+  return shown;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One long job at a time on a thread of its own.
+#include "gui/widgets/task.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "gui/widgets/queued_answer.h"
+
+namespace hogelscope {
+
+void Task::start(Job job) {
+  abandon();
+  m_stops = false;
+  m_share = 0;
+  m_isRunning = true;
+  m_thread = std::thread([this, job = std::move(job)] { run(job); });
+}
+
+void Task::abandon() {
+  stop();
+  if (m_thread.joinable()) m_thread.join();
+  m_isRunning = false;
+  ++m_number;
+}
+
+void Task::queue(Answer answer) {
+  queueAnswer(this, m_number, m_number, std::move(answer));
+}
+
+/// On the thread.
+void Task::run(const Job& job) {
+  const auto finish = [this](const Answer& answer) {
+    queue([this, answer] {
+      m_isRunning = false;
+      answer();
+    });
+  };
+  try {
+    const Answer answer = job([this](double share) {
+      m_share = share;
+      return !m_stops;
+    });
+    m_share = 1;
+    finish(answer);
+  } catch (const Cancelled&) {
+    finish([this] { Q_EMIT stopped(); });
+  } catch (const std::exception& error) {
+    finish([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
+  }
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The widget for images alone: zoom, pan, linked views, the ways to compare, read-out and mask,
+// by what it paints. Positions are worked out here from the definition of one to one: one image
+// pixel on one pixel of the screen.
+#include "gui/view/image_widget.h"
+
+#include <QAction>
+#include <QSignalSpy>
+#include <QtTest>
+#include <cmath>
+
+#include "gui/view/image_difference.h"
+#include "gui/view/view_pace.h"
+#include "tests/gui/patience.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// Every pixel tells where it is.
+QImage coordinates(int width, int height, int blue) {
+  QImage image(width, height, QImage::Format_RGB888);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.setPixelColor(x, y, QColor(x, y, blue));
+  return image;
+}
+
+constexpr int firstBlue = 50;
+constexpr int secondBlue = 90;
+
+}  // namespace
+
+class TestImageWidget : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<ImageWidget> m_view;
+
+  /// The screen's own pixels.
+  QImage grabbed() const {
+    QImage image = m_view->grab().toImage();
+    image.setDevicePixelRatio(1);
+    return image;
+  }
+  double ratio() const { return m_view->devicePixelRatioF(); }
+  /// What is painted under a place of the widget.
+  QColor at(const QPointF& position) const {
+    return grabbed().pixelColor((position * ratio()).toPoint());
+  }
+  void wheel(const QPointF& position, int angle) {
+    QWheelEvent event(position, m_view->mapToGlobal(position), {}, {0, angle}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(m_view.get(), &event);
+  }
+  void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(m_view.get(), which, modifiers);
+  }
+  void compare() {
+    m_view->setImages(coordinates(200, 150, firstBlue), coordinates(200, 150, secondBlue));
+  }
+  /// At once, not when the display server says so.
+  void mouse(QEvent::Type type, const QPoint& position) {
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, QPointF(position), m_view->mapToGlobal(QPointF(position)), button,
+                      Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_view.get(), &event);
+  }
+  void look(const QPoint& position) { mouse(QEvent::MouseMove, position); }
+  void drag(const std::vector<QPoint>& way) {
+    mouse(QEvent::MouseButtonPress, way.front());
+    for (const QPoint& position : way) look(position);
+    mouse(QEvent::MouseButtonRelease, way.back());
+  }
+  /// A read-out hides what is painted beneath it.
+  void lookAway() {
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(m_view.get(), &leave);
+  }
+  /// "x 12, y 34"
+  QString placeAt(const QPoint& position) {
+    look(position);
+    return m_view->readOut().section(':', 0, 0);
+  }
+
+ private Q_SLOTS:
+  void init() {
+    m_view = std::make_unique<ImageWidget>();
+    m_view->resize(400, 300);
+    m_view->setImages(coordinates(200, 150, firstBlue));
+    m_view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get(), patience));
+    QApplication::setActiveWindow(m_view.get());
+    m_view->setFocus();
+    lookAway();
+  }
+  void cleanup() { m_view.reset(); }
+
+  void fitsAtFirstAndShowsEachPixel() {
+    QCOMPARE(at({1, 1}), QColor(0, 0, firstBlue));
+    QCOMPARE(at({399, 299}), QColor(199, 149, firstBlue));
+    QCOMPARE(at({201, 151}), QColor(100, 75, firstBlue));
+    m_view->resize(500, 300);  // bars left and right, 50 wide
+    QTRY_COMPARE_WITH_TIMEOUT(m_view->width(), 500, patience);
+    QCOMPARE(at({51, 1}), QColor(0, 0, firstBlue));
+    QVERIFY(at({48, 1}) != QColor(0, 0, firstBlue));
+  }
+
+  void oneToOneIsTheScreensOwnPixels() {
+    key(Qt::Key_1);
+    QCOMPARE(m_view->viewport().zoom, 1.0);
+    const QImage image = grabbed();
+    const QPoint corner((image.width() - 200) / 2, (image.height() - 150) / 2);
+    QCOMPARE(image.copy(QRect(corner, QSize(200, 150))).convertToFormat(QImage::Format_RGB888),
+             coordinates(200, 150, firstBlue));
+    key(Qt::Key_0);
+    QVERIFY(m_view->viewport().fits);
+    QCOMPARE(at({1, 1}), QColor(0, 0, firstBlue));
+  }
+
+  void zoomKeepsThePointUnderThePointer() {
+    for (const QPoint position : {QPoint(311, 91), QPoint(61, 251), QPoint(201, 151)}) {
+      key(Qt::Key_0);
+      const QString place = placeAt(position);
+      QVERIFY(place.startsWith("x "));
+      for (const int angle : {120, 120, 120, 240, -120, 120}) {
+        wheel(position, angle);
+        QCOMPARE(placeAt(position), place);
+      }
+      QVERIFY(m_view->viewport().zoom >= 8);
+    }
+    // Powers of √2 from 1/32 to 64; a wheel of finer steps adds up.
+    for (int k = 0; k < 40; ++k) wheel({200, 150}, 120);
+    QCOMPARE(m_view->viewport().zoom, 64.0);
+    for (int k = 0; k < 40; ++k) wheel({200, 150}, -120);
+    QCOMPARE(m_view->viewport().zoom, 1.0 / 32);
+    for (int k = 0; k < 4; ++k) wheel({200, 150}, 30);
+    QCOMPARE(m_view->viewport().zoom, std::sqrt(2.0) / 32);
+  }
+
+  void keysZoomAboutTheMiddle() {
+    key(Qt::Key_1);
+    const QPointF middle = m_view->viewport().centre;
+    key(Qt::Key_Plus);
+    key(Qt::Key_Plus);
+    QCOMPARE(m_view->viewport().zoom, 2.0);
+    key(Qt::Key_Minus);
+    QVERIFY(std::abs(m_view->viewport().zoom - std::sqrt(2.0)) < 1e-12);
+    const QPointF moved = m_view->viewport().centre - middle;
+    QVERIFY(std::abs(moved.x()) < 1e-9 && std::abs(moved.y()) < 1e-9);
+  }
+
+  void neighboursAreNotMixedAboveOneToOneAndAGridShowsThem() {
+    key(Qt::Key_1);
+    for (int k = 0; k < 4; ++k) key(Qt::Key_Plus);
+    QCOMPARE(m_view->viewport().zoom, 4.0);
+    lookAway();
+    const auto strangers = [&] {
+      int count = 0;
+      const QImage image = grabbed();
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, image.height() / 2 + 1).blue() != firstBlue) ++count;
+      return count;
+    };
+    QCOMPARE(strangers(), 0);
+    for (int k = 0; k < 2; ++k) key(Qt::Key_Plus);
+    QCOMPARE(m_view->viewport().zoom, 8.0);
+    const int lines = grabbed().width() / 8;
+    QVERIFY2(std::abs(strangers() - lines) <= 1, qPrintable(QString::number(strangers())));
+  }
+
+  void belowOneToOneItAverages() {
+    QImage checks(400, 300, QImage::Format_RGB888);
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < 400; ++x)
+        checks.setPixelColor(x, y, (x + y) % 2 == 0 ? Qt::white : Qt::black);
+    m_view->setImages(checks);
+    key(Qt::Key_1);
+    for (int k = 0; k < 4; ++k) key(Qt::Key_Minus);
+    QCOMPARE(m_view->viewport().zoom, 0.25);
+    const QColor grey = at({200, 150});
+    QVERIFY2(std::abs(grey.red() - 128) < 12, qPrintable(grey.name()));
+  }
+
+  void dragAndArrowsMoveTheImage() {
+    key(Qt::Key_1);
+    for (int k = 0; k < 4; ++k) key(Qt::Key_Plus);
+    const QString place = placeAt({200, 150});
+    drag({{200, 150}, {215, 160}, {260, 110}});
+    QCOMPARE(placeAt({260, 110}), place);
+    const double x = m_view->viewport().centre.x();
+    key(Qt::Key_Right);
+    const double step = 400 * ratio() / 10 / 4;
+    QVERIFY(std::abs(m_view->viewport().centre.x() - (x + step)) < 0.5);
+    key(Qt::Key_Left);
+    QVERIFY(std::abs(m_view->viewport().centre.x() - x) < 0.5);
+    for (int k = 0; k < 50; ++k) key(Qt::Key_Down);
+    QCOMPARE(m_view->viewport().centre.y(), 150.0);  // the image is not lost
+  }
+
+  void aClickPicksAPixelADragDoesNot() {
+    const QSignalSpy picked(m_view.get(), &ImageWidget::pixelPicked);
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, {101, 51});
+    QCOMPARE(picked.count(), 1);
+    QCOMPARE(picked[0][0].toInt(), 50);
+    QCOMPARE(picked[0][1].toInt(), 25);
+    drag({{101, 51}, {150, 90}});
+    QCOMPARE(picked.count(), 1);
+    m_view->setImages({});
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, {101, 51});
+    QCOMPARE(picked.count(), 1);
+  }
+
+  void linkedViewsShowTheSame() {
+    ImageWidget second;
+    ImageWidget third;
+    for (ImageWidget* view : {&second, &third}) {
+      view->resize(300, 300);
+      view->setImages(coordinates(200, 150, secondBlue));
+    }
+    wheel({310, 90}, 360);
+    second.linkTo(*m_view);
+    third.linkTo(second);
+    QVERIFY(!m_view->viewport().fits);
+    QCOMPARE(third.viewport(), m_view->viewport());
+    wheel({60, 250}, 120);
+    QCOMPARE(third.viewport(), m_view->viewport());
+    third.setViewport({false, 2, {10, 20}});
+    QCOMPARE(m_view->viewport(), third.viewport());
+    QCOMPARE(second.viewport(), third.viewport());
+    key(Qt::Key_0);
+    QVERIFY(second.viewport().fits && third.viewport().fits);
+  }
+
+  void sideBySideShowsBothAlike() {
+    compare();
+    const QImage image = grabbed();  // each pane is 199 wide, the image 0.995 times its size
+    QCOMPARE(image.pixelColor(QPoint(100, 150) * ratio()).blue(), firstBlue);
+    QCOMPARE(image.pixelColor(QPoint(300, 150) * ratio()).blue(), secondBlue);
+    key(Qt::Key_1);
+    for (int k = 0; k < 2; ++k) key(Qt::Key_Plus);
+    lookAway();
+    const QColor left = at({100.5, 150.5});
+    const QColor right = at({301.5, 150.5});
+    QVERIFY(std::abs(left.red() - right.red()) <= 1 && left.green() == right.green());
+    QCOMPARE(left.blue(), firstBlue);
+    QCOMPARE(right.blue(), secondBlue);
+    const QString place = placeAt({102, 151});
+    wheel({102, 151}, 120);
+    QCOMPARE(placeAt({102, 151}), place);
+    wheel({320, 100}, 240);
+    wheel({320, 100}, -240);
+    QCOMPARE(placeAt({102, 151}), place);
+  }
+
+  void theWipesLineIsWhereItIsPut() {
+    compare();
+    m_view->setMode(ImageWidget::Mode::wipe);
+    const auto isAt = [&](int line) {  // widget coordinates, two pixels of shade at most
+      return at({line - 4.0, 100}).blue() == firstBlue &&
+             at({line + 4.0, 100}).blue() == secondBlue;
+    };
+    QVERIFY(isAt(200));
+    drag({{202, 100}, {120, 100}, {80, 100}});
+    lookAway();
+    QVERIFY(isAt(80));
+    QVERIFY(m_view->viewport().fits);  // the line moved, not the image
+    key(Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(m_view->wipe(), 0.22);
+    QVERIFY(isAt(88));
+    key(Qt::Key_Left, Qt::ShiftModifier);
+    key(Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(isAt(72));
+    const QImage shown = m_view->shownImage();
+    QCOMPARE(shown.size(), QSize(200, 150));
+    QCOMPARE(shown.pixelColor(35, 7), QColor(35, 7, firstBlue));
+    QCOMPARE(shown.pixelColor(36, 7), QColor(36, 7, secondBlue));
+  }
+
+  void theDifferenceIsTimesTheGain() {
+    compare();
+    m_view->setMode(ImageWidget::Mode::difference);
+    m_view->setGain(1);
+    QCOMPARE(at({201, 151}), QColor(0, 0, secondBlue - firstBlue));
+    key(Qt::Key_Up, Qt::ShiftModifier);
+    QCOMPARE(m_view->gain(), 2);
+    QCOMPARE(at({201, 151}), QColor(0, 0, 80));
+    for (int k = 0; k < 9; ++k) key(Qt::Key_Up, Qt::ShiftModifier);
+    QCOMPARE(m_view->gain(), 128);
+    QCOMPARE(at({201, 151}), QColor(0, 0, 255));
+    for (int k = 0; k < 9; ++k) key(Qt::Key_Down, Qt::ShiftModifier);
+    QCOMPARE(m_view->gain(), 1);
+    QCOMPARE(m_view->shownImage(),
+             differenceImage(coordinates(200, 150, 90), coordinates(200, 150, 50), 1));
+    QVERIFY(differenceImage(coordinates(2, 3, 0), coordinates(3, 2, 0), 1).isNull());
+    QImage light(1, 1, QImage::Format_RGB888);
+    QImage dark = light;
+    light.fill(QColor(10, 200, 30));
+    dark.fill(QColor(13, 100, 30));
+    QCOMPARE(differenceImage(light, dark, 2).pixelColor(0, 0), QColor(6, 200, 0));
+    QCOMPARE(differenceImage(light, dark, 4).pixelColor(0, 0), QColor(12, 255, 0));
+  }
+
+  void readsOutPixels() {
+    look({101, 51});
+    QCOMPARE(m_view->readOut(), QString("x 50, y 25: 50 25 50 (%1 %)").arg(200 * ratio()));
+    compare();
+    m_view->setMode(ImageWidget::Mode::wipe);
+    look({103, 51});
+    QVERIFY2(m_view->readOut().startsWith("x 51, y 25: 51 25 50 | 51 25 90, difference 0 0 40"),
+             qPrintable(m_view->readOut()));
+    QImage seen(200, 150, QImage::Format_Grayscale8);
+    seen.fill(255);
+    seen.setPixel(51, 25, 0);
+    m_view->setMask(QImage(), seen);
+    QVERIFY(m_view->readOut().startsWith("x 51, y 25: 51 25 50 | not seen"));
+    lookAway();
+    QCOMPARE(m_view->readOut(), QString());
+    m_view->resize(500, 300);
+    QTRY_COMPARE_WITH_TIMEOUT(m_view->width(), 500, patience);
+    look({20, 51});
+    QCOMPARE(m_view->readOut(), QString());  // beside the image
+  }
+
+  void theMaskMarksWhatIsNotSeen() {
+    QImage seen(200, 150, QImage::Format_Grayscale8);
+    seen.fill(255);
+    for (int y = 0; y < 150; ++y) std::fill_n(seen.scanLine(y), 100, uchar(0));
+    m_view->setMask(seen);
+    const QImage plain = grabbed();
+    m_view->showMask(true);
+    const QImage marked = grabbed();
+    int changedLeft = 0;
+    int changedRight = 0;
+    for (int y = 0; y < plain.height(); ++y)
+      for (int x = 0; x < plain.width(); ++x)
+        if (plain.pixel(x, y) != marked.pixel(x, y))
+          ++(x < plain.width() / 2 ? changedLeft : changedRight);
+    QCOMPARE(changedLeft, plain.width() / 2 * plain.height());
+    QCOMPARE(changedRight, 0);
+    m_view->showMask(false);
+    QCOMPARE(grabbed(), plain);
+  }
+
+  void nothingToShowIsSaid() {
+    const QImage image = grabbed();
+    m_view->setNotice("Nothing here");
+    m_view->setImages({});
+    const QImage empty = grabbed();
+    const QColor ground = empty.pixelColor(2, 2);
+    bool hasText = false;
+    for (int x = 0; x < empty.width(); ++x)
+      for (int y = empty.height() / 2 - 10; y < empty.height() / 2 + 10; ++y)
+        hasText = hasText || empty.pixelColor(x, y) != ground;
+    QVERIFY(hasText);
+    for (const Qt::Key which : {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_1, Qt::Key_0, Qt::Key_Left})
+      key(which);
+    wheel({10, 10}, 120);
+    QVERIFY(m_view->shownImage().isNull());
+    m_view->setImages(coordinates(200, 150, firstBlue), coordinates(100, 75, secondBlue));
+    QVERIFY(m_view->otherImage().isNull());  // another size
+    QVERIFY(grabbed() != image);
+    m_view->setNotice({});
+    QCOMPARE(grabbed(), image);
+  }
+
+  void thePaceGoesByWhatImagesTook() {
+    ViewPace pace;
+    QCOMPARE(pace.firstScale(), 1);
+    pace.rendered(1, 100);
+    QCOMPARE(pace.firstScale(), 2);
+    pace.rendered(2, 20);
+    QCOMPARE(pace.firstScale(), 2);
+    pace.rendered(2, 40);  // so a full one takes 160
+    QCOMPARE(pace.firstScale(), 4);
+    pace.rendered(1, 25);
+    QCOMPARE(pace.firstScale(), 1);
+    pace.stopped(31);
+    QCOMPARE(pace.firstScale(), 2);
+  }
+};
+
+QTEST_MAIN(TestImageWidget)
+#include "test_image_widget.moc"
