@@ -109,7 +109,7 @@ std::vector<std::vector<Vec2>> foldLineOf(const LensPlane& plane, const Parallel
   parallelRows(directions, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       parts[std::size_t(k)] = finder.between(angle(k), angle(k + 1));
-      advance(progress, double(++done) / directions);
+      reportProgress(progress, double(++done) / directions);
     }
   });
   parts.push_back({parts[0][0]});  // closes the line

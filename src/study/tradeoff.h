@@ -21,7 +21,7 @@ struct NamedMethod {
 /// All that are compared, the default ("exact") first.
 std::vector<NamedMethod> namedMethods();
 
-View with(const NamedMethod& method, const View& view);
+View applyMethod(const NamedMethod& method, const View& view);
 
 /// What the error is measured against.
 enum class Question {
@@ -32,7 +32,7 @@ enum class Question {
 /// Nearest with one ray asks for the display as built.
 Question questionOf(const SamplingParams& sampling);
 /// "the display as built" or "the ideal picture", and what that means.
-std::string text(Question question);
+std::string questionText(Question question);
 std::string details(Question question);
 
 struct Tradeoff {

@@ -123,7 +123,7 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
     const double metres = std::stod("1e" + std::to_string(power));  // as a reader writes it
     for (const auto& [kind, view] : {std::pair{"scale", scaled(paper, metres)},
                                      std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
-      advance(progress, 0.8);
+      reportProgress(progress, 0.8);
       rows.push_back(row(kind, "fast engine", metres, unmoved, Renderer(serialRows).render(view)));
       rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(view)));
     }

@@ -115,7 +115,7 @@ int vtkHogelViewFilter::RequestData(
 
 void vtkHogelViewFilter::Render(vtkImageData* output)
 {
-  this->Choice = this->Renderer.choose(this->View, this->Progress);
+  this->Choice = this->Renderer.chooseMethod(this->View, this->Progress);
   if (this->FloatOutput)
   {
     copyToOutput(this->Renderer.renderFloat(this->Choice.view, this->Progress), output);

@@ -14,13 +14,13 @@ namespace hogelscope {
 using Progress = std::function<bool(double done)>;
 
 /// Throws Cancelled where the answer is stop.
-inline void advance(const Progress& progress, double done) {
+inline void reportProgress(const Progress& progress, double done) {
   if (progress && !progress(done)) throw Cancelled();
 }
 
 /// Only asks, where the work is too fine to say how far it is.
 inline void hearStop(const Progress& progress) {
-  advance(progress, 0.0);
+  reportProgress(progress, 0.0);
 }
 
 /// The part [from, to] of a longer work.

@@ -227,8 +227,8 @@ class Probe {
 
 }  // namespace
 
-Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
-              const Progress& progress) {
+Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                    const Progress& progress) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
   choice.view.sampling.tolerance = 0;  // resolved
@@ -249,7 +249,7 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
   return choice;
 }
 
-std::string text(const Choice& choice) {
+std::string choiceText(const Choice& choice) {
   if (choice.pixels == 0) return "nothing is cheaper";
   const SamplingParams& sampling = choice.view.sampling;
   const Plan made = plan(choice.view);

@@ -20,10 +20,10 @@ struct Choice {
 /// The view itself where its tolerance is 0, it has a method already, nothing is cheaper, or the
 /// probe sees too little of the panel. The tolerance of the result is 0. Deterministic: the probe's
 /// pixels depend on the image's size alone. Throws Cancelled.
-Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
-              const Progress& progress = {});
+Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                    const Progress& progress = {});
 
 /// One line for --explain and the window.
-std::string text(const Choice& choice);
+std::string choiceText(const Choice& choice);
 
 }  // namespace hogelscope

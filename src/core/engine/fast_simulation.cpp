@@ -82,7 +82,7 @@ void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
         addressesOfHits(m_rays.map(), layout, m_rays.plainX(x), py, count, address);
       },
       [&](int x, int count, const std::uint32_t*, const ByteTexel* found) {
-        pack(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
+        packRgb(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
       });
 }
 
@@ -97,8 +97,8 @@ void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint
         addresses(m_rays.map(), layout, px + x, py + x, count, unseen, address);
       },
       [&](int x, int count, const std::uint32_t* address, const ByteTexel* found) {
-        pack(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
-        mask(address, count, unseen, seen + (x - x0));
+        packRgb(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
+        maskSeen(address, count, unseen, seen + (x - x0));
       });
 }
 

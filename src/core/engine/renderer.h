@@ -16,9 +16,9 @@ class Renderer {
   /// `rows` shares out the rows of an image.
   explicit Renderer(ParallelRows rows = parallelRows) : m_rows(std::move(rows)) {}
 
-  /// What is rendered in the place of a view with a tolerance: see choose() in adaptive_method.h.
-  /// Throws as render() does.
-  [[nodiscard]] Choice choose(const View& view, const Progress& progress = {});
+  /// What is rendered in the place of a view with a tolerance: see chooseMethod() in
+  /// adaptive_method.h. Throws as render() does.
+  [[nodiscard]] Choice chooseMethod(const View& view, const Progress& progress = {});
 
   /// The image of the view's camera. `progress` is called from any thread with the fraction of the
   /// rows done, never concurrently. Throws InputError as Simulation and LightFieldSource::slice()

@@ -158,7 +158,7 @@ void addresses(const HitMap& map, const BlockLayout& layout, const double* x, co
 }
 
 MULTIVERSIONED
-void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
+void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
   if (map.isSingle)
     cellsIn<float>(map, x, y, count, batch);
   else
@@ -194,8 +194,8 @@ void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& do
 }
 
 MULTIVERSIONED
-void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
-           std::uint32_t* offset, float* weight) {
+void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
+                     const float* place, std::uint32_t* offset, float* weight) {
   const AxisLayout l = layout;
   for (int k = 0; k < batchSize; ++k) {
     const int before = place[k] < 0.5F ? 1 : 0;
@@ -216,14 +216,14 @@ void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int
   for (int k = 0; k < count; ++k) to[k] = from[address[k]];
 }
 
-void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb) {
+void packRgb(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb) {
   // Whole texels, each over the last one's unused byte; the last has no room for its own.
   for (int k = 0; k + 1 < count; ++k) std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + k, 4);
   if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + count - 1, 3);
 }
 
 MULTIVERSIONED
-void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen) {
+void maskSeen(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen) {
   for (int k = 0; k < count; ++k) seen[k] = address[k] == unseen ? 0 : 255;
 }
 

@@ -47,7 +47,7 @@ void addresses(const HitMap& map, const BlockLayout& layout, const double* x, co
                int count, std::uint32_t unseen, std::uint32_t* address);
 
 /// Cells, places and seen; cell 0 where nothing is seen.
-void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
+void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
 
 /// The same with hogel lenses that are not linear, across and down: the map's u and v are slopes.
 void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
@@ -55,8 +55,8 @@ void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& do
 
 /// Addresses and weights of the two cells of an axis whose centres lie around each place of a whole
 /// batch, the first ones in [0, batchSize), the second ones after them.
-void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
-           std::uint32_t* offset, float* weight);
+void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
+                     const float* place, std::uint32_t* offset, float* weight);
 
 /// Asks for the cache lines of texels.
 template <class T>
@@ -70,9 +70,9 @@ void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int
             Texel<std::uint8_t>* out);
 
 /// Three bytes a texel.
-void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
+void packRgb(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
 /// 0 where the address is `unseen`, else 255.
-void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
+void maskSeen(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
 
 /// Sums of a batch, a channel each.
 struct LightBatch {

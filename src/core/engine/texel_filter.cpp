@@ -83,8 +83,8 @@ void TexelFilter::linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps&
   taps.share = nullptr;
   taps.offset.resize(2);
   taps.weight.resize(2);
-  pairs(layoutOf(axis), m_cells[axis], batch.cell[axis].data(), batch.place[axis].data(),
-        taps.offset[0].data(), taps.weight[0].data());
+  bracketingCells(layoutOf(axis), m_cells[axis], batch.cell[axis].data(), batch.place[axis].data(),
+                  taps.offset[0].data(), taps.weight[0].data());
 }
 
 /// Direction axes without interpolation: the window of each ray's cell.

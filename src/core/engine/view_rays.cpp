@@ -97,7 +97,7 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   // The ends are decided by the ray itself, not by the rounding of the division above.
   const auto isUnseen = [&](int x) {
     CellBatch batch;
-    hogelscope::cells(m_map, plainX(x), &py, 1, batch);
+    linearCells(m_map, plainX(x), &py, 1, batch);
     return batch.seen[0] == 0;
   };
   while (first < last && isUnseen(first)) ++first;
@@ -138,7 +138,7 @@ void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch)
     m_rays->row(y, sx, sy, x0, count, madeX.data(), madeY.data());
   }
   if (m_plan.hasLinearHogels)
-    hogelscope::cells(m_map, x, py, count, batch);
+    linearCells(m_map, x, py, count, batch);
   else
     curvedCells(m_map, m_display.lens(0), m_display.lens(1), x, py, count, batch);
 }

@@ -96,7 +96,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
   return all;
 }
 
-std::string text(const LensCertificate& certificate) {
+std::string certificateText(const LensCertificate& certificate) {
   const auto degrees = [](double slope) { return std::atan(slope) * 180 / std::numbers::pi; };
   std::array<char, 300> line{};
   if (std::isinf(certificate.validRadius))

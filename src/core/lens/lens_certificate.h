@@ -25,6 +25,6 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
 double validRadius(const Distortion& distortion, const Progress& progress = {});
 
 /// One line.
-std::string text(const LensCertificate& certificate);
+std::string certificateText(const LensCertificate& certificate);
 
 }  // namespace hogelscope

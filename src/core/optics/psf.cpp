@@ -54,7 +54,7 @@ std::vector<double> gaussianWeights(double sigma, int reach) {
   return weights;
 }
 
-std::vector<double> kernel(const PsfParams& params) {
+std::vector<double> psfKernel(const PsfParams& params) {
   std::vector<double> weights = Psf(params).weights();
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights) weight /= sum;

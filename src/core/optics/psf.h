@@ -33,7 +33,7 @@ std::vector<double> gaussianWeights(double sigma, int reach);
 
 /// The window's weights, row by row, as fractions of their sum; they need a sigma above 0 where
 /// windowSize > 1.
-std::vector<double> kernel(const PsfParams& params);
+std::vector<double> psfKernel(const PsfParams& params);
 
 /// How many directional pixels add up to the light of direction (u, v) of a hogel.
 int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);

@@ -96,7 +96,7 @@ void ImageFile::openOther() {
   m_input->image = OIIO::ImageInput::open(m_file.string());
   if (!m_input->image)
     throw InputError(m_file.string(), "cannot be read as a picture",
-                     oneLine(OIIO::geterror(), m_file));
+                     asOneLine(OIIO::geterror(), m_file));
   m_input->spec = m_input->image->spec();
   const OIIO::ImageSpec& spec = m_input->spec;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
@@ -128,7 +128,7 @@ std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
                                  stride);
   // Some readers fill the rest of a truncated file and only leave a message.
   if (!isRead || image.has_error())
-    throw InputError(m_file.string(), "is damaged", oneLine(image.geterror(), m_file));
+    throw InputError(m_file.string(), "is damaged", asOneLine(image.geterror(), m_file));
   std::vector<T> values(3 * width() * rows);
   for (std::size_t p = 0; p < width() * rows; ++p)
     for (std::size_t c = 0; c < 3; ++c) values[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
@@ -142,7 +142,7 @@ void ImageFile::readAs(const Band& band, const Progress& progress) {
   const auto tileRows = std::size_t(std::max(m_input->spec.tile_height, 1));
   const std::size_t rows = (bandPixels / width() / tileRows + 1) * tileRows;
   for (std::size_t first = 0; first < height(); first += rows) {
-    advance(progress, double(first) / double(height()));
+    reportProgress(progress, double(first) / double(height()));
     const std::size_t count = std::min(rows, height() - first);
     band(first, count, StoredRows(readRows<T>(first, count).data()));
   }
@@ -175,7 +175,7 @@ void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& 
     }
   };
   for (std::size_t y = 0; y < png.height(); ++y) {
-    advance(progress, double(y) / double(png.height()));
+    reportProgress(progress, double(y) / double(png.height()));
     if (png.type() == StoredType::uint8)
       hand(y, png.next8());
     else

@@ -126,7 +126,7 @@ struct ImageRowWriter::Output {
   }
 
   [[noreturn]] void fail() {
-    throw InputError(file.string(), "cannot be written", oneLine(image->geterror(), file));
+    throw InputError(file.string(), "cannot be written", asOneLine(image->geterror(), file));
   }
 
   void close() {

@@ -4,7 +4,7 @@
 
 namespace hogelscope {
 
-std::string oneLine(std::string text, const std::filesystem::path& file) {
+std::string asOneLine(std::string text, const std::filesystem::path& file) {
   for (const std::string& noise : {"\"" + file.string() + "\"", "'" + file.string() + "'"})
     if (const std::size_t at = text.find(noise); at != std::string::npos)
       text.replace(at, noise.size(), "it");

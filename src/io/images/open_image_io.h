@@ -19,6 +19,6 @@ constexpr OIIO::TypeDesc::BASETYPE baseType() {
 }
 
 /// OpenImageIO's message on one line, without the file's name, which our line has already.
-std::string oneLine(std::string text, const std::filesystem::path& file);
+std::string asOneLine(std::string text, const std::filesystem::path& file);
 
 }  // namespace hogelscope

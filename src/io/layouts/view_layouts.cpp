@@ -67,7 +67,7 @@ class ScatteredFile : public LightFieldFile {
         [&](const auto& texels) {
           std::vector<std::decay_t<decltype(texels[0].r)>> rgb(3 * size.width());
           for (int j = 0; j < size.ny; ++j) {
-            advance(progress, double(j) / size.ny);
+            reportProgress(progress, double(j) / size.ny);
             for (int v = 0; v < size.dv; ++v) handRow(texels, j, v, rgb);
           }
         },

@@ -175,7 +175,7 @@ void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse&
     readers.emplace_back(m_file);
   hearStop(progress);  // the other threads may leave nothing for this one
   sideBySide(pieces, int(readers.size()), [&](std::size_t k, std::size_t worker) {
-    if (worker == 0) advance(progress, double(k) / double(pieces));
+    if (worker == 0) reportProgress(progress, double(k) / double(pieces));
     const std::size_t end = std::min((k + 1) * piece, wanted.size());
     for (std::size_t at = k * piece; at < end; ++at)
       use(at, {decoded(readers[worker], wanted[at]).get(), bytes});
