@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seeded random numbers that are the same with every standard library, which std::*_distribution
-// are not.
+// Seeded random numbers that are the same with every standard library, unlike those of
+// std::*_distribution.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ class RandomNumbers {
   /// Uniform in [0, 1): the generator's upper 53 bits.
   double unit() { return static_cast<double>(m_engine() >> 11) * 0x1p-53; }
 
-  /// Standard normal, by Box and Muller (1958); takes two of `unit`.
+  /// Standard normal, by Box and Muller (1958); calls unit() twice.
   double normal() {
     const double radius = std::sqrt(-2 * std::log(1 - unit()));
     return radius * std::cos(2 * std::numbers::pi * unit());

@@ -22,14 +22,14 @@ std::string_view words(RayEnd end);
 /// The ray through the middle of a pixel. Lengths are in metres.
 struct PixelTrace {
   RayEnd end = RayEnd::noRay;
-  Vec3 eye;       ///< in the world frame
-  Vec3 target;    ///< in the world frame, on the panel's plane; if it misses that, as far as lookat
+  Vec3 eye;       ///< the pinhole in the world frame
+  Vec3 target;    ///< likewise, on the panel's plane; if the ray misses that, as far as lookat
   Vec2 position;  ///< the target in the display frame; valid if `place` is
   Vec2 slopes;    ///< dx/dz, dy/dz of the light in the display frame; valid if `place` is
   std::optional<Hit> place;  ///< hogel and direction, also beyond the panel and the angular field
   int taps =
       0;  ///< directional pixels that add up to the light of the nearest direction; 0: not seen
-  std::optional<Rgb> colour;  ///< of the pixel with all its rays, code values; none: not seen
+  std::optional<Rgb> colour;  ///< the colour of all rays, code values; none: not seen
 };
 
 /// Traces a pixel by the reference engine. `x` and `y` count from the image's upper left. Throws
