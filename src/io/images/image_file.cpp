@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files read through OpenImageIO; PNGs by libspng.
+// Image files read through OpenImageIO; PNGs by libspng.
 #include "io/images/image_file.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void refuseNotANumber(std::span<const float> values, std::size_t width, std::siz
                    std::isnan(*bad) ? "is not a number" : "is infinite");
 }
 
-/// Throws InputError where not even a picture of one colour would be so small.
+/// Throws InputError if not even an image of one colour could be so small.
 void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
   constexpr double mostBytesPerByte = 1 << 17;
   std::error_code error;
@@ -110,7 +110,7 @@ template <class T>
 std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
   OIIO::ImageInput& image = *m_input->image;
   const OIIO::ImageSpec& spec = m_input->spec;
-  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader wants to be asked for
+  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader must be asked for
   // alpha to do so with scanlines, and does it twice if it is asked with tiles.
   const bool isAsked = spec.tile_width == 0;
   const bool hasAlpha = isAsked && (spec.alpha_channel == 1 || spec.alpha_channel == 3);
@@ -126,7 +126,7 @@ std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
                              used, baseType<T>(), read.data(), stride)
           : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), read.data(),
                                  stride);
-  // Some readers fill the rest of a truncated file and only leave a message.
+  // Some readers fill the rest of a truncated file and only set a message.
   if (!isRead || image.has_error())
     throw InputError(m_file.string(), "is damaged", asOneLine(image.geterror(), m_file));
   std::vector<T> values(3 * width() * rows);
@@ -160,7 +160,7 @@ To converted(From value) {
     return To((value + 128U) / 257U);
 }
 
-/// One row after the other.
+/// Reads one row after the other.
 template <class T>
 void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& progress) {
   PngRows png(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reading and writing share of OpenImageIO.
+// Helpers for reading and writing by OpenImageIO.
 #include "io/images/open_image_io.h"
 
 namespace hogelscope {
