@@ -38,7 +38,7 @@ View applyMethod(const NamedMethod& method, const View& view) {
 
 namespace {
 
-/// From nothing, lens rays too.
+/// Renders from scratch, lens rays included.
 Image render(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
   return Renderer(parallelRows).render(view, progress);
 }
@@ -116,7 +116,7 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
   return row;
 }
 
-/// Wall time in milliseconds.
+/// Returns the wall time in milliseconds.
 double timed(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   (void)render(view, parallelRows, progress);
@@ -124,14 +124,14 @@ double timed(const View& view, const ParallelRows& parallelRows, const Progress&
       .count();
 }
 
-/// Rays of one picture, in millions.
+/// Returns the rays of one image, in millions.
 double megaRays(const View& view) {
   const View small = reduced(view);
   const double n = small.sampling.samplesPerPixel;
   return n * n * small.state.camera.res[0] * small.state.camera.res[1] * 1e-6;
 }
 
-/// All methods' rows but for the times, with what one round of all views takes, in ms.
+/// All methods' rows without times, and the time of one round of all views in ms.
 double measureErrors(const std::vector<View>& views, const ParallelRows& parallelRows,
                      const Progress& progress, std::vector<TradeoffRow>& rows) {
   const std::vector<NamedMethod> methods = namedMethods();
@@ -156,7 +156,7 @@ constexpr double longestRound = 6000;  // milliseconds
 constexpr int leastRuns = 5;
 constexpr int mostRuns = 25;
 
-/// Evenly spread, as many as a round has time for.
+/// Picks evenly spread views, as many as a round has time for.
 std::vector<View> someOf(const std::vector<View>& views, double millisecondsForAll) {
   const auto wanted = double(views.size()) * longestRound / millisecondsForAll;
   const std::size_t count = std::clamp<std::size_t>(std::size_t(wanted), 1, views.size());
