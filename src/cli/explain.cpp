@@ -48,13 +48,13 @@ std::string workText(const View& view, const Plan& plan, const Progress& progres
 
 std::string explanation(const View& asked, const Progress& progress) {
   LensTables tables;
-  const Choice choice = choose(asked, tables, parallelRows, progress);
+  const Choice choice = chooseMethod(asked, tables, parallelRows, progress);
   const View& view = choice.view;
   const Plan made = plan(reduced(view));
   std::string text = view.state.camera.name + "\n";
   if (choice.pixels > 0)
     text += "  for a tolerance of " + numberText(asked.sampling.tolerance) +
-            " code values: " + hogelscope::text(choice) + "\n";
+            " code values: " + choiceText(choice) + "\n";
   for (const auto& [what, why, saves] : decisionsOf(reduced(view), made)) {
     text.append("  ").append(what).append(": ").append(why);
     if (!saves.empty()) text.append("; saves ").append(saves);
@@ -62,10 +62,9 @@ std::string explanation(const View& asked, const Progress& progress) {
   }
   text += "  what is read: " + workText(view, made, progress) + "\n";
   if (made.hasLens)
-    text +=
-        "  the lens: " +
-        hogelscope::text(certify(lensKeyOf(view.state, view.sampling), parallelRows, progress)) +
-        "\n";
+    text += "  the lens: " +
+            certificateText(certify(lensKeyOf(view.state, view.sampling), parallelRows, progress)) +
+            "\n";
   return text;
 }
 

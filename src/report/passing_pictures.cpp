@@ -15,8 +15,8 @@ namespace hogelscope {
 namespace {
 
 InputError tooLarge(std::size_t bytes, std::size_t memory) {
-  return {"--memory", "needs " + bytesText(bytes) + " of the light field at a time, " +
-                          bytesText(memory) + " are allowed"};
+  return {"memory", "a view needs " + bytesText(bytes) + " of the light field at a time, " +
+                        bytesText(memory) + " are allowed: allow more"};
 }
 
 struct Passenger {
@@ -86,7 +86,7 @@ void checkRoom(const std::vector<View>& views) {
     throw InputError("cameras", "their " + std::to_string(views.size()) + " pictures need " +
                                     bytesText(bytes) + " of memory, this machine has " +
                                     bytesText(machineMemory()) +
-                                    ": take fewer with --states, or --pack the light field");
+                                    ": take fewer states, or pack the light field into a store");
 }
 
 void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progress& progress) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The unstable places of leakage and of averages.
+// Instabilities of leakage and of averages.
 #include "study/instabilities.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace hogelscope {
 
 namespace {
 
-/// By the simulation: a white hogel, seen through the leakage.
+/// Simulates a white hogel, seen through the leakage.
 double normalisedGain(const PsfParams& params) {
   constexpr int side = 32;
   constexpr std::uint8_t white = 255;
@@ -31,7 +31,7 @@ double paperGain(const PsfParams& params) {
   return axis * axis / (2 * std::numbers::pi * variance);
 }
 
-/// Two pictures whose difference is 35.0 dB: `fives` values differ by 5, the others by 4.
+/// Makes two images whose difference is 35.0 dB: `fives` values differ by 5, the others by 4.
 struct NoisyPair {
   NoisyPair() : reference(64, 64), test(64, 64) {
     constexpr std::size_t fives = 6231;  // of 12288: MSE 20.563

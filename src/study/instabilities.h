@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The unstable places beside the lens: leakage, averages of PSNRs, an eye near the panel, grazing
-// rays, scenes far from a metre.
+// Instabilities other than the lens: leakage, averages of PSNRs, an eye near the panel, grazing
+// rays, scenes much smaller or larger than a metre.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace hogelscope {
 
-/// A row of stability.csv. What x, y and value are depends on the kind:
+/// A row of stability.csv. The meaning of x, y and value depends on the kind:
 ///
 /// | kind          | x                        | y               | value                       |
 /// | psf_gain      | sigma                    | windowSize      | white over white            |
@@ -25,29 +25,29 @@ struct InstabilityRow {
   std::string method;
   double x = 0;
   std::optional<double> y;
-  std::optional<std::size_t> points;  ///< pixels that either picture sees
+  std::optional<std::size_t> points;  ///< pixels that either image sees
   double value = 0;
 };
 
-/// What a white hogel's inner directional pixel becomes: "normalised" by the simulation itself,
-/// "paper eq. 5" the bare sum of the Gaussian density's samples, Σ exp(-(x²+y²)/(2σ²)) / (2πσ²).
+/// Measures what a white hogel's inner directional pixel becomes: "normalised" by the simulation
+/// itself, "paper eq. 5" the bare sum of the Gaussian density's samples, Σ exp(-(x²+y²)/(2σ²)) /
+/// (2πσ²).
 std::vector<InstabilityRow> psfGains();
 
-/// Six views at 35.0 dB of which some are identical, averaged: "mean of cv::PSNR" takes 361 dB for
+/// Averages six views at 35.0 dB of which some are identical: "mean of cv::PSNR" takes 361 dB for
 /// an identical one; "mean of finite" and "of mean MSE" are the report's.
 std::vector<InstabilityRow> psnrMeans();
 
-/// How many pixels of a view of numbered directional pixels show another one than the reference
-/// engine's picture does: by the "fast engine", in "float" (all geometry in single precision), and
-/// from an "eye 10 um aside", which says how well the eye must be known.
+/// Measures how many pixels of a view of numbered directional pixels show another one than the
+/// reference engine's image: by the "fast engine", in "float" (all geometry in single precision),
+/// and from an "eye 10 um aside", which says how well the eye must be known.
 /// - near_panel: the eye in front of the panel's middle.
 /// - grazing: the eye at the paper's distance, off the panel's axis.
-/// - scale: panel, eye and distance x times as large; origin: all x metres along each axis away
-/// from
-///   the world's origin. Both against the picture of the scene as it was.
+/// - scale: panel, eye and distance x times as large; origin: all x metres away from the world's
+///   origin along each axis. Both against the image of the original scene.
 std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const Progress& progress);
 
-/// All of them. Throws Cancelled.
+/// Measures all of them. Throws Cancelled.
 std::vector<InstabilityRow> measureInstabilities(const ParallelRows& parallelRows,
                                                  const Progress& progress);
 

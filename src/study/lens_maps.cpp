@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps of lenses, and the line beyond which a lens folds within the picture.
+// Maps of lenses, and the line beyond which a lens folds within the image.
 #include "study/lens_maps.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr int pointsPerSide = 9;
 /// Points in a row; none where the lenses of the map do not fold.
 using FoldEnds = std::vector<std::optional<Vec2>>;
 
-/// The border of the picture, corners first: they are the farthest out. A pixel inside it has a ray
+/// The border of the image, corners first: they are the farthest out. A pixel inside it has a ray
 /// where the border pixel of the same direction has one.
 std::vector<Vec2> borderOf(const LensKey& camera) {
   constexpr int steps = 16;
@@ -42,13 +42,13 @@ bool isOneToOne(const DistortionParams& lens, const std::vector<Vec2>& border,
   });
 }
 
-/// What finds the points of a plane's fold line.
+/// Finds the points of a plane's fold line.
 class FoldFinder {
  public:
   FoldFinder(const LensPlane& plane, const Progress& progress)
       : m_plane(plane), m_border(borderOf(paperCamera({}))), m_progress(progress) {}
 
-  /// The fold line from an angle to another one, the latter not included.
+  /// Returns the fold line from an angle to another one, the latter excluded.
   [[nodiscard]] FoldEnds between(double from, double to) const {
     FoldEnds ends;
     refine(from, along(from), to, along(to), 0, ends);
@@ -56,8 +56,8 @@ class FoldFinder {
   }
 
  private:
-  /// The line's point in a direction of the plane; none within the map. Along a direction a lens
-  /// only gets worse: its fold moves inwards.
+  /// Finds the line's point in a direction of the plane; none within the map. Along a direction a
+  /// lens only gets worse: its fold moves inwards.
   [[nodiscard]] std::optional<Vec2> along(double angle) const {
     const double x = std::cos(angle);
     const double y = std::sin(angle);
@@ -109,7 +109,7 @@ std::vector<std::vector<Vec2>> foldLineOf(const LensPlane& plane, const Parallel
   parallelRows(directions, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       parts[std::size_t(k)] = finder.between(angle(k), angle(k + 1));
-      advance(progress, double(++done) / directions);
+      reportProgress(progress, double(++done) / directions);
     }
   });
   parts.push_back({parts[0][0]});  // closes the line

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which ways to invert a lens hold, over planes of two of its coefficients.
+// Maps of the success of lens inverses over planes of two coefficients.
 #pragma once
 
 #include "core/base/progress.h"
@@ -8,17 +8,17 @@
 namespace hogelscope {
 
 /// A plane of lenses: two coefficients from -reach to reach, the others 0. The camera is the
-/// paper's: 60° over 600×600 pixels; of its pixels the worst of 9×9 counts.
+/// paper's, 60° over 600×600 pixels; the worst of 9×9 of its pixels counts.
 struct LensPlane {
   std::string name;                   ///< "k1_k2"
   std::array<std::string, 2> axes;    ///< "k1", "k2"
   double DistortionParams::*across;   ///< the coefficient along the map's x axis
   double DistortionParams::*upwards;  ///< and along y
-  int stepsPerSide;                   ///< the map has 2·stepsPerSide + 1 lenses a side
+  int stepsPerSide;                   ///< the map has 2·stepsPerSide + 1 lenses per side
   int stepsPerUnit;
   [[nodiscard]] int side() const { return 2 * stepsPerSide + 1; }
   [[nodiscard]] double reach() const { return at(side() - 1); }
-  /// A coefficient by its index in [0, side()).
+  /// Returns a coefficient by its index in [0, side()).
   [[nodiscard]] double at(int index) const { return double(index - stepsPerSide) / stepsPerUnit; }
   [[nodiscard]] DistortionParams lens(double x, double y) const;
 };
@@ -27,18 +27,18 @@ struct LensMap {
   LensPlane plane;
   /// For each method of inverseMethods(): side()² lenses, the least y first, x the fastest.
   std::vector<std::vector<LensOutcomes>> outcomes;
-  /// Where the fold enters the picture, from the identity outwards: pieces of lines of (x, y).
+  /// The line where the fold enters the image, as pieces of lines of (x, y).
   std::vector<std::vector<Vec2>> foldLine;
 };
 
-/// The radial coefficients k1, k2 and the tangential p1, p2.
+/// Returns the planes of the radial coefficients k1, k2 and of the tangential p1, p2.
 const std::vector<LensPlane>& lensPlanes();
 
-/// Throws Cancelled.
+/// Measures the map of a plane. Throws Cancelled.
 LensMap measureMap(const LensPlane& plane, const ParallelRows& parallelRows,
                    const Progress& progress);
 
-/// The camera of the maps and of the paper's Table I, with a lens.
+/// Returns the camera of the maps and of the paper's Table I with a lens.
 LensKey paperCamera(const DistortionParams& distortion);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of a lens' points.
+// The outcome of a lens' points.
 #include "study/lens_outcomes.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of a lens' points under each way to invert it.
+// The outcome of a lens' points under each method to invert it.
 #pragma once
 
 #include <array>
@@ -10,34 +10,34 @@
 
 namespace hogelscope {
 
-/// In the order of harm. A root is an ideal point whose distorted place is within a thousandth of a
-/// pixel of the one asked for.
+/// The outcome of a point, in the order of harm. A root is an ideal point whose distorted point is
+/// within a thousandth of a pixel of the wanted one.
 enum class Outcome {
   right,     ///< the root on the branch that grows from the centre, within a pixel
   noRay,     ///< there is none, and the method says so
   inexact,   ///< not a root, but nearer to one than where the method began
-  diverged,  ///< not a root and no nearer, not a number, or "no ray" where there is one
+  diverged,  ///< not a root and no nearer, NaN, or "no ray" where there is one
   wrongRoot  ///< another root, or a root where there is no ray: nothing warns of it
 };
 
 constexpr std::size_t outcomeCount = 5;
-/// As in the CSV: right, no_ray, inexact, diverged, wrong_root.
+/// Returns the names in the CSV: right, no_ray, inexact, diverged, wrong_root.
 const std::array<std::string, outcomeCount>& outcomeNames();
 
 struct LensOutcomes {
   std::array<std::size_t, outcomeCount> count{};
-  double worstResidual = 0;  ///< px, over all points that the method gave; infinite: not a number
+  double worstResidual = 0;  ///< px, over all points that the method returned; infinite for NaN
   [[nodiscard]] std::size_t operator[](Outcome o) const { return count[std::size_t(o)]; }
   [[nodiscard]] std::size_t points() const;
-  /// The most harmful one that occurs.
+  /// Returns the most harmful outcome that occurs.
   [[nodiscard]] Outcome worst() const;
 };
 
 /// A camera by its lens, and the points of the plane z = 1 under a regular grid of its pixels,
-/// corners included. Keeps each point's right root, by the certified inverse.
+/// corners included, with each point's right root by the certified inverse.
 class LensTrial {
  public:
-  /// `progress` is asked before each point, here and by outcomes(). Throws Cancelled.
+  /// `progress` is called before each point, here and by outcomes(). Throws Cancelled.
   LensTrial(const LensKey& lens, int columns, int rows, Progress progress = {});
 
   [[nodiscard]] LensOutcomes outcomes(const InverseMethod& method) const;

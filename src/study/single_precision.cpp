@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of docs/formulas.md in a precision of choice, word by word.
+// The geometry of docs/formulas.md in float or double, word by word.
 #include "study/single_precision.h"
 
 #include <cmath>
@@ -44,7 +44,7 @@ struct Geometry {
     forward = unitCross(right, down);
   }
 
-  /// Which directional pixel a ray meets (docs/formulas.md, Hit); x and y on the plane z = 1.
+  /// Finds the directional pixel that a ray meets (docs/formulas.md, Hit); x, y on the plane z = 1.
   [[nodiscard]] std::optional<TexelIndex> hit(Real x, Real y) const {
     const Real dz = x * right.z + y * down.z + forward.z;
     if (!(eye.z > 0 && dz < 0)) return std::nullopt;
@@ -62,7 +62,7 @@ struct Geometry {
     return TexelIndex{int(i), int(j), int(u), int(v)};
   }
 
-  /// Of the angular field, from its middle: -1/2 … 1/2.
+  /// Returns the fraction of the angular field from its middle, -1/2 … 1/2.
   [[nodiscard]] Real part(Real slope, double degrees) const {
     const Real field = Real(degrees) * (std::numbers::pi_v<Real> / 180);
     if (display.lens == HogelLensModel::equiangular) return std::atan(slope) / field;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference engine's geometry in a precision of choice: what floats cost.
+// The reference engine's geometry in float or double, to measure the error of floats.
 #pragma once
 
 #include "core/optics/simulate.h"
 
 namespace hogelscope {
 
-/// A picture with all geometry of docs/formulas.md in `Real`, float or double, from the world's
+/// Renders with all geometry of docs/formulas.md in `Real`, float or double, from the world's
 /// numbers on: nearest, one ray a pixel, no leakage, no lens distortion, an unturned panel.
 template <class Real>
 Image pictureIn(const View& view);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where methods fail: the measurement as a whole, and its table.
+// Measures where methods fail, and writes the table.
 #include "study/stability.h"
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace hogelscope {
 
 namespace {
 
-/// A camera whose principal point is the picture's middle and whose corner pixel lies at `corner`,
-/// a distance from the centre in the plane z = 1.
+/// Returns a camera whose principal point is the image's middle and whose corner pixel lies at
+/// `corner`, a distance from the centre in the plane z = 1.
 LensKey cameraWithCorner(const DistortionParams& distortion, double corner) {
   LensKey key{distortion, LensMapping::exact, {640, 480}, {}, {319.5, 239.5}, 1};
   const double focal = std::hypot(key.centre.x, key.centre.y) / corner;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where methods fail: which inverse of a lens finds the right root, and the other unstable places;
-// stability.csv.
+// Measures where methods fail: which inverse of a lens finds the right root, and the other
+// instabilities; stability.csv.
 #pragma once
 
 #include "study/instabilities.h"
@@ -13,24 +13,24 @@ struct NamedLens {
   LensKey key;
 };
 
-/// Lenses that are known to be hard: the paper's Table I, and the others of docs/formulas.md, Known
-/// failures.
+/// Returns lenses that are known to be hard: the paper's Table I, and the others of
+/// docs/formulas.md, Known failures.
 std::vector<NamedLens> hardLenses();
 
 struct Stability {
   std::vector<NamedLens> lenses;
-  /// For each lens those of each of inverseMethods(), over 41×41 of its pixels.
+  /// The outcomes, for each lens and each of inverseMethods(), of 41×41 of its pixels.
   std::vector<std::vector<LensOutcomes>> outcomes;
-  std::vector<LensMap> maps;  ///< of lensPlanes()
+  std::vector<LensMap> maps;  ///< maps of lensPlanes()
   std::vector<InstabilityRow> instabilities;
 };
 
-/// The same to the last digit for any number of threads. Throws Cancelled.
+/// Measures everything; the result does not depend on the number of threads. Throws Cancelled.
 Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelRows& parallelRows,
                            const Progress& progress);
 
-/// One table, RFC 4180; what a row does not have is an empty cell. The manual says what x, y and
-/// value are for each kind.
+/// Returns one table (RFC 4180) with empty cells for what a row does not have. The manual gives the
+/// meaning of x, y and value for each kind.
 std::string csv(const Stability& stability);
 
 }  // namespace hogelscope

@@ -19,7 +19,7 @@ Question questionOf(const SamplingParams& sampling) {
              : Question::idealPicture;
 }
 
-std::string text(Question question) {
+std::string questionText(Question question) {
   return question == Question::displayAsBuilt ? "the display as built" : "the ideal picture";
 }
 
@@ -29,7 +29,7 @@ std::string details(Question question) {
              : "exact lens, full window, quadrilinear, 8×8 rays a pixel, double precision";
 }
 
-View with(const NamedMethod& method, const View& view) {
+View applyMethod(const NamedMethod& method, const View& view) {
   View result = view;
   result.sampling = {method.mapping, method.reconstruction, method.samplesPerPixel};
   result.method = method.method;
@@ -38,7 +38,7 @@ View with(const NamedMethod& method, const View& view) {
 
 namespace {
 
-/// From nothing, lens rays too.
+/// Renders from scratch, lens rays included.
 Image render(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
   return Renderer(parallelRows).render(view, progress);
 }
@@ -46,8 +46,9 @@ Image render(const View& view, const ParallelRows& parallelRows, const Progress&
 Image reference(const View& view, Question question, const ParallelRows& parallelRows,
                 const Progress& progress) {
   if (question == Question::idealPicture)
-    return render(with({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows, progress);
-  const Simulation simulation(with({"display"}, view));
+    return render(applyMethod({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows,
+                  progress);
+  const Simulation simulation(applyMethod({"display"}, view));
   const auto [width, height] = view.state.camera.res;
   Image image(width, height);
   const Progress heard = forThreads(progress);
@@ -115,7 +116,7 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
   return row;
 }
 
-/// Wall time in milliseconds.
+/// Returns the wall time in milliseconds.
 double timed(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   (void)render(view, parallelRows, progress);
@@ -123,14 +124,14 @@ double timed(const View& view, const ParallelRows& parallelRows, const Progress&
       .count();
 }
 
-/// Rays of one picture, in millions.
+/// Returns the rays of one image, in millions.
 double megaRays(const View& view) {
   const View small = reduced(view);
   const double n = small.sampling.samplesPerPixel;
   return n * n * small.state.camera.res[0] * small.state.camera.res[1] * 1e-6;
 }
 
-/// All methods' rows but for the times, with what one round of all views takes, in ms.
+/// All methods' rows without times, and the time of one round of all views in ms.
 double measureErrors(const std::vector<View>& views, const ParallelRows& parallelRows,
                      const Progress& progress, std::vector<TradeoffRow>& rows) {
   const std::vector<NamedMethod> methods = namedMethods();
@@ -143,7 +144,7 @@ double measureErrors(const std::vector<View>& views, const ParallelRows& paralle
     const Image expected = reference(views[k], question, parallelRows, pulse);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       done = (double(k) + double(m) / double(methods.size())) / double(views.size());
-      add(expected, render(with(methods[m], views[k]), parallelRows, pulse), sums[m]);
+      add(expected, render(applyMethod(methods[m], views[k]), parallelRows, pulse), sums[m]);
     }
   }
   for (std::size_t m = 0; m < methods.size(); ++m) rows.push_back(rowOf(methods[m], sums[m]));
@@ -155,7 +156,7 @@ constexpr double longestRound = 6000;  // milliseconds
 constexpr int leastRuns = 5;
 constexpr int mostRuns = 25;
 
-/// Evenly spread, as many as a round has time for.
+/// Picks evenly spread views, as many as a round has time for.
 std::vector<View> someOf(const std::vector<View>& views, double millisecondsForAll) {
   const auto wanted = double(views.size()) * longestRound / millisecondsForAll;
   const std::size_t count = std::clamp<std::size_t>(std::size_t(wanted), 1, views.size());
@@ -198,14 +199,15 @@ Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& par
       const double done = 0.4 + 0.6 * (run + double(m) / double(methods.size())) / result.runs;
       const Progress pulse = part(progress, done, done);
       double sum = 0;
-      for (const View& view : timedOnes) sum += timed(with(methods[m], view), parallelRows, pulse);
+      for (const View& view : timedOnes)
+        sum += timed(applyMethod(methods[m], view), parallelRows, pulse);
       times[m].push_back(sum / double(timedOnes.size()));
     }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     TradeoffRow& row = result.rows[m];
     setTimes(row, times[m]);
     double rays = 0;
-    for (const View& view : timedOnes) rays += megaRays(with(methods[m], view));
+    for (const View& view : timedOnes) rays += megaRays(applyMethod(methods[m], view));
     row.mraysPerSecond = rays / double(timedOnes.size()) / row.milliseconds * 1000;
   }
   markPareto(result.rows);

@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-/// A named combination of the engine's own parameters; it takes the place of what a view says.
+/// A named combination of the engine's own parameters, which replaces that of a view.
 struct NamedMethod {
   std::string name;
   Reconstruction reconstruction = Reconstruction::nearest;
@@ -18,39 +18,39 @@ struct NamedMethod {
   Method method{};
 };
 
-/// All that are compared, the default ("exact") first.
+/// Returns all methods that are compared, the default ("exact") first.
 std::vector<NamedMethod> namedMethods();
 
-View with(const NamedMethod& method, const View& view);
+View applyMethod(const NamedMethod& method, const View& view);
 
-/// What the error is measured against.
+/// The reference that the error is measured against.
 enum class Question {
   displayAsBuilt,  ///< the reference engine: exact lens, full window, nearest, one ray a pixel
   idealPicture     ///< the exact fast engine, which is equal: quadrilinear, 8×8 rays a pixel
 };
 
-/// Nearest with one ray asks for the display as built.
+/// Returns displayAsBuilt for nearest with one ray, else idealPicture.
 Question questionOf(const SamplingParams& sampling);
-/// "the display as built" or "the ideal picture", and what that means.
-std::string text(Question question);
+/// Return "the display as built" or "the ideal picture", and an explanation.
+std::string questionText(Question question);
 std::string details(Question question);
 
 struct Tradeoff {
   std::vector<TradeoffRow> rows;
-  std::size_t timedViews = 0;  ///< of the views; errors are over all of them
+  std::size_t timedViews = 0;  ///< the number of timed views; errors are over all views
   int runs = 0;
 };
 
-/// Each picture is made from nothing, lens rays too. Times are medians of the mean over the timed
-/// views; runs of all methods are interleaved. Errors do not depend on threads or times. Throws
-/// InputError, Cancelled.
+/// Renders each image from scratch, lens rays included. Times are medians of the mean over the
+/// timed views; runs of all methods are interleaved. Errors do not depend on threads or times.
+/// Throws InputError, Cancelled.
 Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& parallelRows,
                          const Progress& progress);
 
 /// Sets isPareto: no other row is at most as slow and at most as wrong, and less in one of them.
 void markPareto(std::vector<TradeoffRow>& rows);
 
-/// tradeoff.csv.
+/// Returns tradeoff.csv.
 std::string csv(const std::vector<TradeoffRow>& rows);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one method costs and buys: a row of tradeoff.csv, a point of the chart.
+// The time and error of one method: a row of tradeoff.csv, a point of the chart.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,19 @@ struct TradeoffRow {
   int samples = 1;             ///< per pixel, along each side
   int scale = 1;               ///< 2: half resolution, scaled up
   std::string precision;       ///< "double", "float"
-  double milliseconds = 0;     ///< per picture, median of the runs
+  double milliseconds = 0;     ///< per image, median of the runs
   double fastest = 0;          ///< milliseconds of the fastest run
-  double upperQuartile = 0;    ///< milliseconds that three quarters of the runs keep
+  double upperQuartile = 0;    ///< milliseconds that three quarters of the runs do not exceed
   double mraysPerSecond = 0;
-  double rmse = 0;          ///< code values of 8-bit pictures, over all states, pixels and channels
+  double rmse = 0;          ///< code values of 8-bit images, over all states, pixels and channels
   double psnr = 0;          ///< dB; infinite where rmse is 0
   double maxError = 0;      ///< code values
-  double seenMismatch = 0;  ///< share of the pixels that only one of the pictures sees
+  double seenMismatch = 0;  ///< share of the pixels that are seen in only one of the images
   bool isPareto = false;    ///< no other row is as fast and as good, and better in one of them
-  bool isDefault = false;   ///< what the program does without being asked
+  bool isDefault = false;   ///< the program's default
 };
 
-/// Sets the three times. `runs`: milliseconds per picture, one at least.
+/// Sets the three times from `runs`, at least one, in milliseconds per image.
 void setTimes(TradeoffRow& row, std::vector<double> runs);
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which directional pixels the rays of a view meet: an eye near the panel, grazing rays, large
-// numbers.
+// Errors in the directional pixels that a view's rays meet: an eye near the panel, grazing rays,
+// large numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double paperDistance = 0.559;
 
-/// The paper's panel with fewer hogels, whose lenses reach nearly to the panel's plane.
+/// Returns the paper's panel with fewer hogels, whose lenses reach nearly to the panel's plane.
 DisplayParams panel() {
   DisplayParams display;
   display.size = {0.5, 0.5};
@@ -26,7 +26,7 @@ DisplayParams panel() {
   return display;
 }
 
-/// Each directional pixel's colour is its number: pictures then say which one a ray has met. There
+/// Colours each directional pixel by its number, so that images show which one a ray has met. There
 /// are 2^24 of them, as many as colours.
 std::shared_ptr<const LightField> numbered(const DisplayParams& display,
                                            const ParallelRows& parallelRows) {
@@ -76,8 +76,8 @@ View eyeAside(View view) {
   return view;
 }
 
-/// The share of the pixels, among those that either picture sees, that show another directional
-/// pixel than in the reference, or only in one of them any.
+/// Returns the share of the pixels, among those seen in either image, that show another directional
+/// pixel than the reference, or are seen in only one of them.
 InstabilityRow row(const char* kind, const std::string& method, double x, const Image& reference,
                    const Image& image) {
   std::size_t points = 0;
@@ -123,7 +123,7 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
     const double metres = std::stod("1e" + std::to_string(power));  // as a reader writes it
     for (const auto& [kind, view] : {std::pair{"scale", scaled(paper, metres)},
                                      std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
-      advance(progress, 0.8);
+      reportProgress(progress, 0.8);
       rows.push_back(row(kind, "fast engine", metres, unmoved, Renderer(serialRows).render(view)));
       rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(view)));
     }

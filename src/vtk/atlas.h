@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Square tiles in one texture, one for each state's picture: numbered from the lower left on.
+// Square tiles in one texture, one for each state's image, numbered from the lower left.
 #pragma once
 
 #include <cmath>

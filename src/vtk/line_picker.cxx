@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which states' lines lie under a place of the screen. Every line is projected: a few thousand take
-// a fraction of a millisecond, and what is exactly behind another one is found too.
+// Finds the states whose lines lie at a position of the screen. It projects every line: a few
+// thousand take a fraction of a millisecond, and a line exactly behind another one is found too.
 #include "line_picker.h"
 
 #include <vtkCellData.h>
@@ -43,14 +43,14 @@ Clip atEyePlane(const Clip& behind, const Clip& before, double w)
 
 double distanceOnScreen(Clip a, Clip b, const ScreenPlace& place)
 {
-  constexpr double least = 1e-9; // of w, where a line reaches behind the eye
+  constexpr double least = 1e-9; // the least w of a line that reaches behind the eye
   if (a[3] < least && b[3] < least)
   {
     return HUGE_VAL;
   }
   a = a[3] < least ? atEyePlane(a, b, least) : a;
   b = b[3] < least ? atEyePlane(b, a, least) : b;
-  // From the place, in pixels.
+  // Relative to the position, in pixels.
   const auto x = [&](const Clip& p) { return (p[0] / p[3] + 1) / 2 * place.Width - place.X; };
   const auto y = [&](const Clip& p) { return (p[1] / p[3] + 1) / 2 * place.Height - place.Y; };
   const double dx = x(b) - x(a);

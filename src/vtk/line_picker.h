@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which states' lines lie under a place of the screen.
+// Finds the states whose lines lie at a position of the screen.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ class vtkPolyData;
 namespace hogelscope
 {
 
-/// Where to look: pixels from the viewport's lower left.
+/// A position in pixels from the viewport's lower left.
 struct ScreenPlace
 {
   double X = 0;
@@ -20,8 +20,8 @@ struct ScreenPlace
   int Height = 1;
 };
 
-/// The "State" of every line within the tolerance, each once, in ascending order.
-/// `clipFromWorld`: the camera's composite projection, x and y from -1 to 1 over the viewport.
+/// Returns the "State" of every line within the tolerance, each once, in ascending order.
+/// `clipFromWorld` is the camera's composite projection, x and y from -1 to 1 over the viewport.
 std::vector<int> statesAt(
   vtkPolyData* lines, vtkMatrix4x4* clipFromWorld, const ScreenPlace& place);
 

@@ -22,7 +22,7 @@ namespace
 using hogelscope::CameraFrustum;
 using hogelscope::Vec3;
 
-/// Eye, the picture's corners from the upper left clockwise, the tip over its upper edge.
+/// Eye, the image's corners from the upper left clockwise, the tip over its upper edge.
 using Corners = std::array<Vec3, 6>;
 
 Corners cornersOf(const CameraFrustum& frustum)
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  /// A dashed one has as many dashes whatever its length, so that it looks the same from afar.
+  /// Adds a line. A dashed one has a fixed number of dashes, so that it looks the same from afar.
   void AddEdge(const CameraFrustum& frustum, const Vec3& from, const Vec3& to)
   {
     const int parts = frustum.IsDashed ? 15 : 1;

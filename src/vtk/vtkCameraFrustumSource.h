@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCameraFrustumSource
- * @brief   camera states as lines: what they see, at their true field of view and aspect
+ * @brief   camera states as lines, at their true field of view and aspect ratio
  *
- * Port 0: for each camera the edges from the eye to the corners of the picture on its near plane (a
- * quarter of the way to lookat), the picture's outline there, and a triangle on its upper edge. The
- * cells have the colour as scalars and the number as "State". Port 1: the pictures' places on the
- * near planes, quads with texture coordinates of an atlas with a tile for each number, and "State".
+ * Port 0 has for each camera the edges from the eye to the corners of the image on its near plane
+ * (a quarter of the way to lookat), the image's outline there, and a triangle on its upper edge.
+ * The cell data are the colour as scalars and the number as "State". Port 1 has the images'
+ * rectangles on the near planes, quads with texture coordinates of an atlas with a tile for each
+ * number, and "State".
  *
- * All is in the world and without lens distortion. Cameras without a frame (eye = lookat) are left
- * out. One polydata for all of them, so that hundreds are no slower to draw than one.
+ * Points are in world coordinates, without lens distortion. Cameras without a frame (eye = lookat)
+ * are omitted. One polydata holds all cameras, so that hundreds are drawn as fast as one.
  */
 #ifndef vtkCameraFrustumSource_h
 #define vtkCameraFrustumSource_h
@@ -43,13 +44,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Setting equal ones changes nothing.
+   * Set the cameras. Setting equal ones does not modify the source.
    */
   void SetFrusta(const std::vector<hogelscope::CameraFrustum>& frusta);
 
   ///@{
   /**
-   * Tiles in a row of the atlas (atlas.h). 1 by default.
+   * Set/Get the number of tiles in a row of the atlas (atlas.h). 1 by default.
    */
   vtkSetClampMacro(AtlasColumns, int, 1, VTK_INT_MAX);
   vtkGetMacro(AtlasColumns, int);

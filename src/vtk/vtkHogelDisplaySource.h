@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHogelDisplaySource
- * @brief   the panel and its hogel grid as polygonal data, in the world
+ * @brief   the panel and its hogel grid as polygonal data, in world coordinates
  *
- * Port 0: the panel, one quad whose texture coordinates have (0, 0) at its lower left. Port 1: the
- * borders of the hogels as lines; where they are nearer to each other than Spacing, every 2nd, 4th,
- * 8th … is drawn.
+ * Port 0 has the panel, one quad whose texture coordinates are (0, 0) at its lower left. Port 1 has
+ * the borders of the hogels as lines; if they are closer to each other than Spacing, only every
+ * 2nd, 4th, 8th … of them.
  */
 #ifndef vtkHogelDisplaySource_h
 #define vtkHogelDisplaySource_h
@@ -26,7 +26,7 @@ public:
 
   ///@{
   /**
-   * Between two lines at least, in metres. 0 by default.
+   * Set/Get the least distance between two lines in metres. 0 by default.
    */
   vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Spacing, double);

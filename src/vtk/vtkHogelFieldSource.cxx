@@ -57,7 +57,7 @@ public:
 
   hogelscope::Vec3 LowerMiddle() const { return this->ToWorld(0.5, 1); }
 
-  /// A mesh, since an equiangular lens' directions are not evenly spread on a plane.
+  /// Makes a mesh, since an equiangular lens' directions are not evenly spaced on a plane.
   void AddEnd(vtkPolyData* output) const
   {
     const int nx = std::min(this->Size.du, 32);
@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  /// The field's border, 0 … 4 clockwise from the upper left, as shares of u and v.
+  /// Returns a point of the border, 0 … 4 clockwise from the upper left, as fractions of u and v.
   static hogelscope::Vec2 OnBorder(double at)
   {
     const double along = at - std::floor(at);
@@ -102,7 +102,7 @@ private:
         return { 0, 1 - along };
     }
   }
-  /// On the end, at shares of u and v.
+  /// Returns the point of the end at fractions of u and v.
   hogelscope::Vec3 ToWorld(double s, double t) const
   {
     const auto [a, b] = this->Display.slopes(s * this->Size.du, t * this->Size.dv);

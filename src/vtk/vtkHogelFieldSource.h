@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHogelFieldSource
- * @brief   the angular field of one hogel, in the world
+ * @brief   the angular field of one hogel, in world coordinates
  *
- * Port 0: rays from the hogel's middle to the border of its field, and that border. Port 1: the
- * field's end, a plane parallel to the panel at Length in front of it; texture coordinates (0, 0)
- * at the direction u = 0, v = dv, so that the hogel's picture lies on it as its lens spreads it.
+ * Port 0 has rays from the hogel's middle to the border of its field, and that border. Port 1 has
+ * the field's end, a plane parallel to the panel at Length in front of it; texture coordinates are
+ * (0, 0) at the direction u = 0, v = dv, so that it shows the hogel's image as its lens spreads it.
  */
 #ifndef vtkHogelFieldSource_h
 #define vtkHogelFieldSource_h
@@ -23,18 +23,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Hogel (i, j) of a display whose hogels and directions are given.
+   * Set the hogel (i, j) of a display whose hogels and directions are given.
    */
   void SetHogel(const hogelscope::DisplayParams& display, int i, int j);
 
   /**
-   * From the panel to the field's end in metres: what makes the end about half as wide as the
-   * panel.
+   * Get the distance from the panel to the field's end in metres. It makes the end about half as
+   * wide as the panel.
    */
   double GetLength() const;
 
   /**
-   * The middle of the end's lower edge, in the world: a label hangs below it.
+   * Get the middle of the end's lower edge in world coordinates; a label hangs below it.
    */
   hogelscope::Vec3 GetLabelPosition() const;
 

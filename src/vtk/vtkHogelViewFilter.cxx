@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkHogelViewFilter);
 
 namespace
 {
-/// An image's rows, from the top, become VTK's, from the bottom.
+/// Copies an image's rows, from the top, to VTK's, from the bottom.
 template <class T>
 void copyFlipped(const std::vector<T>& values, int height, void* target)
 {
@@ -33,7 +33,7 @@ void copyFlipped(const std::vector<T>& values, int height, void* target)
   }
 }
 
-/// `image` is an Image or a FloatImage of the output's size.
+/// Copies an Image or a FloatImage of the output's size.
 template <class AnyImage>
 void copyToOutput(const AnyImage& image, vtkImageData* output)
 {
@@ -115,7 +115,7 @@ int vtkHogelViewFilter::RequestData(
 
 void vtkHogelViewFilter::Render(vtkImageData* output)
 {
-  this->Choice = this->Renderer.choose(this->View, this->Progress);
+  this->Choice = this->Renderer.chooseMethod(this->View, this->Progress);
   if (this->FloatOutput)
   {
     copyToOutput(this->Renderer.renderFloat(this->Choice.view, this->Progress), output);

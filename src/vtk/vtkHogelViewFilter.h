@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHogelViewFilter
- * @brief   what a camera state sees of a light field display, as an image
+ * @brief   the image of a light field display that a camera state sees
  *
  * A source without inputs: an adapter of hogelscope::Renderer to VTK's pipeline. The output has the
  * camera's resolution, spacing 1, and two point arrays: "View" (RGB, the scalars; 8 bit, or float
- * code values) and "Seen" (8 bit, 255 or 0). As in all of VTK row 0 is the bottom. Errors are error
- * events and GetErrorMessage(), never exceptions, except where a function says so.
+ * code values) and "Seen" (8 bit, 255 or 0). As in all of VTK row 0 is the bottom. Errors are
+ * reported by error events and GetErrorMessage(); exceptions are thrown only where documented.
  */
 #ifndef vtkHogelViewFilter_h
 #define vtkHogelViewFilter_h
@@ -27,7 +27,7 @@ public:
 
   ///@{
   /**
-   * Float output holds code values (0 to 255) before rounding. Off by default.
+   * Set/Get whether the output is float code values (0 to 255) before rounding. Off by default.
    */
   vtkSetMacro(FloatOutput, bool);
   vtkGetMacro(FloatOutput, bool);
@@ -35,24 +35,24 @@ public:
   ///@}
 
   /**
-   * Why the last execution failed; empty if it succeeded or was cancelled.
+   * Get the reason why the last execution failed; empty if it succeeded or was cancelled.
    */
   const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
 
   /**
-   * Whether the last execution was cancelled by the progress function.
+   * Return whether the last execution was cancelled by the progress function.
    */
   bool IsCancelled() const { return this->Cancelled; }
 
   /**
-   * The number of threads in this process; 0 means one for each core.
+   * Set the number of threads of this process; 0 means one for each core.
    */
   static void SetThreads(int count);
 
 #ifndef __VTK_WRAP__
   ///@{
   /**
-   * What is simulated. Setting an equal view changes nothing.
+   * Set/Get the view to simulate. Setting an equal view does not modify the filter.
    */
   void SetView(const hogelscope::View& view);
   const hogelscope::View& GetView() const
@@ -62,8 +62,8 @@ public:
   ///@}
 
   /**
-   * Called with the fraction done (0 to 1), from any thread, never concurrently; returns false to
-   * cancel. Setting it does not execute the filter again.
+   * Set a function that is called with the fraction done (0 to 1), from any thread, never
+   * concurrently; it returns false to cancel. Setting it does not modify the filter.
    */
   void SetProgress(hogelscope::Progress progress)
   {
@@ -71,7 +71,7 @@ public:
   }
 
   /**
-   * What was rendered in the place of the view; valid after an update.
+   * Get the view that was rendered in place of the given one; valid after an update.
    */
   const hogelscope::Choice& GetChoice() const
   {
@@ -79,7 +79,7 @@ public:
   }
 
   /**
-   * Update() that throws hogelscope::InputError or Cancelled, and that executes again after a
+   * Update, and throw hogelscope::InputError or Cancelled on failure. Executes again after a
    * failure.
    */
   void UpdateOrThrow();

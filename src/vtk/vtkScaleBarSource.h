@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkScaleBarSource
- * @brief   a scale bar under the panel, in the world
+ * @brief   a scale bar under the panel, in world coordinates
  *
  * A line with a tick at each end, parallel to the panel's lower edge and under its left end. Its
  * length is the largest of 1, 2, 5 × 10^n metres that is at most half the panel's width.
@@ -23,11 +23,11 @@ public:
 
   void SetDisplay(const hogelscope::DisplayParams& display);
   /**
-   * In metres.
+   * Get the length in metres.
    */
   double GetLength() const;
   /**
-   * Where the length can be written: under the bar's middle, in the world.
+   * Get the position of the label, under the bar's middle, in world coordinates.
    */
   hogelscope::Vec3 GetLabelPosition() const;
 
@@ -42,8 +42,8 @@ private:
   vtkScaleBarSource(const vtkScaleBarSource&) = delete;
   void operator=(const vtkScaleBarSource&) = delete;
 
-  /// In the plane of the panel; `along` in metres from the bar's left end, `down` in shares of the
-  /// panel's longer side under its lower edge.
+  /// Returns a point of the panel's plane; `along` is in metres from the bar's left end, `down` in
+  /// fractions of the panel's longer side under its lower edge.
   hogelscope::Vec3 At(double along, double down) const;
 
   hogelscope::DisplayParams Display;

@@ -141,12 +141,12 @@ void TestCameraJob::mistakes_data() {
     QTest::newRow(name) << arguments << QByteArray(line);
   };
   row("distribution", {"grid", "--output", "s2.json"},
-      "--make-cameras: \"grid\" is not one of uniform, random, normal, nor a FILE.json or "
+      "camera set: \"grid\" is not one of uniform, random, normal, nor a FILE.json or "
       "FILE.csv");
   row("count", {"random", "--count", "100001", "--output", "s2.json"},
-      "--make-cameras: cameraSet.count: 100001 is out of range: 1 to 1e+05");
+      "camera set: cameraSet.count: 100001 is out of range: 1 to 1e+05");
   row("region", {"random", "--region", "sphere", "--output", "s2.json"},
-      "--make-cameras: cameraRegion.region: \"sphere\" is not one of box, plane, arc");
+      "camera set: cameraRegion.region: \"sphere\" is not one of box, plane, arc");
   row("template", {"random", "--set", "cameraSet.template=c", "--output", "s2.json"},
       "s.json: cameraSet.template: \"c\" is no state of the session");
   row("no output", {"random"},

@@ -294,7 +294,7 @@ void TestCommandLine::infoHearsSettings_data() {
   row("a session's unknown one", "s.json", {"psf.sigmma=1"},
       "s.json: cameras[0].psf.sigmma: is not known here; did you mean \"sigma\"?", 2);
   row("a section of nobody", "s.json", {"lens.k1=1"},
-      "s.json: --set lens.k1=1: there is no section \"lens\"", 2);
+      "s.json: override lens.k1=1: there is no section \"lens\"", 2);
   row("a hogel image", "scene.png", {"display.hogels=[4,3]", "display.directions=[5,6]"},
       "layout      hogels\nhogels      4×3\ndirections  5×6\n", 0);
   row("of another size", "scene.png", {"display.hogels=[4,3]", "display.directions=[5,5]"},

@@ -80,17 +80,18 @@ void TestGenerateJob::degrades() {
 void TestGenerateJob::refuses_data() {
   QTest::addColumn<QStringList>("more");
   QTest::addColumn<QByteArray>("line");
-  QTest::newRow("a field")
-      << QStringList{"--set", "pattern.dept=1"}
-      << QByteArray("--set: pattern.dept: is not known here; did you mean \"depth\"?");
+  QTest::newRow("a field") << QStringList{"--set", "pattern.dept=1"}
+                           << QByteArray(
+                                  "pattern.dept: is not known here; did you mean \"depth\"?");
   QTest::newRow("a range") << QStringList{"--set", "pattern.depth=11"}
-                           << QByteArray("--set: pattern.depth: 11 is out of range: -10 to 10 m");
+                           << QByteArray(
+                                  "override: pattern.depth: 11 is out of range: -10 to 10 m");
   QTest::newRow("more than PNG has")
       << QStringList{"--set", "display.hogels=[65536,1]", "--set", "display.directions=[16,1]"}
       << QByteArray("a.png: cannot be written: PNG ends at 1000000 px; use TIFF");
   QTest::newRow("a copy") << QStringList{"--degrade", "jpeg:0"}
                           << QByteArray(
-                                 "--degrade: jpeg:0: needs a number from 1 to 100 after jpeg:");
+                                 "degradation: jpeg:0: needs a number from 1 to 100 after jpeg:");
   QTest::newRow("a seed of nothing")
       << QStringList{"--degrade", "blur:1", "--seed", "2"}
       << QByteArray("--seed: is of the noise; it needs --degrade noise:SIGMA");

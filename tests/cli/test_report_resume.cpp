@@ -184,8 +184,8 @@ void TestReportResume::twoAtOnce() {
   const Outcome outcome = runHere(report("shared"));
   send(process, SIGCONT);
   QCOMPARE(outcome.err, QByteArray("hogelscope: shared/report.journal: is in use: another "
-                                   "hogelscope makes this report; wait, or give another "
-                                   "--output\n"));
+                                   "hogelscope makes this report; wait, or choose another "
+                                   "folder\n"));
   QCOMPARE(outcome.status, 2);
   waitForEnd(process);
   QCOMPARE(difference("shared", "whole"), QString());

@@ -26,7 +26,7 @@ class TestPanelView : public QObject {
       scene.view.sampling.mapping = LensMapping::exact;
       const int x = random.integer(0, res[0] - 1);
       const int y = random.integer(0, res[1] - 1);
-      const PixelTrace pixel = trace(scene.view, x, y);
+      const PixelTrace pixel = pixelTrace(scene.view, x, y);
       QVERIFY(pixel.place.has_value());
       QVERIFY(pixel.end != RayEnd::misses);
       QVERIFY(std::abs(pixel.place->i - (x + 0.5) / res[0] * display.hogels[0]) < 1e-6);

@@ -47,7 +47,7 @@ class TestPixelTrace : public QObject {
       for (int n = 0; n < 20; ++n) {
         const int x = random.integer(0, image.width - 1);
         const int y = random.integer(0, image.height - 1);
-        const PixelTrace pixel = trace(scene.view, x, y);
+        const PixelTrace pixel = pixelTrace(scene.view, x, y);
         const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
         QCOMPARE(pixel.colour.has_value(), image.seen[at] == 255);
         if (!pixel.colour) continue;
@@ -74,7 +74,7 @@ class TestPixelTrace : public QObject {
         const int y = random.integer(0, height - 1);
         const brute::Ray ray = simulator.ray(x, y);
         if (ray.meets == brute::Ray::Meets::unclear) continue;
-        const PixelTrace pixel = trace(scene.view, x, y);
+        const PixelTrace pixel = pixelTrace(scene.view, x, y);
         QCOMPARE(pixel.end == RayEnd::seen, ray.meets == brute::Ray::Meets::display);
         if (pixel.end != RayEnd::seen) {
           ++notSeen;
@@ -109,24 +109,24 @@ class TestPixelTrace : public QObject {
 
   void saysWhyNothingIsSeen() {
     View view = plainView();
-    QCOMPARE(trace(view, 50, 50).end, RayEnd::seen);
-    QCOMPARE(trace(view, 50, 50).taps, 1);
-    QCOMPARE(trace(view, 0, 50).end, RayEnd::misses);
-    QVERIFY(trace(view, 0, 50).place.has_value());
-    QVERIFY(isNear(trace(view, 0, 50).target.z, 0, 1e-12));
+    QCOMPARE(pixelTrace(view, 50, 50).end, RayEnd::seen);
+    QCOMPARE(pixelTrace(view, 50, 50).taps, 1);
+    QCOMPARE(pixelTrace(view, 0, 50).end, RayEnd::misses);
+    QVERIFY(pixelTrace(view, 0, 50).place.has_value());
+    QVERIFY(isNear(pixelTrace(view, 0, 50).target.z, 0, 1e-12));
     view.display.fov = {10, 10};
-    QCOMPARE(trace(view, 30, 50).end, RayEnd::outsideField);
+    QCOMPARE(pixelTrace(view, 30, 50).end, RayEnd::outsideField);
     view.state.camera.lookat = {0, 0, 2};  // away from the panel
-    const PixelTrace away = trace(view, 50, 50);
+    const PixelTrace away = pixelTrace(view, 50, 50);
     QCOMPARE(away.end, RayEnd::misses);
     QVERIFY(!away.place && !away.colour);
     QVERIFY(length(away.target - Vec3{0, 0, 2}) < 1e-9);
     view = plainView();
     view.state.distortion.k1 = -1;  // folds at r = 1/√3, before the corner
-    QCOMPARE(trace(view, 0, 0).end, RayEnd::noRay);
+    QCOMPARE(pixelTrace(view, 0, 0).end, RayEnd::noRay);
     QVERIFY(!words(RayEnd::noRay).empty() && words(RayEnd::seen) != words(RayEnd::misses));
     view.state.camera.lookat = view.state.camera.eye;
-    QVERIFY_EXCEPTION_THROWN((void)trace(view, 0, 0), InputError);
+    QVERIFY_EXCEPTION_THROWN((void)pixelTrace(view, 0, 0), InputError);
   }
 
  private:

@@ -78,7 +78,7 @@ class TestPsf : public QObject {
   /// Each weight against exp(-(x² + y²) / (2σ²)), all of them adding up to 1.
   void theKernelIsTheGaussianWindow() {
     const PsfParams params{1.3, 5};
-    const std::vector<double> weights = kernel(params);
+    const std::vector<double> weights = psfKernel(params);
     QCOMPARE(weights.size(), std::size_t(25));
     double sum = 0;
     for (int y = -2; y <= 2; ++y)
@@ -89,7 +89,7 @@ class TestPsf : public QObject {
       QVERIFY(std::abs(weights[std::size_t(k)] -
                        std::exp(-(x * x + y * y) / (2 * 1.3 * 1.3)) / sum) < 1e-15);
     }
-    QVERIFY(kernel({0, 1}) == std::vector{1.0});
+    QVERIFY(psfKernel({0, 1}) == std::vector{1.0});
   }
 
   /// erf(3.5 / (2√2))² = 0.846 of σ = 2 in 7×7; σ = 1 in 7×7 keeps erf(3.5/√2)² = 0.99907.

@@ -137,7 +137,8 @@ class TestStop : public QObject {
     view.sampling.reconstruction = Reconstruction::bilinear;
     SecondTime stop;
     LensTables tables;
-    QVERIFY_EXCEPTION_THROWN((void)choose(view, tables, serialRows, stop.progress()), Cancelled);
+    QVERIFY_EXCEPTION_THROWN((void)chooseMethod(view, tables, serialRows, stop.progress()),
+                             Cancelled);
   }
 
   /// And then nothing is added.

@@ -71,12 +71,12 @@ class TestTolerance : public QObject {
     LensTables tables;
     View view = sampleView();
     view.state.psf.windowSize = 5;
-    Choice choice = choose(view, tables, serialRows);
+    Choice choice = chooseMethod(view, tables, serialRows);
     QVERIFY(choice.view == view);
     QCOMPARE(choice.pixels, 0);
     view.sampling.tolerance = 5;
     view.method.scale = 2;  // somebody chose already
-    choice = choose(view, tables, serialRows);
+    choice = chooseMethod(view, tables, serialRows);
     QVERIFY(choice.view == view);
   }
 
@@ -89,7 +89,7 @@ class TestTolerance : public QObject {
     for (int repeat = 0; repeat < scenes; ++repeat) {
       vary(random, view);
       LensTables tables;
-      const Choice choice = choose(view, tables, serialRows);
+      const Choice choice = chooseMethod(view, tables, serialRows);
       const double error = rmse(rendered(choice.view), rendered(view));
       cheaper += choice.view.method != Method{} || choice.view.sampling != view.sampling ? 1 : 0;
       beyondLimit += error > choice.limit + 0.02 ? 1 : 0;
@@ -110,7 +110,7 @@ class TestTolerance : public QObject {
       vary(random, view);
       view.state.camera.res = {150, 100};
       LensTables tables;
-      const Choice choice = choose(view, tables, serialRows);
+      const Choice choice = chooseMethod(view, tables, serialRows);
       QVERIFY(rmse(rendered(choice.view), simulate(view)) <= choice.limit + 0.05);
     }
   }
@@ -122,7 +122,7 @@ class TestTolerance : public QObject {
       vary(random, view);
       view.state.camera.res = {random.integer(20, 45), random.integer(15, 30)};
       LensTables tables;
-      const Choice choice = choose(view, tables, serialRows);
+      const Choice choice = chooseMethod(view, tables, serialRows);
       if (choice.pixels == 0) continue;  // nothing was cheaper
       QCOMPARE(choice.pixels, view.state.camera.res[0] * view.state.camera.res[1]);
       QVERIFY(std::abs(rmse(rendered(choice.view), rendered(view)) - choice.rmse) < 0.02);
@@ -139,7 +139,7 @@ class TestTolerance : public QObject {
     LensTables tables;
     const auto texels = [&](double tolerance) {
       view.sampling.tolerance = tolerance;
-      const View chosen = choose(view, tables, serialRows).view;
+      const View chosen = chooseMethod(view, tables, serialRows).view;
       const int window = 2 * plan(chosen).psfReach + 1;
       const int corners = 1 << 2 * int(chosen.sampling.reconstruction);
       const int n = chosen.sampling.samplesPerPixel;
@@ -151,7 +151,7 @@ class TestTolerance : public QObject {
     view.state.psf.windowSize = 1;
     view.sampling = {};
     view.sampling.tolerance = 100;  // texels are copied already
-    QCOMPARE(choose(view, tables, serialRows).pixels, 0);
+    QCOMPARE(chooseMethod(view, tables, serialRows).pixels, 0);
   }
 
   void threadsDoNotMatterAndStopIsHeard() {
@@ -164,13 +164,13 @@ class TestTolerance : public QObject {
       rows(0, count / 2);
       other.join();
     };
-    const Choice one = choose(view, tables, serialRows);
-    const Choice two = choose(view, tables, threads);
+    const Choice one = chooseMethod(view, tables, serialRows);
+    const Choice two = chooseMethod(view, tables, threads);
     QVERIFY(one.view == two.view && one.view.method != Method{});
     QCOMPARE(two.rmse, one.rmse);
     QCOMPARE(two.limit, one.limit);
-    QVERIFY_THROWS_EXCEPTION(Cancelled,
-                             (void)choose(view, tables, serialRows, [](double) { return false; }));
+    QVERIFY_THROWS_EXCEPTION(
+        Cancelled, (void)chooseMethod(view, tables, serialRows, [](double) { return false; }));
   }
 
   void isTheSameEveryTime() {
@@ -178,11 +178,11 @@ class TestTolerance : public QObject {
     view.state.psf = {0.67, 5};
     view.sampling.tolerance = 6;
     LensTables tables;
-    const Choice first = choose(view, tables, serialRows);
-    const Choice second = choose(view, tables, serialRows);
+    const Choice first = chooseMethod(view, tables, serialRows);
+    const Choice second = chooseMethod(view, tables, serialRows);
     QVERIFY(first.view == second.view);
     QCOMPARE(first.rmse, second.rmse);
-    QVERIFY(text(first).find("with 99 % confidence") != std::string::npos);
+    QVERIFY(choiceText(first).find("with 99 % confidence") != std::string::npos);
   }
 };
 

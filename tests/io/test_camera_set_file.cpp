@@ -257,12 +257,12 @@ void TestCameraSetFile::badOverrides() {
     return errorOf([&] { (void)loadCameraSet(what, {override}); });
   };
   QCOMPARE(refusal("uniform", "cameraSet.count=lots"),
-           QString("--make-cameras: cameraSet.count: \"lots\" is not a number"));
+           QString("camera set: cameraSet.count: \"lots\" is not a number"));
   QCOMPARE(refusal("uniform", "psf.sigma=1"),
-           QString("--make-cameras: --set psf.sigma=1: there is no section \"psf\" in a camera "
+           QString("camera set: override psf.sigma=1: there is no section \"psf\" in a camera "
                    "set: cameraSet, cameraRegion"));
   QCOMPARE(refusal("grid", "cameraSet.count=1"),
-           QString("--make-cameras: \"grid\" is not one of uniform, random, normal, nor a "
+           QString("camera set: \"grid\" is not one of uniform, random, normal, nor a "
                    "FILE.json or FILE.csv"));
   QVERIFY(refusal("none.json", "cameraSet.count=1").startsWith("none.json: cannot be read: "));
   QVERIFY(refusal("none.csv", "cameraSet.count=1").startsWith("none.csv: cannot be read: "));

@@ -128,16 +128,17 @@ void TestDegradation::words_data() {
   QTest::addColumn<QString>("how");
   QTest::addColumn<QString>("line");
   QTest::newRow("no number") << "jpeg"
-                             << "--degrade: jpeg: needs a number from 1 to 100 after jpeg:";
+                             << "degradation: jpeg: needs a number from 1 to 100 after jpeg:";
   QTest::newRow("too much") << "jpeg:101"
-                            << "--degrade: jpeg:101: needs a number from 1 to 100 after jpeg:";
+                            << "degradation: jpeg:101: needs a number from 1 to 100 after jpeg:";
   QTest::newRow("not a number")
       << "noise:nan"
-      << "--degrade: noise:nan: needs a number from 0 to 255 after noise:";
-  QTest::newRow("more behind it") << "blur:1x"
-                                  << "--degrade: blur:1x: needs a number from 0 to 100 after blur:";
+      << "degradation: noise:nan: needs a number from 0 to 255 after noise:";
+  QTest::newRow("more behind it")
+      << "blur:1x"
+      << "degradation: blur:1x: needs a number from 0 to 100 after blur:";
   QTest::newRow("unknown") << "fog:1"
-                           << "--degrade: fog:1: is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA";
+                           << "degradation: fog:1: is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA";
 }
 
 void TestDegradation::words() {

@@ -114,7 +114,7 @@ void TestReportJournal::oneAtATime() {
   const ReportJournal first(folder(), "k");
   QCOMPARE(
       errorOf([&] { ReportJournal second(folder(), "k"); }),
-      file() + ": is in use: another hogelscope makes this report; wait, or give another --output");
+      file() + ": is in use: another hogelscope makes this report; wait, or choose another folder");
 }
 
 void TestReportJournal::panelErrors() {

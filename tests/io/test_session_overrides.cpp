@@ -78,14 +78,14 @@ void TestSessionOverrides::badOverrides_data() {
   QTest::addColumn<QString>("given");
   QTest::addColumn<QString>("line");
   QTest::newRow("no =") << "psf.sigma"
-                        << "s.json: --set psf.sigma: is not of the form section.field=value";
+                        << "s.json: override psf.sigma: is not of the form section.field=value";
   QTest::newRow("no dot") << "sigma=1.5"
-                          << "s.json: --set sigma=1.5: is not of the form section.field=value";
+                          << "s.json: override sigma=1.5: is not of the form section.field=value";
   QTest::newRow("empty") << ""
-                         << "s.json: --set : is not of the form section.field=value";
+                         << "s.json: override : is not of the form section.field=value";
   QTest::newRow("no such section")
       << "cameras.fov=3"
-      << "s.json: --set cameras.fov=3: there is no section \"cameras\": display, lightField, "
+      << "s.json: override cameras.fov=3: there is no section \"cameras\": display, lightField, "
          "sampling, camera, intrinsics, distortion, psf";
   QTest::newRow("no such field")
       << "psf.sigmas=1"
@@ -105,9 +105,9 @@ void TestSessionOverrides::badOverrides_data() {
   QTest::newRow("unclosed list") << "camera.res=[4,4"
                                  << "s.json: cameras[0].res: \"[4,4\" is not a list of 2 numbers";
   QTest::newRow("a key twice") << R"(camera.fov={"a": 1, "a": 2})"
-                               << "s.json: --set camera.fov: a: stands twice in one object";
+                               << "s.json: override camera.fov: a: stands twice in one object";
   QTest::newRow("deep") << "camera.fov=" + QString(60000, '[') + QString(60000, ']')
-                        << "s.json: --set camera.fov: is nested deeper than any session";
+                        << "s.json: override camera.fov: is nested deeper than any session";
   QTest::newRow("one name for all states")
       << "camera.name=c"
       << "s.json: cameras[1].name: \"c\" is also cameras[0]; every state has a name of its own";

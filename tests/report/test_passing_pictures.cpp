@@ -155,8 +155,8 @@ void TestPassingPictures::tooLittleForOneView() {
   const auto made = picturesInPassing(file, viewsOf(session, unloadedScene(session, file)), 100000,
                                       serialRows, {});
   QVERIFY(made[0].problem.empty());
-  QCOMPARE(QString::fromStdString(made[2].problem).left(28),
-           QString("--memory: needs 290.9 kB of "));
+  QCOMPARE(QString::fromStdString(made[2].problem).left(33),
+           QString("memory: a view needs 290.9 kB of "));
 }
 
 /// All are in memory until the last row has come: refused before the first is read.
@@ -170,7 +170,7 @@ void TestPassingPictures::tooManyPictures() {
   const QString error =
       errorOf([&] { (void)picturesInPassing(file, views, plenty, serialRows, {}); });
   QVERIFY2(error.startsWith(QString("cameras: their %1 pictures need ").arg(views.size())) &&
-               error.endsWith(": take fewer with --states, or --pack the light field"),
+               error.endsWith(": take fewer states, or pack the light field into a store"),
            qPrintable(error));
   QCOMPARE(file.rows, 0);
 }

@@ -55,10 +55,11 @@ class TestTradeoff : public QObject {
     const View view = someViews().front();
     for (std::size_t a = 0; a < methods.size(); ++a) {
       QVERIFY(names.insert(methods[a].name).second);
-      for (std::size_t b = 0; b < a; ++b) QVERIFY(with(methods[a], view) != with(methods[b], view));
+      for (std::size_t b = 0; b < a; ++b)
+        QVERIFY(applyMethod(methods[a], view) != applyMethod(methods[b], view));
     }
     QCOMPARE(methods.front().name, std::string("exact"));
-    const View byDefault = with(methods.front(), view);
+    const View byDefault = applyMethod(methods.front(), view);
     QVERIFY(byDefault.method == Method{} && byDefault.sampling == SamplingParams{});
   }
 
@@ -100,7 +101,7 @@ class TestTradeoff : public QObject {
       double values = 0;
       for (const View& view : views) {
         const Image expected = simulate(view);
-        const View used = with(method, view);
+        const View used = applyMethod(method, view);
         Image image = rendered(reduced(used));
         if (used.method.scale > 1)
           image = enlarged(image, used.method.scale, view.state.camera.res);

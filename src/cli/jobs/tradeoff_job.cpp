@@ -32,7 +32,7 @@ int runTradeoff(const CommandLine& line) {
   const Tradeoff result = measureTradeoff(views, parallelRows, part(bar.progress(), 0.05, 1));
   const Question question = questionOf(session.sampling);
   const OffscreenPainting painting;
-  const TradeoffChart chart(result.rows, "Error against " + text(question));
+  const TradeoffChart chart(result.rows, "Error against " + questionText(question));
   const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
     chart.paint(painter, size);
   };
@@ -42,7 +42,7 @@ int runTradeoff(const CommandLine& line) {
   writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));
   bar.done();
   if (line.has("quiet")) return 0;
-  std::cout << "error against " << text(question) << " (" << details(question) << "), over "
+  std::cout << "error against " << questionText(question) << " (" << details(question) << "), over "
             << views.size() << " state(s)\ntime per picture, lens rays included: median of "
             << result.runs << " interleaved runs on " << result.timedViews << " state(s)\n";
   const auto print = [&](const char* what, std::optional<std::size_t> row) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How an input error reads.
+// The text of an input error.
 #include "core/base/error.h"
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace hogelscope {
 
 namespace {
 
-/// How many bytes of UTF-8 begin at `at`, or 0.
+/// Returns the number of bytes of the UTF-8 character at `at`, or 0 for none.
 std::size_t letterBytes(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char lead = byte(at);
@@ -19,7 +19,7 @@ std::size_t letterBytes(const std::string& text, std::size_t at) {
   return size;
 }
 
-/// One line of UTF-8 that leaves the terminal as it is: other bytes become \xNN.
+/// Makes one line of UTF-8 that is harmless to a terminal: other bytes become \xNN.
 std::string printable(const std::string& text) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string line;

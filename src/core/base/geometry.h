@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points, directions and rigid transforms, in double; the ground under the whole line.
+// Points, directions and rigid transforms in double precision.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 double length(const Vec3& a);
-/// Length 1, also for lengths whose square would overflow or vanish. Zero stays zero.
+/// Scales to length 1, also where the square of the length would overflow or vanish. Zero stays 0.
 Vec3 normalise(const Vec3& a);
 
 double radians(double degrees);
@@ -53,7 +53,7 @@ struct RigidTransform {
   [[nodiscard]] RigidTransform inverse() const;
 };
 
-/// First b, then a: `c-from-b * b-from-a` is c-from-a.
+/// Applies b first, then a: `c-from-b * b-from-a` is c-from-a.
 RigidTransform operator*(const RigidTransform& a, const RigidTransform& b);
 
 /// T(position) · Rz·Rx·Ry, angles in degrees: the order of vtkProp3D::SetOrientation

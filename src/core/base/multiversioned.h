@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MULTIVERSIONED before a function: GCC compiles it for AVX-512, AVX2 and the baseline, and
-// chooses at the program's start.
+// MULTIVERSIONED before a function makes GCC compile it for AVX-512, AVX2 and the baseline; the
+// version is chosen when the program starts.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__)

@@ -16,12 +16,12 @@ namespace hogelscope {
 
 namespace {
 
-/// The first exception of several threads, and the next piece of work, which ends with it.
+/// Hands out pieces of work to threads, until none is left or one of them has thrown.
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : m_count(count) {}
 
-  /// Calls `work(first, last)` for pieces of `length` until there are none.
+  /// Calls `work(first, last)` for pieces of `length` until none are left.
   template <class Work>
   void run(std::size_t length, const Work& work) noexcept {
     try {
@@ -89,7 +89,7 @@ void sideBySide(std::size_t count, int workers,
   try {
     for (int worker = 1; worker < workers; ++worker) threads.emplace_back(run, std::size_t(worker));
   } catch (const std::system_error&) {
-    // The machine allows no more threads: those that there are do all the work.
+    // The system allows no more threads: those that have started do all the work.
   }
   run(0);
   threads.clear();  // waits

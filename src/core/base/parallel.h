@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work on several threads.
+// Runs work on several threads.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace hogelscope {
 /// other threads before their next piece and is rethrown on the calling thread.
 using ParallelRows =
     std::function<void(int count, const std::function<void(int begin, int end)>& rows)>;
-/// ParallelRows on the calling thread.
+/// Implements ParallelRows on the calling thread.
 void serialRows(int count, const std::function<void(int begin, int end)>& rows);
-/// ParallelRows on threadCount() threads, for pieces that take microseconds to milliseconds.
+/// Implements ParallelRows on threadCount() threads, for pieces of microseconds to milliseconds.
 void parallelRows(int count, const std::function<void(int begin, int end)>& rows);
 
-/// The number of threads of parallelRows() in this process.
+/// Returns the number of threads that parallelRows() uses in this process.
 int threadCount();
-/// 0 means one for each core, which is also the most.
+/// Sets that number. 0 means one for each core, which is also the maximum.
 void setThreads(int count);
 
 /// Calls `work(k, worker)` for every k below `count`, in their order, on `workers` threads numbered

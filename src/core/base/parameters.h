@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one declaration per parameter: a struct's `describe` tells a visitor each field's name,
-// value, range, unit and help. JSON, forms, --set, --help and the manual are such visitors.
+// The one declaration per parameter: a struct's `describe` passes each field's name, value, range,
+// unit and help to a visitor. JSON, forms, --set, --help and the manual are such visitors.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace hogelscope {
 
-/// What values are allowed: min to max. Integers go in steps from min; for real numbers the step
-/// is only a form's. A default outside its own range means "not given" and is never written.
+/// The allowed values: min to max. Integers go in steps from min; for real numbers only forms use
+/// the step. A default outside its own range means "not given" and is never written.
 struct Range {
   double min = 0;
   double max = 0;
   double step = 1;
-  bool mayBeLeftOut = false;  ///< a real number is notGiven then, an integer min - 1
+  bool mayBeLeftOut = false;  ///< if so: notGiven for a real number, min - 1 for an integer
 };
 
-/// A real number that was left out: outside every range.
+/// The value of a real number that was left out; it is outside every range.
 constexpr double notGiven = std::numeric_limits<double>::lowest();
 
 struct Field {
@@ -31,14 +31,14 @@ struct Field {
   std::string_view help;
   std::string_view unit = {};
   Range range = {};
-  std::span<const std::string_view> choices = {};  ///< names of an enumeration, in its order
+  std::span<const std::string_view> choices = {};  ///< names of an enumeration's values, in order
 };
 
 class ParameterVisitor {
  public:
   virtual ~ParameterVisitor() = default;
 
-  /// Comes first in every `describe`.
+  /// Begins a section. Every `describe` calls it first.
   virtual void group(std::string_view name, std::string_view help) = 0;
 
   void field(std::string_view name, double& value, Range range, std::string_view unit,
@@ -81,7 +81,7 @@ class ParameterVisitor {
   }
 
  protected:
-  /// A list of numbers, or one number where `isList` is false.
+  /// Visits a list of numbers, or one number if `isList` is false.
   virtual void numbers(const Field& field, std::span<double> values, bool isList) = 0;
   virtual void integers(const Field& field, std::span<int> values, bool isList) = 0;
   virtual void flag(const Field& field, bool& value) = 0;
@@ -89,7 +89,7 @@ class ParameterVisitor {
   virtual void choice(const Field& field, int& index) = 0;
 };
 
-/// The name nearest to a mistyped one (edit distance), or "" if none is near.
+/// Returns the name nearest to a mistyped one (edit distance), or "" if none is near.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace hogelscope

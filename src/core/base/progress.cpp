@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long work tells where it stands.
+// Progress reporting and cancellation.
 #include "core/base/progress.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class SharedProgress {
     const auto isTold = [this] { return m_stops || Clock::now() < m_next.load(); };
     if (isTold()) return !m_stops;
     const std::unique_lock lock(m_mutex, std::try_to_lock);
-    if (!lock || isTold()) return !m_stops;  // another thread is telling, or has
+    if (!lock || isTold()) return !m_stops;  // another thread reports, or has just done so
     m_farthest = std::max(m_farthest, done);
     if (!m_listener(m_farthest)) m_stops = true;
     m_next = Clock::now() + pause;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seeded random numbers that are the same with every standard library, which std::*_distribution
-// are not.
+// Seeded random numbers that are the same with every standard library, unlike those of
+// std::*_distribution.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ class RandomNumbers {
   /// Uniform in [0, 1).
   double unit() { return unitOf(m_engine()); }
 
-  /// Standard normal; takes two numbers of `unit`.
+  /// Standard normal, by Box and Muller (1958); calls unit() twice.
   double normal() {
     const double u = unit();
     return normalOf(u, unit());

@@ -13,11 +13,11 @@ class StepProgress {
   explicit StepProgress(Progress listener) : m_listener(forThreads(std::move(listener))) {}
 
   void expect(double steps) { m_total += steps; }
-  /// A step of such a length has been done. Throws Cancelled.
+  /// Reports that a step of this length is done. Throws Cancelled.
   void finish(double steps = 1);
-  /// Within steps, which take part in nothing: may be called often, from every thread.
+  /// Returns a progress for use within steps; it adds nothing. May be called often, by any thread.
   [[nodiscard]] Progress within();
-  /// Of one step: moves on while the step does.
+  /// Returns the progress of one step of this length; it advances while the step does.
   [[nodiscard]] Progress of(double steps);
 
  private:

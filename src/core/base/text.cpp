@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Would a spreadsheet take the text for a formula? A number is none, whatever its sign.
+/// Whether a spreadsheet would take the text for a formula. A number is none, whatever its sign.
 bool isFormula(const std::string& text) {
   static const std::array<std::string_view, 11> beginnings{"=",  "+",  "-",  "@",  "\t", "\r",
                                                            "\n", "＝", "＋", "－", "＠"};

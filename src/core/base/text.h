@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers, sizes and cells of CSV files as text.
+// Formats numbers, sizes and cells of CSV files as text.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace hogelscope {
 
-/// The shortest text that reads back as the same number; "inf", "nan".
+/// Returns the shortest text that reads back as the same number; "inf", "nan".
 std::string numberText(double value);
-/// With so many digits after the point; "identical" if infinite, a dash if NaN.
+/// Formats with `digits` after the point; "identical" if infinite, a dash if NaN.
 std::string rounded(double value, int digits);
-/// "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
+/// Formats a size: "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
 std::string bytesText(std::size_t bytes);
 
-/// A text as a cell of a CSV file (RFC 4180). What a spreadsheet would take for a formula gets an
-/// apostrophe in front, so that it stays a text (OWASP, CSV injection).
+/// Returns a text as a cell of a CSV file (RFC 4180). A text that a spreadsheet would take for a
+/// formula gets an apostrophe in front, so that it stays a text (OWASP, CSV injection).
 std::string csvCell(const std::string& text);
 
 }  // namespace hogelscope

@@ -13,14 +13,14 @@ namespace {
 constexpr double stepMetres = 0.01;
 constexpr double stepDegrees = 2;
 
-/// Right-handed about a unit vector (Rodrigues' formula).
+/// Turns right-handed about a unit vector (Rodrigues' formula).
 Vec3 rotated(const Vec3& v, const Vec3& axis, double degrees) {
   const double c = std::cos(radians(degrees));
   const double s = std::sin(radians(degrees));
   return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
 }
 
-/// What is left of a turn upwards before the view is too near to `up`, or to its opposite. A view
+/// Limits a turn upwards, so that the view does not come too near to `up` or its opposite. A view
 /// that is nearer already may only turn away.
 double tiltLeft(const Vec3& forward, const Vec3& up, double degrees) {
   constexpr double nearest = 1;

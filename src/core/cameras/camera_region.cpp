@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the cameras of a set stand and look.
+// The positions and look-at points of the cameras of a set.
 #include "core/cameras/camera_region.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 3> spreadNames{"uniform", "random", "norm
 constexpr std::array<std::string_view, 3> regionNames{"box", "plane", "arc"};
 constexpr std::array<std::string_view, 3> lookatNames{"fixed", "nearest", "jittered"};
 
-/// The region's three coordinates: x, y, z, or angle, elevation, distance.
+/// Returns the region's three coordinates: x, y, z, or angle, elevation, distance.
 struct Sides {
   Vec3 low;
   Vec3 high;
@@ -30,7 +30,7 @@ Sides sidesOf(const CameraRegionParams& p) {
   return {p.centre - half, p.centre + half};
 }
 
-/// Of the sides, in metres; of an arc at its middle distance.
+/// Returns the lengths of the sides in metres, of an arc at its middle distance.
 std::array<double, 3> lengthsOf(const CameraRegionParams& p) {
   const Sides sides = sidesOf(p);
   const Vec3 length = sides.high - sides.low;
@@ -39,7 +39,7 @@ std::array<double, 3> lengthsOf(const CameraRegionParams& p) {
   return {middle * radians(length.x), middle * radians(length.y), length.z};
 }
 
-/// The point at fractions 0 … 1 of the sides.
+/// Returns the point at fractions 0 … 1 of the sides.
 Vec3 pointAt(const CameraRegionParams& p, const Vec3& fraction) {
   const Sides sides = sidesOf(p);
   const Vec3 at{sides.low.x + fraction.x * (sides.high.x - sides.low.x),
@@ -61,7 +61,7 @@ double drawn(const CameraRegionParams& p, RandomNumbers& random) {
   return fraction;
 }
 
-/// Fractions of the sides at one point of a grid.
+/// Returns the fractions of the sides at a point of a grid.
 Vec3 gridFraction(const GridSize& grid, long long index) {
   const auto along = [](long long k, int count) {
     return count == 1 ? 0.5 : double(k) / (count - 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the cameras of a set stand and look: a region in front of the display, and how they are
-// spread over it.
+// The positions and look-at points of the cameras of a set: a region in front of the display, and
+// their distribution over it.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ enum class CameraSpread { uniform, random, normal };
 enum class RegionShape { box, plane, arc };
 enum class LookAt { fixed, nearest, jittered };
 
-/// A camera set's `cameraRegion`. All in the display frame; lengths in metres, angles in degrees.
+/// A camera set's `cameraRegion`, in the display frame; lengths in metres, angles in degrees.
 struct CameraRegionParams {
   CameraSpread distribution = CameraSpread::uniform;
   RegionShape region = RegionShape::plane;
@@ -35,7 +35,7 @@ struct CameraRegionParams {
 
 void describe(ParameterVisitor& v, CameraRegionParams& p);
 
-/// The rules that join several fields. Throws InputError; paths begin with `path`.
+/// Checks the rules that join several fields. Throws InputError; paths begin with `path`.
 void check(const CameraRegionParams& region, const std::string& path);
 
 /// One camera of a set, in the display frame.
@@ -45,7 +45,7 @@ struct CameraPose {
   double weight = 1;
 };
 
-/// Columns, rows and layers of a grid: `columns` along x or the angle, `rows` along y or the
+/// The size of a grid: `columns` along x or the angle, `rows` along y or the
 /// elevation, `layers` along z or the distance.
 struct GridSize {
   int columns = 1;
@@ -54,22 +54,21 @@ struct GridSize {
   bool operator==(const GridSize&) const = default;
 };
 
-/// The grid of at least `count` points over the region that has steps of about the same length
-/// along each side and few points too many: least Σ ln²(n/ideal n) + ln(points/count).
+/// Returns the grid of at least `count` points over the region that has steps of about the same
+/// length along each side and few surplus points: least Σ ln²(n/ideal n) + ln(points/count).
 GridSize gridFor(const CameraRegionParams& region, int count);
 
-/// `count` poses spread over the region. `panel` is the display's width and height.
+/// Returns `count` poses spread over the region. `panel` is the display's width and height.
 ///
-/// uniform: the points of `gridFor`, the region's ends included, nearest layer first, top row
-/// first, from the left. Of its M points those numbered ⌊(2k+1)M / 2·count⌋ are taken, so that what
-/// is left out is spread too.
-/// random, normal: x, y, z (of an arc: angle, elevation, distance) independent of each other,
-/// uniform, or Gaussian about the region's middle and truncated to it. The first n poses do not
-/// depend on `count`.
+/// uniform: the points of gridFor(), the region's ends included, nearest layer first, top row
+/// first, from the left. Of its M points those numbered ⌊(2k+1)M / 2·count⌋ are used, so that the
+/// omitted ones are spread too. random, normal: x, y, z (of an arc: angle, elevation, distance)
+/// independent of each other, uniform, or Gaussian about the region's middle and truncated to it.
+/// The first n poses do not depend on `count`.
 std::vector<CameraPose> posesIn(const CameraRegionParams& region, int count,
                                 const std::array<double, 2>& panel, RandomNumbers& random);
 
-/// Where a camera at `eye` looks, by the region's rule.
+/// Returns the look-at point of a camera at `eye`, by the region's rule.
 Vec3 lookatFrom(const CameraRegionParams& region, const Vec3& eye,
                 const std::array<double, 2>& panel, RandomNumbers& random);
 

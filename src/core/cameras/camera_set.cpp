@@ -34,8 +34,8 @@ struct Maker {
   std::vector<CameraPose> operator()(const Trace& trace);
 };
 
-/// How many of `count` states each part has; what rounding down leaves goes to the largest
-/// remainders, the first of equals.
+/// Returns each part's number of the `count` states; those that rounding down leaves go to the
+/// largest remainders, the first of equal ones.
 std::vector<int> sharesOf(const std::vector<Mixture::Part>& parts, int count) {
   double total = 0;
   for (const Mixture::Part& part : parts) total += part.weight;
@@ -148,7 +148,7 @@ std::string prefixOf(const CameraSet& set) {
   return sources[set.source.index()];
 }
 
-/// The largest number that follows the prefix, in any case, in a state's name.
+/// Returns the largest number that follows the prefix, in any case, in a state's name.
 long long lastNumber(const Session& session, const std::string& prefix) {
   const std::u32string folded = caseFolded(prefix);
   long long last = 0;
@@ -163,7 +163,7 @@ long long lastNumber(const Session& session, const std::string& prefix) {
   return last;
 }
 
-/// Four digits at least, so that a set that is added later sorts with the first one.
+/// Formats at least four digits, so that a set that is added later sorts with the first one.
 std::string numbered(const std::string& prefix, long long number, std::size_t digits) {
   const std::string text = std::to_string(number);
   return prefix + std::string(digits - text.size(), '0') + text;
@@ -178,7 +178,7 @@ Vec3 rounded(const Vec3& p) {
 }
 
 void checkReach(const Vec3& p, const std::string& name, const char* field) {
-  constexpr double farthest = 1e6;  // of the description of CameraParams
+  constexpr double farthest = 1e6;  // as in the description of CameraParams
   if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > farthest)
     throw InputError(name + "." + field, "is out of range in the world: -1e+06 to 1e+06 m");
 }

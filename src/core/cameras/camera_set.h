@@ -24,7 +24,7 @@ struct CameraSetParams {
 
 void describe(ParameterVisitor& v, CameraSetParams& p);
 
-/// A pose that a user gives, in the display frame, metres.
+/// A pose given by a user, in the display frame, in metres.
 struct KeyPose {
   Vec3 eye{notGiven, notGiven, notGiven};
   Vec3 lookat{notGiven, notGiven, notGiven};
@@ -34,7 +34,7 @@ struct KeyPose {
 
 void describe(ParameterVisitor& v, KeyPose& p);
 
-/// Shares of several regions: by weight, rounded so that the largest remainders gain.
+/// Several regions that share the states by weight, rounded by largest remainders.
 struct Mixture {
   struct Part {
     double weight = 1;
@@ -43,21 +43,20 @@ struct Mixture {
   std::vector<Part> parts;
 };
 
-/// Each pose is a state.
+/// A list of poses, each of which becomes a state.
 struct PoseList {
   std::vector<KeyPose> poses;
 };
 
-/// States at equal steps along straight lines from pose to pose, of which there are two at least.
-/// Either all poses have a look-at or
-/// none; it changes along the lines, as the weight does.
+/// States at equal steps along straight lines between at least two poses. Either all poses have a
+/// look-at or none; it changes linearly along the lines, as the weight does.
 struct PosePath {
   std::vector<KeyPose> poses;
 };
 
-/// A viewer's positions, two at least. Samples in the middles of equal spans of time, positions
-/// straight from point to point; samples in the same cube of side `place` (cubes about its
-/// multiples) are one state at their mean, which weighs as many as they are.
+/// At least two positions of a viewer. Samples are in the middles of equal spans of time, linear
+/// between the points; samples in the same cube of side `place` (centred on its multiples) become
+/// one state at their mean, weighted by their number.
 struct Trace {
   struct Point {
     double time = 0;  ///< seconds, rising
@@ -66,19 +65,19 @@ struct Trace {
   std::vector<Point> points;
 };
 
-/// What to make. Without another source it is `region`'s own distribution; for the others `region`
-/// says where states look that have no look-at.
+/// The description of a camera set. Without a source it is `region`'s own distribution; with one
+/// `region` gives the look-at of the states that have none.
 struct CameraSet {
   CameraSetParams params;
   CameraRegionParams region;
   std::variant<std::monostate, Mixture, PoseList, PosePath, Trace> source;
 };
 
-/// In the display frame; `panel` is the display's width and height. Seeded: std::mt19937_64, drawn
-/// in the order of the states.
+/// Returns the poses in the display frame; `panel` is the display's width and height. Random
+/// numbers are seeded (std::mt19937_64) and drawn in the order of the states.
 std::vector<CameraPose> posesOf(const CameraSet& set, const std::array<double, 2>& panel);
 
-/// The session with the set's states added at its end, all else as it was. Lens, intrinsics, PSF,
+/// Returns the session with the set's states appended, otherwise unchanged. Lens, intrinsics, PSF,
 /// resolution and field of view are the template's; up is the panel's. Positions are rounded to
 /// 1e-9 m, so that they do not depend on a machine's sine. Throws InputError: no such template, a
 /// state that a session would refuse.

@@ -9,7 +9,7 @@ namespace hogelscope {
 
 namespace {
 
-/// All values in the order of the descriptions.
+/// Collects all values in the order of the descriptions.
 class Values : public ParameterVisitor {
  public:
   struct Value {

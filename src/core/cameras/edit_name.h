@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which field of a camera state or a session an edit changes, for the name of what can be taken
-// back.
+// Finds the field of a camera state or a session that an edit changes, to name it in the undo
+// menu.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace hogelscope {
 
-/// The name of the first one; "" if none.
+/// Returns the name of the first changed field; "" if none.
 std::string changedField(const CameraState& before, const CameraState& after);
-/// The same of display, light field and sampling.
+/// Returns the same for display, light field and sampling.
 std::string changedField(const Session& before, const Session& after);
 
 }  // namespace hogelscope

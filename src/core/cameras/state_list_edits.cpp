@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is done to the list of a session's camera states.
+// Edits of the list of a session's camera states.
 #include "core/cameras/state_list_edits.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The index of the state that has the name, in any case; none if it is free.
+/// Returns the index of the state with the name, in any case; none if the name is free.
 std::optional<std::size_t> stateNamed(const Session& session, const std::string& name) {
   const std::u32string folded = caseFolded(name);
   for (std::size_t k = 0; k < session.cameras.size(); ++k)

@@ -6,7 +6,7 @@ namespace hogelscope {
 
 void describe(ParameterVisitor& v, PatternParams& p) {
   auto& [depth, period, angle] = p;
-  v.group("pattern", "What --generate makes; for --set only.");
+  v.group("pattern", "Test content in closed form; no part of a session document.");
   v.field("depth", depth, {-10, 10, 0.01}, "m",
           "checkerboard, edge: distance of their plane in front of the panel; behind it below 0.");
   v.field("period", period, {1e-6, 10, 0.01}, "m",

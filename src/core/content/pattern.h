@@ -8,7 +8,7 @@
 
 namespace hogelscope {
 
-/// What --generate makes of a pattern: `pattern` in --set. Lengths in metres, angles in degrees.
+/// The parameters of a pattern. Lengths are in metres, angles in degrees.
 struct PatternParams {
   double depth = 0.1;
   double period = 0.05;
@@ -20,8 +20,8 @@ void describe(ParameterVisitor& v, PatternParams& p);
 class Pattern {
  public:
   virtual ~Pattern() = default;
-  /// Row y of the hogel image (layout `hogels`): 8-bit RGB of its nx·du pixels. May be called from
-  /// several threads.
+  /// Writes row y of the hogel image (layout `hogels`): 8-bit RGB of its nx·du pixels. May be
+  /// called from several threads.
   virtual void row(int y, std::uint8_t* rgb) const = 0;
 };
 

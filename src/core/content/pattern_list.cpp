@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The patterns by their names.
+// The list of patterns by name.
 #include "core/content/pattern_list.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParam
   std::string known;
   for (const NamedPattern& pattern : list)
     known += (known.empty() ? "" : ", ") + std::string(pattern.name);
-  throw InputError("--generate", "\"" + name + "\" is not one of " + known);
+  throw InputError("pattern", "\"" + name + "\" is not one of " + known);
 }
 
 }  // namespace hogelscope

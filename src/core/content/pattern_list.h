@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The patterns by their names.
+// The list of patterns by name.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@ namespace hogelscope {
 
 struct NamedPattern {
   std::string_view name;
-  std::string_view help;  ///< what it shows
+  std::string_view help;  ///< a description of the content
   std::unique_ptr<Pattern> (*make)(const DisplayParams& display, const PatternParams& params);
 };
 
 const std::vector<NamedPattern>& patterns();
 
-/// Throws InputError for an unknown name and for a display without hogels or directions.
+/// Makes a pattern. Throws InputError: unknown name, or a display without hogels or directions.
 std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParams& display,
                                      const PatternParams& params);
 

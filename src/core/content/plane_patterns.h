@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patterns of one formula a pixel: codes of the pixel's own place, and what lies on a plane.
+// Patterns of one formula per pixel: codes of the pixel's own indices, and patterns on a plane.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ class CodePattern : public Pattern {
  public:
   enum Kind { directions, hogels, sides };  ///< sides: u < du/2 red (255, 0, 0), else blue
 
-  /// Throws InputError where an index does not fit.
+  /// Throws InputError if an index does not fit.
   CodePattern(const DisplayParams& display, Kind kind);
   void row(int y, std::uint8_t* rgb) const override;
 
@@ -22,9 +22,9 @@ class CodePattern : public Pattern {
   Kind m_kind;
 };
 
-/// A plane parallel to the panel, sampled by the ray of each directional pixel's middle. Squares
-/// have a corner on the axis; the one right above it is white. The edge goes through the axis: dark
-/// (64) to its left, bright (191) to its right.
+/// A plane parallel to the panel, sampled by the middle ray of each directional pixel. Squares have
+/// a corner on the axis; the one right above it is white. The edge goes through the axis: dark (64)
+/// to its left, bright (191) to its right.
 class PlanePattern : public Pattern {
  public:
   enum Kind { checkerboard, edge };
@@ -38,7 +38,7 @@ class PlanePattern : public Pattern {
   Display m_display;
   PatternParams m_params;
   Kind m_kind;
-  Vec2 m_normal;  ///< of the edge, to its bright side
+  Vec2 m_normal;  ///< the edge's normal, to its bright side
 };
 
 }  // namespace hogelscope

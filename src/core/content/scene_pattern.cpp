@@ -51,8 +51,8 @@ constexpr std::array<unsigned char, glyphHeight> glyph(char letter) {
   }
 }
 
-/// Is (x, y) on a letter of the word, written from the origin (its top left), x right, y down, a
-/// letter `height` tall?
+/// Whether (x, y) is on a letter of the word, written from the origin (its top left), x right, y
+/// down, letters `height` tall.
 bool onWord(double x, double y, double height) {
   const double cell = height / glyphHeight;
   const double column = std::floor(x / cell);
@@ -119,7 +119,7 @@ ScenePattern::ScenePattern(const DisplayParams& display)
 Rgb ScenePattern::light(const PanelRay& ray) const {
   const Vec2 p{ray.position.x / m_scale, ray.position.y / m_scale};
   const Vec2& s = ray.slopes;
-  // From the viewer's side on: the first thing met hides the rest.
+  // From the viewer's side: the first thing met hides the rest.
   if (const auto colour = ball(p, s)) return *colour;
   if (const auto colour = ruler(p.x + rulerDepth * s.x, p.y + rulerDepth * s.y)) return *colour;
   if (const auto colour = card(p.x, p.y)) return *colour;

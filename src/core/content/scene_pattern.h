@@ -14,7 +14,7 @@ class ScenePattern : public Pattern {
 
   void row(int y, std::uint8_t* rgb) const override;
 
-  /// The light of one directional pixel: the mean over its angle and its hogel's area.
+  /// Returns the light of a directional pixel: the mean over its angle and its hogel's area.
   [[nodiscard]] Rgb texel(const TexelIndex& at) const;
 
  private:

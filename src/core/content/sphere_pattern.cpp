@@ -11,7 +11,7 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// As bright as a few steps of `share` say: runs of one colour compress.
+/// Shades a colour in a few steps of `share`, since runs of one colour compress.
 Colour shaded(const Colour& colour, double share) {
   constexpr double steps = 5;
   const double step = std::ceil(std::clamp(share, 0.0, 1.0) * steps) / steps;
@@ -21,8 +21,8 @@ Colour shaded(const Colour& colour, double share) {
   return result;
 }
 
-/// Slopes a for which the line from `origin` with slopes (a, b) meets the sphere: between the roots
-/// of the discriminant of |origin + z (a, b, 1) − centre|² = radius², a quadratic in a.
+/// Returns the slopes a for which the line from `origin` with slopes (a, b) meets the sphere: those
+/// between the roots of the discriminant of |origin + z (a, b, 1) − centre|² = radius².
 std::optional<std::array<double, 2>> slopesThat(const SpherePattern::Sphere& sphere,
                                                 const Vec3& origin, double b) {
   const Vec3 o = origin - sphere.centre;
@@ -40,7 +40,7 @@ std::optional<std::array<double, 2>> slopesThat(const SpherePattern::Sphere& sph
 
 struct SpherePattern::Hogel {
   Vec3 origin;    ///< its middle
-  double slopeY;  ///< of the row
+  double slopeY;  ///< the row's slope
 };
 
 SpherePattern::SpherePattern(const DisplayParams& display, const PatternParams& params)
@@ -56,7 +56,7 @@ SpherePattern::SpherePattern(const DisplayParams& display, const PatternParams& 
   for (int u = 0; u < size.du; ++u) m_slopesX.push_back(m_display.rayOf({0, 0, u, 0}).slopes.x);
 }
 
-/// Which u have slopes from `from` to `to`.
+/// Returns the range of u whose slopes are from `from` to `to`.
 std::array<int, 2> SpherePattern::run(double from, double to) const {
   const auto place = [this](double slope) {
     return int(std::lower_bound(m_slopesX.begin(), m_slopesX.end(), slope) - m_slopesX.begin());

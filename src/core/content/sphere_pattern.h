@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The "spheres" pattern: for light fields too large for a formula a pixel. What a hogel shows of a
-// sphere or a plane in one row of directions is one run of slopes, known in closed form; outside
-// the runs the row is black.
+// The "spheres" pattern, for light fields too large for a formula per pixel. In one row of a
+// hogel's directions a sphere or a plane is one run of slopes, known in closed form; outside the
+// runs the row is black.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ class SpherePattern : public Pattern {
   SpherePattern(const DisplayParams& display, const PatternParams& params);
   void row(int y, std::uint8_t* rgb) const override;
 
-  /// The same of one pixel, by tracing its ray: for tests.
+  /// Returns the colour of one pixel by tracing its ray, for tests.
   [[nodiscard]] std::array<std::uint8_t, 3> texel(const TexelIndex& at) const;
 
-  /// Metres, display frame. Spheres keep clear of the panel.
+  /// A sphere in the display frame, in metres. Spheres do not touch the panel.
   struct Sphere {
     Vec3 centre;
     double radius;
@@ -48,7 +48,7 @@ class SpherePattern : public Pattern {
 
   Display m_display;
   double m_square;                                    ///< side of a plane's squares
-  std::vector<double> m_slopesX;                      ///< of each u, rising
+  std::vector<double> m_slopesX;                      ///< slope of each u, ascending
   std::vector<std::variant<Plane, Sphere>> m_things;  ///< later ones hide earlier ones
 };
 

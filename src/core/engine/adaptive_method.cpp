@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// sampling.tolerance: the cheapest way to a picture whose error is small enough.
+// sampling.tolerance: the cheapest way to an image whose error is small enough.
 #include "core/engine/adaptive_method.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ struct Run {
   int x1;
 };
 
-/// About 3 % of the picture in runs spread evenly over it, each at a random place of its share; at
-/// least 512 of them, or all there are.
+/// Picks about 3 % of the image in runs spread evenly over it, each at a random place of its part;
+/// at least 512 of them, or all.
 std::vector<Run> probeRuns(const std::array<int, 2>& res) {
   constexpr int length = 8;
   constexpr int least = 512;
@@ -43,7 +43,7 @@ std::vector<Run> probeRuns(const std::array<int, 2>& res) {
   return runs;
 }
 
-/// Renders the pixels of runs, and for a smaller picture those around them.
+/// Renders the pixels of runs; for a smaller image also those around them.
 class Prober {
  public:
   Prober(const View& asked, LensTables& tables, const ParallelRows& parallelRows,
@@ -71,10 +71,10 @@ class Prober {
 
   int m_scale;
   FastSimulation m_simulation;
-  Image m_image;  ///< black but for what was rendered
+  Image m_image;  ///< black where nothing was rendered
 };
 
-/// What one run has.
+/// The result of one run.
 struct RunError {
   double squares = 0;  ///< over pixels and channels
   int pixels = 0;
@@ -93,15 +93,15 @@ RunError errorOf(const Run& run, const Image& reference, const Image& image, int
   return error;
 }
 
-/// Mean squared errors, of the probe and as a limit for the picture.
+/// Mean squared errors, of the probe and as a limit for the image.
 struct Estimate {
   double mean = 0;
   double limit = 0;
 };
 
-/// Runs are the independent samples of a ratio, squares over pixels. Three standard errors, and
-/// twice as much again as the worst run gives to the mean: errors that are rare are met by few of
-/// the runs.
+/// Runs are the independent samples of a ratio, squares over pixels. The limit is three standard
+/// errors above it, plus twice the worst run's part of the mean: few of the runs meet errors that
+/// are rare.
 Estimate estimate(const std::vector<RunError>& errors, bool isWhole) {
   double squares = 0;
   double values = 0;
@@ -121,8 +121,8 @@ Estimate estimate(const std::vector<RunError>& errors, bool isWhole) {
   return {mean, mean + (3 * std::sqrt(deviations) + 2 * worst) / values};
 }
 
-/// About the time of a picture, in units of one summed texel: a copied texel takes less than one, a
-/// ray that sums some more than its texels, each pixel of a picture that is scaled up some again.
+/// Estimates the time of an image, in units of one summed texel: a copied texel costs less than
+/// one, a ray that sums costs more than its texels, and so does each pixel of an image scaled up.
 double cost(const View& view) {
   constexpr double copying = 1;
   constexpr double summing = 4;
@@ -136,7 +136,7 @@ double cost(const View& view) {
   return ray * samples * samples / scale / scale + (scale > 1 ? enlarging : 0);
 }
 
-/// All that is cheaper than the view, in one thing or several, from the cheapest on.
+/// Returns all views that are cheaper in one or several respects, the cheapest first.
 std::vector<View> cheaper(const View& view) {
   std::vector<double> dropped{Method{}.droppedTaps};
   for (int reach = (view.state.psf.windowSize - 1) / 2; reach-- > 0;)
@@ -162,7 +162,7 @@ std::vector<View> cheaper(const View& view) {
   return sorted;
 }
 
-/// Fewer seen pixels than this say too little about the picture, and it takes little time anyway.
+/// The least number of seen pixels that is representative; an image with fewer is cheap anyway.
 constexpr int leastSeen = 500;
 
 class Probe {
@@ -188,11 +188,11 @@ class Probe {
                                    std::uint8_t{255}) >= leastSeen;
   }
 
-  /// None as soon as the error is certainly above `allowed`, a mean square.
+  /// Returns none as soon as the error is certainly above `allowed`, a mean square.
   [[nodiscard]] std::optional<Estimate> measure(const View& candidate, double allowed) const {
     constexpr int parts = 4;
     Prober prober(candidate, m_tables, m_parallelRows, m_progress);
-    // What is scaled up shares pixels between runs, and has few of them.
+    // Runs of a view that is scaled up share pixels, of which there are few.
     const ParallelRows rows = candidate.method.scale == 1 ? m_parallelRows : serialRows;
     std::vector<RunError> errors(m_runs.size());
     const auto count = int(m_runs.size());
@@ -221,14 +221,14 @@ class Probe {
   LensTables& m_tables;
   const ParallelRows& m_parallelRows;
   const Progress& m_progress;
-  Image m_reference;  ///< black but for the runs
+  Image m_reference;  ///< black outside the runs
   int m_pixels = 0;
 };
 
 }  // namespace
 
-Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
-              const Progress& progress) {
+Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                    const Progress& progress) {
   Choice choice{view};
   if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
   checkContent(view);
@@ -250,7 +250,7 @@ Choice choose(const View& view, LensTables& tables, const ParallelRows& parallel
   return choice;
 }
 
-std::string text(const Choice& choice) {
+std::string choiceText(const Choice& choice) {
   if (choice.pixels == 0) return "nothing is cheaper";
   const SamplingParams& sampling = choice.view.sampling;
   const Plan made = plan(choice.view);

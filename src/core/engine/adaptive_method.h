@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// sampling.tolerance: the cheapest way to a picture whose error is small enough, found by a probe
-// of the picture's own pixels.
+// Resolves sampling.tolerance: a probe of the image's own pixels finds the cheapest method whose
+// error is small enough.
 #pragma once
 
 #include "core/base/progress.h"
@@ -8,22 +8,22 @@
 
 namespace hogelscope {
 
-/// What is rendered in the place of a view, and what the probe measured. Errors are RMS over pixels
-/// and channels of 8-bit pictures, in code values.
+/// The view to render instead of another one, and the results of the probe. Errors are RMS over
+/// pixels and channels of 8-bit images, in code values.
 struct Choice {
-  View view;         ///< its method and sampling may take less than the one asked for
+  View view;         ///< its method and sampling may be cheaper than the original's
   double rmse = 0;   ///< over the probe
-  double limit = 0;  ///< the error over the whole picture is not above, with 99 % confidence
-  int pixels = 0;    ///< of the probe; 0 where there was none
+  double limit = 0;  ///< upper limit of the whole image's error, with 99 % confidence
+  int pixels = 0;    ///< pixels of the probe; 0 without a probe
 };
 
-/// The view itself where its tolerance is 0, it has a method already, nothing is cheaper, or the
-/// probe sees too little of the panel. The tolerance of the result is 0. Deterministic: the probe's
-/// pixels depend on the image's size alone. Throws Cancelled.
-Choice choose(const View& view, LensTables& tables, const ParallelRows& parallelRows,
-              const Progress& progress = {});
+/// Returns the view itself if its tolerance is 0, it has a method already, nothing is cheaper, or
+/// the probe sees too little of the panel. The tolerance of the result is 0. Deterministic: the
+/// probe's pixels depend on the image's size alone. Throws Cancelled.
+Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+                    const Progress& progress = {});
 
-/// One line for --explain and the window.
-std::string text(const Choice& choice);
+/// Describes a choice in one line, for --explain and the window.
+std::string choiceText(const Choice& choice);
 
 }  // namespace hogelscope

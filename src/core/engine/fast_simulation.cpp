@@ -47,7 +47,7 @@ namespace {
 
 using ByteTexel = Texel<std::uint8_t>;
 
-/// While a batch's texels come from memory the next batch's addresses are worked out.
+/// Computes the next batch's addresses while a batch's texels come from memory.
 template <class AddressesOf, class Take>
 void inBatches(int begin, int end, const ByteTexel* texels, AddressesOf addressesOf, Take take) {
   std::array<std::array<std::uint32_t, batchSize>, 2> address;
@@ -82,7 +82,7 @@ void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
         addressesOfHits(m_rays.map(), layout, m_rays.plainX(x), py, count, address);
       },
       [&](int x, int count, const std::uint32_t*, const ByteTexel* found) {
-        pack(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
+        packRgb(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
       });
 }
 
@@ -97,15 +97,15 @@ void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint
         addresses(m_rays.map(), layout, px + x, py + x, count, unseen, address);
       },
       [&](int x, int count, const std::uint32_t* address, const ByteTexel* found) {
-        pack(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
-        mask(address, count, unseen, seen + (x - x0));
+        packRgb(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
+        maskSeen(address, count, unseen, seen + (x - x0));
       });
 }
 
 namespace {
 
-/// Lanes without a hit get the cells of one with a hit, so that whole batches stay away from
-/// borders. False if there is none.
+/// Gives lanes without a hit the cells of one with a hit, so that whole batches stay away from
+/// borders. Returns false if there is none.
 bool fillUnseen(int count, CellBatch& batch) {
   const auto end = batch.seen.begin() + count;
   const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
@@ -119,7 +119,7 @@ bool fillUnseen(int count, CellBatch& batch) {
 
 }  // namespace
 
-/// Cells of the rays of `count` pixels from x0 on. False if none of them hits.
+/// Finds the cells of the rays of `count` pixels from x0 on. Returns false if none of them hits.
 bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const {
   m_rays.cells(y, x0, count, sx, sy, scratch.cells);
   return fillUnseen(count, scratch.cells);

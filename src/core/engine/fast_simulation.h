@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fast engine: rows of rays in batches. The same pixels as the reference (core/simulate.h),
-// except where a coordinate lies within 1e-4 of a cell border or a sum within 1e-3 of a rounding
+// The fast engine: rows of rays in batches. Its pixels equal the reference's (simulate.h), except
+// where a coordinate lies within 1e-4 of a cell border or a sum within 1e-3 of a rounding
 // half.
 #pragma once
 
@@ -14,17 +14,17 @@ namespace hogelscope {
 
 class FastSimulation {
  public:
-  /// Casts the view's rays where its light field needs to know what they read, and gets the texels.
-  /// The parameters and exceptions are those of ViewRays and LightFieldSource::slice().
+  /// Fetches the texels; casts the view's rays if the light field needs to know what they read. The
+  /// parameters and exceptions are those of ViewRays and LightFieldSource::slice().
   FastSimulation(const View& view, LensTables& tables, const ParallelRows& parallelRows,
                  const Progress& progress = {});
 
   [[nodiscard]] const ViewRays& rays() const { return m_rays; }
 
-  /// Pixels [x0, x1) of row y: three 8-bit values each, and 255 or 0 whether they are seen. May be
-  /// called from several threads. Throws Cancelled.
+  /// Renders pixels [x0, x1) of row y: three 8-bit values each, and 255 or 0 for seen or not. May
+  /// be called from several threads. Throws Cancelled.
   void row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
-  /// The same in code values, unrounded.
+  /// Renders the same in code values, unrounded.
   void row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a view needs to have modelled, and what not.
+// The plan of a view.
 #include "core/engine/plan.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The sum of the window's weights where the middle one is 1.
+/// Returns the sum of the window's weights, of which the middle one is 1.
 double weightWithin(const PsfParams& psf, int reach) {
   const std::vector<double> weights = gaussianWeights(psf.sigma, reach);
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -34,7 +34,7 @@ LensKey lensKeyOf(const Camera& camera, const CameraState& state, const Sampling
           camera.centre(),  sampling.samplesPerPixel, method.lens,      method.lensSteps};
 }
 
-/// The middle tap lies always inside the hogel, so the weights that are left add up to 1 or more,
+/// The middle tap always lies inside the hogel, so the weights that are left add up to 1 or more,
 /// and leaving out taps of weight d changes their mean by at most 2·d of its range: 2·255·d code
 /// values, times 12.92 where linear light is summed, since encoding is that steep at black.
 double leakageLoss(const PsfParams& psf, int reach) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a view needs to have modelled, and what not: decided before the work. Words for it are in
-// plan_words.h.
+// The plan of a view: what has to be modelled and what can be left out, decided before rendering.
+// plan_words.h describes it in words.
 #pragma once
 
 #include "core/lens/lens_table.h"
@@ -12,27 +12,27 @@ struct Plan {
   bool hasLens = false;          ///< rays go through the lens model
   bool isTableKept = false;      ///< its rays are kept in a table
   bool hasLinearHogels = false;  ///< hits are affine in the rays' slopes
-  bool isBehind = false;         ///< the eye is not in front of the panel: no rays at all
-  bool knowsOutline = false;     ///< the part of each row that sees the display is known beforehand
-  int psfReach = 0;              ///< taps on each side: (windowSize - 1) / 2, or fewer
-  bool sumsTexels = false;       ///< a pixel is more than one texel
-  bool sumsLinear = false;       ///< light is decoded before it is summed
-  bool copiesTexels = false;     ///< each pixel is one stored texel of 8 bits, in memory
+  bool isBehind = false;         ///< the eye is not in front of the panel, so there are no rays
+  bool knowsOutline = false;  ///< the columns of each row that see the display are known beforehand
+  int psfReach = 0;           ///< taps on each side: (windowSize - 1) / 2, or fewer
+  bool sumsTexels = false;    ///< a pixel is more than one texel
+  bool sumsLinear = false;    ///< light is decoded before it is summed
+  bool copiesTexels = false;  ///< each pixel is one stored texel of 8 bits, in memory
 };
 
-/// `view.lightField` must be there.
+/// Makes the plan of a view; `view.lightField` must not be null.
 Plan plan(const View& view);
-/// The same with the view's display.
+/// Makes the same plan with an existing Display of the view.
 Plan plan(const View& view, const Display& display);
 
-/// What a pixel changes by at most, in code values, if leakage reaches only `reach` taps to each
+/// Returns the most that a pixel changes, in code values, if leakage is cut to `reach` taps on each
 /// side.
 double leakageLoss(const PsfParams& psf, int reach);
 
-/// Throws InputError as Camera does.
+/// Returns the key of the state's lens. Throws InputError as Camera does.
 LensKey lensKeyOf(const CameraState& state, const SamplingParams& sampling,
                   const Method& method = {});
-/// The same with the state's camera.
+/// Returns the same key with an existing Camera of the state.
 LensKey lensKeyOf(const Camera& camera, const CameraState& state, const SamplingParams& sampling,
                   const Method& method = {});
 

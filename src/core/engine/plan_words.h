@@ -16,10 +16,10 @@ struct Decision {
   std::string saves;  ///< rays, taps or bytes; "" where it saves nothing
 };
 
-/// `plan` is the view's.
+/// Returns the decisions of `plan`, which must be the view's.
 std::vector<Decision> decisionsOf(const View& view, const Plan& plan);
 
-/// How the view renders, in one line: "nearest, 1 ray a pixel, 25 of 25 taps, lens table kept".
+/// Describes a plan in one line: "nearest, 1 ray a pixel, 25 of 25 taps, lens table kept".
 std::string oneLine(const View& view, const Plan& plan);
 
 }  // namespace hogelscope

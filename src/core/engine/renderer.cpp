@@ -9,8 +9,8 @@
 
 namespace hogelscope {
 
-Choice Renderer::choose(const View& view, const Progress& progress) {
-  return hogelscope::choose(view, m_tables, m_rows, progress);
+Choice Renderer::chooseMethod(const View& view, const Progress& progress) {
+  return hogelscope::chooseMethod(view, m_tables, m_rows, progress);
 }
 
 /// One pixel for each method.scale × method.scale.
@@ -24,7 +24,7 @@ AnyImage Renderer::renderReduced(const View& view, const Progress& progress) {
     for (int y = begin; y < end; ++y) {
       const std::size_t first = std::size_t(y) * std::size_t(width);
       simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
-      advance(progress, double(++done) / height);
+      reportProgress(progress, double(++done) / height);
     }
   });
   return image;
@@ -32,7 +32,7 @@ AnyImage Renderer::renderReduced(const View& view, const Progress& progress) {
 
 Image Renderer::render(const View& view, const Progress& progress) {
   const Progress heard = forThreads(progress);
-  const View chosen = choose(view, heard).view;
+  const View chosen = chooseMethod(view, heard).view;
   Image image = renderReduced<Image>(chosen, heard);
   const int scale = chosen.method.scale;
   return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
@@ -40,7 +40,7 @@ Image Renderer::render(const View& view, const Progress& progress) {
 
 FloatImage Renderer::renderFloat(const View& view, const Progress& progress) {
   const Progress heard = forThreads(progress);
-  const View chosen = choose(view, heard).view;
+  const View chosen = chooseMethod(view, heard).view;
   FloatImage image = renderReduced<FloatImage>(chosen, heard);
   const int scale = chosen.method.scale;
   return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);

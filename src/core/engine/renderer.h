@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders views: the one place that resolves sampling.tolerance, the method and its scale.
+// Renders views. Only this class resolves sampling.tolerance, the method and its scale.
 #pragma once
 
 #include "core/base/parallel.h"
@@ -10,21 +10,21 @@
 
 namespace hogelscope {
 
-/// Keeps lens tables from view to view. One thread at a time may use it.
+/// Renders views, and keeps lens tables between them. Not thread-safe.
 class Renderer {
  public:
-  /// `rows` shares out the rows of an image.
+  /// `rows` distributes the rows of an image over threads.
   explicit Renderer(ParallelRows rows = parallelRows) : m_rows(std::move(rows)) {}
 
-  /// What is rendered in the place of a view with a tolerance: see choose() in adaptive_method.h.
-  /// Throws as render() does.
-  [[nodiscard]] Choice choose(const View& view, const Progress& progress = {});
+  /// Returns the view that render() uses in place of one with a tolerance, see chooseMethod() in
+  /// adaptive_method.h. Throws as render() does.
+  [[nodiscard]] Choice chooseMethod(const View& view, const Progress& progress = {});
 
-  /// The image of the view's camera. `progress` is called from any thread with the fraction of the
-  /// rows done, never concurrently. Throws InputError as Simulation and LightFieldSource::slice()
-  /// do, and Cancelled.
+  /// Renders the image of the view's camera. `progress` is called from any thread with the fraction
+  /// of the rows done, never concurrently. Throws InputError as Simulation and
+  /// LightFieldSource::slice() do, and Cancelled.
   [[nodiscard]] Image render(const View& view, const Progress& progress = {});
-  /// The same, not rounded.
+  /// Renders the same image, not rounded.
   [[nodiscard]] FloatImage renderFloat(const View& view, const Progress& progress = {});
 
   [[nodiscard]] LensTables& tables() { return m_tables; }

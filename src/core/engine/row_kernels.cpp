@@ -20,7 +20,7 @@ using Word = std::uint32_t __attribute__((may_alias));
 using Word = std::uint32_t;
 #endif
 
-/// A HitMap's numbers in the precision of the arithmetic.
+/// The numbers of a HitMap in the precision of the arithmetic.
 template <class Real>
 struct RealMap {
   explicit RealMap(const HitMap& m) {
@@ -40,7 +40,7 @@ struct RealMap {
   std::array<Real, 4> constant, slope, count;
 };
 
-/// Where the ray through (x, y, 1) meets the display, as real-valued indices.
+/// Returns the real-valued indices where the ray through (x, y, 1) meets the display.
 template <class Real>
 struct RealHit {
   Real i;
@@ -62,7 +62,7 @@ inline RealHit<Real> hitOf(const RealMap<Real>& m, Real x, Real y) {
           m.constant[2] + m.slope[2] * a, m.constant[3] + m.slope[3] * b, dz < 0};
 }
 
-/// Bitwise on purpose: no branches. False for what is not a number.
+/// Whether all indices are in range. Bitwise on purpose: no branches. False for NaN.
 template <class Real>
 inline bool isSeen(const RealMap<Real>& m, const RealHit<Real>& h) {
   return static_cast<bool>(h.isToward & (h.i >= 0) & (h.i < m.count[0]) & (h.j >= 0) &
@@ -75,7 +75,7 @@ inline std::uint32_t cellOf(Real index) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(index));
 }
 
-/// What rounding put beyond a border is taken back to the last cell.
+/// Returns the cell of a coordinate; one that rounding has put beyond a border is in the last cell.
 template <class Real>
 inline std::uint32_t cellWithin(Real index, Real count) {
   const Real last = count - 1;
@@ -88,7 +88,7 @@ inline __attribute__((always_inline)) void addressesOfHitsIn(const HitMap& map,
                                                              const BlockLayout& layout,
                                                              const double* x, double y, int count,
                                                              std::uint32_t* address) {
-  const RealMap<Real> m(map);  // copies: the compiler knows that the stores leave them alone
+  const RealMap<Real> m(map);  // a copy, so that the compiler knows that stores do not change it
   const BlockLayout l = layout;
   for (int k = 0; k < count; ++k) {
     const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y));
@@ -158,7 +158,7 @@ void addresses(const HitMap& map, const BlockLayout& layout, const double* x, co
 }
 
 MULTIVERSIONED
-void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
+void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
   if (map.isSingle)
     cellsIn<float>(map, x, y, count, batch);
   else
@@ -194,8 +194,8 @@ void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& do
 }
 
 MULTIVERSIONED
-void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
-           std::uint32_t* offset, float* weight) {
+void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
+                     const float* place, std::uint32_t* offset, float* weight) {
   const AxisLayout l = layout;
   for (int k = 0; k < batchSize; ++k) {
     const int before = place[k] < 0.5F ? 1 : 0;
@@ -216,20 +216,20 @@ void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int
   for (int k = 0; k < count; ++k) to[k] = from[address[k]];
 }
 
-void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb) {
+void packRgb(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb) {
   // Whole texels, each over the last one's unused byte; the last has no room for its own.
   for (int k = 0; k + 1 < count; ++k) std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + k, 4);
   if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + count - 1, 3);
 }
 
 MULTIVERSIONED
-void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen) {
+void maskSeen(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen) {
   for (int k = 0; k < count; ++k) seen[k] = address[k] == unseen ? 0 : 255;
 }
 
 namespace {
 
-/// r, g, b of a stored texel as code values.
+/// Returns r, g, b of a stored texel as code values.
 struct Light {
   float r;
   float g;
@@ -254,7 +254,7 @@ inline Light encodedLight(const Texel<float>* texels, std::uint32_t at) {
   return {255 * t.r, 255 * t.g, 255 * t.b};
 }
 
-/// One loop over the rays for each tap; `light(at)` is what texel `at` gives.
+/// Loops over the rays for each tap; `light(at)` is the light of texel `at`.
 template <class LightAt>
 inline __attribute__((always_inline)) void sumTaps(const TapBatch& taps, int count, LightBatch& sum,
                                                    LightAt light) {

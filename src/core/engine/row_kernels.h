@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops that the time goes into: batches of rays become texel addresses, and those light. Plain
-// loops that the compiler vectorises, once for each kind of machine (AVX-512, AVX2, baseline).
+// The innermost loops: they turn batches of rays into texel addresses, and those into light. Plain
+// loops, which the compiler vectorises for AVX-512, AVX2 and the baseline.
 #pragma once
 
 #include <array>
@@ -13,52 +13,52 @@
 
 namespace hogelscope {
 
-/// Rays that are worked on together: small enough for the first-level cache.
+/// The number of rays in a batch, small enough for the first-level cache.
 constexpr int batchSize = 128;
 
-/// From a point (x, y, 1) of the image plane to real-valued hogel and direction (docs/formulas.md,
+/// Maps a point (x, y, 1) of the image plane to real-valued hogel and direction (docs/formulas.md,
 /// Hit): the direction in the display frame is x·right + y·down + forward, its slopes a = d.x/d.z
 /// and b = d.y/d.z, and every index is affine in them.
 struct HitMap {
   std::array<double, 3> right{};
   std::array<double, 3> down{};
   std::array<double, 3> forward{};
-  std::array<double, 4> constant{};  ///< of i, j, u, v at slope 0
+  std::array<double, 4> constant{};  ///< i, j, u, v at slope 0
   std::array<double, 4> slope{};     ///< i and u along a, j and v along b
   std::array<int, 4> count{};        ///< cells of each axis
   bool isSingle = false;             ///< float arithmetic
 };
 
-/// Cells of a batch, and for interpolation the place in them: 0 at the cell's beginning, 1 at its
-/// end.
+/// The cells of a batch, and for interpolation the position in them: 0 at the cell's beginning, 1
+/// at its end.
 struct CellBatch {
   std::array<std::array<std::uint32_t, batchSize>, 4> cell;
   std::array<std::array<float, batchSize>, 4> place;
   std::array<std::uint8_t, batchSize> seen;
 };
 
-/// Rays that are known to hit: only addresses, of a light field that is all in memory. A coordinate
-/// that rounding put on a border is taken back to the last cell.
+/// Computes addresses in a light field that is all in memory, for rays that are known to hit. A
+/// coordinate that rounding has put on a border counts to the last cell.
 void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
                      int count, std::uint32_t* address);
 
-/// Any rays, the same; those that see nothing get `unseen`.
+/// Computes addresses for any rays; those that see nothing get `unseen`.
 void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
                int count, std::uint32_t unseen, std::uint32_t* address);
 
-/// Cells, places and seen; cell 0 where nothing is seen.
-void cells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
+/// Fills a batch by a map whose hogel lens is linear; cell 0 where nothing is seen.
+void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
 
-/// The same with hogel lenses that are not linear, across and down: the map's u and v are slopes.
+/// Fills a batch with hogel lenses that are not linear: the map's u and v are slopes.
 void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
                  const double* y, int count, CellBatch& batch);
 
-/// Addresses and weights of the two cells of an axis whose centres lie around each place of a whole
-/// batch, the first ones in [0, batchSize), the second ones after them.
-void pairs(const AxisLayout& layout, int cells, const std::uint32_t* cell, const float* place,
-           std::uint32_t* offset, float* weight);
+/// Finds the addresses and weights of the two cells of an axis whose centres lie around each
+/// position of a whole batch, the first cells in [0, batchSize), the second ones after them.
+void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
+                     const float* place, std::uint32_t* offset, float* weight);
 
-/// Asks for the cache lines of texels.
+/// Prefetches the cache lines of texels.
 template <class T>
 inline void prefetch(const Texel<T>* texels, const std::uint32_t* address, int count) {
 #if defined(__GNUC__)
@@ -69,12 +69,12 @@ inline void prefetch(const Texel<T>* texels, const std::uint32_t* address, int c
 void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
             Texel<std::uint8_t>* out);
 
-/// Three bytes a texel.
-void pack(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
-/// 0 where the address is `unseen`, else 255.
-void mask(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
+/// Writes three bytes per texel.
+void packRgb(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
+/// Writes 0 where the address is `unseen`, else 255.
+void maskSeen(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
 
-/// Sums of a batch, a channel each.
+/// The sums of a batch, by channel.
 struct LightBatch {
   alignas(64) std::array<float, batchSize> r;
   alignas(64) std::array<float, batchSize> g;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of fewer pixels, and their way back to full size.
+// Images of fewer pixels, and their way back to full size.
 #include "core/engine/scaled_view.h"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ View overview(const View& view) {
 
 namespace {
 
-/// The two small pixels around a pixel of an axis, and the second one's share in parts of
-/// 2·scale.
+/// The two small pixels around a pixel of an axis, and the second one's weight in units of
+/// 1/(2·scale).
 struct Between {
   int first;
   int second;
@@ -43,7 +43,7 @@ struct Between {
 };
 
 Between between(int x, int smallPixels, int scale) {
-  const int twice = 2 * x - (scale - 1);  // its place among the small ones, times 2·scale
+  const int twice = 2 * x - (scale - 1);  // its position among the small ones, times 2·scale
   const int left = twice < 0 ? -1 : twice / (2 * scale);
   return {std::max(left, 0), std::min(left + 1, smallPixels - 1), twice - 2 * scale * left};
 }
@@ -65,7 +65,7 @@ float share(float, float sum, int scale) {
   return sum / static_cast<float>(4 * scale * scale);
 }
 
-/// Rows first, then columns: whole sums, so that enlargedPixel() gives the same.
+/// Interpolates rows, then columns, in whole numbers, so that enlargedPixel() is equal.
 template <class T>
 std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
                               const std::array<int, 2>& res) {
@@ -100,11 +100,11 @@ std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
 
 namespace {
 
-/// Of the nearest small pixel; what is not seen becomes black.
+/// Copies the mask of the nearest small pixel; pixels that are not seen become black.
 template <class T>
 std::vector<std::uint8_t> maskEnlarged(const std::vector<std::uint8_t>& small, int scale,
                                        const std::array<int, 2>& res, std::vector<T>& values) {
-  const int shift = scale / 2;  // of 1, 2 and 4
+  const int shift = scale / 2;  // log2 of 1, 2 and 4
   const int smallWidth = (res[0] + scale - 1) / scale;
   std::vector<std::uint8_t> seen(values.size() / 3);
   std::size_t to = 0;

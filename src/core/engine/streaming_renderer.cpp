@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of a light field that passes by once.
+// Renders a view of a light field that is streamed once.
 #include "core/engine/streaming_renderer.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Rows of hogels that a piece of a picture reads.
+/// Returns the rows of hogels that a piece of an image reads.
 CellRange hogelRows(const Footprint& footprint) {
   const auto& v = footprint.v;
   const auto isNeeded = [](const CellRange& range) { return !range.isEmpty(); };

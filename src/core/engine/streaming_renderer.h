@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of a light field that passes by once, hogel row after hogel row: of the rows that have
-// come only what the pixels still to be made need is kept.
+// Renders a view of a light field that is streamed once, hogel row after hogel row. Only the texels
+// that unfinished pixels still need are kept.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,30 @@ namespace hogelscope {
 
 class StreamingRenderer {
  public:
-  /// Casts all rays, but keeps no texels yet. The view's light field has nothing in memory.
-  /// `progress` is FastSimulation's. Throws InputError, as Simulation does, std::length_error for a
-  /// slice beyond 2^32 texels, and Cancelled, as begin() and finish() do.
+  /// Casts all rays, but allocates no texels yet. The view's light field has nothing in memory.
+  /// `progress` is passed to FastSimulation. Throws InputError, as Simulation does,
+  /// std::length_error for a slice beyond 2^32 texels, and Cancelled, as begin() and finish() do.
   StreamingRenderer(const View& view, LensTables& tables, const ParallelRows& parallelRows,
                     const Progress& progress = {});
 
-  /// Of the texels that are kept at a time.
+  /// Returns the bytes of the texels that are kept at a time.
   [[nodiscard]] std::size_t bytes() const;
-  /// Whose table of rays is kept as well; none for a plain lens.
+  /// Returns the lens whose table of rays is kept as well; none for a plain lens.
   [[nodiscard]] const std::optional<LensKey>& lens() const { return m_lens; }
   [[nodiscard]] const Footprint& footprint() const { return m_slice.footprint; }
 
-  /// Takes the memory; then rows can come.
+  /// Allocates the memory. Must be called before take().
   void begin(LensTables& tables, const ParallelRows& parallelRows);
-  /// Directions (·, v) of hogels (·, j): a row of the hogel image, T the stored type. Rows of
-  /// hogels come from the top.
+  /// Takes directions (·, v) of hogels (·, j), a row of the hogel image; T is the stored type. Rows
+  /// of hogels come from the top.
   template <class T>
   void take(int j, int v, const T* rgb) {
     const CellRange& needed = m_slice.footprint.v[std::size_t(j)];
     if (needed.first <= v && v <= needed.last) m_texels->takeRow(j, v, rgb);
   }
-  /// All of hogel row j has come: makes the pixels that waited for it.
+  /// Renders the pixels that hogel row j completes; all of it has been taken.
   void finish(int j);
-  /// After the last row; the memory is free again.
+  /// Returns the image after the last row, and frees the memory.
   [[nodiscard]] Image takeImage();
 
  private:
@@ -50,7 +50,7 @@ class StreamingRenderer {
   Progress m_progress;
   std::optional<LensKey> m_lens;
   SliceLayout m_slice;
-  std::vector<std::vector<Piece>> m_due;  ///< when hogel row j has come
+  std::vector<std::vector<Piece>> m_due;  ///< pieces that hogel row j completes
   std::shared_ptr<LightField> m_texels;
   std::optional<FastSimulation> m_simulation;
   Image m_image;

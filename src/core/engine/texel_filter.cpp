@@ -67,7 +67,7 @@ const AxisLayout& TexelFilter::layoutOf(std::size_t axis) const {
   return *std::array{&layout.i, &layout.j, &layout.u, &layout.v}[axis];
 }
 
-/// One tap: the cell itself.
+/// Makes one tap: the cell itself.
 void TexelFilter::nearestTap(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   static constexpr float whole = 1;
   taps.taps = 1;
@@ -77,17 +77,17 @@ void TexelFilter::nearestTap(std::size_t axis, const CellBatch& batch, AxisTaps&
   for (std::size_t k = 0; k < batchSize; ++k) taps.offset[0][k] = layout(batch.cell[axis][k]);
 }
 
-/// Two taps: the cells whose centres lie around the hit.
+/// Makes two taps: the cells whose centres lie around the hit.
 void TexelFilter::linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   taps.taps = 2;
   taps.share = nullptr;
   taps.offset.resize(2);
   taps.weight.resize(2);
-  pairs(layoutOf(axis), m_cells[axis], batch.cell[axis].data(), batch.place[axis].data(),
-        taps.offset[0].data(), taps.weight[0].data());
+  bracketingCells(layoutOf(axis), m_cells[axis], batch.cell[axis].data(), batch.place[axis].data(),
+                  taps.offset[0].data(), taps.weight[0].data());
 }
 
-/// Direction axes without interpolation: the window of each ray's cell.
+/// Makes the taps of a direction axis without interpolation: the window of each ray's cell.
 void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   const AxisWeights& weights = m_weights[axis - 2];
   const AxisLayout layout = layoutOf(axis);
@@ -113,7 +113,7 @@ void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTa
   }
 }
 
-/// Direction axes with interpolation: the windows of the two cells around the hit, one tap apart.
+/// Makes those with interpolation: the windows of the two cells around the hit, one tap apart.
 void TexelFilter::interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   const AxisWeights& weights = m_weights[axis - 2];
   const AxisLayout layout = layoutOf(axis);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of a batch of rays as a sum over taps along four axes, hogels i, j and directions u, v:
-// one tap where nothing is interpolated or leaks, two for an interpolation, a window for leakage.
+// Sums the light of a batch of rays over taps along four axes, hogels i, j and directions u, v: one
+// tap where nothing is interpolated or leaks, two for interpolation, a window for leakage.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hogelscope {
 
-/// Taps of a batch along one axis: tap t of ray k adds offset[t][k] to its address.
+/// The taps of a batch along one axis: tap t of ray k adds offset[t][k] to its address.
 struct AxisTaps {
   int taps = 1;
   const float* share = nullptr;  ///< weights that all rays have; null: `weight`
@@ -22,17 +22,17 @@ struct AxisTaps {
 
 class TexelFilter {
  public:
-  /// What a thread works with.
+  /// Working memory of one thread.
   using Scratch = std::array<AxisTaps, 4>;
 
   TexelFilter(std::shared_ptr<const LightField> lightField, const View& view, const Plan& plan);
 
-  /// The light of the batch's first `count` rays, in what is summed. All lanes' cells must lie in
-  /// the light field.
+  /// Sums the light of the batch's first `count` rays: code values, or linear light if the plan
+  /// says so. All lanes' cells must lie in the light field.
   void sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const;
 
  private:
-  /// Weights along one direction axis for each cell of it.
+  /// The weights along a direction axis, for each cell of it.
   struct AxisWeights {
     int reach = 0;
     int cells = 0;

@@ -33,7 +33,7 @@ HitMap hitMapOf(const View& view, const Display& display, const Camera& camera) 
   return map;
 }
 
-/// The part of [low, high] where constant + slope·x ≥ 0.
+/// Returns the part of [low, high] where constant + slope·x ≥ 0.
 void clip(double constant, double slope, std::array<double, 2>& part) {
   if (slope > 0)
     part[0] = std::max(part[0], -constant / slope);
@@ -43,7 +43,7 @@ void clip(double constant, double slope, std::array<double, 2>& part) {
     part = {1, 0};
 }
 
-/// The directions that a ray's cell takes light from, with those of its neighbour hogels.
+/// Returns the directions that contribute to a ray's cell, with those of its neighbour hogels.
 struct Reach {
   int hogels;
   int directions;
@@ -75,8 +75,8 @@ ViewRays::ViewRays(const View& view, LensTables& tables, const ParallelRows& par
   if (!m_lens) m_rays.emplace(m_lensKey, m_progress);
 }
 
-/// The columns of a row whose rays hit, for a plain lens: each condition of a hit is linear in x
-/// once it is multiplied by the direction's z.
+/// Returns the columns of a row whose rays hit, for a plain lens: each condition of a hit is linear
+/// in x once it is multiplied by the direction's z.
 std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   const double py = plainY(y);
   const auto at = [&](std::size_t c) { return m_map.down[c] * py + m_map.forward[c]; };
@@ -97,7 +97,7 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   // The ends are decided by the ray itself, not by the rounding of the division above.
   const auto isUnseen = [&](int x) {
     CellBatch batch;
-    hogelscope::cells(m_map, plainX(x), &py, 1, batch);
+    linearCells(m_map, plainX(x), &py, 1, batch);
     return batch.seen[0] == 0;
   };
   while (first < last && isUnseen(first)) ++first;
@@ -138,7 +138,7 @@ void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch)
     m_rays->row(y, sx, sy, x0, count, madeX.data(), madeY.data());
   }
   if (m_plan.hasLinearHogels)
-    hogelscope::cells(m_map, x, py, count, batch);
+    linearCells(m_map, x, py, count, batch);
   else
     curvedCells(m_map, m_display.lens(0), m_display.lens(1), x, py, count, batch);
 }

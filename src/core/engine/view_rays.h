@@ -21,9 +21,9 @@ namespace hogelscope {
 
 class ViewRays {
  public:
-  /// `tables` keeps lens tables from view to view. `progress` is kept and asked wherever casting
-  /// takes long, here and in all functions; it does not hear how much is done. Throws InputError as
-  /// Simulation does, and Cancelled, as all functions that cast rays do.
+  /// `tables` keeps lens tables between views. `progress` is kept and called wherever casting takes
+  /// long, here and in all functions; it only cancels, without a fraction done. Throws InputError
+  /// as Simulation does, and Cancelled, as all functions that cast rays do.
   ViewRays(const View& view, LensTables& tables, const ParallelRows& parallelRows,
            const Progress& progress = {});
 
@@ -32,28 +32,28 @@ class ViewRays {
   [[nodiscard]] const Progress& progress() const { return m_progress; }
   /// Whether the eye is not in front of the panel.
   [[nodiscard]] bool seesNothing() const { return m_seesNothing; }
-  /// From ideal points to cells, where the hogel lens is linear.
+  /// Returns the map from ideal points to cells, if the hogel lens is linear.
   [[nodiscard]] const HitMap& map() const { return m_map; }
-  /// Null for a plain lens, and for a table that would be too large.
+  /// Returns the lens table; null for a plain lens, or if it would be too large.
   [[nodiscard]] const LensTable* lens() const { return m_lens.get(); }
   [[nodiscard]] const LensKey& lensKey() const { return m_lensKey; }
-  /// For a plain lens: ideal points of the columns from x0 on, and of a row.
+  /// Return the ideal x of the columns from x0 on, and the ideal y of a row, for a plain lens.
   [[nodiscard]] const double* plainX(int x0) const { return &m_x[std::size_t(x0)]; }
   [[nodiscard]] double plainY(int y) const {
     return (y - m_lensKey.centre.y) / m_lensKey.focalLength.y;
   }
 
-  /// How many rays the picture takes: all, or where the outline is known those that hit.
+  /// Returns the number of rays of the image: all, or those that hit if the outline is known.
   [[nodiscard]] std::int64_t count() const;
-  /// Where the outline is known: the columns [first, last) of [x0, x1) whose rays hit.
+  /// Returns the columns [first, last) of [x0, x1) whose rays hit, if the outline is known.
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
 
-  /// What the rays of sub-pixel (sx, sy) of pixels [x0, x0 + count) of row y meet; at most a batch.
-  /// May be called from several threads, as the next one.
+  /// Finds the cells that the rays of sub-pixel (sx, sy) of pixels [x0, x0 + count) of row y meet;
+  /// at most a batch. Thread-safe, as the next one.
   void cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const;
-  /// The texels that pixels [x0, x1) of row y may read: their rays, interpolation and leakage.
+  /// Returns the texels that pixels [x0, x1) of row y may read, interpolation and leakage included.
   [[nodiscard]] Footprint footprint(int y, int x0, int x1) const;
-  /// Those of the whole picture.
+  /// Returns the texels that the whole image may read.
   [[nodiscard]] Footprint footprint(const ParallelRows& parallelRows) const;
 
  private:
@@ -65,8 +65,8 @@ class ViewRays {
   HitMap m_map;
   bool m_seesNothing = false;
   std::shared_ptr<const LensTable> m_lens;
-  std::optional<LensRays> m_rays;  ///< where they are not kept in a table
-  std::vector<double> m_x;         ///< of each pixel column, plain lens
+  std::optional<LensRays> m_rays;  ///< if they are not kept in a table
+  std::vector<double> m_x;         ///< ideal x of each pixel column, plain lens
 };
 
 }  // namespace hogelscope

@@ -14,7 +14,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Points that take their steps together: small enough for the first-level cache.
+/// Points that are iterated together: small enough for the first-level cache.
 constexpr int batchSize = 128;
 
 /// Newton's error is squared by the next step: after a move this short it is below rounding.
@@ -30,7 +30,7 @@ double squaredNorm(const Vec2& a) {
 /// derivative's bound per length, stays positive.
 BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
     : m_distortion(distortion), m_progress(std::move(progress)) {
-  constexpr double farthest = 100;  // beyond any picture but those of nearly 180°
+  constexpr double farthest = 100;  // beyond any image but those of nearly 180°
   double radius = 0;
   while (radius < farthest) {
     const double next = std::min(1.2 * radius + 0.05, farthest);
@@ -47,8 +47,8 @@ BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
       0.0, radius * (1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2) - 3 * r2 * std::hypot(p1, p2));
 }
 
-/// A lower bound over the circle: along and across the radius for the radial terms, the tangential
-/// ones take at most 6 |(p1, p2)| r away.
+/// Returns a lower bound over the circle: along and across the radius for the radial terms, less
+/// 6 |(p1, p2)| r, the most that the tangential ones can subtract.
 double BatchUndistort::leastEigenvalue(double radius) const {
   const auto& [k1, k2, p1, p2, k3] = m_distortion.params();
   const double r2 = radius * radius;

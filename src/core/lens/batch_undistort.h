@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inverse of a lens for many points: the same as Distortion::undistort, in batches.
+// The inverse of a lens for many points, equal to Distortion::undistort.
 #pragma once
 
 #include "core/base/progress.h"
@@ -7,16 +7,16 @@
 
 namespace hogelscope {
 
-/// Within a certain radius of ideal points the Jacobian is positive definite, so the model is
-/// injective there, and preimages of all segments shorter than a certain length stay in it: any
-/// root that Newton finds there is the right one. Other points go Distortion's certified way.
+/// Inverts a lens in batches. Within a certain radius of ideal points the Jacobian is positive
+/// definite, so the model is injective there, and preimages of segments up to a certain length stay
+/// in it: any root that Newton finds there is the right one. Distortion inverts all other points.
 class BatchUndistort {
  public:
-  /// `progress` is asked before each point that goes the certified way, which takes up to some
+  /// `progress` is called before each point that Distortion inverts, which takes up to some
   /// milliseconds near a fold.
   explicit BatchUndistort(const Distortion& distortion, Progress progress = {});
 
-  /// Puts ideal points in the place of `count` distorted ones; not numbers where there is no ray.
+  /// Replaces `count` distorted points by ideal ones; NaN where there is no ray.
   /// Throws Cancelled.
   void undistort(double* x, double* y, int count) const;
 
@@ -26,8 +26,8 @@ class BatchUndistort {
 
   Distortion m_distortion;
   Progress m_progress;
-  double m_certainRadius = 0;     ///< of ideal points
-  double m_certainDistorted = 0;  ///< of distorted points
+  double m_certainRadius = 0;     ///< radius of ideal points
+  double m_certainDistorted = 0;  ///< radius of distorted points
 };
 
 }  // namespace hogelscope

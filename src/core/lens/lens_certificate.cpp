@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a lens can be trusted.
+// The range in which a lens can be trusted.
 #include "core/lens/lens_certificate.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ double leastEigenvalue(const Jacobian& j) {
   return (j.xx + j.yy - std::hypot(j.xx - j.yy, 2 * j.xy)) / 2;
 }
 
-/// Marches along a direction in steps in which the eigenvalue cannot reach 0.
+/// Marches along a direction in steps within which the eigenvalue cannot reach 0.
 double singularAt(const Distortion& distortion, double angle, double farthest) {
   double radius = 0;
   while (radius < farthest) {
@@ -96,7 +96,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
   return all;
 }
 
-std::string text(const LensCertificate& certificate) {
+std::string certificateText(const LensCertificate& certificate) {
   const auto degrees = [](double slope) { return std::atan(slope) * 180 / std::numbers::pi; };
   std::array<char, 300> line{};
   if (std::isinf(certificate.validRadius))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a lens does to a grid of straight lines.
+// A grid of straight lines as a lens images it.
 #include "core/lens/lens_grid.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ Vec2 times(double s, const Vec2& p) {
   return {s * p.x, s * p.y};
 }
 
-/// Between a point of the world, on the plane z = 1, and its place in the picture.
+/// Maps between a point of the world, on the plane z = 1, and its point of the image.
 class Mapping {
  public:
   Mapping(const LensKey& lens, const Progress& progress)
@@ -22,7 +22,7 @@ class Mapping {
         m_distortion(lens.distortion),
         m_inverse(Distortion(lens.distortion), progress) {}
 
-  /// On the plane z = 1.
+  /// Returns the point of the plane z = 1 under a pixel.
   [[nodiscard]] Vec2 onSensor(const Vec2& pixel) const {
     return {(pixel.x - m_lens.centre.x) / m_lens.focalLength.x,
             (pixel.y - m_lens.centre.y) / m_lens.focalLength.y};
@@ -31,12 +31,12 @@ class Mapping {
     return {m_lens.focalLength.x * onSensor.x + m_lens.centre.x,
             m_lens.focalLength.y * onSensor.y + m_lens.centre.y};
   }
-  /// Not numbers where the lens folds before it.
+  /// Returns NaN where the lens folds before the point.
   [[nodiscard]] Vec2 undistort(Vec2 p) const {
     m_inverse.undistort(&p.x, &p.y, 1);
     return p;
   }
-  /// Where the picture shows a point of the world; not numbers where it does not.
+  /// Returns the point of the image that shows a point of the world; NaN if none does.
   [[nodiscard]] Vec2 shown(const Vec2& world) const {
     if (m_lens.mapping == LensMapping::direct) return undistort(world);
     const Vec2 place = m_distortion.distort(world);
@@ -45,7 +45,7 @@ class Mapping {
     if (miss <= 1e-6 * (1 + std::hypot(world.x, world.y))) return place;
     return {std::nan(""), std::nan("")};
   }
-  /// The point of the world under a point of the picture.
+  /// Returns the point of the world under a point of the image.
   [[nodiscard]] Vec2 seen(const Vec2& onSensor) const {
     return m_lens.mapping == LensMapping::direct ? m_distortion.distort(onSensor)
                                                  : undistort(onSensor);
@@ -62,12 +62,12 @@ struct Border {
   Vec2 last;
 };
 
-/// The picture's corners, on the plane z = 1.
+/// Returns the image's corners on the plane z = 1.
 Border borderOf(const LensKey& lens, const Mapping& mapping) {
   return {mapping.onSensor({-0.5, -0.5}), mapping.onSensor({lens.res[0] - 0.5, lens.res[1] - 0.5})};
 }
 
-/// How far away from the axis the world is seen, across or down, whichever is more.
+/// Returns how far from the axis the world is seen, across or down, whichever is more.
 double reachOf(const Border& border, const Mapping& mapping) {
   constexpr int steps = 32;
   double reach = 0;
@@ -81,7 +81,7 @@ double reachOf(const Border& border, const Mapping& mapping) {
   return reach;
 }
 
-/// Cuts where a point is not shown.
+/// Cuts a line where a point is not shown.
 void addLine(const Vec2& from, const Vec2& to, const Mapping& mapping, LensGrid& grid) {
   constexpr int steps = 96;
   grid.lines.emplace_back();

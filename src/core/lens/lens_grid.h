@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a lens does to a grid of straight lines, as points of the picture: for drawing it.
+// A grid of straight lines as a lens images it, for drawings.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@
 
 namespace hogelscope {
 
-/// All points in pixels of the picture, whose pixel centres are at integers.
+/// Points are in pixels of the image, with pixel centres at integers.
 struct LensGrid {
-  std::array<int, 2> res{};  ///< the picture's size; {0, 0}: nothing to draw
+  std::array<int, 2> res{};  ///< the image's size; {0, 0}: nothing to draw
   /// Pieces of the grid's lines, as far as the lens is one-to-one.
   std::vector<std::vector<Vec2>> lines;
-  /// The closed line around the axis within which the lens has rays, and at most as far away as the
-  /// picture's farthest corner; empty where it has rays as far as that everywhere.
+  /// The closed line around the axis within which the lens has rays, at most as far away as the
+  /// image's farthest corner; empty if it has rays up to there in every direction.
   std::vector<Vec2> fold;
 };
 
-/// The grid is square in the world; a pinhole camera would see ten squares in the picture's height.
+/// Makes a grid of squares, ten of which fill the height of a pinhole camera's image.
 /// Throws Cancelled.
 LensGrid lensGrid(const LensKey& lens, const Progress& progress = {});
 

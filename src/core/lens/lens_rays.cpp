@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a lens for a picture, row by row.
+// The rays of a lens for an image, row by row.
 #include "core/lens/lens_rays.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void LensRays::invert(double* x, double* y, int count) const {
   }
 }
 
-/// Nodes stand on the pixels' outer edges, from the picture's upper left corner on.
+/// Nodes lie on the pixels' outer edges, starting at the image's upper left corner.
 void LensRays::makeNodes() {
   const int spacing = m_key.steps;
   const auto nodes = [spacing](int pixels) { return (pixels + spacing - 1) / spacing + 1; };
@@ -69,7 +69,7 @@ void LensRays::makeNodes() {
   m_exact.undistort(m_nodeX.data(), m_nodeY.data(), int(m_nodeX.size()));
 }
 
-/// Bilinear; no ray where one of the four nodes has none.
+/// Interpolates bilinearly; no ray where one of the four nodes has none.
 Vec2 LensRays::betweenNodes(double px, double py) const {
   const double column = (px + 0.5) / m_key.steps;
   const double row = (py + 0.5) / m_key.steps;

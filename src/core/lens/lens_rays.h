@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a lens for a picture, row by row.
+// The rays of a lens for an image, row by row.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// All that a picture's rays in the camera frame depend on.
+/// Everything that an image's rays in the camera frame depend on.
 struct LensKey {
   DistortionParams distortion;
   LensMapping mapping = LensMapping::exact;
@@ -20,17 +20,17 @@ struct LensKey {
   Vec2 centre;       ///< pixels
   int samplesPerPixel = 1;
   LensInverse inverse = LensInverse::exact;
-  int steps = 0;  ///< of the inverse
+  int steps = 0;  ///< steps of the inverse
   bool operator==(const LensKey&) const = default;
 };
 
 class LensRays {
  public:
-  /// `progress` is BatchUndistort's. Throws Cancelled.
+  /// `progress` is passed to BatchUndistort. Throws Cancelled.
   explicit LensRays(const LensKey& key, const Progress& progress = {});
 
-  /// Ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy) of samplesPerPixel²; not
-  /// numbers where there is no ray. Throws Cancelled.
+  /// Writes the ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy) of
+  /// samplesPerPixel²; NaN where there is no ray. Throws Cancelled.
   void row(int y, int sx, int sy, int x0, int count, double* idealX, double* idealY) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a lens, one for each (sub-)pixel of a picture.
+// The rays of a lens, one for each (sub-)pixel of an image.
 #include "core/lens/lens_table.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a lens, one for each (sub-)pixel of a picture: computed once, shared by all states
-// that have the lens and the resolution.
+// The rays of a lens, one for each (sub-)pixel of an image, computed once and shared by all states
+// with the same lens and resolution.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ class LensTable {
   /// Throws Cancelled.
   LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress = {});
 
-  /// Ideal points of picture row `y`, sub-pixel (sx, sy): res[0] x and as many y; not numbers
+  /// Return the ideal points of image row `y`, sub-pixel (sx, sy): res[0] x and as many y; NaN
   /// where there is no ray.
   [[nodiscard]] const double* x(int y, int sx, int sy) const { return &m_x[at(y, sx, sy)]; }
   [[nodiscard]] const double* y(int y, int sx, int sy) const { return &m_y[at(y, sx, sy)]; }
-  /// Of a table in memory.
+  /// Returns the bytes that a table takes in memory.
   static std::size_t bytes(const std::array<int, 2>& res, int samplesPerPixel);
 
  private:
@@ -33,12 +33,12 @@ class LensTable {
   std::vector<double> m_y;
 };
 
-/// Keeps the latest tables, up to a size. Not for several threads.
+/// Keeps the latest tables, up to a total size. Not thread-safe.
 class LensTables {
  public:
   static constexpr std::size_t largestBytes = std::size_t{256} << 20;
 
-  /// `progress` hears of a new table. Throws Cancelled.
+  /// Returns a table; `progress` is called while a new one is computed. Throws Cancelled.
   std::shared_ptr<const LensTable> get(const LensKey& key, const ParallelRows& parallelRows,
                                        const Progress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a directional pixel lies in memory.
+// The order of directional pixels in memory.
 #include "core/light_field/block_layout.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ BlockLayout::BlockLayout(const LightFieldSize& size,
   const std::array<std::uint32_t, 4> cells{std::uint32_t(size.nx), std::uint32_t(size.ny),
                                            std::uint32_t(size.du), std::uint32_t(size.dv)};
   const std::array<AxisLayout*, 4> axes{&i, &j, &u, &v};
-  // From the innermost: i, j, u, v, within a block and among blocks: neighbouring camera pixels
-  // meet neighbouring hogels first.
+  // The order from the innermost is i, j, u, v, within a block and among blocks: neighbouring
+  // camera pixels meet neighbouring hogels first.
   constexpr std::array<std::size_t, 4> innermostFirst{0, 1, 2, 3};
   std::uint64_t stride = 1;
   for (const std::size_t axis : innermostFirst) {

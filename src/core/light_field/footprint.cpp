@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which directional pixels a view may read.
+// The directional pixels that a view may read.
 #include "core/light_field/footprint.h"
 
 #include <algorithm>

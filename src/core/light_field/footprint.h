@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which directional pixels a view may read. All rays of a camera meet in its eye, so that each
-// column of hogels shows it a narrow range of u, and each row of hogels one of v: of the paper's
-// light field a view needs some 50 MB.
+// The directional pixels that a view may read. All rays of a camera meet in its eye, so each column
+// of hogels shows it a narrow range of u, and each row of hogels a narrow range of v: a view needs
+// some 50 MB of the paper's light field.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +19,20 @@ struct CellRange {
   [[nodiscard]] bool covers(const CellRange& other) const {
     return other.isEmpty() || (first <= other.first && other.last <= last);
   }
-  /// Grows to hold the other one.
+  /// Extends this range to cover the other one.
   void include(const CellRange& other);
   bool operator==(const CellRange&) const = default;
 };
 
 struct Footprint {
   Footprint() = default;
-  /// Empty ranges of nx columns and ny rows of hogels.
+  /// Makes empty ranges for nx columns and ny rows of hogels.
   Footprint(int nx, int ny) : u(std::size_t(nx)), v(std::size_t(ny)) {}
 
-  std::vector<CellRange> u;  ///< of each column of hogels i
-  std::vector<CellRange> v;  ///< of each row of hogels j
+  std::vector<CellRange> u;  ///< for each column of hogels i
+  std::vector<CellRange> v;  ///< for each row of hogels j
 
-  /// In directional pixels.
+  /// Returns the number of directional pixels.
   [[nodiscard]] std::size_t texels() const;
   [[nodiscard]] bool covers(const Footprint& other) const;
   void include(const Footprint& other);

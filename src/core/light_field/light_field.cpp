@@ -34,7 +34,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   v.field(
       "layout", layout, layoutNames,
       "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, or a "
-      "store of blocks (--pack).");
+      "store of blocks.");
   v.field("incoming", incoming,
           "Directions were recorded looking into the scene: both u and v are flipped.");
   if (layout == Layout::views) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seam of content.
+// The interface of content.
 #include "core/light_field/light_field_source.h"
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the directional pixels of a footprint lie in memory.
+// The layout of a footprint's directional pixels in memory.
 #include "core/light_field/slice_layout.h"
 
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace hogelscope {
 
 namespace {
 
-/// Rows that lie in memory at the same time; where they begin, counted in rows.
+/// The size of a ring of rows, and where each hogel row begins in it, counted in rows.
 struct Places {
   std::vector<std::size_t> begin;
   std::size_t rows = 0;
 };
 
-/// The most rows that are needed at a time, and once more the largest hogel row's for what the
-/// ring's end wastes.
+/// Returns the most rows that are needed at a time, plus those of the largest hogel row, which the
+/// end of the ring may waste.
 std::size_t ringRows(const std::vector<CellRange>& v, const std::vector<int>& lastUse) {
   struct Kept {
     int until;
@@ -31,7 +31,7 @@ std::size_t ringRows(const std::vector<CellRange>& v, const std::vector<int>& la
   int until = 0;
   for (int j = 0; j < int(v.size()); ++j) {
     for (; !kept.empty() && kept.front().until < j; kept.pop_front()) rows -= kept.front().rows;
-    until = std::max(until, lastUse[std::size_t(j)]);  // places are given back in their order
+    until = std::max(until, lastUse[std::size_t(j)]);  // places are released in order
     kept.push_back({until, v[std::size_t(j)].size()});
     rows += kept.back().rows;
     most = std::max(most, rows);
@@ -40,7 +40,7 @@ std::size_t ringRows(const std::vector<CellRange>& v, const std::vector<int>& la
   return most + largest;
 }
 
-/// Each hogel row's behind the last ones, from the beginning again where the end is too near.
+/// Puts each hogel row behind the one before, or at the beginning where the end is too near.
 Places ring(const std::vector<CellRange>& v, const std::vector<int>& lastUse) {
   Places places{{}, ringRows(v, lastUse)};
   std::size_t next = 0;

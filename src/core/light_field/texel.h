@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directional pixels: how many there are, which one, its light.
+// Directional pixels (texels): their number, their index and their light.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct LightFieldSize {
   bool operator==(const LightFieldSize&) const = default;
 };
 
-/// Which directional pixel: hogel (i, j) from the panel's top left, direction (u, v): u grows for
-/// light leaving to the right, v = 0 leaves upwards.
+/// The index of a directional pixel: hogel (i, j) from the panel's top left, direction (u, v); u
+/// grows for light that leaves to the right, v = 0 leaves upwards.
 struct TexelIndex {
   int i = 0;
   int j = 0;
@@ -28,7 +28,7 @@ struct TexelIndex {
   bool operator==(const TexelIndex&) const = default;
 };
 
-/// Red, green, blue in code values: 0 … 255 is the range of an 8-bit picture, fractions kept.
+/// Red, green, blue in code values: 0 … 255 is the range of an 8-bit image, fractions kept.
 struct Rgb {
   double r = 0;
   double g = 0;
@@ -45,7 +45,7 @@ constexpr Rgb operator*(double s, const Rgb& c) {
 
 enum class StoredType { uint8, uint16, real };
 
-/// Of a texel in memory.
+/// Returns the size of a texel in memory.
 constexpr std::size_t memoryBytes(StoredType type) {
   return std::array<std::size_t, 3>{4, 8, 16}[std::size_t(type)];
 }

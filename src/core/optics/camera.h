@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// The camera part of a state. Lengths in metres, `fov` is the vertical angle in degrees.
+/// The camera part of a state. Lengths are in metres; `fov` is the vertical angle in degrees.
 struct CameraParams {
   std::string name;
   Vec3 eye{0, 0, 0.559};
@@ -27,9 +27,9 @@ void describe(ParameterVisitor& v, CameraParams& p);
 /// Whether eye, lookat and up give the camera a frame.
 bool hasFrame(const CameraParams& p);
 
-/// A calibrated camera's `intrinsics`, in pixels of the state's own pictures; they take the place
-/// of `fov` where fx is given. Without fy the pixels are square, without cx or cy the axis goes
-/// through the picture's middle.
+/// A calibrated camera's `intrinsics`, in pixels of the state's own images; they replace `fov` if
+/// fx is given. Without fy the pixels are square, without cx or cy the axis passes through the
+/// middle of the image.
 struct IntrinsicsParams {
   double fx = notGiven;
   double fy = notGiven;
@@ -41,14 +41,14 @@ struct IntrinsicsParams {
 
 void describe(ParameterVisitor& v, IntrinsicsParams& p);
 
-/// +x right, +y down, +z forward; pixel centres at integers, (w-1)/2, (h-1)/2 on the axis where no
-/// intrinsics say otherwise.
+/// A pinhole camera: +x right, +y down, +z forward; pixel centres at integers, the axis through
+/// ((w-1)/2, (h-1)/2) unless the intrinsics say otherwise.
 class Camera {
  public:
   /// Throws InputError ("lookat" or "up") where the camera has no frame.
   explicit Camera(const CameraParams& params, const IntrinsicsParams& intrinsics = {});
 
-  /// Columns right, down, forward; origin at the eye.
+  /// The columns are right, down and forward; the origin is the eye.
   [[nodiscard]] const RigidTransform& worldFromCamera() const { return m_worldFromCamera; }
   /// Focal lengths in pixels, across and down: both (h/2) / tan(fov/2) without intrinsics.
   [[nodiscard]] Vec2 focalLength() const { return m_focal; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display: where a ray meets the panel, and which directional pixel it sees there.
+// The display: the intersection of a ray with the panel, and the directional pixel seen there.
 #include "core/optics/display.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display: a panel of hogels, each with a lens that sends every directional pixel its own way.
+// The display: a panel of hogels, each with a lens that gives every directional pixel a direction.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hogelscope {
 
-/// The session's `display`. Lengths in metres, angles in degrees.
+/// The session's `display`. Lengths are in metres, angles in degrees.
 struct DisplayParams {
   Vec3 position;
   Vec3 orientation;
@@ -26,14 +26,14 @@ struct DisplayParams {
 
 void describe(ParameterVisitor& v, DisplayParams& p);
 
-/// A line that light takes in the display frame: where it meets the panel (metres) and its slopes
-/// dx/dz, dy/dz toward the viewer.
+/// A ray of light in the display frame: its point on the panel (metres) and its slopes dx/dz, dy/dz
+/// toward the viewer.
 struct PanelRay {
   Vec2 position;
   Vec2 slopes;
 };
 
-/// Where a ray meets the display, in real-valued indices: floor gives the hogel and direction.
+/// The real-valued indices at which a ray meets the display; floor gives the hogel and direction.
 struct Hit {
   double i = 0;
   double j = 0;
@@ -48,27 +48,27 @@ class Display {
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
-  /// Of the hogels, across (u) and down (v).
+  /// Returns the hogels' lens across (axis 0, u) or down (axis 1, v).
   [[nodiscard]] const HogelLens& lens(std::size_t axis) const { return *m_lenses[axis]; }
 
-  /// The hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit). None where
-  /// the eye is not in front of the panel, the ray does not go toward it, misses it, or leaves the
-  /// hogel's angular field.
+  /// Returns the hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit). None
+  /// if the eye is not in front of the panel, or the ray points away from it, misses it, or lies
+  /// outside the hogel's angular field.
   [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction) const;
 
-  /// The same where only the panel's plane matters: also beyond the panel and the angular field.
-  /// None where the eye is not in front or the ray does not go toward the plane.
+  /// Returns the hit with the panel's plane, also beyond the panel and the angular field. None if
+  /// the eye is not in front of the plane or the ray points away from it.
   [[nodiscard]] std::optional<Hit> intersectPlane(const Vec3& eye, const Vec3& direction) const;
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
 
-  /// Slopes dx/dz, dy/dz of the light of a real-valued direction: u = 0 … du, v = 0 … dv.
+  /// Returns the slopes dx/dz, dy/dz of a real-valued direction: u = 0 … du, v = 0 … dv.
   [[nodiscard]] Vec2 slopes(double u, double v) const;
-  /// A place on the panel, in its plane's metres: i = 0 … nx, j = 0 … ny.
+  /// Returns a point of the panel's plane in metres: i = 0 … nx, j = 0 … ny.
   [[nodiscard]] Vec2 position(double i, double j) const;
 
-  /// The ray that leaves the middle of a hogel through the middle of a directional pixel: the
-  /// inverse of `hit`, for making content.
+  /// Returns the ray from the middle of a hogel through the middle of a directional pixel: the
+  /// inverse of hit(), for content.
   [[nodiscard]] PanelRay rayOf(const TexelIndex& at) const;
 
  private:

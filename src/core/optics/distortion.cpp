@@ -19,7 +19,7 @@ Vec2 solve(const Jacobian& j, const Vec2& r) {
   return {(j.yy * r.x - j.xy * r.y) / d, (j.xx * r.y - j.yx * r.x) / d};
 }
 
-/// Norm of the inverse of `j`: largest singular value over |det|.
+/// Returns the norm of the inverse of `j`: its largest singular value over |det|.
 double inverseNorm(const Jacobian& j) {
   const double sum = std::hypot(j.xx + j.yy, j.yx - j.xy);
   const double difference = std::hypot(j.xx - j.yy, j.yx + j.xy);
@@ -71,7 +71,7 @@ double Distortion::secondDerivativeBound(double radius) const {
          6 * std::hypot(p1, p2);
 }
 
-/// A few Newton steps from inside the root's basin, kept only while the residual shrinks.
+/// Makes a few Newton steps from inside the root's basin while the residual shrinks.
 Vec2 Distortion::polish(Vec2 ideal, const Vec2& distorted) const {
   const auto residualAt = [&](const Vec2& p) {
     const Vec2 d = distort(p);
@@ -97,7 +97,7 @@ std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
   // Kantorovich: h = β K η ≤ 1/2 keeps the whole step on one branch; β bounds the inverse
   // Jacobian, η is Newton's first move, K bounds the second derivative in the ball 2η.
   constexpr double certain = 0.45;
-  constexpr double shortestStep = 1e-13;  // of what is reached: nearer to a fold is on it
+  constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
   Vec2 ideal{0, 0};
   double reached = 0;  // the part of the segment whose preimage is known
   double step = 1;

@@ -37,17 +37,17 @@ class Distortion {
   [[nodiscard]] const DistortionParams& params() const { return m_params; }
   [[nodiscard]] bool isIdentity() const { return m_params == DistortionParams{}; }
 
-  /// Ideal to distorted (docs/formulas.md, Distortion): where a lens puts the point that a pinhole
-  /// puts at `ideal`.
+  /// Maps ideal to distorted (docs/formulas.md, Distortion): returns where a lens images the point
+  /// that a pinhole images at `ideal`.
   [[nodiscard]] Vec2 distort(const Vec2& ideal) const;
   [[nodiscard]] Jacobian jacobian(const Vec2& ideal) const;
 
-  /// The inverse on the branch that grows from the centre: the preimage, from the origin on, of
-  /// the straight segment from the centre to `distorted`. None where that preimage meets a fold
-  /// (det J = 0). The residual is a few units of rounding of `distorted`.
+  /// Returns the inverse on the branch that grows from the centre: it follows the preimage of the
+  /// straight segment from the centre to `distorted`. None if it meets a fold (det J = 0). The
+  /// residual is a few units of rounding of `distorted`.
   [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted) const;
 
-  /// Of the model's second derivative, over all ideal points within `radius` of the centre.
+  /// Returns a bound of the second derivative over all ideal points within `radius` of the centre.
   [[nodiscard]] double secondDerivativeBound(double radius) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The hogel lenses. Another one is a class, a HogelLensModel and a row of two tables here.
+// The hogel lenses. A new one needs a class, a HogelLensModel and a row of two tables here.
 #include "core/optics/hogel_lens.h"
 
 #include <array>
@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Even in slope, as behind an ideal lens.
+/// Spaces directions evenly in slope, as behind an ideal lens.
 class RectilinearLens : public HogelLens {
  public:
   explicit RectilinearLens(double fov) : m_width(2 * std::tan(radians(fov) / 2)) {}
@@ -21,10 +21,10 @@ class RectilinearLens : public HogelLens {
   [[nodiscard]] bool isLinear() const override { return true; }
 
  private:
-  double m_width;  ///< of the field, in slopes
+  double m_width;  ///< the field's width in slopes
 };
 
-/// Even in angle.
+/// Spaces directions evenly in angle.
 class EquiangularLens : public HogelLens {
  public:
   explicit EquiangularLens(double fov) : m_field(radians(fov)) {}
@@ -47,7 +47,7 @@ std::shared_ptr<const HogelLens> make(double fov) {
 
 using MakeLens = std::shared_ptr<const HogelLens> (*)(double fov);
 
-// A row for each HogelLensModel.
+// One row for each HogelLensModel.
 constexpr std::array<std::string_view, 2> names{"rectilinear", "equiangular"};
 constexpr std::array<MakeLens, 2> makers{make<RectilinearLens>, make<EquiangularLens>};
 

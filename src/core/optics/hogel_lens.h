@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seam of hogel lenses: how a hogel spreads its directional pixels over its angular field
+// The interface of hogel lenses, which spread a hogel's directional pixels over its angular field
 // (docs/formulas.md, Hit).
 #pragma once
 
@@ -11,11 +11,11 @@ namespace hogelscope {
 
 enum class HogelLensModel { rectilinear, equiangular };
 
-/// As in documents, in the order of HogelLensModel.
+/// Returns the names used in documents, in the order of HogelLensModel.
 std::span<const std::string_view> hogelLensNames();
 
-/// One axis of a hogel's lens. A slope is dx/dz or dy/dz of the light; a direction is its place in
-/// the angular field, from -1/2 to 1/2.
+/// One axis of a hogel's lens. A slope is dx/dz or dy/dz of the light; a direction is a coordinate
+/// in the angular field, from -1/2 to 1/2.
 class HogelLens {
  public:
   HogelLens() = default;
@@ -24,7 +24,7 @@ class HogelLens {
   virtual ~HogelLens() = default;
 
   [[nodiscard]] virtual double directionOf(double slope) const = 0;
-  /// The inverse.
+  /// The inverse of directionOf().
   [[nodiscard]] virtual double slopeOf(double direction) const = 0;
   /// Whether directionOf() is slope / slopeOf(1): rays are then cast without calling it.
   [[nodiscard]] virtual bool isLinear() const { return false; }

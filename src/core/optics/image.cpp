@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a value becomes a pixel.
+// Images: rounding, and the image of a hogel.
 #include "core/optics/image.h"
 
 #include <cmath>

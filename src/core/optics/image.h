@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture that a camera state takes: 8-bit RGB and the mask of the pixels seen.
+// The image of a camera state: 8-bit RGB and the mask of the pixels seen.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// Row 0 is the top. Not seen = black, and 0 in the mask; seen = 255.
+/// An image whose row 0 is the top. A pixel that is not seen is black, and 0 in the mask, else 255.
 struct Image {
   int width = 0;
   int height = 0;
@@ -37,10 +37,10 @@ struct FloatImage {
       : width(w), height(h), rgb(3 * std::size_t(w) * std::size_t(h)), seen(rgb.size() / 3) {}
 };
 
-/// Hogel (i, j)'s own picture, one pixel for each direction: column u, row v. All of it is seen.
+/// Returns the image of hogel (i, j), one pixel for each direction: column u, row v, all seen.
 Image hogelPicture(const LightFieldSource& lightField, int i, int j);
 
-/// Code value to 8 bits: rounds half up, limits to 0 … 255.
+/// Rounds a code value half up to 8 bits, limited to 0 … 255.
 std::uint8_t quantised(double codeValue);
 
 }  // namespace hogelscope

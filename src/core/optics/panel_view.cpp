@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The panel as an eye sees it, laid out on the panel itself.
+// The view of an eye as a texture of the panel.
 #include "core/optics/panel_view.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace hogelscope {
 
-/// The image plane is parallel to the panel, so a pixel's place on the panel is affine in its
-/// place on the sensor: X = ex + ez·(px - cx)/fx, Y = ey - ez·(py - cy)/fy.
+/// The image plane is parallel to the panel, so a pixel's point on the panel is affine in its
+/// point on the sensor: X = ex + ez·(px - cx)/fx, Y = ey - ez·(py - cy)/fy.
 std::optional<CameraState> panelState(const DisplayParams& display, const Vec3& eye,
                                       const std::array<int, 2>& res) {
   const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One pixel's way along the line.
+// The trace of one pixel.
 #include "core/optics/pixel_trace.h"
 
 #include <array>
@@ -23,7 +23,7 @@ std::string_view words(RayEnd end) {
   return texts.at(static_cast<std::size_t>(end));
 }
 
-PixelTrace trace(const View& view, int x, int y) {
+PixelTrace pixelTrace(const View& view, int x, int y) {
   PixelTrace result;
   result.colour = Simulation(view).pixel(x, y);
   const Camera camera(view.state.camera, view.state.intrinsics);

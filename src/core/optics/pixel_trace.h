@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One pixel's way along the line: its ray, the hogel and direction that it meets, its colour.
+// The trace of one pixel: its ray, the hogel and direction that it meets, its colour.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,31 @@
 
 namespace hogelscope {
 
-/// What becomes of a pixel's ray.
+/// The outcome of a pixel's ray.
 enum class RayEnd {
-  noRay,         ///< the lens folds before this pixel
+  noRay,         ///< the lens folds nearer to the centre than this pixel
   misses,        ///< it does not meet the panel's front
-  outsideField,  ///< it meets the panel where the hogel sends no light its way
+  outsideField,  ///< it meets the panel outside the hogel's angular field
   seen
 };
 
 std::string_view words(RayEnd end);
 
-/// The ray through the middle of a pixel. Lengths in metres.
+/// The ray through the middle of a pixel. Lengths are in metres.
 struct PixelTrace {
   RayEnd end = RayEnd::noRay;
-  Vec3 eye;       ///< in the world, as the next
-  Vec3 target;    ///< on the panel's plane; where the ray does not meet it, as far as lookat
-  Vec2 position;  ///< the target in the display frame; only where there is a place
-  Vec2 slopes;    ///< dx/dz, dy/dz of the light in the display frame; likewise
+  Vec3 eye;       ///< the pinhole in the world frame
+  Vec3 target;    ///< likewise, on the panel's plane; if the ray misses that, as far as lookat
+  Vec2 position;  ///< the target in the display frame; valid if `place` is
+  Vec2 slopes;    ///< dx/dz, dy/dz of the light in the display frame; valid if `place` is
   std::optional<Hit> place;  ///< hogel and direction, also beyond the panel and the angular field
   int taps =
       0;  ///< directional pixels that add up to the light of the nearest direction; 0: not seen
-  std::optional<Rgb> colour;  ///< of the pixel with all its rays, code values; none: not seen
+  std::optional<Rgb> colour;  ///< the colour of all rays, code values; none: not seen
 };
 
-/// By the reference engine. `x` and `y` count from the picture's upper left. Throws InputError as
-/// Simulation does.
-PixelTrace trace(const View& view, int x, int y);
+/// Traces a pixel by the reference engine. `x` and `y` count from the image's upper left. Throws
+/// InputError as Simulation does.
+PixelTrace pixelTrace(const View& view, int x, int y);
 
 }  // namespace hogelscope

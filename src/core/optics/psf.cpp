@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The point spread function, as a sum that reads like docs/formulas.md, Light leakage.
+// The point spread function, written as the sum in docs/formulas.md, Light leakage.
 #include "core/optics/psf.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ std::vector<double> gaussianWeights(double sigma, int reach) {
   return weights;
 }
 
-std::vector<double> kernel(const PsfParams& params) {
+std::vector<double> psfKernel(const PsfParams& params) {
   std::vector<double> weights = Psf(params).weights();
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights) weight /= sum;
@@ -86,7 +86,7 @@ Psf::Psf(const PsfParams& params) : m_params(params), m_reach((params.windowSize
     for (int x = -m_reach; x <= m_reach; ++x) m_weights.push_back(weight(x, y));
 }
 
-/// W(x, y); squared after the division, so that a tiny sigma gives 0 and not NaN.
+/// Returns W(x, y); squares after the division, so that a tiny sigma gives 0 and not NaN.
 double Psf::weight(int x, int y) const {
   if (m_reach == 0) return 1;
   const double sx = x / m_params.sigma;

@@ -12,7 +12,7 @@ namespace hogelscope {
 enum class PsfBorder { renormalise, clamp, black };
 enum class LightModel { encoded, linear };
 
-/// A state's `psf`. `sigma` in directional pixels; `windowSize` is the odd full width, 1 = none.
+/// A state's `psf`. `sigma` is in directional pixels; `windowSize` is the odd full width, 1 = none.
 struct PsfParams {
   double sigma = 0.67;
   int windowSize = 1;
@@ -23,37 +23,37 @@ struct PsfParams {
 
 void describe(ParameterVisitor& v, PsfParams& p);
 
-/// The part of the Gaussian's energy within the window: erf(windowSize / (2√2 σ))², 1 at 1.
+/// Returns the fraction of the Gaussian's energy in the window: erf(windowSize / (2√2 σ))², 1 at 1.
 double energyInWindow(const PsfParams& params);
-/// More than 1 % of it is not.
+/// Whether the window cuts off more than 1 % of the energy.
 bool cutsTooMuch(const PsfParams& params);
 
-/// exp(-x²/2σ²) for x = -reach … reach; 1 where reach is 0.
+/// Returns exp(-x²/2σ²) for x = -reach … reach; 1 if reach is 0.
 std::vector<double> gaussianWeights(double sigma, int reach);
 
-/// The window's weights, row by row, as fractions of their sum; they need a sigma above 0 where
-/// windowSize > 1.
-std::vector<double> kernel(const PsfParams& params);
+/// Returns the window's weights, row by row, as fractions of their sum. `params.sigma` must be
+/// above 0 if windowSize > 1.
+std::vector<double> psfKernel(const PsfParams& params);
 
-/// How many directional pixels add up to the light of direction (u, v) of a hogel.
+/// Returns the number of directional pixels that contribute to direction (u, v) of a hogel.
 int tapsAt(const PsfParams& params, const LightFieldSize& size, int u, int v);
 
-/// sRGB's transfer function (IEC 61966-2-1), code values to linear 0 … 1 and back.
+/// Apply the sRGB transfer function (IEC 61966-2-1), code values to linear 0 … 1, and its inverse.
 double linearFromEncoded(double codeValue);
 double encodedFromLinear(double linear);
-/// The same for the three channels; `encoded` light stays as it is.
+/// Apply the same to three channels; `encoded` light is returned unchanged.
 Rgb decoded(LightModel light, const Rgb& codeValues);
 Rgb encoded(LightModel light, const Rgb& summed);
 
 class Psf {
  public:
-  /// `params.sigma` must be above 0 where windowSize > 1.
+  /// `params.sigma` must be above 0 if windowSize > 1.
   explicit Psf(const PsfParams& params);
 
-  /// P'(u, v) of docs/formulas.md, Light leakage, for one directional pixel, in the light that is
-  /// summed: code values, or linear 0 … 1 (`encoded` takes it back).
+  /// Returns P'(u, v) of docs/formulas.md, Light leakage, for one directional pixel, in the light
+  /// that is summed: code values, or linear 0 … 1, to be passed to encoded().
   [[nodiscard]] Rgb leaked(const LightFieldSource& lightField, const TexelIndex& at) const;
-  /// W(x, y), windowSize² of them, row by row.
+  /// Returns W(x, y), windowSize² weights, row by row.
   [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 
  private:

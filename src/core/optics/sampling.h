@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The session's `sampling`: how rays are taken through the lens and turned into pixels.
+// The session's `sampling`: how rays pass through the lens and become pixels.
 #pragma once
 
 #include "core/base/parameters.h"
@@ -13,13 +13,13 @@ struct SamplingParams {
   LensMapping mapping = LensMapping::exact;
   Reconstruction reconstruction = Reconstruction::nearest;
   int samplesPerPixel = 1;
-  double tolerance = 0;  ///< RMS error that a cheaper picture may have, code values
+  double tolerance = 0;  ///< allowed RMS error of a cheaper image, code values
   bool operator==(const SamplingParams&) const = default;
 };
 
 void describe(ParameterVisitor& v, SamplingParams& p);
 
-/// As documents write it.
+/// Returns the name used in documents.
 std::string_view nameOf(Reconstruction reconstruction);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rules of a session that no single field can know.
+// The rules of a session that join several fields.
 #include "core/optics/session.h"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session: display, light field and camera states; what a session document holds.
+// A session, the content of a session document: display, light field and camera states.
 #pragma once
 
 #include <string>
@@ -31,18 +31,18 @@ struct Session {
   bool operator==(const Session&) const = default;
 };
 
-/// The rules that join several fields. Throws InputError with the JSON path of the field to change.
+/// Checks the rules that join several fields. Throws InputError with the JSON path of the field.
 void check(const Session& session);
 
-/// The rules of one state; paths begin with `path`, such as "cameras[2]".
+/// Checks the rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);
 
-/// What is allowed but probably not meant: a line for each kind, which begins with the state's
-/// name, or the first one's of several.
+/// Returns warnings of what is allowed but probably not meant, one line for each kind, which begins
+/// with the name of the first state concerned.
 std::vector<std::string> warnings(const Session& session);
 
-/// Takes what `fromFile` says where the display leaves hogels or directions out. Throws InputError
-/// where both say it and differ.
+/// Returns the display with hogels and directions that it leaves out taken from `fromFile`. Throws
+/// InputError where both give them and differ.
 DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile);
 
 }  // namespace hogelscope

@@ -12,8 +12,8 @@ namespace hogelscope {
 
 namespace {
 
-/// The two cells whose centres lie around a real-valued index, and the second one's share. At the
-/// border both are the edge cell.
+/// The two cells whose centres lie around a real-valued index, and the weight of the second one. At
+/// the border both are the edge cell.
 struct Neighbours {
   std::array<int, 2> cell;
   double share;

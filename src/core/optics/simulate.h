@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The simulation itself: which light one pixel of a camera state receives. This is the reference
-// engine: double precision, no tricks, written to be read against docs/formulas.md.
+// The reference engine: the light that a pixel of a camera state receives, in double precision,
+// without optimisations, written to be read beside docs/formulas.md.
 #pragma once
 
 #include <memory>
@@ -12,35 +12,35 @@
 
 namespace hogelscope {
 
-/// All that one picture depends on. `display` has its hogels and directions resolved.
+/// Everything that one image depends on. `display` has its hogels and directions resolved.
 struct View {
   std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;
   SamplingParams sampling;
   CameraState state;
-  Method method{};  ///< the fast engine's; the reference approximates nothing
+  Method method{};  ///< for the fast engine; the reference engine ignores it
   bool operator==(const View&) const = default;
 };
 
-/// Throws InputError where the view has no light field, or one that is not the display's size.
+/// Throws InputError if the view has no light field, or one that is not the display's size.
 void checkContent(const View& view);
 
-/// Through the lens, backwards: the point of the plane z = 1 whose light falls on `onSensor`; none
-/// where there is no ray.
+/// Returns the point of the plane z = 1 whose light falls through the lens on `onSensor`; none if
+/// there is no ray.
 std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping,
                                const Vec2& onSensor);
 
 class Simulation {
  public:
-  /// Throws InputError where the state has no camera frame or the light field is not the display's
+  /// Throws InputError if the state has no camera frame, or the light field is not the display's
   /// size.
   explicit Simulation(View view);
 
-  /// What pixel (x, y) shows, in code values; none if none of its rays meets the display inside
-  /// its angular field.
+  /// Returns the light of pixel (x, y) in code values; none if none of its rays meets the display
+  /// inside its angular field.
   [[nodiscard]] std::optional<Rgb> pixel(int x, int y) const;
 
-  /// Pixel (x, y) of the picture, both sides of it.
+  /// Writes pixel (x, y) of the image and of its mask.
   void render(int x, int y, Image& image) const;
 
  private:
@@ -56,7 +56,7 @@ class Simulation {
   RigidTransform m_displayFromCamera;
 };
 
-/// The whole picture on the calling thread: the oracle of the tests.
+/// Renders the whole image on the calling thread: the oracle of the tests.
 Image simulate(const View& view);
 
 }  // namespace hogelscope

@@ -15,7 +15,7 @@ namespace hogelscope {
 
 namespace {
 
-/// How many bytes follow the first one of a character, and its own bits; none for no first byte.
+/// Returns the number of bytes after a character's first one, and its bits; none for another byte.
 std::optional<std::pair<int, char32_t>> leadOf(unsigned char byte) {
   if (byte < 0x80) return std::pair{0, char32_t(byte)};
   if (byte >= 0xC2 && byte < 0xE0) return std::pair{1, char32_t(byte & 0x1FU)};
@@ -24,7 +24,7 @@ std::optional<std::pair<int, char32_t>> leadOf(unsigned char byte) {
   return std::nullopt;
 }
 
-/// None for what is not UTF-8.
+/// Decodes UTF-8; none if the text is not UTF-8.
 std::optional<std::u32string> decoded(const std::string& text) {
   constexpr std::array<char32_t, 4> least{0, 0x80, 0x800, 0x10000};
   std::u32string characters;
@@ -45,8 +45,8 @@ std::optional<std::u32string> decoded(const std::string& text) {
   return characters;
 }
 
-/// Characters that control a terminal, end a line, turn the direction of writing or show nothing.
-/// The joiners U+200C and U+200D are none: some scripts need them.
+/// Whether a character controls a terminal, ends a line, turns the direction of writing or shows
+/// nothing. The joiners U+200C and U+200D are allowed: some scripts need them.
 bool isControl(char32_t c) {
   constexpr std::array<std::pair<char32_t, char32_t>, 9> ranges{{{0x00, 0x1F},
                                                                  {0x7F, 0x9F},
@@ -61,7 +61,7 @@ bool isControl(char32_t c) {
       ranges, [c](const auto& range) { return c >= range.first && c <= range.second; });
 }
 
-/// Windows gives these to devices, with any extension.
+/// Whether Windows reserves the name for a device, with any extension.
 bool isDevice(const std::u32string& folded) {
   std::u32string base = folded.substr(0, folded.find(U'.'));
   base.erase(base.find_last_not_of(U' ') + 1);
@@ -72,7 +72,7 @@ bool isDevice(const std::u32string& folded) {
          std::u32string_view(U"0123456789¹²³").find(base[3]) != std::u32string_view::npos;
 }
 
-/// Knows the case of all letters; the C locale, where it is missing, those of ASCII.
+/// A locale that knows the case of all letters; if it is missing the C locale, for ASCII.
 const std::locale& unicodeLocale() {
   static const std::locale locale = [] {
     try {
@@ -90,7 +90,7 @@ std::u32string caseFolded(const std::string& name) {
   auto characters = decoded(name);
   if (!characters) return {name.begin(), name.end()};
   const auto& letters = std::use_facet<std::ctype<wchar_t>>(unicodeLocale());
-  // By way of the capital, which some small letters share: σ and ς.
+  // Via the capital, which some small letters share: σ and ς.
   for (char32_t& c : *characters) c = char32_t(letters.tolower(letters.toupper(wchar_t(c))));
   return *characters;
 }

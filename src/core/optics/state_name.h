@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The name of a camera state, which is also the name of its picture's file.
+// The name of a camera state, which is also the name of its image file.
 #pragma once
 
 #include <string>
 
 namespace hogelscope {
 
-/// Throws InputError at `path` + ".name" for a name that is no file's name on every system, or that
-/// reads as another one: empty, too long, not UTF-8, with control or bidirectional characters.
+/// Throws InputError at `path` + ".name" for a name that is not a valid file name on every system,
+/// or looks like another one: empty, too long, not UTF-8, with control or bidirectional characters.
 void checkStateName(const std::string& name, const std::string& path);
 
-/// The same for names that differ in case only, which many file systems do not tell apart.
+/// Returns a key that is equal for names that many file systems do not distinguish: by case only.
 std::u32string caseFolded(const std::string& name);
 
 }  // namespace hogelscope

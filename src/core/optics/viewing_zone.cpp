@@ -9,7 +9,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Of a side of the panel, its middle at 0, the share within `reach` of `at`.
+/// Returns the share of a side of the panel, centred on 0, that lies within `reach` of `at`.
 double shareWithin(double side, double at, double reach) {
   const double from = std::max(at - reach, -side / 2);
   const double to = std::min(at + reach, side / 2);
@@ -18,7 +18,7 @@ double shareWithin(double side, double at, double reach) {
 
 }  // namespace
 
-/// A place (x, y) of the panel lights p where |p.x - x| ≤ p.z·tan(fov/2), and likewise in y: both
+/// A point (x, y) of the panel lights p where |p.x - x| ≤ p.z·tan(fov/2), and likewise in y: both
 /// lenses end at the same slope, and the two axes are independent.
 double shareSeenFrom(const DisplayParams& display, const Vec3& point) {
   const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(point);

@@ -51,7 +51,8 @@ void DistortionDock::showLens(const CertifiedLens& lens) {
           : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
                 .arg(share, 0, 'f', 1);
   m_certificate->setText(
-      warning + tr("Lens: %1.").arg(QString::fromStdString(text(certificate)).toHtmlEscaped()));
+      warning +
+      tr("Lens: %1.").arg(QString::fromStdString(certificateText(certificate)).toHtmlEscaped()));
   noteEdits();
 }
 

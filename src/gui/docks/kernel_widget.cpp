@@ -35,7 +35,7 @@ KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {
 void KernelWidget::setParams(const PsfParams& params) {
   m_params = params;
   const bool hasKernel = params.windowSize == 1 || params.sigma > 0;
-  m_weights = hasKernel ? kernel(params) : std::vector<double>{};
+  m_weights = hasKernel ? psfKernel(params) : std::vector<double>{};
   setAccessibleName(tr("Kernel of %1×%1 taps").arg(params.windowSize));
   update();
 }

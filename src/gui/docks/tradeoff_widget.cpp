@@ -108,7 +108,7 @@ void TradeoffWidget::show(const Tradeoff& tradeoff) {
   const bool isWanted = m_measureButton->isEnabled();  // nobody said stop just before its end
   showIdle();
   if (!isWanted) return;
-  const std::string question = text(questionOf(m_views.front().sampling));
+  const std::string question = questionText(questionOf(m_views.front().sampling));
   const QString title = tr("Error against %1").arg(QString::fromStdString(question));
   m_chart->setChart(TradeoffChart(tradeoff.rows, title.toStdString()));
 }

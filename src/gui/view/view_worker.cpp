@@ -52,7 +52,7 @@ View viewOf(const Scene& scene, const CameraState& state, const std::optional<Na
             int scale) {
   if (scale > 1 && !scene.lightField->isInMemory())
     return overview(viewOf(scene, state, method, 1));
-  View view = method ? with(*method, scene.view(state)) : scene.view(state);
+  View view = method ? applyMethod(*method, scene.view(state)) : scene.view(state);
   view.method.scale = std::max(view.method.scale, scale);
   return view;
 }

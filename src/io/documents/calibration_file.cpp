@@ -16,7 +16,7 @@ namespace {
 
 using Names = std::initializer_list<const char*>;
 
-/// The names and values of a YAML or JSON file.
+/// Reads the names and values of a YAML or JSON file.
 Json documentOf(const std::filesystem::path& file) {
   constexpr std::size_t largest = std::size_t{1} << 20;
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
@@ -30,7 +30,7 @@ Json documentOf(const std::filesystem::path& file) {
                    "a YAML file begins with %YAML:1.0, a JSON file with {");
 }
 
-/// A matrix' numbers, row by row: as OpenCV writes it, or as a list (of lists) of numbers.
+/// Returns a matrix row by row: as OpenCV writes it, or as a list (of lists) of numbers.
 std::vector<double> numbersOf(const Json& value, const std::string& name) {
   if (value.is_object() && value.contains("data")) return numbersOf(value["data"], name);
   if (value.is_string())
@@ -98,7 +98,7 @@ std::optional<std::array<int, 2>> resolutionOf(const Json& document) {
   return checked<CameraParams>({{"res", {width, height}}}, "image size").res;
 }
 
-/// A list of `least` to `most` numbers; `parts` says what they are.
+/// Reads a list of `least` to `most` numbers; `parts` names them in errors.
 std::vector<double> numbersAt(const Json& camera, const std::string& path, const char* key,
                               std::size_t least, std::size_t most, const char* parts) {
   const std::string what = path + "." + key;
@@ -149,7 +149,7 @@ std::vector<NamedCalibration> camerasOf(const Json& document) {
   return cameras;
 }
 
-/// Of a file that says no size: as far to the right of the principal point as to its left.
+/// Returns the image size for a file without one: the principal point is the middle.
 std::array<int, 2> centredOn(const IntrinsicsParams& k) {
   const auto side = [](double centre) { return static_cast<int>(std::lround(2 * centre)) + 1; };
   const bool isWithin = k.cx >= 0 && k.cy >= 0 && k.cx < 8192 && k.cy < 8192;

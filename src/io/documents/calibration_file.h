@@ -9,16 +9,16 @@
 
 namespace hogelscope {
 
-/// What a calibrated camera gives to a state.
+/// The parameters that a calibrated camera gives to a state.
 struct Calibration {
   IntrinsicsParams intrinsics;
   DistortionParams distortion;
-  std::optional<std::array<int, 2>> res;  ///< where the file says its pictures' size
+  std::optional<std::array<int, 2>> res;  ///< if the file gives the image size
 };
 
 /// Reads `camera_matrix` and `distortion_coefficients` (also K and D, M1 and D1, cameraMatrix and
 /// distCoeffs) with four or five coefficients, and `image_width`, `image_height`. Throws
-/// InputError: no such file, not of that kind, skew, more coefficients, values out of our ranges.
+/// InputError: no such file, wrong kind, skew, more coefficients, values out of range.
 Calibration loadCalibration(const std::filesystem::path& file);
 
 struct NamedCalibration {
@@ -28,13 +28,13 @@ struct NamedCalibration {
 
 /// Several cameras: a JSON list,
 /// {"cameras": [{"name": …, "size": [w, h], "K": [fx, fy, cx, cy], "D": [k1, k2, p1, p2, k3]}]},
-/// k3 may be left out, other keys are somebody's notes; or what loadCalibration reads, named after
-/// the file, whose picture is centred on the principal point where its size is not said. Throws
-/// InputError, as loadCalibration does; also for two cameras of one name.
+/// k3 may be left out, other keys are ignored; or a file for loadCalibration(), which names the
+/// camera after the file, with the image centred on the principal point if its size is not given.
+/// Throws InputError, as loadCalibration() does; also for two cameras of one name.
 std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file);
 
-/// The state then takes the pictures of the calibrated camera: its lens, its intrinsics, and its
-/// resolution where that is known.
+/// Gives a state the calibrated camera: its lens, its intrinsics, and its resolution if that is
+/// known.
 void apply(const Calibration& calibration, CameraState& state);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets from documents (JSON), and what else --make-cameras names.
+// Camera sets from documents (JSON), traces and names of distributions.
 #include "io/documents/camera_set_file.h"
 
 #include "core/base/error.h"
@@ -14,12 +14,12 @@ namespace {
 constexpr const char* versionKey = "hogelscopeCameras";
 constexpr std::size_t mostPoses = 100000;
 
-/// Also to each part of a mixture that has a region of its own.
+/// Applies an override, also to each part of a mixture that has a region of its own.
 void applyOverride(Json& document, const std::string& text) {
   const Override change = parseOverride(text);
   if (change.section != "cameraSet" && change.section != "cameraRegion")
-    throw InputError("--set " + text, "there is no section \"" + change.section +
-                                          "\" in a camera set: cameraSet, cameraRegion");
+    throw InputError("override " + text, "there is no section \"" + change.section +
+                                             "\" in a camera set: cameraSet, cameraRegion");
   const auto apply = [&change](Json& section) {
     if (section.is_object() || section.is_null()) section[change.field] = change.value;
   };
@@ -42,7 +42,7 @@ std::string pathOf(const char* list, std::size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
-/// A list of `least` elements at least, each read by `readElement(element, path)`.
+/// Reads a list of at least `least` elements by `readElement(element, path)`.
 template <class Element>
 std::vector<Element> listOf(const Json& list, const char* name, std::size_t least,
                             Element (*readElement)(const Json&, const std::string&,
@@ -73,7 +73,7 @@ Mixture::Part readPart(const Json& object, const std::string& path,
                        const CameraRegionParams& region) {
   Mixture::Part part{1, region};
   JsonReader reader(object, path);
-  KeyPose weighed;  // the weight's range is a pose's
+  KeyPose weighed;  // a part's weight has the range of a pose's
   if (const Json* weight = reader.section("weight"); weight != nullptr) {
     const Json alone{{"weight", *weight}};
     JsonReader weightReader(alone, path);
@@ -163,7 +163,7 @@ CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>&
     if (isCsv(what)) set.source = readTrace(readTextFile(what), set.region.centre.z);
     return set;
   } catch (const InputError& error) {
-    throw error.in(isFile ? what : "--make-cameras");
+    throw error.in(isFile ? what : "camera set");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets from documents (JSON) and viewers' traces (CSV).
+// Reads camera sets from documents (JSON) and viewers' traces (CSV).
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace hogelscope {
 
-/// What --make-cameras names: uniform, random or normal; FILE.json, a document
+/// Reads the camera set `what`: uniform, random or normal; FILE.json, a document
 /// {"hogelscopeCameras": 1, "cameraSet": {…}, "cameraRegion": {…}} with at most one of
-///   "mixture": [{"weight": 2, "cameraRegion": {…}}, …]  what a part leaves out is as outside it,
+///   "mixture": [{"weight": 2, "cameraRegion": {…}}, …]  a part's defaults are those outside,
 ///   "poses": [{"eye": [x, y, z], "lookat": [x, y, z], "weight": 1}, …],
 ///   "path": [{"eye": …}, …];
 /// or FILE.csv, a trace: lines of time, x, y[, z] in seconds and metres, with or without these
-/// names above them; without z the viewer stands at cameraRegion.centre's.
-/// `overrides` are as loadSession's, of cameraSet and of cameraRegion, which goes to every part of
-/// a mixture too. Throws InputError that names the file and the place in it.
+/// names above them; without z it is that of cameraRegion.centre.
+/// `overrides` are as for loadSession(), of cameraSet and cameraRegion; the latter apply to every
+/// part of a mixture too. Throws InputError that names the file and the place in it.
 CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides = {});
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The file of keys that a user gave to commands.
+// The file of the keys that a user has assigned to commands.
 #include "io/documents/key_map_file.h"
 
 #include "core/base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The file of keys that a user gave to commands: {"hogelscopeKeys": 1, "keys": {"NAME": "Ctrl+D"}}.
+// The file of the keys that a user has assigned: {"hogelscopeKeys": 1, "keys": {"NAME": "Ctrl+D"}}.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace hogelscope {
 
-/// Keys by the name of the command, as texts; "" is a command without a key.
+/// Key sequences by the name of the command; "" for a command without a key.
 using KeyTexts = std::map<std::string, std::string>;
 
-/// Throws InputError: cannot be read, not such a file.
+/// Reads the file. Throws InputError: it cannot be read, or is not such a file.
 KeyTexts loadKeyTexts(const std::filesystem::path& file);
 
-/// Makes the folder too. Throws InputError.
+/// Writes the file, and creates its folder. Throws InputError.
 void saveKeyTexts(const std::filesystem::path& file, const KeyTexts& keys);
 
 }  // namespace hogelscope

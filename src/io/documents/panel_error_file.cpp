@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A panel error on its way, as a file.
+// Files of partial panel errors.
 #include "io/documents/panel_error_file.h"
 
 #include <cstring>
@@ -25,7 +25,7 @@ std::string_view bytesOf(const Cells& cells) {
 
 constexpr std::size_t longestHead = std::size_t{16} << 20U;  // a million states
 
-/// None if the head is another panel error's, or none.
+/// Returns none if the head is missing or of another panel error.
 std::optional<std::set<std::size_t>> statesOf(const std::string& head, const std::string& key) {
   try {
     const Json document = parseJson(head);

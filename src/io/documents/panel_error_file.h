@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A panel error on its way: which states are in it, so that a report can go on later.
+// Files of partial panel errors, with the states in them, so that a report can be resumed.
 #pragma once
 
 #include <filesystem>
@@ -16,12 +16,12 @@ struct SavedPanelError {
   PanelError error;
 };
 
-/// A line of JSON (key, states), then the cells of the hogels and of the directions as this
+/// Writes a line of JSON (key, states), then the cells of the hogels and of the directions as this
 /// machine's 64-bit numbers. Throws InputError.
 void savePanelError(const std::filesystem::path& file, const std::string& key,
                     const SavedPanelError& saved);
-/// None where there is no whole file with this key and size. Throws InputError where there is a
-/// file that is no panel error: it would be replaced.
+/// Reads it; none if there is no complete file with this key and size. Throws InputError if there
+/// is a file that is not a panel error, since it would be replaced.
 std::optional<SavedPanelError> loadPanelError(const std::filesystem::path& file,
                                               const std::string& key, const LightFieldSize& size);
 

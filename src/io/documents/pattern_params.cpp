@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --set pattern.field=value, read as a document's section would be.
+// Overrides of a pattern's parameters, read as a document's section would be.
 #include "io/documents/pattern_params.h"
 
 #include "core/base/error.h"
@@ -19,7 +19,7 @@ PatternParams patternParams(const std::vector<std::string>& overrides) {
     readSection(reader, "pattern", params);
     reader.refuseUnknown();
   } catch (const InputError& error) {
-    throw error.in("--set");
+    throw error.in("override");
   }
   return params;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --set pattern.field=value.
+// The parameters of a pattern from overrides of the form pattern.field=value.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-/// Throws InputError.
+/// Returns the defaults with the overrides applied. Throws InputError.
 PatternParams patternParams(const std::vector<std::string>& overrides);
 
 }  // namespace hogelscope

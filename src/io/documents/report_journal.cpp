@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report's journal: appended with one write a row, read again up to the first line that is not
-// whole.
+// A report's journal: appended with one write per row, read up to the first line that is not
+// complete.
 #include "io/documents/report_journal.h"
 
 #include <fcntl.h>
@@ -62,7 +62,7 @@ ReportJournal::ReportJournal(const fs::path& folder, const std::string& key)
   auto descriptor = openLocked(m_file, O_APPEND);
   if (!descriptor)
     throw InputError(m_file.string(), "is in use",
-                     "another hogelscope makes this report; wait, or give another --output");
+                     "another hogelscope makes this report; wait, or choose another folder");
   m_descriptor = std::move(*descriptor);
   const std::uintmax_t used = read(headOf(key));
   if (::ftruncate(m_descriptor.get(), static_cast<off_t>(used)) != 0)
@@ -70,7 +70,7 @@ ReportJournal::ReportJournal(const fs::path& folder, const std::string& key)
   if (used == 0) writeAll(m_descriptor.get(), headOf(key), m_file);
 }
 
-/// The number of bytes up to the first line that is not whole or not a row's.
+/// Reads the rows. Returns the number of bytes up to the first line that is not a complete row.
 std::uintmax_t ReportJournal::read(const std::string& head) {
   std::ifstream in(m_file, std::ios::binary);
   if (!in) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));

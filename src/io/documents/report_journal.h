@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a report has finished, on disk as soon as it is, so that the same command can go on after
-// Ctrl-C or kill -9: OUTPUT/report.journal, a line of JSON for each row.
+// The finished rows of a report, written to the disk at once, so that the same command can resume
+// after Ctrl-C or kill -9: OUTPUT/report.journal, a line of JSON for each row.
 #pragma once
 
 #include <filesystem>
@@ -14,27 +14,27 @@ namespace hogelscope {
 
 class ReportJournal {
  public:
-  /// What figures a row has; who it is of, the session says.
+  /// The figures of a row; its state and test follow from the session.
   struct Entry {
     Metrics metrics;
     std::string problem;
   };
 
-  /// Takes up the journal in `folder` if it has the same `key`, else begins a new one in its place.
-  /// A line that was cut off is forgotten. Throws InputError: a file of that name is not a journal,
+  /// Resumes the journal in `folder` if it has the same `key`, else replaces it by a new one. A
+  /// line that was cut off is dropped. Throws InputError: a file of that name is not a journal,
   /// another process uses it, or it cannot be written.
   ReportJournal(const std::filesystem::path& folder, const std::string& key);
   ReportJournal(const ReportJournal&) = delete;
   ReportJournal& operator=(const ReportJournal&) = delete;
 
-  /// Of an earlier run, by the row's index.
+  /// Returns the rows of an earlier run by their indices.
   [[nodiscard]] const std::map<std::size_t, Entry>& entries() const { return m_entries; }
-  /// Was there a journal with another key?
+  /// Whether there was a journal with another key.
   [[nodiscard]] bool replacedAnother() const { return m_replacedAnother; }
 
-  /// The row outlives the process once this returns. Throws InputError (full disk).
+  /// Adds a row, which outlives the process once this returns. Throws InputError (full disk).
   void add(std::size_t row, const Metrics& metrics, const std::string& problem);
-  /// The report is written: the journal is not needed any more.
+  /// Deletes the journal, after the report has been written.
   void remove();
 
  private:

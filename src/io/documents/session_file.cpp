@@ -65,7 +65,7 @@ Session readSession(const Json& document) {
   return session;
 }
 
-/// --set section.field=value, done to the document so that one reader checks it all.
+/// Applies an override to the document, so that one reader checks everything.
 void applyOverride(Json& document, const std::string& text) {
   const Override change = parseOverride(text);
   const std::string& section = change.section;
@@ -78,7 +78,7 @@ void applyOverride(Json& document, const std::string& text) {
     return;
   }
   if (!isOneOf(stateSections))
-    throw InputError("--set " + text,
+    throw InputError("override " + text,
                      "there is no section \"" + section +
                          "\": display, lightField, sampling, camera, intrinsics, distortion, psf");
   if (!document.is_object() || !document.contains("cameras")) return;
@@ -108,7 +108,7 @@ Json writtenState(const CameraState& state) {
   return object;
 }
 
-/// Done to the document too, so that overrides come after it.
+/// Applies a calibration to the document too, so that overrides come after it.
 void applyCalibration(Json& document, const Calibration& calibration) {
   if (!document.is_object() || !document.contains("cameras")) return;
   for (Json& state : document["cameras"]) {
@@ -119,7 +119,7 @@ void applyCalibration(Json& document, const Calibration& calibration) {
   }
 }
 
-/// A document's file name, seen from the current folder.
+/// Returns a file name in a document relative to the current folder.
 std::string besideDocument(const fs::path& document, const std::string& file) {
   std::error_code error;
   const fs::path joined = document.parent_path() / file;
@@ -130,7 +130,7 @@ std::string besideDocument(const fs::path& document, const std::string& file) {
   return isSame ? shorter.string() : joined.string();
 }
 
-/// `file`, seen from the document's folder.
+/// Returns `file` relative to the document's folder.
 std::string relativeTo(const fs::path& document, const std::string& file) {
   if (file.empty()) return {};
   std::error_code error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Viewers' traces: CSV of time and place.
+// Viewers' traces: CSV of time and position.
 #include "io/documents/trace_file.h"
 
 #include <array>
@@ -35,7 +35,7 @@ std::optional<double> numberOf(std::string_view text) {
   return value;
 }
 
-/// As an error line shows it: short, and without what would garble a terminal.
+/// Formats a cell for an error line: short, and harmless to a terminal.
 std::string shown(std::string_view cell) {
   constexpr std::size_t longest = 40;
   std::string text(cell.substr(0, longest));

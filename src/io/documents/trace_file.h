@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Viewers' traces: CSV of time and place.
+// Viewers' traces: CSV of time and position.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 namespace hogelscope {
 
 /// Reads lines of time, x, y[, z] (seconds, rising; metres in the display frame), with or without
-/// these names above them; where there is no z it is `distance`. Throws InputError that names the
+/// these names as a header; without z it is `distance`. Throws InputError that names the
 /// line.
 Trace readTrace(std::string_view text, double distance);
 

@@ -28,7 +28,7 @@ InputError cannotWrite(const fs::path& path, int error) {
   return {path.string(), "cannot be written", std::strerror(error)};
 }
 
-/// The file that a path means: its target, if it is a symbolic link.
+/// Returns the file that a path means: its target, if it is a symbolic link.
 fs::path resolved(fs::path path) {
   constexpr int mostLinks = 16;
   std::error_code none;
@@ -41,7 +41,7 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// A name beside `path` that nobody can guess.
+/// Returns a name beside `path` that cannot be guessed.
 fs::path randomNameFor(const fs::path& path) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device random;
@@ -50,12 +50,12 @@ fs::path randomNameFor(const fs::path& path) {
   return folderOf(path) / (name + ".part");
 }
 
-/// By which linkat() finds a file without a name; needs /proc.
+/// Returns the path by which linkat() finds a file without a name; needs /proc.
 std::string linkTo(int descriptor) {
   return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
-/// A new file without a name in the folder of `path`; -1 where the file system has none.
+/// Opens a file without a name in the folder of `path`; -1 if the file system does not support it.
 int openUnnamed(const fs::path& path) {
   const int descriptor = ::open(folderOf(path).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
   if (descriptor >= 0 && ::access(linkTo(descriptor).c_str(), F_OK) == 0) return descriptor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are there whole or not at all: written without a name, then put in place.
+// Files that are either complete or absent: they are written without a name, then put in place.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,24 @@
 
 namespace hogelscope {
 
-/// Write to `descriptor()`, then `commit()`. Until then the file at `path` stays as it is.
+/// A new file: write to descriptor(), then call commit(). Until then `path` is unchanged.
 ///
-/// The new file has no name before commit(), so that nothing is left behind however the program
-/// ends. On file systems without such files (NFS, FAT) it has a random name that nobody else can
-/// have: two programs that write one file never meet.
+/// The new file has no name before commit(), so nothing is left behind however the program ends. On
+/// file systems without such files (NFS, FAT) it has a random, unique name, so two programs that
+/// write one file do not collide.
 class AtomicFile {
  public:
-  /// If `path` is a symbolic link, its target is what is replaced. Throws InputError: `path` is not
+  /// If `path` is a symbolic link, its target will be replaced. Throws InputError: `path` is not
   /// a regular file, or its folder cannot be written to.
   explicit AtomicFile(const std::filesystem::path& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
-  /// Open for reading and writing.
+  /// Returns a descriptor that is open for reading and writing.
   [[nodiscard]] int descriptor() const { return m_descriptor.get(); }
-  /// Waits until the disk has the file, then puts it in place of the old one, whose permissions it
-  /// takes over. Throws InputError.
+  /// Waits until the file is on the disk, then replaces the old one, whose permissions it takes
+  /// over. Throws InputError.
   void commit();
 
  private:
@@ -42,28 +42,28 @@ class AtomicFile {
   Descriptor m_descriptor;
 };
 
-/// Throws InputError (full disk, missing folder).
+/// Writes a file. Throws InputError (full disk, missing folder).
 void writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 /// Writes all of `text` to a file descriptor. Throws InputError that names `path`.
 void writeAll(int descriptor, std::string_view text, const std::filesystem::path& path);
 
-/// Waits until the disk has what was written. Throws InputError that names `path`.
+/// Waits until everything written is on the disk. Throws InputError that names `path`.
 void syncToDisk(int descriptor, const std::filesystem::path& path);
 
-/// Throws InputError (missing, a folder, unreadable, larger than 64 MiB).
+/// Reads a file. Throws InputError (missing, a folder, unreadable, larger than 64 MiB).
 std::string readTextFile(const std::filesystem::path& path);
 
-/// Makes the folder and those above it. Throws InputError, also where nothing can be written there.
+/// Creates a folder and its parents. Throws InputError, also if nothing can be written there.
 void makeFolder(const std::filesystem::path& folder);
 
-/// For files whose names we choose ourselves, and replace or delete without asking: throws
-/// InputError unless `path` is missing, or is a regular file (not a link) that begins with `head`,
-/// or with the part of it that a crash left.
+/// Checks a file whose name the program has chosen, before it is replaced or deleted without
+/// asking: throws InputError unless `path` is missing, or is a regular file (not a link) that
+/// begins with `head`, or with the part of it that a crash left.
 void requireOurs(const std::filesystem::path& path, std::string_view head);
 
-/// Opens a file for reading and writing, made if missing, never a symbolic link, and locks it for
-/// this process until it is closed; none where another process has the lock. Throws InputError.
+/// Opens a file for reading and writing, creates it if missing, never follows a symbolic link, and
+/// locks it until it is closed; none if another process has the lock. Throws InputError.
 std::optional<Descriptor> openLocked(const std::filesystem::path& path, int moreFlags = 0);
 
 }  // namespace hogelscope

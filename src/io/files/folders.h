@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looking at files and folders without exceptions other than ours.
+// Queries of files and folders that throw only InputError.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace hogelscope {
 
-/// False where that cannot be known: reading the path then throws what is wrong.
+/// Returns false if it is unknown: reading the path will then throw the reason.
 bool isFolder(const std::filesystem::path& path);
 
-/// What a folder holds, sorted by name. Throws InputError (missing, no permission).
+/// Returns the entries of a folder, sorted by name. Throws InputError (missing, no permission).
 std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder);
 
 }  // namespace hogelscope

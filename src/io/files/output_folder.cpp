@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether results can be written: a file without a name tells, which permissions alone do not.
+// Checks whether results can be written by creating a nameless file: permissions are not enough.
 #include "io/files/output_folder.h"
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// 0, or why not.
+/// Returns 0, or errno.
 int errorOfWriting(const fs::path& folder) {
   int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
   if (file < 0) {  // not every file system has files without a name

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that is read at any place, by several threads at once.
+// A file that is read at any position, by several threads at once.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// A file descriptor that is closed again.
+/// Owns a file descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : m_fd(fd) {}
@@ -30,15 +30,15 @@ class Descriptor {
 
 class RandomAccessFile {
  public:
-  /// Throws InputError: missing, not a file, unreadable.
+  /// Throws InputError: missing, not a regular file, unreadable.
   explicit RandomAccessFile(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
   [[nodiscard]] std::uint64_t size() const { return m_size; }
 
-  /// Fills `bytes` from the position `at`. Throws InputError where the file ends before.
+  /// Fills `bytes` from the position `at`. Throws InputError if the file ends before.
   void read(std::uint64_t at, std::span<std::byte> bytes) const;
-  /// As many of them as there are.
+  /// Reads as many of the bytes as there are. Returns their number.
   std::size_t readSome(std::uint64_t at, std::span<std::byte> bytes) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What this machine has, and how much of it we may use.
+// Resources of this machine, and how much of them the program may use.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace hogelscope {
 
-/// Bytes.
+/// Returns the bytes of this machine's memory.
 std::size_t machineMemory();
-/// Throws InputError that names the file where `bytes` are more than this machine's memory; `hint`
-/// says what to do then.
+/// Throws InputError that names the file if `bytes` are more than this machine's memory; `hint`
+/// tells the user what to do.
 void checkFits(std::size_t bytes, const std::filesystem::path& file, const std::string& hint);
 
-/// Bytes for light fields: what allowMemory() said, or a quarter of this machine's.
+/// Returns the bytes for light fields: those of allowMemory(), or a quarter of the memory.
 std::size_t allowedMemory() noexcept;
-/// From now on, in the whole process.
+/// Sets them from now on, for the whole process.
 void allowMemory(std::size_t bytes) noexcept;
 
-/// Before long work: throws InputError where the disk has less room left than `needed` bytes for a
-/// file. `mine`: bytes that are there already and will be used.
+/// To be called before long work: throws InputError if the disk has less than `needed` bytes free
+/// for a file. `mine` is the number of bytes of it that are there already.
 void checkRoomOnDisk(const std::filesystem::path& file, std::uint64_t needed,
                      std::uint64_t mine = 0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which temporary files there are.
+// A list of temporary files.
 #include "io/files/temporary_files.h"
 
 #include <mutex>
@@ -36,7 +36,7 @@ void forgetTemporary(const fs::path& file) {
 }
 
 void removeTemporaries() {
-  registry().mutex.lock();  // for ever
+  registry().mutex.lock();  // forever
   std::error_code ignored;
   for (const fs::path& file : registry().files) fs::remove(file, ignored);
 }

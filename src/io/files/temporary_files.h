@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which temporary files there are, for what ends the process before their owners remove them.
+// A list of temporary files, for ending the process before their owners remove them.
 #pragma once
 
 #include <filesystem>
 
 namespace hogelscope {
 
-/// For the whole process, since a signal ends the whole process. From any thread.
+/// Adds a file to the list, which the whole process shares. Thread-safe.
 void registerTemporary(const std::filesystem::path& file);
 void forgetTemporary(const std::filesystem::path& file);
 
-/// Before the process ends: removes them all. Nobody can register or forget a file afterwards: who
-/// tries waits, so that no new one comes and none is missed.
+/// Removes all files, before the process ends. A thread that tries to register or forget a file
+/// afterwards waits forever, so that no file is missed.
 void removeTemporaries();
 
 }  // namespace hogelscope

@@ -36,7 +36,7 @@ enum FieldType : std::uint16_t { ascii = 2, shortInt = 3, longInt = 4, longInt8 
 constexpr std::uint16_t zstdCompression = 50000;
 constexpr std::uint16_t rgbPhotometric = 2;
 constexpr std::size_t entryBytes = 20;
-constexpr std::size_t inlineBytes = 8;  ///< a value of so many bytes stands in the entry itself
+constexpr std::size_t inlineBytes = 8;  ///< values up to this size are stored in the entry
 constexpr std::array<char, 8> magic{'I', 'I', 43, 0, 8, 0, 0, 0};
 constexpr std::uint64_t longestDescription = 1U << 20U;
 
@@ -133,7 +133,7 @@ class DirectoryReader {
     throw InputError(m_file.path().string(), "is damaged", "a page of it is not a store's");
   }
 
-  /// The entry of this kind, whose count must be `count` (0: any).
+  /// Returns the entry of a tag, whose count must be `count` (0: any).
   [[nodiscard]] Entry entry(Tag tag, FieldType type, std::uint64_t count) const {
     const auto found = m_entries.find(tag);
     if (found == m_entries.end() || found->second.type != type ||
@@ -247,7 +247,7 @@ DecodedPage readPage(const RandomAccessFile& file, std::uint64_t directoryAt) {
   result.page.countsAt = directory.entry(tileByteCounts, longInt, tiles).valueAt;
   result.description = directory.description();
   result.link = directory.link();
-  // Ours follow each other; a chain that goes back would have no end.
+  // Pages of this program ascend; a chain that goes back would have no end.
   if (result.link.next != 0 && result.link.next <= directoryAt) directory.refuse();
   return result;
 }

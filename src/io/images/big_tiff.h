@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pages of a BigTIFF that we write: tiles of 64×64 RGB pixels, each compressed with zstd. Any
-// reader that knows zstd (libtiff, GDAL, OpenImageIO) reads them. Ours reads the tiles' index where
-// it lies, row by row: a whole one can be 280 MB.
+// The pages of a BigTIFF as this program writes it: tiles of 64×64 RGB pixels, each compressed with
+// zstd. Any reader that knows zstd (libtiff, GDAL, OpenImageIO) reads them. This one reads the
+// tiles' index in place, row by row: a whole index can be 280 MB.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ constexpr std::uint32_t tilesAlong(std::size_t pixels) {
   return std::uint32_t((pixels + tileSide - 1) / tileSide);
 }
 
-/// Bytes of one pixel in the file.
+/// Returns the bytes of one pixel in the file.
 std::size_t pixelBytes(StoredType type);
 
-/// Calls work(T{}) with the type of its values.
+/// Calls work(T{}), where T is the type of its values.
 template <class Work>
 void withStoredType(StoredType type, Work work) {
   switch (type) {
@@ -36,8 +36,8 @@ struct TiffPage {
   std::uint32_t tilesAcross = 0;
   std::uint32_t tilesDown = 0;
   StoredType type = StoredType::uint8;
-  std::uint64_t offsetsAt = 0;  ///< where the tiles' positions stand in the file, 64 bits each
-  std::uint64_t countsAt = 0;   ///< where their numbers of bytes stand, 32 bits each
+  std::uint64_t offsetsAt = 0;  ///< file position of the tiles' offsets, 64 bits each
+  std::uint64_t countsAt = 0;   ///< file position of their byte counts, 32 bits each
 
   [[nodiscard]] std::uint64_t tiles() const { return std::uint64_t(tilesAcross) * tilesDown; }
   [[nodiscard]] std::size_t tileBytes() const {
@@ -45,17 +45,17 @@ struct TiffPage {
   }
 };
 
-/// A page's place in the chain of pages.
+/// A page's link in the chain of pages.
 struct TiffLink {
   std::uint64_t next = 0;    ///< position of the next page's directory, 0 = there is none
-  std::uint64_t nextAt = 0;  ///< where `next` stands
+  std::uint64_t nextAt = 0;  ///< file position of `next`
 };
 
-/// The file's first bytes; its link is at `firstLinkAt`.
+/// Returns the file's first bytes; its link is at `firstLinkAt`.
 std::string tiffHeader();
 inline constexpr std::uint64_t firstLinkAt = 8;
 
-/// Index, description and directory as they stand in the file from position `at` on. `offsets` and
+/// Index, description and directory as encoded for the file position `at`. `offsets` and
 /// `counts` are the tiles', row by row; the directory comes last, its link in the last 8 bytes.
 struct EncodedPage {
   std::string bytes;
@@ -65,7 +65,7 @@ EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& 
                         const std::vector<std::uint32_t>& counts, const std::string& description,
                         std::uint64_t at);
 
-/// The first page's link; `next` is 0 where the file is no BigTIFF of ours.
+/// Returns the first page's link; `next` is 0 if the file is not a BigTIFF of this program.
 TiffLink firstLink(const RandomAccessFile& file);
 
 /// Throws InputError for a page that we cannot have written.

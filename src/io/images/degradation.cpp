@@ -29,7 +29,7 @@ void throughJpeg(int quality, cv::Mat band, const Progress& progress) {
   }
 }
 
-/// SplitMix64 (Steele, Lea, Flood 2014) of a counter: any value by itself.
+/// SplitMix64 (Steele, Lea, Flood 2014) of a counter, so that any value can be computed alone.
 std::uint64_t mixed(std::uint64_t counter) {
   std::uint64_t z = counter * 0x9E3779B97F4A7C15U;
   z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9U;
@@ -73,7 +73,7 @@ Degradation parseDegradation(const std::string& text) {
   const bool isNumber = error == std::errc() && end == number.data() + number.size();
   const auto within = [&](double least, double most) {
     if (!isNumber || !(result.amount >= least && result.amount <= most))
-      throw InputError("--degrade", text,
+      throw InputError("degradation", text,
                        "needs a number from " + std::to_string(int(least)) + " to " +
                            std::to_string(int(most)) + " after " + name + ":");
   };
@@ -87,7 +87,7 @@ Degradation parseDegradation(const std::string& text) {
     result.kind = Kind::blur;
     within(0, 100);
   } else {
-    throw InputError("--degrade", text, "is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA");
+    throw InputError("degradation", text, "is not jpeg:QUALITY, noise:SIGMA or blur:SIGMA");
   }
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --degrade: what a codec, a sensor or a lens would do to a light field, row of hogels by row.
+// Degrades a light field as a codec, a sensor or a lens would, one row of hogels at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ struct Degradation {
   enum class Kind { none, jpeg, noise, blur };
   Kind kind = Kind::none;
   double amount = 0;       ///< quality 1 … 100; σ in code values; σ in directional pixels
-  std::uint64_t seed = 1;  ///< of the noise
+  std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// "jpeg:60", "noise:2", "blur:1". Throws InputError.
+/// Parses "jpeg:60", "noise:2", "blur:1". Throws InputError.
 Degradation parseDegradation(const std::string& text);
 
-/// `band` is the j-th row of hogels: dv rows of 3·nx·du values.
-/// jpeg: coded and decoded by OpenCV (4:2:0), each row of hogels as a picture of its own, in pieces
-/// of at most 65 488 columns; where dv is a multiple of 16 the same as the whole picture's, but for
-/// the colour of the rows beside its border, which decoders smooth across blocks. noise: Gaussian,
-/// independent for each value, depending on its place and the seed alone. blur: Gaussian within
-/// each hogel, its edge repeated. `progress` may say stop; then it throws Cancelled.
+/// Degrades the j-th row of hogels, `band`: dv rows of 3·nx·du values.
+/// jpeg: coded and decoded by OpenCV (4:2:0), each row of hogels as an image of its own, in pieces
+/// of at most 65 488 columns; if dv is a multiple of 16, equal to coding the whole image, except
+/// for the colour of the rows beside its border, which decoders smooth across blocks. noise:
+/// Gaussian, independent for each value, depending on its place and the seed alone. blur: Gaussian
+/// within each hogel, its edge repeated. Throws Cancelled.
 void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
              std::span<std::uint8_t> band, const Progress& progress = {});
 

@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
 
-/// Bytes of the types that have a fixed number of them. OpenEXR reads that many whatever the header
-/// says, so a header that says otherwise would be read here as another than it is there.
+/// The bytes of the types of fixed size. OpenEXR reads that many whatever size the header declares,
+/// so this reader must do the same.
 constexpr auto sizes =
     std::to_array<std::pair<std::string_view, std::uint32_t>>({{"box2f", 16},
                                                                {"box2i", 16},
@@ -103,7 +103,7 @@ class ExrHeader {
     return attribute;
   }
 
-  /// The value ends where its type says that it ends.
+  /// Checks that a value ends where its type says.
   void checkType(const Attribute& attribute) const {
     const auto* known =
         std::ranges::find(sizes, attribute.type, &decltype(sizes)::value_type::first);
@@ -152,8 +152,9 @@ class ExrHeader {
     return values;
   }
 
-  /// The file has eight bytes for each chunk: a tile, or at most 256 lines. And no compression
-  /// packs more pixels into a byte: deflate ends at 1032 bytes, DWA was seen at 2767 pixels.
+  /// Checks that the file has eight bytes for each chunk: a tile, or at most 256 lines. No
+  /// compression packs more pixels into a byte: deflate ends at 1032 bytes, DWA was seen at 2767
+  /// pixels.
   void checkChunks() const {
     constexpr double mostLines = 256;
     const double width = double(m_window[2]) - m_window[0] + 1;
@@ -164,7 +165,7 @@ class ExrHeader {
     const auto bytes = double(m_file.size());
     const double pixelsPerByte = isDwa ? 1 << 14 : 1 << 10;
     if (8 * chunks > bytes || width * height > pixelsPerByte * bytes) refuse("dataWindow");
-    constexpr double tilePixelsPerByte = 1 << 17;  // a tile may be larger than the picture
+    constexpr double tilePixelsPerByte = 1 << 17;  // a tile may be larger than the image
     if (double(m_tile[0]) * m_tile[1] > tilePixelsPerByte * bytes) refuse("tiles");
   }
 
@@ -182,7 +183,7 @@ class ExrHeader {
   bool m_isMultiPart;
   std::uint64_t m_at = 8;                  ///< after magic and version
   std::array<std::int32_t, 4> m_window{};  ///< x and y of the first and the last pixel
-  std::uint8_t m_compression = 0;          ///< as in the file; 8 and 9 are DWAA and DWAB
+  std::uint8_t m_compression = 0;          ///< the file's code; 8 and 9 are DWAA and DWAB
   std::array<std::uint32_t, 2> m_tile{};   ///< width and height; 0: lines
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files read through OpenImageIO; PNGs by libspng.
+// Image files read through OpenImageIO; PNGs by libspng.
 #include "io/images/image_file.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void refuseNotANumber(std::span<const float> values, std::size_t width, std::siz
                    std::isnan(*bad) ? "is not a number" : "is infinite");
 }
 
-/// Throws InputError where not even a picture of one colour would be so small.
+/// Throws InputError if not even an image of one colour could be so small.
 void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
   constexpr double mostBytesPerByte = 1 << 17;
   std::error_code error;
@@ -96,7 +96,7 @@ void ImageFile::openOther() {
   m_input->image = OIIO::ImageInput::open(m_file.string());
   if (!m_input->image)
     throw InputError(m_file.string(), "cannot be read as a picture",
-                     oneLine(OIIO::geterror(), m_file));
+                     asOneLine(OIIO::geterror(), m_file));
   m_input->spec = m_input->image->spec();
   const OIIO::ImageSpec& spec = m_input->spec;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
@@ -110,7 +110,7 @@ template <class T>
 std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
   OIIO::ImageInput& image = *m_input->image;
   const OIIO::ImageSpec& spec = m_input->spec;
-  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader wants to be asked for
+  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader must be asked for
   // alpha to do so with scanlines, and does it twice if it is asked with tiles.
   const bool isAsked = spec.tile_width == 0;
   const bool hasAlpha = isAsked && (spec.alpha_channel == 1 || spec.alpha_channel == 3);
@@ -126,9 +126,9 @@ std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
                              used, baseType<T>(), read.data(), stride)
           : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), read.data(),
                                  stride);
-  // Some readers fill the rest of a truncated file and only leave a message.
+  // Some readers fill the rest of a truncated file and only set a message.
   if (!isRead || image.has_error())
-    throw InputError(m_file.string(), "is damaged", oneLine(image.geterror(), m_file));
+    throw InputError(m_file.string(), "is damaged", asOneLine(image.geterror(), m_file));
   std::vector<T> values(3 * width() * rows);
   for (std::size_t p = 0; p < width() * rows; ++p)
     for (std::size_t c = 0; c < 3; ++c) values[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
@@ -142,7 +142,7 @@ void ImageFile::readAs(const Band& band, const Progress& progress) {
   const auto tileRows = std::size_t(std::max(m_input->spec.tile_height, 1));
   const std::size_t rows = (bandPixels / width() / tileRows + 1) * tileRows;
   for (std::size_t first = 0; first < height(); first += rows) {
-    advance(progress, double(first) / double(height()));
+    reportProgress(progress, double(first) / double(height()));
     const std::size_t count = std::min(rows, height() - first);
     band(first, count, StoredRows(readRows<T>(first, count).data()));
   }
@@ -160,7 +160,7 @@ To converted(From value) {
     return To((value + 128U) / 257U);
 }
 
-/// One row after the other.
+/// Reads one row after the other.
 template <class T>
 void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& progress) {
   PngRows png(file);
@@ -175,7 +175,7 @@ void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& 
     }
   };
   for (std::size_t y = 0; y < png.height(); ++y) {
-    advance(progress, double(y) / double(png.height()));
+    reportProgress(progress, double(y) / double(png.height()));
     if (png.type() == StoredType::uint8)
       hand(y, png.next8());
     else

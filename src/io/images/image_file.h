@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files of any format, read from the top.
+// Reads image files of any format from the top.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace hogelscope {
 
-/// The first value of pixels that somebody else holds.
+/// A pointer to the first value of pixels owned by the caller.
 using StoredRows = std::variant<const std::uint8_t*, const std::uint16_t*, const float*>;
 
-/// An opened picture file; every error names it. Grey becomes RGB, alpha is light over black.
+/// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black.
 class ImageFile {
  public:
   explicit ImageFile(const std::filesystem::path& file);
@@ -31,9 +31,9 @@ class ImageFile {
   [[nodiscard]] StoredType type() const { return m_facts.type; }
   [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
 
-  /// Hears rows [first, first + rows), three values a pixel; they are gone afterwards.
+  /// Called with rows [first, first + rows), three values per pixel, valid only during the call.
   using Band = std::function<void(std::size_t first, std::size_t rows, const StoredRows&)>;
-  /// Reads all pixels from the top, some rows at a time. Throws InputError: damaged, not a number.
+  /// Reads all pixels from the top, some rows at a time. Throws InputError: damaged, NaN, infinite.
   void read(StoredType type, const Band& band, const Progress& progress);
 
   [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
@@ -57,7 +57,7 @@ class ImageFile {
   struct Input;
   std::filesystem::path m_file;
   Facts m_facts;
-  std::unique_ptr<Input> m_input;  ///< of OpenImageIO; null for a PNG
+  std::unique_ptr<Input> m_input;  ///< OpenImageIO's input; null for a PNG
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files written through OpenImageIO.
+// Image files written through OpenImageIO.
 #include "io/images/image_writer.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where OpenImageIO's writers put their bytes. Some of them do not notice that a disk is full, and
-/// libjpeg and libpng would end the process: so they are told that all is well, and the first error
-/// is kept until close().
+/// The output of OpenImageIO's writers. Some of them do not notice that a disk is full, and libjpeg
+/// and libpng would end the process: so every write reports success, and the first error is kept
+/// until close().
 class CheckedFile : public OIIO::Filesystem::IOProxy {
  public:
   /// Writes to a copy of `descriptor`.
@@ -83,7 +83,7 @@ InputError cannotWrite(const fs::path& file, int error) {
 
 }  // namespace
 
-/// A picture on its way to the disk.
+/// An image file that is being written.
 struct ImageRowWriter::Output {
   AtomicFile atomic;
   fs::path file;
@@ -106,13 +106,13 @@ struct ImageRowWriter::Output {
   }
 
   ~Output() {
-    // Closing a PNG without rows complains on stderr; a writer that was stopped is left alone.
+    // Closing a PNG without rows complains on stderr; a cancelled writer is leaked.
     if (!isFinished) (void)image.release();
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  /// What libjpeg's handler ends the process for, and libpng tells stderr.
+  /// Checks limits for which libjpeg would end the process and libpng write to stderr.
   void refuseTooLarge(const OIIO::ImageSpec& spec) const {
     constexpr int jpegLimit = 65500;
     constexpr int pngLimit = 1000000;
@@ -126,7 +126,7 @@ struct ImageRowWriter::Output {
   }
 
   [[noreturn]] void fail() {
-    throw InputError(file.string(), "cannot be written", oneLine(image->geterror(), file));
+    throw InputError(file.string(), "cannot be written", asOneLine(image->geterror(), file));
   }
 
   void close() {
@@ -146,7 +146,7 @@ struct ImageRowWriter::Output {
 
 namespace {
 
-/// As write_image() does, but a stop is heard between bands of rows.
+/// Writes as write_image() does, but can be cancelled between bands of rows.
 template <class T>
 bool writeRows(OIIO::ImageOutput& image, const T* values, const Progress& progress) {
   constexpr int band = 64;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which versions of the libraries behind `io` are at work.
+// The versions of the libraries that `io` uses.
 #include "io/images/library_versions.h"
 
 #include <OpenImageIO/imageio.h>

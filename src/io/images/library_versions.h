@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which versions of the libraries behind `io` are at work, for About and the report.
+// The versions of the libraries that `io` uses, for About and the report.
 #pragma once
 
 #include <string>
 
 namespace hogelscope {
 
-/// As "4.6.0": of the libraries that are loaded, not of the headers.
+/// Return the version of the loaded library, not of its headers, such as "4.6.0".
 std::string openCvVersion();
 std::string openImageIoVersion();
 

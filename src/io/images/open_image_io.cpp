@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reading and writing share of OpenImageIO.
+// Helpers for reading and writing by OpenImageIO.
 #include "io/images/open_image_io.h"
 
 namespace hogelscope {
 
-std::string oneLine(std::string text, const std::filesystem::path& file) {
+std::string asOneLine(std::string text, const std::filesystem::path& file) {
   for (const std::string& noise : {"\"" + file.string() + "\"", "'" + file.string() + "'"})
     if (const std::size_t at = text.find(noise); at != std::string::npos)
       text.replace(at, noise.size(), "it");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reading and writing share of OpenImageIO.
+// Helpers for reading and writing by OpenImageIO.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -18,7 +18,7 @@ constexpr OIIO::TypeDesc::BASETYPE baseType() {
   return OIIO::TypeDesc::FLOAT;
 }
 
-/// OpenImageIO's message on one line, without the file's name, which our line has already.
-std::string oneLine(std::string text, const std::filesystem::path& file);
+/// Returns OpenImageIO's message on one line, without the file's name.
+std::string asOneLine(std::string text, const std::filesystem::path& file);
 
 }  // namespace hogelscope

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What follows tells a damaged transfer, which libpng would report on stderr.
+/// Bytes after these reveal a damaged transfer, which libpng would report on stderr.
 constexpr std::array<unsigned char, 4> signature{0x89, 'P', 'N', 'G'};
 
 /// Deflate's limit: two bits, a length and a distance, stand for at most 258 bytes.
@@ -35,7 +35,7 @@ bool isGrey(const spng_ihdr& header) {
          header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
 }
 
-/// Colours times alpha, over black.
+/// Multiplies colours by alpha: light over black.
 template <class T>
 void blend(const T* rgba, std::vector<T>& rgb) {
   constexpr std::uint32_t opaque = std::numeric_limits<T>::max();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a PNG through libspng: light fields of 283 GB come as such files, and OpenImageIO
-// reads them at 0.4 times the speed and lets libpng write to stderr.
+// Reads the rows of a PNG by libspng: light fields of 283 GB are such files, and OpenImageIO reads
+// them at 0.4 times the speed and lets libpng write to stderr.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ class PngRows {
 
   [[nodiscard]] std::size_t width() const { return m_width; }
   [[nodiscard]] std::size_t height() const { return m_height; }
-  /// As stored: 1 to 4; a palette counts as its colours.
+  /// Returns the stored channels, 1 to 4; a palette counts as its colours.
   [[nodiscard]] int channels() const { return m_channels; }
-  /// 16 bits, or 8 for all that have fewer.
+  /// Returns 16 bits, or 8 for all files with fewer.
   [[nodiscard]] StoredType type() const { return m_type; }
 
-  /// The next row from the top as 3·width values of type(); grey is all three, alpha is light over
-  /// black. Valid until the next call. Throws InputError that names the row: damaged.
+  /// Return the next row from the top as 3·width values of type(); grey becomes RGB, alpha is
+  /// composited over black. Valid until the next call. Throws InputError that names a damaged row.
   std::span<const std::uint8_t> next8();
   std::span<const std::uint16_t> next16();
 
@@ -53,7 +53,7 @@ class PngRows {
   StoredType m_type = StoredType::uint8;
   bool m_hasAlpha = false;
   bool m_isInterlaced = false;
-  int m_format = 0;                  ///< of libspng
+  int m_format = 0;                  ///< a format of libspng
   std::size_t m_rowBytes = 0;        ///< in that format
   std::size_t m_row = 0;             ///< the next one
   std::vector<std::byte> m_decoded;  ///< a row; of an interlaced file all of them

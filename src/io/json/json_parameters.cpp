@@ -14,7 +14,7 @@ namespace hogelscope {
 
 namespace {
 
-/// A value as an error line shows it: short, and on one line.
+/// Formats a value for an error line: short, and on one line.
 std::string shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t longest = 60;
@@ -174,20 +174,20 @@ Override parseOverride(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals)
-    throw InputError("--set " + text, "is not of the form section.field=value");
+    throw InputError("override " + text, "is not of the form section.field=value");
   const std::string written = text.substr(equals + 1);
   try {
     Json value = Json::accept(written) ? parseJson(written) : Json(written);
     return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), std::move(value)};
   } catch (const InputError& error) {
-    throw InputError("--set " + text.substr(0, equals), error.what());
+    throw InputError("override " + text.substr(0, equals), error.what());
   }
 }
 
 namespace {
 
-/// Hears a document's structure while it is parsed: refuses a key that stands twice in an object,
-/// and what no document of ours has: such a depth, or so many keys.
+/// Called with a document's structure while it is parsed: refuses a key that occurs twice in an
+/// object, and a depth or a number of keys that no document of the program has.
 class StructureCheck {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {

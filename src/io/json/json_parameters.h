@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JSON as a visitor of the parameter descriptions: reading with the place of every mistake, and
-// writing.
+// Visitors of the parameter descriptions that read JSON, with the path of every mistake, and write
+// it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,13 +17,13 @@ using Json = nlohmann::ordered_json;
 /// Reads the fields that `object` has; the others keep their values. Throws InputError.
 class JsonReader : public ParameterVisitor {
  public:
-  /// `path` is the object's place in the document, such as "cameras[2].psf".
+  /// `path` is the path of the object in the document, such as "cameras[2].psf".
   JsonReader(const Json& object, std::string path);
 
   void group(std::string_view, std::string_view) override {}
-  /// A key that is read elsewhere. Returns its value, or none.
+  /// Returns the value of a key that is read elsewhere, or null.
   const Json* section(std::string_view name);
-  /// Call it last: throws for a key that nobody asked for, with the nearest one that is known.
+  /// Throws InputError for a key that was not read, with the nearest known one. Call it last.
   void refuseUnknown() const;
   [[nodiscard]] std::string pathOf(std::string_view name) const;
 
@@ -43,7 +43,7 @@ class JsonReader : public ParameterVisitor {
   std::vector<std::string_view> m_known;
 };
 
-/// Adds the fields to `object`; what is not given (outside its own range) is left out.
+/// Adds the fields to `object`; leaves out those that are not given (outside their own range).
 class JsonWriter : public ParameterVisitor {
  public:
   explicit JsonWriter(Json& object) : m_object(object) {}
@@ -60,7 +60,7 @@ class JsonWriter : public ParameterVisitor {
   Json& m_object;
 };
 
-/// Reads the fields of `parent`'s object `name`, where it has one.
+/// Reads the fields of `parent`'s object `name`, if it has one.
 template <class Params>
 void readSection(JsonReader& parent, const char* name, Params& params) {
   const Json* object = parent.section(name);
@@ -70,26 +70,26 @@ void readSection(JsonReader& parent, const char* name, Params& params) {
   reader.refuseUnknown();
 }
 
-/// --set section.field=value.
+/// A parsed override, section.field=value.
 struct Override {
   std::string section;
   std::string field;
-  Json value;  ///< what is not JSON is a text
+  Json value;  ///< a text if it is not JSON
 };
 
-/// Throws InputError for another form.
+/// Parses an override. Throws InputError for another form.
 Override parseOverride(const std::string& text);
 
-/// What no document of ours reaches: a reader of files that nobody vouches for stops there.
+/// The depth at which readers of untrusted files stop; no document of the program reaches it.
 constexpr int deepestDocument = 32;
 constexpr std::size_t mostKeys = 1000;  ///< in one object, whose keys are searched one by one
 
 enum class JsonComments { refused, ignored };
 
-/// Parses a document; refuses a key that stands twice in an object. Throws InputError.
+/// Parses a document. Throws InputError, also for a key that occurs twice in an object.
 Json parseJson(const std::string& text, JsonComments comments = JsonComments::refused);
 
-/// Two spaces a level, lists of numbers on one line.
+/// Formats with two spaces per level, and lists of numbers on one line.
 std::string formatJson(const Json& value);
 
 }  // namespace hogelscope

@@ -20,7 +20,7 @@ bool isOfName(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
 }
 
-/// What OpenCV writes or reads and YAML does not know: the first line, %YAML:1.0; \' within quotes;
+/// Replaces OpenCV's extensions of YAML: the first line, %YAML:1.0; \' within quotes;
 /// no blank behind a name's colon, "{ x:1, at:[ 2, 3 ] }". Lines keep their numbers.
 std::string standardYaml(const std::string& text) {
   std::string yaml;
@@ -63,8 +63,8 @@ Json scalarOf(const yaml_event_t& event) {
   return text;
 }
 
-/// libyaml's events, one after the other: what makes them keeps its own stack, and stops where we
-/// do. Its loader builds whole documents first, which takes minutes for a megabyte of brackets.
+/// Reads libyaml's events one after the other: the parser stops where this reader does. libyaml's
+/// loader builds whole documents first, which takes minutes for a megabyte of brackets.
 class Events {
  public:
   explicit Events(const std::string& yaml) : m_yaml(yaml) {
@@ -91,7 +91,7 @@ class Events {
            std::string("is not YAML: ") + m_parser.problem);
   }
 
-  /// Because of what was read last.
+  /// Throws InputError because of the last event.
   [[noreturn]] void refuse(const std::string& why) const { refuse(m_event.start_mark.line, why); }
 
  private:
@@ -109,10 +109,10 @@ class Events {
   yaml_event_t m_event{};
 };
 
-/// What the current event is or begins.
+/// Reads the value that the current event is or begins.
 Json valueOf(Events& events, int depth);
 
-/// Up to the end of the mapping that the current event begins.
+/// Reads up to the end of the mapping that the current event begins.
 void addKeys(Events& events, Json& object, int depth) {
   while (events.next() != YAML_MAPPING_END_EVENT) {
     if (events.current().type != YAML_SCALAR_EVENT) events.refuse("a name is not a text");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// YAML as cv::FileStorage writes it, read from files that nobody vouches for.
+// Reads YAML as cv::FileStorage writes it, from untrusted files.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace hogelscope {
 
-/// The names and values of all documents in the file, as one object. A plain scalar that is a
-/// finite number becomes one, every other scalar a text (.Inf and .Nan too); tags mean nothing.
-/// Throws InputError that names the line: not YAML, an alias, a name that stands twice, nested
+/// Returns the names and values of all documents in the file, as one object. A plain scalar that is
+/// a finite number becomes one, every other scalar a text (.Inf and .Nan too); tags are ignored.
+/// Throws InputError that names the line: not YAML, an alias, a name that occurs twice, nested
 /// deeper than any calibration.
 Json parseOpenCvYaml(const std::string& text);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layout "hogels": one picture of hogel tiles.
+// Layout "hogels": one image of hogel tiles.
 #include "io/layouts/hogel_image.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Directions that were recorded looking into the scene, as they leave: each hogel's row backwards.
+/// Flips directions that were recorded looking into the scene: each hogel's row backwards.
 template <class T>
 void turnHogels(const LightFieldSize& size, const T* rgb, std::vector<T>& turned) {
   turned.resize(3 * size.width());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layout "hogels": one picture of hogel tiles, (i·du + u, j·dv + v).
+// Layout "hogels": one image of hogel tiles, (i·du + u, j·dv + v).
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-/// Throws InputError that names the file: missing, damaged, or not the display's size.
+/// Opens it. Throws InputError that names the file: missing, damaged, or not the display's size.
 std::unique_ptr<LightFieldFile> openHogelImage(const LightFieldParams& params,
                                                const DisplayParams& display);
 

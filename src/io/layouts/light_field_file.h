@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field's files, of any layout.
+// The files of a light field of any layout.
 #pragma once
 
 #include <filesystem>
@@ -20,21 +20,21 @@ class LightFieldFile {
   [[nodiscard]] virtual LightFieldSize size() const = 0;
   [[nodiscard]] virtual std::vector<std::filesystem::path> files() const = 0;
   [[nodiscard]] virtual StoredType type() const = 0;
-  /// Throws InputError, or Cancelled.
+  /// Reads it into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 
-  /// Hears the directions (·, v) of the hogels (·, j): three values each, in the order of i·du + u.
+  /// Called with directions (·, v) of hogels (·, j): three values each, in the order of i·du + u.
   using HogelRow = std::function<void(int j, int v, const StoredRows& rgb)>;
-  /// Can the file be gone through in bounded memory and once, row of hogels by row of hogels?
+  /// Whether one pass in bounded memory suffices for stream().
   [[nodiscard]] virtual bool isStream() const { return false; }
-  /// Tells all of it, hogel row after hogel row from the top, a hogel row's v in any order. Where
-  /// isStream() says no it takes half of allowedMemory(), and reads more than once if it must.
-  /// Throws InputError, or Cancelled.
+  /// Streams all of it, hogel row after hogel row from the top, with v of a hogel row in any order.
+  /// If isStream() is false it uses half of allowedMemory(), and may read more than once. Throws
+  /// InputError, or Cancelled.
   virtual void stream(const HogelRow& row, const Progress& progress) = 0;
 };
 
-/// A black one, to be filled. Throws InputError that names the file where the machine's memory is
-/// too small; `hint` says what to do then.
+/// Makes a black light field, to be filled. Throws InputError that names the file if the machine's
+/// memory is too small; `hint` tells the user what to do.
 LightField blankLightField(const LightFieldSize& size, StoredType type,
                            const std::filesystem::path& file, const std::string& hint = {});
 

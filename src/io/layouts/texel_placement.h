@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reading of all layouts shares: pixels of pictures become texels.
+// Shared by the readers of all layouts: pixels of images become texels.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace hogelscope {
 
-/// What to do with a light field that is too large.
-inline constexpr const char* packIt = ": --pack it, and use the store";
+/// Advice for a light field that is too large.
+inline constexpr const char* packIt = ": pack it into a store, and use that";
 
 inline std::string pixels(std::size_t width, std::size_t height) {
   return std::to_string(width) + "×" + std::to_string(height);
 }
 
-/// Reads a picture into the light field; `target(x, y)` says which texel pixel (x, y) is, or none.
+/// Reads an image into the light field; `target(x, y)` returns the texel of pixel (x, y), or none.
 /// `incoming` flips directions that were recorded looking into the scene.
 template <class Target>
 void place(ImageFile& image, StoredType type, LightField& lightField, bool incoming, Target target,

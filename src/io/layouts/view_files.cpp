@@ -26,7 +26,7 @@ struct Token {
 
 struct NamePattern {
   std::vector<Token> tokens;
-  std::string text;  ///< as the user knows it
+  std::string text;  ///< the text of the user
 
   [[nodiscard]] std::string meaning() const {
     std::string letters;
@@ -91,14 +91,14 @@ NamePattern fromPercent(const std::string& text) {
   return pattern;
 }
 
-/// Fits a name to a pattern. What was tried once in vain is not tried again, so that many stars
-/// cost no more than name times pattern.
+/// Matches a name with a pattern. No position is tried twice, so that many stars cost no more than
+/// name times pattern.
 class NameMatch {
  public:
   NameMatch(const NamePattern& pattern, const std::string& name)
       : m_tokens(pattern.tokens), m_name(name), m_failed(m_tokens.size() * (name.size() + 1)) {}
 
-  /// The numbers in the order of the pattern; none if the name does not fit.
+  /// Returns the numbers in the order of the pattern; none if the name does not match.
   std::optional<std::vector<std::string>> numbers() {
     if (!fits(0, 0)) return std::nullopt;
     std::reverse(m_numbers.begin(), m_numbers.end());
@@ -106,7 +106,7 @@ class NameMatch {
   }
 
  private:
-  /// Do the tokens from `token` on fit the name from `at` on?
+  /// Whether the tokens from `token` on match the name from `at` on.
   bool fits(std::size_t token, std::size_t at) {
     if (token == m_tokens.size()) return at == m_name.size();
     const std::size_t state = token * (m_name.size() + 1) + at;
@@ -122,7 +122,7 @@ class NameMatch {
     return false;
   }
 
-  /// How many letters of the name the token can take: least to most, none where least > most.
+  /// Returns how many letters of the name the token can match: least to most; none if least > most.
   [[nodiscard]] std::pair<std::size_t, std::size_t> lengths(const Token& token,
                                                             std::size_t at) const {
     const auto run = [&](const char* letters) {

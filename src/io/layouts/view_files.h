@@ -17,8 +17,9 @@ struct ViewFiles {
   std::vector<std::filesystem::path> files;
 };
 
-/// `directions` (columns, rows; 0 = not known) is only needed where one running number names the
-/// views and their count is not a square. Throws InputError: no folder, no match, a missing view.
+/// Finds the views. `directions` (columns, rows; 0 = not known) is needed if one running number
+/// names the views and their count is not a square. Throws InputError: no folder, no match, missing
+/// view.
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layouts "views" and "quilt": pictures of the same direction of all hogels.
+// Layouts "views" and "quilt": images of the same direction of all hogels.
 #include "io/layouts/view_layouts.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Each of its rows of hogels is all over its files: where memory is too small for the whole, they
-/// are gone through once for each band of rows.
+/// A file whose rows of hogels are spread over all of it: if memory is too small for the whole, it
+/// is read once for each band of rows.
 class ScatteredFile : public LightFieldFile {
  public:
   [[nodiscard]] LightField read(const Progress& progress) override {
@@ -67,7 +67,7 @@ class ScatteredFile : public LightFieldFile {
         [&](const auto& texels) {
           std::vector<std::decay_t<decltype(texels[0].r)>> rgb(3 * size.width());
           for (int j = 0; j < size.ny; ++j) {
-            advance(progress, double(j) / size.ny);
+            reportProgress(progress, double(j) / size.ny);
             for (int v = 0; v < size.dv; ++v) handRow(texels, j, v, rgb);
           }
         },
@@ -129,7 +129,7 @@ class ViewsFolder : public ScatteredFile {
   LightFieldSize m_size;
 };
 
-/// One row of views from the left; the picture has them row by row from the bottom left.
+/// One row of views from the left; the image has them row by row from the bottom left.
 class QuiltImage : public ScatteredFile {
  public:
   explicit QuiltImage(const LightFieldParams& params) : m_params(params), m_image(params.file) {

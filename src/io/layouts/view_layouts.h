@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layouts "views" and "quilt": pictures of the same direction of all hogels.
+// Layouts "views" and "quilt": images of one direction of all hogels.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace hogelscope {
 
-/// A folder or %-pattern of pictures. Throws InputError that names the file or the folder.
+/// Opens a folder or %-pattern of images. Throws InputError that names the file or the folder.
 std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
                                           const DisplayParams& display);
 
-/// One picture of a row of views. Throws InputError that names it.
+/// Opens one image of a row of views. Throws InputError that names it.
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params);
 
-/// Columns and rows that a quilt's name says (…_qs8x6a0.75.png); 0 where it does not.
+/// Returns the columns and rows in a quilt's name (…_qs8x6a0.75.png); 0 if there are none.
 std::array<int, 2> quiltTilesFromName(const std::string& file);
 
 }  // namespace hogelscope

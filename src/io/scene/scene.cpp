@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the views of a session's states have in common.
+// Opens light fields, and makes the views of a session's states.
 #include "io/scene/scene.h"
 
 #include <algorithm>

@@ -81,7 +81,7 @@ void BandPacker::finish(const Progress& progress) {
   while (m_turn < all && !m_error) {
     constexpr std::chrono::milliseconds step(100);
     m_changed.wait_for(lock, step);
-    advance(progress, double(m_turn) / double(all));
+    reportProgress(progress, double(m_turn) / double(all));
   }
   if (m_error) std::rethrow_exception(m_error);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes a store's pages of a hogel image's rows: while one band of hogels is read, threads put the
-// blocks of the last one together and compress them. Memory is a fixed number of rows.
+// Makes a store's pages from a hogel image's rows: while one band of hogels is read, threads gather
+// and compress the blocks of the last one. Memory is a fixed number of rows.
 #pragma once
 
 #include <condition_variable>
@@ -18,19 +18,19 @@ namespace hogelscope {
 
 class BandPacker {
  public:
-  /// `rows` of the hogel image are kept at most: a band (`bandRows`) or more.
+  /// Keeps at most `rows` of the hogel image: a band (bandRows()) or more.
   BandPacker(const StoreHeader& header, std::size_t rows, int threads, StoreOutput& output);
   ~BandPacker();
   BandPacker(const BandPacker&) = delete;
   BandPacker& operator=(const BandPacker&) = delete;
 
-  /// Rows of the hogel image in a band.
+  /// Returns the rows of the hogel image in a band.
   static std::size_t bandRows(const StoreHeader& header);
 
-  /// Hogel row j's directions v; hogel rows come in their order. Waits for memory. Throws what went
-  /// wrong on the threads. Pages that the output has already are passed over.
+  /// Takes directions v of hogel row j; hogel rows come in order. Waits for memory. Rethrows
+  /// exceptions of the threads. Pages that the output has already are skipped.
   void take(int j, int v, const void* rgb);
-  /// Waits until all pages are written. Throws the same, or Cancelled.
+  /// Waits until all pages are written. Rethrows likewise, or throws Cancelled.
   void finish(const Progress& progress);
 
  private:

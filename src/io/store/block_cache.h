@@ -14,14 +14,14 @@ namespace hogelscope {
 
 using BlockTexels = std::shared_ptr<std::byte[]>;
 
-/// Used by several threads at once: parts with a lock each. What it hands out must not be changed.
+/// A thread-safe cache in parts with a lock each. Blocks that it returns must not be changed.
 class BlockCache {
  public:
-  /// For blocks of `blockBytes`, all of one size.
+  /// Makes a cache of `bytes` for blocks of `blockBytes` each.
   BlockCache(std::size_t bytes, std::size_t blockBytes)
       : m_partBlocks(bytes / blockBytes / parts) {}
 
-  /// Null where it is not there.
+  /// Returns a block, or null.
   BlockTexels find(std::uint64_t key);
   void put(std::uint64_t key, const BlockTexels& texels);
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Blocks that a thread takes at a time.
+/// The number of blocks that a thread takes at a time.
 std::size_t pieceOf(std::size_t count, int threads) {
   constexpr std::size_t most = 256;
   return std::clamp<std::size_t>(count / (8 * std::size_t(threads)), 1, most);
@@ -25,15 +25,15 @@ std::size_t pieceOf(std::size_t count, int threads) {
 
 }  // namespace
 
-/// One thread's way to the tiles: its decoder, the row of the index that it looks into, and what it
-/// has read of the file at once.
+/// One thread's access to the tiles: its decoder, its row of the index, and the part of the file
+/// that it has read ahead.
 class LightFieldStore::Reader {
  public:
   explicit Reader(const RandomAccessFile& file) : m_file(file) {}
 
   BlockTexels own;  ///< the last block that it decoded
 
-  /// Decodes the tile; "" or what is wrong.
+  /// Decodes the tile. Returns "" or the reason of a failure.
   std::string read(const TiffPage& page, std::uint32_t column, std::uint32_t row,
                    std::span<std::byte> tile) {
     loadRow(page, row);
@@ -175,7 +175,7 @@ void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse&
     readers.emplace_back(m_file);
   hearStop(progress);  // the other threads may leave nothing for this one
   sideBySide(pieces, int(readers.size()), [&](std::size_t k, std::size_t worker) {
-    if (worker == 0) advance(progress, double(k) / double(pieces));
+    if (worker == 0) reportProgress(progress, double(k) / double(pieces));
     const std::size_t end = std::min((k + 1) * piece, wanted.size());
     for (std::size_t at = k * piece; at < end; ++at)
       use(at, {decoded(readers[worker], wanted[at]).get(), bytes});

@@ -18,13 +18,13 @@ class BlockCache;
 
 class LightFieldStore : public LightFieldFile, public LightFieldSource {
  public:
-  /// Reads the pages' directories, not their indices. `cacheBytes`: decoded blocks that are kept.
-  /// `threads`: 0 = all. Throws InputError: not a store, not complete, damaged.
+  /// Reads the pages' directories, not their indices. `cacheBytes` is the size of the cache of
+  /// decoded blocks; 0 `threads` means all. Throws InputError: not a store, not complete, damaged.
   explicit LightFieldStore(const std::filesystem::path& file, bool incoming = false,
                            std::size_t cacheBytes = 0, int threads = 0);
   ~LightFieldStore() override;
 
-  /// Is it a store, whole or not? Looks at its first page only.
+  /// Whether the file is a store, complete or not, by its first page.
   static bool isStore(const std::filesystem::path& file);
 
   [[nodiscard]] const StoreHeader& header() const { return m_header; }
@@ -34,22 +34,22 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
     return {m_file.path()};
   }
 
-  /// The whole light field in memory.
+  /// Reads the whole light field into memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
-  /// A row of blocks of hogels is in memory at a time, less of it where that is more than half of
-  /// allowedMemory(). No stream by isStream(): views need not wait for what they want.
+  /// Keeps a row of blocks of hogels in memory at a time, or a part of it if that is more than half
+  /// of allowedMemory(). isStream() is false, since views can read the blocks that they need.
   void stream(const HogelRow& row, const Progress& progress) override;
 
-  /// What is decoded is kept in the cache, and the last view's slice is handed out again where it
-  /// has all that is asked for.
+  /// Keeps decoded blocks in the cache, and returns the last view's slice again if that covers the
+  /// footprint.
   [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
                                                         const Progress& progress) const override;
 
-  /// Hogels and directions picked at even distances, read the first time. Throws InputError.
+  /// Returns hogels and directions at even distances, read at the first call. Throws InputError.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
 
-  /// Hears block k of `wanted`: 64×64 texels of three values of type(), as store_header.h says. On
-  /// several threads, each block once. Fastest where wanted blocks follow each other along u, then
+  /// Called with block k of `wanted`: 64×64 texels of three values of type(), see store_header.h.
+  /// On several threads, each block once. Fastest if wanted blocks follow each other along u, then
   /// i, then v, then j. Throws InputError that names the block that is damaged, or Cancelled.
   using BlockUse = std::function<void(std::size_t k, std::span<const std::byte> texels)>;
   void blocks(std::span<const BlockIndex> wanted, const BlockUse& use,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a view needs of a store: the blocks that its footprint touches, and their texels.
+// Reads the slice of a view from a store: the blocks that its footprint touches.
 #include <algorithm>
 #include <stdexcept>
 
@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Which blocks of directions the cells [cell, cell + count) need, in ascending order.
+/// Returns the blocks of directions that cells [cell, cell + count) need, in ascending order.
 std::vector<int> neededBlocks(const std::vector<CellRange>& ranges, int cell, int count,
                               int blockCells) {
   std::vector<int> needed;
@@ -43,13 +43,13 @@ std::vector<BlockIndex> blocksOf(const StoreHeader& header, const Footprint& foo
   return blocks;
 }
 
-/// The part of a cell's range of directions that lies in a block, counted from the block's first.
+/// Returns the part of a cell's directions that lies in a block, counted from the block's first.
 CellRange within(const CellRange& range, int block, int blockCells) {
   return {std::max(range.first - block * blockCells, 0),
           std::min(range.last - block * blockCells, blockCells - 1)};
 }
 
-/// Of the hogels of a block along one axis.
+/// Returns the same for the hogels of a block along one axis.
 std::vector<CellRange> within(const std::vector<CellRange>& ranges, int cell, int count, int block,
                               int blockCells) {
   std::vector<CellRange> result;
@@ -60,7 +60,7 @@ std::vector<CellRange> within(const std::vector<CellRange>& ranges, int cell, in
 
 }  // namespace
 
-/// The footprint in the file's own directions.
+/// Returns the footprint in the file's own directions.
 Footprint LightFieldStore::stored(const Footprint& footprint) const {
   Footprint result = footprint;
   if (!m_incoming) return result;
@@ -79,9 +79,9 @@ std::shared_ptr<const LightField> LightFieldStore::slice(
   if (auto last = lastSlice(); last && last->covers(footprint)) return last;
   if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
       bytes > double(allowedMemory()))
-    throw InputError("--memory", "a view needs " + bytesText(std::size_t(bytes)) +
-                                     " of the light field, " + bytesText(allowedMemory()) +
-                                     " are allowed");
+    throw InputError("memory", "a view needs " + bytesText(std::size_t(bytes)) +
+                                   " of the light field, " + bytesText(allowedMemory()) +
+                                   " are allowed: allow more");
   auto target = std::make_shared<LightField>(m_header.size, m_header.type, sliceLayout(footprint));
   const Footprint inFile = stored(footprint);
   const std::vector<BlockIndex> wanted = blocksOf(m_header, inFile);
@@ -91,7 +91,7 @@ std::shared_ptr<const LightField> LightFieldStore::slice(
         placeSlice(wanted[k], texels, inFile, *target);
       },
       progress);
-  // A texel that somebody asks about does not replace a view.
+  // The slice of a single texel does not replace that of a view.
   constexpr std::size_t leastOfView = std::size_t{1} << 20;
   if (footprint.texels() >= leastOfView) {
     const std::lock_guard lock(m_sliceMutex);

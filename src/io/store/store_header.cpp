@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a store says of itself, as JSON.
+// The metadata of a store, as JSON.
 #include "io/store/store_header.h"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ int blocksAlong(int cells, int block) {
   return (cells + block - 1) / block;
 }
 
-/// The least power of two that holds `cells`, at most `most`.
+/// Returns the least power of two that holds `cells`, at most `most`.
 int powerOfTwo(int cells, int most) {
   return std::min(most, int(std::bit_ceil(unsigned(cells))));
 }
 
-/// 64 MB of 8-bit ones.
+/// The most texels of an overview: 64 MB of 8-bit ones.
 constexpr double mostOverviewTexels = 16e6;
 
 std::array<int, 4> listOf(const BlockIndex& block) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a store says of itself: the shape of light field and blocks, the display. It stands as JSON
-// in the description of the file's first page.
+// The metadata of a store: the shape of light field and blocks, the display. It is JSON in the
+// description of the file's first page.
 //
 // A store is a BigTIFF with one page for each row of blocks of hogels, and one more for the
 // overview. A tile is a block of hogels × directions, 64×64 pixels: texel (i, j, u, v) of block
 // (I, J, U, V) is at column i·block.u + u, row j·block.v + v of tile column I·blocks.u + U, tile
-// row V of page J. What a block has beyond the light field's edges is black.
+// row V of page J. Cells beyond the light field's edges are black.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace hogelscope {
 
-/// A block of hogels × directions; also how many there are along each axis, or its cells.
+/// The index of a block of hogels × directions; also a number of blocks or cells along each axis.
 struct BlockIndex {
   int i = 0;
   int j = 0;
@@ -29,29 +29,29 @@ struct BlockIndex {
 struct StoreHeader {
   LightFieldSize size;
   StoredType type = StoredType::uint8;
-  BlockIndex block;                      ///< cells along each axis; i·u and j·v are 64
-  LightFieldSize overview;               ///< of the last page
-  std::string source;                    ///< what it was made of: by this an unfinished one goes on
-  std::optional<DisplayParams> display;  ///< if it was known
+  BlockIndex block;         ///< cells along each axis; i·u and j·v are 64
+  LightFieldSize overview;  ///< size of the overview, the last page
+  std::string source;       ///< identifies the source, so that an unfinished store can be resumed
+  std::optional<DisplayParams> display;  ///< if known
 
-  /// How many blocks there are along each axis.
+  /// Returns the number of blocks along each axis.
   [[nodiscard]] BlockIndex blocks() const;
 };
 
-/// Cells of a block for a light field of this size, where `hogelRows` hogels along j may be in one.
+/// Returns the cells of a block for a light field of this size, at most `hogelRows` hogels along j.
 BlockIndex blockFor(const LightFieldSize& size, int hogelRows);
 
-/// The overview's size: at most 64 MB, or an eighth of the whole.
+/// Returns the overview's size: at most 64 MB, or an eighth of the whole.
 LightFieldSize overviewSize(const LightFieldSize& size, StoredType type);
 
-/// Which hogel or direction of `cells` stands at place k of the overview's `shown`.
+/// Returns the hogel or direction, of `cells`, that is at index k of the overview's `shown`.
 constexpr int overviewCell(int k, int shown, int cells) {
   return int((2 * std::int64_t(k) + 1) * cells / (2 * std::int64_t(shown)));
 }
 
 std::string textOf(const StoreHeader& header);
 
-/// None where the text is not a store's. Throws InputError where it is one's, but wrong.
+/// Returns none if the text is not a store's. Throws InputError if it is a store's, but wrong.
 std::optional<StoreHeader> parseStoreHeader(const std::string& text);
 
 }  // namespace hogelscope

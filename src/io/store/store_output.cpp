@@ -56,7 +56,7 @@ StoreOutput::StoreOutput(const fs::path& file, const StoreHeader& header)
   requireStore(part);
   try {
     goOn(part);
-  } catch (const InputError&) {  // what cannot be read is begun anew
+  } catch (const InputError&) {  // an unreadable file is begun anew
     m_pages = 0;
   }
   if (m_pages == 0) {

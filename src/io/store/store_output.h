@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store on its way to the disk, as FILE.part. A page is in the file's chain only when all of it
-// is on the disk, so that whatever ends the program, the next run goes on after the last one.
+// Writes a store as FILE.part. A page enters the file's chain only when all of it is on the disk,
+// so that, however the program ends, the next run continues after the last page.
 #pragma once
 
 #include <filesystem>
@@ -11,29 +11,29 @@
 
 namespace hogelscope {
 
-/// Compressed tiles, one after the other.
+/// Compressed tiles, in order.
 struct TileBytes {
   std::vector<std::byte> bytes;
-  std::vector<std::uint32_t> counts;  ///< of each; 0 = it is black
-  std::vector<std::byte> black;       ///< a black one, if there is any
+  std::vector<std::uint32_t> counts;  ///< bytes of each tile; 0 = it is black
+  std::vector<std::byte> black;       ///< a compressed black tile, if there is any
 };
 
 class StoreOutput {
  public:
-  /// Goes on with FILE.part where it is of the same header, else begins it anew. Throws InputError:
-  /// it is another file, another run writes it, it cannot be written.
+  /// Resumes FILE.part if it has the same header, else begins it anew. Throws InputError: it is
+  /// another file, another run writes it, it cannot be written.
   StoreOutput(const std::filesystem::path& file, const StoreHeader& header);
 
-  /// Pages that are finished.
+  /// Returns the number of finished pages.
   [[nodiscard]] int pages() const { return m_pages; }
-  /// Bytes so far.
+  /// Returns the bytes so far.
   [[nodiscard]] std::uint64_t size() const { return m_end; }
 
-  /// Adds tiles to the page in the making, in the order of its rows. Throws InputError.
+  /// Adds tiles to the current page, in the order of its rows. Throws InputError.
   void add(const TileBytes& tiles);
-  /// The page is complete: `page.tiles()` were added. Waits until the disk has it.
+  /// Finishes a page after `page.tiles()` were added. Waits until it is on the disk.
   void finishPage(const TiffPage& page);
-  /// All pages are there: the file takes its name.
+  /// Gives the file its name, after all pages are finished.
   void commit();
 
  private:
@@ -52,7 +52,7 @@ class StoreOutput {
   int m_pages = 0;
   std::vector<std::uint64_t> m_offsets;
   std::vector<std::uint32_t> m_counts;
-  std::uint64_t m_blackAt = 0;  ///< where the page's black tile is, of which one is enough; 0: none
+  std::uint64_t m_blackAt = 0;  ///< file position of the page's only black tile; 0: none
 };
 
 }  // namespace hogelscope

@@ -28,7 +28,7 @@ std::uint64_t hashOf(const std::string& text) {
   return hash;
 }
 
-/// Another one for another file, another time of writing, or another way to read it.
+/// Returns a key that differs for another file, time of writing, or way to read it.
 std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   Json object = Json::object();
   JsonWriter writer(object);
@@ -44,7 +44,7 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   return fs::path(params.file).filename().string() + " " + hash.data();
 }
 
-/// About as large as its source, unless that has lost what made it large.
+/// Estimates the store's size: that of its source, unless lossy coding has made that small.
 std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& file) {
   std::error_code none;
   std::uint64_t ofSource = 0;
@@ -58,7 +58,7 @@ std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& fil
              : ofSource;
 }
 
-/// What an unfinished one has is taken over.
+/// Checks the room on the disk; the bytes of an unfinished store count as there.
 void checkRoom(const fs::path& output, std::uint64_t storeBytes) {
   fs::path part = output;
   part += ".part";
@@ -67,7 +67,7 @@ void checkRoom(const fs::path& output, std::uint64_t storeBytes) {
                   fs::is_regular_file(part, none) ? fs::file_size(part, none) : 0);
 }
 
-/// Picks the overview's texels out of the rows that pass.
+/// Picks the overview's texels from the streamed rows.
 class OverviewTaker {
  public:
   explicit OverviewTaker(const StoreHeader& header)
@@ -106,7 +106,7 @@ class OverviewTaker {
   }
 
  private:
-  /// At which place of the overview each cell is; -1: at none.
+  /// Returns the index in the overview of each cell; -1 if it is not there.
   static std::vector<int> placesOf(int shown, int cells) {
     std::vector<int> places(std::size_t(cells), -1);
     for (int k = 0; k < shown; ++k) places[std::size_t(overviewCell(k, shown, cells))] = k;

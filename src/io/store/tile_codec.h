@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store's tiles: put together from the rows of a hogel image, compressed, decompressed.
+// A store's tiles: gathered from the rows of a hogel image, compressed, decompressed.
 #pragma once
 
 #include <memory>
@@ -27,11 +27,11 @@ struct BlockCut {
 void gatherBlock(const StoreHeader& header, const BlockCut& cut,
                  std::span<const std::byte* const> rows, std::span<std::byte> tile);
 
-/// zstd's fastest level: see docs/measurements.md for others. One thread at a time.
+/// Compresses at zstd's fastest level, see docs/measurements.md for others. Not thread-safe.
 class TileCompressor {
  public:
   explicit TileCompressor(StoredType type);
-  /// Adds it to `out`; black ones are written once.
+  /// Adds a tile to `out`; black ones are written once.
   void add(std::span<const std::byte> tile, TileBytes& out);
 
  private:
@@ -45,11 +45,11 @@ class TileCompressor {
   std::vector<std::byte> m_ofUniform;
 };
 
-/// One thread at a time.
+/// Decompresses tiles. Not thread-safe.
 class TileDecompressor {
  public:
   TileDecompressor();
-  /// "" or what is wrong: damaged, or not of the tile's size.
+  /// Returns "" or the reason of a failure: damaged, or not of the tile's size.
   [[nodiscard]] std::string decompress(std::span<const std::byte> bytes, std::span<std::byte> tile);
 
  private:

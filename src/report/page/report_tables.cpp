@@ -56,7 +56,7 @@ std::string lensesTable(const std::vector<ReportLens>& lenses) {
   std::vector<std::string> certificates;
   std::vector<std::vector<std::string>> states;
   for (const ReportLens& lens : lenses) {
-    const std::string words = text(lens.certificate);
+    const std::string words = certificateText(lens.certificate);
     const auto same = std::find(certificates.begin(), certificates.end(), words);
     const auto at = std::size_t(same - certificates.begin());
     if (same == certificates.end()) {
