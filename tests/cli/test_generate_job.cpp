@@ -80,9 +80,9 @@ void TestGenerateJob::degrades() {
 void TestGenerateJob::refuses_data() {
   QTest::addColumn<QStringList>("more");
   QTest::addColumn<QByteArray>("line");
-  QTest::newRow("a field") << QStringList{"--set", "pattern.dept=1"}
-                           << QByteArray(
-                                  "pattern.dept: is not known here; did you mean \"depth\"?");
+  QTest::newRow("a field")
+      << QStringList{"--set", "pattern.dept=1"}
+      << QByteArray("override: pattern.dept: is not known here; did you mean \"depth\"?");
   QTest::newRow("a range") << QStringList{"--set", "pattern.depth=11"}
                            << QByteArray(
                                   "override: pattern.depth: 11 is out of range: -10 to 10 m");

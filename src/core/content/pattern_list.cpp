@@ -61,7 +61,7 @@ std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParam
   std::string known;
   for (const NamedPattern& pattern : list)
     known += (known.empty() ? "" : ", ") + std::string(pattern.name);
-  throw InputError("pattern", "\"" + name + "\" is not one of " + known);
+  throw InputError("pattern", "\"" + name + "\"", "is not one of " + known);
 }
 
 }  // namespace hogelscope
