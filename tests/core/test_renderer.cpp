@@ -78,7 +78,7 @@ class TestRenderer : public QObject {
     const Image exact = Renderer().render(view);
     view.sampling.tolerance = 40;
     Renderer renderer;
-    const Choice choice = renderer.choose(view);
+    const Choice choice = renderer.chooseMethod(view);
     QVERIFY(choice.pixels > 0 && choice.view.method != view.method);
     QCOMPARE(choice.view.sampling.tolerance, 0.0);
     const Image image = renderer.render(view);
