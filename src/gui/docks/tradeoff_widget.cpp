@@ -14,7 +14,7 @@
 namespace hogelscope {
 
 TradeoffChartWidget::TradeoffChartWidget(QWidget* parent) : QWidget(parent), m_chart({}, "") {
-  setMinimumSize(480, 320);  // so that the legend is readable
+  setMinimumSize(420, 260);
   setObjectName("tradeoffChart");
 }
 
