@@ -14,7 +14,6 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 
 vtkStandardNewMacro(vtkHogelViewFilter);
 
@@ -60,11 +59,6 @@ void vtkHogelViewFilter::SetView(const hogelscope::View& view)
   this->View = view;
   this->Choice = {}; // it may hold the last reference to another light field
   this->Modified();
-}
-
-void vtkHogelViewFilter::SetThreads(int count)
-{
-  hogelscope::setThreads(count);
 }
 
 int vtkHogelViewFilter::RequestInformation(

@@ -44,11 +44,6 @@ public:
    */
   bool IsCancelled() const { return this->Cancelled; }
 
-  /**
-   * Set the number of threads of this process; 0 means one for each core.
-   */
-  static void SetThreads(int count);
-
 #ifndef __VTK_WRAP__
   ///@{
   /**

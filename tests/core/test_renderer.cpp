@@ -9,27 +9,11 @@
 #include "core/engine/scaled_view.h"
 #include "core/engine/view_rays.h"
 #include "core/light_field/light_field.h"
-#include "tests/core/random.h"
+#include "tests/core/sample_view.h"
 
 using namespace hogelscope;
 
 namespace {
-
-/// 16×12 hogels of 11×9 directions of noise, seen by 70×50 pixels.
-View sampleView() {
-  Random random(1);
-  constexpr LightFieldSize size{16, 12, 11, 9};
-  std::vector<std::uint8_t> values(3 * size.width() * size.height());
-  for (std::uint8_t& value : values) value = static_cast<std::uint8_t>(random.integer(0, 255));
-  View view;
-  view.lightField = std::make_shared<const LightField>(size, values);
-  view.display.hogels = {size.nx, size.ny};
-  view.display.directions = {size.du, size.dv};
-  view.state.camera.eye = {0.03, 0.02, 0.6};
-  view.state.camera.lookat = {0.013, 0.007, 0};
-  view.state.camera.res = {70, 50};
-  return view;
-}
 
 /// A source that counts what is asked for, and says that nothing is in memory.
 class CountingSource : public LightFieldSource {

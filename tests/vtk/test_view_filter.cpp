@@ -10,6 +10,7 @@
 
 #include <QtTest>
 
+#include "core/base/parallel.h"
 #include "core/engine/scaled_view.h"
 #include "core/optics/simulate.h"
 #include "vtk/vtkHogelViewFilter.h"
@@ -142,9 +143,9 @@ class TestViewFilter : public QObject {
   void threadsDoNotMatter() {
     const vtkNew<vtkHogelViewFilter> filter;
     filter->SetView(sampleView());
-    vtkHogelViewFilter::SetThreads(1);
+    setThreads(1);
     const Image one = imageOf(filter);
-    vtkHogelViewFilter::SetThreads(0);
+    setThreads(0);
     filter->Modified();
     QVERIFY(imageOf(filter) == one);
   }

@@ -7,7 +7,6 @@
 #include <exception>
 #include <execution>
 #include <mutex>
-#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>

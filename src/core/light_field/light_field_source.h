@@ -34,7 +34,7 @@ class LightFieldSource {
   /// evenly spread; the whole light field where it is in memory. Throws InputError.
   [[nodiscard]] virtual std::shared_ptr<const LightField> overview() const = 0;
 
-  /// Whether slice() costs nothing.
+  /// Whether slice() gives the whole light field, at no cost: texels may then be copied unsummed.
   [[nodiscard]] virtual bool isInMemory() const { return false; }
 
   /// Returns one texel; the index must lie in the light field. Throws InputError.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of the report's page but for the means (core/summary_page.h).
+// The tables of the report's page but for the means (summary_page.h).
 #pragma once
 
 #include <string>
