@@ -21,7 +21,7 @@ std::string millions(double count) {
 }
 
 /// Texels that one ray reads.
-int texelsPerRay(const View& view, const Plan& plan) {
+int texelsPerRay(const RenderJob& view, const Plan& plan) {
   const int taps = (2 * plan.psfReach + 1) * (2 * plan.psfReach + 1);
   switch (view.sampling.reconstruction) {
     case Reconstruction::bilinear:
@@ -33,7 +33,7 @@ int texelsPerRay(const View& view, const Plan& plan) {
   }
 }
 
-std::string workText(const View& view, const Plan& plan, const Progress& progress) {
+std::string workText(const RenderJob& view, const Plan& plan, const Progress& progress) {
   LensTables tables;
   const ViewRays cast(reduced(view), tables, parallelRows, progress);
   const auto rays = double(cast.count());
@@ -46,24 +46,24 @@ std::string workText(const View& view, const Plan& plan, const Progress& progres
          numberText(std::round(rays * texels * double(bytes) / 1e5) / 10) + " MB";
 }
 
-std::string explanation(const View& asked, const Progress& progress) {
+std::string explanation(const RenderJob& asked, const Progress& progress) {
   LensTables tables;
   const Choice choice = chooseMethod(asked, tables, parallelRows, progress);
-  const View& view = choice.view;
-  const Plan made = plan(reduced(view));
-  std::string text = view.state.camera.name + "\n";
+  const RenderJob& job = choice.job;
+  const Plan made = plan(reduced(job));
+  std::string text = job.state.camera.name + "\n";
   if (choice.pixels > 0)
     text += "  for a tolerance of " + numberText(asked.sampling.tolerance) +
             " code values: " + choiceText(choice) + "\n";
-  for (const auto& [what, why, saves] : decisionsOf(reduced(view), made)) {
+  for (const auto& [what, why, saves] : decisionsOf(reduced(job), made)) {
     text.append("  ").append(what).append(": ").append(why);
     if (!saves.empty()) text.append("; saves ").append(saves);
     text.append("\n");
   }
-  text += "  what is read: " + workText(view, made, progress) + "\n";
+  text += "  what is read: " + workText(job, made, progress) + "\n";
   if (made.hasLens)
     text += "  the lens: " +
-            certificateText(certify(lensKeyOf(view.state, view.sampling), parallelRows, progress)) +
+            certificateText(certify(lensKeyOf(job.state, job.sampling), parallelRows, progress)) +
             "\n";
   return text;
 }
@@ -72,7 +72,7 @@ std::string explanation(const View& asked, const Progress& progress) {
 
 std::string explanations(const Scene& scene, const Session& session, const Progress& progress) {
   std::string text;
-  for (const CameraState& state : session.cameras) text += explanation(scene.view(state), progress);
+  for (const CameraState& state : session.cameras) text += explanation(scene.job(state), progress);
   return text;
 }
 

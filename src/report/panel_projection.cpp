@@ -21,7 +21,7 @@ void PanelProjection::add(std::size_t state, std::size_t worker, const ViewPair&
   const std::lock_guard lock(m_mutex);
   Renderer& renderer = pairs.renderer(worker);
   if (pair.problem.empty())
-    m_error.add(pairs.view(state), renderer.tables(), renderer.rows(), pair.reference, pair.test,
+    m_error.add(pairs.job(state), renderer.tables(), renderer.rows(), pair.reference, pair.test,
                 progress);
   m_states.insert(state);
   if (std::chrono::steady_clock::now() - m_saved > pause) save();

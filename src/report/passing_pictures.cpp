@@ -21,7 +21,7 @@ InputError tooLarge(std::size_t bytes, std::size_t memory) {
 
 struct Passenger {
   std::size_t state;
-  std::unique_ptr<StreamingRenderer> view;
+  std::unique_ptr<StreamingRenderer> job;
 };
 
 /// Views whose slices fit in memory together.
@@ -31,11 +31,11 @@ class Group {
 
   /// False where there is no room for it beside the others.
   bool add(Passenger& passenger) {
-    const StreamingRenderer& view = *passenger.view;
-    const auto& lens = view.lens();
+    const StreamingRenderer& job = *passenger.job;
+    const auto& lens = job.lens();
     const bool isNew = lens && std::find(m_lenses.begin(), m_lenses.end(), *lens) == m_lenses.end();
     const std::size_t bytes =
-        view.bytes() + (isNew ? LensTable::bytes(lens->res, lens->samplesPerPixel) : 0);
+        job.bytes() + (isNew ? LensTable::bytes(lens->res, lens->samplesPerPixel) : 0);
     if (m_bytes + bytes > m_memory) {
       if (m_passengers.empty()) throw tooLarge(bytes, m_memory);
       return false;
@@ -56,9 +56,9 @@ class Group {
 };
 
 /// Each state in the first group after the last one that has room.
-std::vector<Group> grouped(const std::vector<View>& views, std::size_t memory, LensTables& tables,
-                           const ParallelRows& parallelRows, std::vector<StatePicture>& pictures,
-                           const Progress& progress) {
+std::vector<Group> grouped(const std::vector<RenderJob>& views, std::size_t memory,
+                           LensTables& tables, const ParallelRows& parallelRows,
+                           std::vector<StatePicture>& pictures, const Progress& progress) {
   std::vector<Group> groups;
   groups.emplace_back(memory);
   for (std::size_t k = 0; k < views.size(); ++k) {
@@ -76,10 +76,10 @@ std::vector<Group> grouped(const std::vector<View>& views, std::size_t memory, L
 }
 
 /// All are kept until the last row has come.
-void checkRoom(const std::vector<View>& views) {
+void checkRoom(const std::vector<RenderJob>& views) {
   std::size_t bytes = 0;
-  for (const View& view : views) {
-    const auto [width, height] = view.state.camera.res;
+  for (const RenderJob& job : views) {
+    const auto [width, height] = job.state.camera.res;
     bytes += Image::bytesPerPixel * std::size_t(width) * std::size_t(height);
   }
   if (bytes > machineMemory() / 2)
@@ -92,7 +92,7 @@ void checkRoom(const std::vector<View>& views) {
 void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progress& progress) {
   int current = 0;
   const auto finish = [&] {
-    for (const Passenger& passenger : passengers) passenger.view->finish(current);
+    for (const Passenger& passenger : passengers) passenger.job->finish(current);
   };
   file.stream(
       [&](int j, int v, const StoredRows& rgb) {
@@ -100,7 +100,7 @@ void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progre
         current = j;
         std::visit(
             [&](const auto* values) {
-              for (const Passenger& passenger : passengers) passenger.view->take(j, v, values);
+              for (const Passenger& passenger : passengers) passenger.job->take(j, v, values);
             },
             rgb);
       },
@@ -114,8 +114,9 @@ bool mustPass(const LightFieldFile& file, std::size_t memory) {
   return file.isStream() && !fitsInMemory(file, memory);
 }
 
-std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,
-                                            std::size_t memory, const ParallelRows& parallelRows,
+std::vector<StatePicture> picturesInPassing(LightFieldFile& file,
+                                            const std::vector<RenderJob>& views, std::size_t memory,
+                                            const ParallelRows& parallelRows,
                                             const Progress& progress) {
   checkRoom(views);
   std::vector<StatePicture> pictures(views.size());
@@ -124,11 +125,11 @@ std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vec
   std::erase_if(groups, [](Group& group) { return group.passengers().empty(); });
   for (std::size_t g = 0; g < groups.size(); ++g) {
     for (const Passenger& passenger : groups[g].passengers())
-      passenger.view->begin(tables, parallelRows);
+      passenger.job->begin(tables, parallelRows);
     const auto count = double(groups.size());
     pass(file, groups[g].passengers(), part(progress, double(g) / count, double(g + 1) / count));
     for (const Passenger& passenger : groups[g].passengers())
-      pictures[passenger.state].image = passenger.view->takeImage();
+      pictures[passenger.state].image = passenger.job->takeImage();
     groups[g].passengers().clear();
   }
   return pictures;

@@ -24,8 +24,9 @@ bool mustPass(const LightFieldFile& file, std::size_t memory);
 /// pictures and one hogel row of the file; where that is too little for all views the file is read
 /// more than once, and a view that alone needs more has a problem. Throws InputError (damaged
 /// file, pictures that the machine's memory cannot hold), Cancelled.
-std::vector<StatePicture> picturesInPassing(LightFieldFile& file, const std::vector<View>& views,
-                                            std::size_t memory, const ParallelRows& parallelRows,
+std::vector<StatePicture> picturesInPassing(LightFieldFile& file,
+                                            const std::vector<RenderJob>& views, std::size_t memory,
+                                            const ParallelRows& parallelRows,
                                             const Progress& progress);
 
 }  // namespace hogelscope

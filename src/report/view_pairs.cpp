@@ -30,8 +30,8 @@ ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& 
                       {0, m_renderers.size() > 1 ? 1 : threadCount()}),
             {}};
   Source source{unloadedScene(session, file), {}};
-  std::vector<View> views;
-  for (const CameraState& state : m_session.cameras) views.push_back(source.scene.view(state));
+  std::vector<RenderJob> views;
+  for (const CameraState& state : m_session.cameras) views.push_back(source.scene.job(state));
   source.pictures = picturesInPassing(file, views, m_memory, serialRows, progress);
   return source;
 }
@@ -87,14 +87,14 @@ void ViewPairs::read(const ReportTest& test, const Progress& progress) {
   m_test = readSource(test.session, *test.file, part(progress, isFirst ? 0.5 : 0, 1));
 }
 
-View ViewPairs::view(std::size_t state) const {
-  return m_reference->scene.view(m_session.cameras[state]);
+RenderJob ViewPairs::job(std::size_t state) const {
+  return m_reference->scene.job(m_session.cameras[state]);
 }
 
 Image ViewPairs::picture(const Source& source, std::size_t state, std::size_t worker,
                          const Progress& progress) {
   if (source.pictures.empty())
-    return m_renderers[worker].render(source.scene.view(m_session.cameras[state]), progress);
+    return m_renderers[worker].render(source.scene.job(m_session.cameras[state]), progress);
   const auto& [image, problem] = source.pictures[state];
   if (!problem.empty()) throw InputError(problem, "");
   return image;

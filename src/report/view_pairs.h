@@ -37,7 +37,7 @@ class ViewPairs {
 
   /// `progress` may be called from several threads. Throws Cancelled.
   ViewPair render(std::size_t state, std::size_t worker, const Progress& progress);
-  [[nodiscard]] View view(std::size_t state) const;
+  [[nodiscard]] RenderJob job(std::size_t state) const;
   [[nodiscard]] const Scene& reference() const { return m_reference->scene; }
   [[nodiscard]] const Scene& test() const { return m_test->scene; }
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }

@@ -34,12 +34,12 @@ Vector<Real> unitCross(const Vector<Real>& a, const Vector<Real>& b) {
 /// Camera and panel in the display frame.
 template <class Real>
 struct Geometry {
-  explicit Geometry(const View& view)
-      : display(view.display),
-        eye(minus(vector<Real>(view.state.camera.eye), vector<Real>(view.display.position))) {
+  explicit Geometry(const RenderJob& job)
+      : display(job.display),
+        eye(minus(vector<Real>(job.state.camera.eye), vector<Real>(job.display.position))) {
     const auto toward =
-        minus(vector<Real>(view.state.camera.lookat), vector<Real>(view.state.camera.eye));
-    right = unitCross(toward, vector<Real>(view.state.camera.up));
+        minus(vector<Real>(job.state.camera.lookat), vector<Real>(job.state.camera.eye));
+    right = unitCross(toward, vector<Real>(job.state.camera.up));
     down = unitCross(toward, right);
     forward = unitCross(right, down);
   }
@@ -76,10 +76,10 @@ struct Geometry {
 }  // namespace
 
 template <class Real>
-Image pictureIn(const View& view) {
-  const Geometry<Real> geometry(view);
-  const auto [width, height] = view.state.camera.res;
-  const Real fov = Real(view.state.camera.fov) * (std::numbers::pi_v<Real> / 180);
+Image pictureIn(const RenderJob& job) {
+  const Geometry<Real> geometry(job);
+  const auto [width, height] = job.state.camera.res;
+  const Real fov = Real(job.state.camera.fov) * (std::numbers::pi_v<Real> / 180);
   const Real focal = Real(height) / 2 / std::tan(fov / 2);
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -88,7 +88,7 @@ Image pictureIn(const View& view) {
                                    (Real(y) - Real(height - 1) / 2) / focal);
       if (!at) continue;
       const std::size_t pixel = std::size_t(y) * std::size_t(width) + std::size_t(x);
-      const Rgb c = view.lightField->texel(*at);
+      const Rgb c = job.lightField->texel(*at);
       image.seen[pixel] = 255;
       image.rgb[3 * pixel] = quantised(c.r);
       image.rgb[3 * pixel + 1] = quantised(c.g);
@@ -98,7 +98,7 @@ Image pictureIn(const View& view) {
   return image;
 }
 
-template Image pictureIn<float>(const View& view);
-template Image pictureIn<double>(const View& view);
+template Image pictureIn<float>(const RenderJob& job);
+template Image pictureIn<double>(const RenderJob& job);
 
 }  // namespace hogelscope

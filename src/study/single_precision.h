@@ -9,9 +9,9 @@ namespace hogelscope {
 /// Renders with all geometry of docs/formulas.md in `Real`, float or double, from the world's
 /// numbers on: nearest, one ray a pixel, no leakage, no lens distortion, an unturned panel.
 template <class Real>
-Image pictureIn(const View& view);
+Image pictureIn(const RenderJob& job);
 
-extern template Image pictureIn<float>(const View& view);
-extern template Image pictureIn<double>(const View& view);
+extern template Image pictureIn<float>(const RenderJob& job);
+extern template Image pictureIn<double>(const RenderJob& job);
 
 }  // namespace hogelscope

@@ -29,8 +29,8 @@ std::string details(Question question) {
              : "exact lens, full window, quadrilinear, 8×8 rays a pixel, double precision";
 }
 
-View applyMethod(const NamedMethod& method, const View& view) {
-  View result = view;
+RenderJob applyMethod(const NamedMethod& method, const RenderJob& job) {
+  RenderJob result = job;
   result.sampling = {method.mapping, method.reconstruction, method.samplesPerPixel};
   result.method = method.method;
   return result;
@@ -39,17 +39,17 @@ View applyMethod(const NamedMethod& method, const View& view) {
 namespace {
 
 /// Renders from scratch, lens rays included.
-Image render(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
-  return Renderer(parallelRows).render(view, progress);
+Image render(const RenderJob& job, const ParallelRows& parallelRows, const Progress& progress) {
+  return Renderer(parallelRows).render(job, progress);
 }
 
-Image reference(const View& view, Question question, const ParallelRows& parallelRows,
+Image reference(const RenderJob& job, Question question, const ParallelRows& parallelRows,
                 const Progress& progress) {
   if (question == Question::idealPicture)
-    return render(applyMethod({"ideal", Reconstruction::quadrilinear, 8}, view), parallelRows,
+    return render(applyMethod({"ideal", Reconstruction::quadrilinear, 8}, job), parallelRows,
                   progress);
-  const Simulation simulation(applyMethod({"display"}, view));
-  const auto [width, height] = view.state.camera.res;
+  const Simulation simulation(applyMethod({"display"}, job));
+  const auto [width, height] = job.state.camera.res;
   Image image(width, height);
   const Progress heard = forThreads(progress);
   parallelRows(height, [&, columns = width](int begin, int end) {
@@ -117,22 +117,22 @@ TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {
 }
 
 /// Returns the wall time in milliseconds.
-double timed(const View& view, const ParallelRows& parallelRows, const Progress& progress) {
+double timed(const RenderJob& job, const ParallelRows& parallelRows, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  (void)render(view, parallelRows, progress);
+  (void)render(job, parallelRows, progress);
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
 }
 
 /// Returns the rays of one image, in millions.
-double megaRays(const View& view) {
-  const View small = reduced(view);
+double megaRays(const RenderJob& job) {
+  const RenderJob small = reduced(job);
   const double n = small.sampling.samplesPerPixel;
   return n * n * small.state.camera.res[0] * small.state.camera.res[1] * 1e-6;
 }
 
 /// All methods' rows without times, and the time of one round of all views in ms.
-double measureErrors(const std::vector<View>& views, const ParallelRows& parallelRows,
+double measureErrors(const std::vector<RenderJob>& views, const ParallelRows& parallelRows,
                      const Progress& progress, std::vector<TradeoffRow>& rows) {
   const std::vector<NamedMethod> methods = namedMethods();
   std::vector<ErrorSum> sums(methods.size());
@@ -157,10 +157,10 @@ constexpr int leastRuns = 5;
 constexpr int mostRuns = 25;
 
 /// Picks evenly spread views, as many as a round has time for.
-std::vector<View> someOf(const std::vector<View>& views, double millisecondsForAll) {
+std::vector<RenderJob> someOf(const std::vector<RenderJob>& views, double millisecondsForAll) {
   const auto wanted = double(views.size()) * longestRound / millisecondsForAll;
   const std::size_t count = std::clamp<std::size_t>(std::size_t(wanted), 1, views.size());
-  std::vector<View> some;
+  std::vector<RenderJob> some;
   for (std::size_t k = 0; k < count; ++k) some.push_back(views[k * views.size() / count]);
   return some;
 }
@@ -183,12 +183,12 @@ void markPareto(std::vector<TradeoffRow>& rows) {
     });
 }
 
-Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& parallelRows,
+Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const ParallelRows& parallelRows,
                          const Progress& progress) {
   Tradeoff result;
   // The first round warms up: code, pages, the processor's clock.
   const double round = measureErrors(views, parallelRows, part(progress, 0, 0.4), result.rows);
-  const std::vector<View> timedOnes = someOf(views, round);
+  const std::vector<RenderJob> timedOnes = someOf(views, round);
   result.timedViews = timedOnes.size();
   const double timedRound = round * double(timedOnes.size()) / double(views.size());
   result.runs = std::clamp(int(2 * longestRound / timedRound), leastRuns, mostRuns);
@@ -199,15 +199,15 @@ Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& par
       const double done = 0.4 + 0.6 * (run + double(m) / double(methods.size())) / result.runs;
       const Progress pulse = part(progress, done, done);
       double sum = 0;
-      for (const View& view : timedOnes)
-        sum += timed(applyMethod(methods[m], view), parallelRows, pulse);
+      for (const RenderJob& job : timedOnes)
+        sum += timed(applyMethod(methods[m], job), parallelRows, pulse);
       times[m].push_back(sum / double(timedOnes.size()));
     }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     TradeoffRow& row = result.rows[m];
     setTimes(row, times[m]);
     double rays = 0;
-    for (const View& view : timedOnes) rays += megaRays(applyMethod(methods[m], view));
+    for (const RenderJob& job : timedOnes) rays += megaRays(applyMethod(methods[m], job));
     row.mraysPerSecond = rays / double(timedOnes.size()) / row.milliseconds * 1000;
   }
   markPareto(result.rows);

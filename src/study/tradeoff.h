@@ -21,7 +21,7 @@ struct NamedMethod {
 /// Returns all methods that are compared, the default ("exact") first.
 std::vector<NamedMethod> namedMethods();
 
-View applyMethod(const NamedMethod& method, const View& view);
+RenderJob applyMethod(const NamedMethod& method, const RenderJob& job);
 
 /// The reference that the error is measured against.
 enum class Question {
@@ -44,7 +44,7 @@ struct Tradeoff {
 /// Renders each image from scratch, lens rays included. Times are medians of the mean over the
 /// timed views; runs of all methods are interleaved. Errors do not depend on threads or times.
 /// Throws InputError, Cancelled.
-Tradeoff measureTradeoff(const std::vector<View>& views, const ParallelRows& parallelRows,
+Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const ParallelRows& parallelRows,
                          const Progress& progress);
 
 /// Sets isPareto: no other row is at most as slow and at most as wrong, and less in one of them.

@@ -47,33 +47,32 @@ std::shared_ptr<const LightField> numbered(const DisplayParams& display,
   return field;
 }
 
-View viewFrom(const std::shared_ptr<const LightField>& field, const Vec3& eye) {
-  View view;
-  view.lightField = field;
-  view.display = panel();
-  view.state.camera.fov = 60;
-  view.state.camera.eye = eye;
-  view.state.camera.res = {600, 600};
-  return view;
+RenderJob viewFrom(const std::shared_ptr<const LightField>& field, const Vec3& eye) {
+  RenderJob job;
+  job.lightField = field;
+  job.display = panel();
+  job.state.camera.fov = 60;
+  job.state.camera.eye = eye;
+  job.state.camera.res = {600, 600};
+  return job;
 }
 
-View moved(View view, const Vec3& by) {
-  CameraParams& camera = view.state.camera;
-  for (Vec3* point : {&view.display.position, &camera.eye, &camera.lookat}) *point = *point + by;
-  return view;
+RenderJob moved(RenderJob job, const Vec3& by) {
+  CameraParams& camera = job.state.camera;
+  for (Vec3* point : {&job.display.position, &camera.eye, &camera.lookat}) *point = *point + by;
+  return job;
 }
 
-View scaled(View view, double factor) {
-  CameraParams& camera = view.state.camera;
-  for (Vec3* point : {&view.display.position, &camera.eye, &camera.lookat})
-    *point = factor * *point;
-  for (double& side : view.display.size) side *= factor;
-  return view;
+RenderJob scaled(RenderJob job, double factor) {
+  CameraParams& camera = job.state.camera;
+  for (Vec3* point : {&job.display.position, &camera.eye, &camera.lookat}) *point = factor * *point;
+  for (double& side : job.display.size) side *= factor;
+  return job;
 }
 
-View eyeAside(View view) {
-  view.state.camera.eye.x += 1e-5;
-  return view;
+RenderJob eyeAside(RenderJob job) {
+  job.state.camera.eye.x += 1e-5;
+  return job;
 }
 
 /// Returns the share of the pixels, among those seen in either image, that show another directional
@@ -92,22 +91,22 @@ InstabilityRow row(const char* kind, const std::string& method, double x, const 
   return {kind, method, x, {}, points, points == 0 ? 0 : double(others) / double(points)};
 }
 
-void addEye(const char* kind, double x, const View& view, const Progress& progress,
+void addEye(const char* kind, double x, const RenderJob& job, const Progress& progress,
             std::vector<InstabilityRow>& rows) {
   hearStop(progress);
-  const Image reference = simulate(view);
+  const Image reference = simulate(job);
   hearStop(progress);
-  rows.push_back(row(kind, "fast engine", x, reference, Renderer(serialRows).render(view)));
-  rows.push_back(row(kind, "float", x, reference, pictureIn<float>(view)));
+  rows.push_back(row(kind, "fast engine", x, reference, Renderer(serialRows).render(job)));
+  rows.push_back(row(kind, "float", x, reference, pictureIn<float>(job)));
   hearStop(progress);
-  rows.push_back(row(kind, "eye 10 um aside", x, reference, simulate(eyeAside(view))));
+  rows.push_back(row(kind, "eye 10 um aside", x, reference, simulate(eyeAside(job))));
 }
 
 }  // namespace
 
 std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const Progress& progress) {
   const auto field = numbered(panel(), parallelRows);
-  const View paper = viewFrom(field, {0, 0, paperDistance});
+  const RenderJob paper = viewFrom(field, {0, 0, paperDistance});
   const Image unmoved = simulate(paper);
   std::vector<InstabilityRow> rows;
   for (const double distance : {1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
@@ -121,11 +120,11 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
   }
   for (int power = -3; power <= 6; ++power) {
     const double metres = std::stod("1e" + std::to_string(power));  // as a reader writes it
-    for (const auto& [kind, view] : {std::pair{"scale", scaled(paper, metres)},
-                                     std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
+    for (const auto& [kind, job] : {std::pair{"scale", scaled(paper, metres)},
+                                    std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
       reportProgress(progress, 0.8);
-      rows.push_back(row(kind, "fast engine", metres, unmoved, Renderer(serialRows).render(view)));
-      rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(view)));
+      rows.push_back(row(kind, "fast engine", metres, unmoved, Renderer(serialRows).render(job)));
+      rows.push_back(row(kind, "float", metres, unmoved, pictureIn<float>(job)));
     }
   }
   return rows;

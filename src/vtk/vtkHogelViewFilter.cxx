@@ -50,13 +50,13 @@ vtkHogelViewFilter::vtkHogelViewFilter()
   this->SetNumberOfInputPorts(0);
 }
 
-void vtkHogelViewFilter::SetView(const hogelscope::View& view)
+void vtkHogelViewFilter::SetJob(const hogelscope::RenderJob& job)
 {
-  if (this->View == view)
+  if (this->Job == job)
   {
     return;
   }
-  this->View = view;
+  this->Job = job;
   this->Choice = {}; // it may hold the last reference to another light field
   this->Modified();
 }
@@ -65,7 +65,7 @@ int vtkHogelViewFilter::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const auto [width, height] = this->View.state.camera.res;
+  const auto [width, height] = this->Job.state.camera.res;
   const int extent[6] = { 0, width - 1, 0, height - 1, 0, 0 };
   const double spacing[3] = { 1, 1, 1 };
   const double origin[3] = { 0, 0, 0 };
@@ -109,14 +109,14 @@ int vtkHogelViewFilter::RequestData(
 
 void vtkHogelViewFilter::Render(vtkImageData* output)
 {
-  this->Choice = this->Renderer.chooseMethod(this->View, this->Progress);
+  this->Choice = this->Renderer.chooseMethod(this->Job, this->Progress);
   if (this->FloatOutput)
   {
-    copyToOutput(this->Renderer.renderFloat(this->Choice.view, this->Progress), output);
+    copyToOutput(this->Renderer.renderFloat(this->Choice.job, this->Progress), output);
   }
   else
   {
-    copyToOutput(this->Renderer.render(this->Choice.view, this->Progress), output);
+    copyToOutput(this->Renderer.render(this->Choice.job, this->Progress), output);
   }
 }
 
@@ -140,7 +140,7 @@ void vtkHogelViewFilter::UpdateOrThrow()
 void vtkHogelViewFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "View: " << this->View.state.camera.name << "\n";
+  os << indent << "Job: " << this->Job.state.camera.name << "\n";
   os << indent << "FloatOutput: " << (this->FloatOutput ? "on" : "off") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

@@ -49,10 +49,10 @@ public:
   /**
    * Set/Get the view to simulate. Setting an equal view does not modify the filter.
    */
-  void SetView(const hogelscope::View& view);
-  const hogelscope::View& GetView() const
+  void SetJob(const hogelscope::RenderJob& job);
+  const hogelscope::RenderJob& GetJob() const
   {
-    return this->View;
+    return this->Job;
   }
   ///@}
 
@@ -95,7 +95,7 @@ private:
 
   void Render(vtkImageData* output);
 
-  hogelscope::View View;
+  hogelscope::RenderJob Job;
   hogelscope::Choice Choice;
   hogelscope::Renderer Renderer;
   bool FloatOutput = false;

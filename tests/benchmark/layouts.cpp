@@ -19,9 +19,9 @@ void addLayouts() {
   for (const auto& [name, block] : layouts) {
     const auto plain = [block = block](int pose) { return viewOf(pose, block); };
     const auto leaking = [block = block](int pose) {
-      hogelscope::View view = viewOf(pose, block);
-      view.state.psf = {0.67, 5};
-      return view;
+      hogelscope::RenderJob job = viewOf(pose, block);
+      job.state.psf = {0.67, 5};
+      return job;
     };
     add(std::string("layout/") + name + "/nearest", timeViews, plain, 0);
     add(std::string("layout/") + name + "/psf 5x5", timeViews, leaking, 0);

@@ -59,14 +59,14 @@ std::shared_ptr<const LightField> lightField(const Block& block) {
   return field;
 }
 
-View viewOf(int pose, const Block& block) {
-  View view;
-  view.lightField = lightField(block);
-  view.display.hogels = {hogels, hogels};
-  view.display.directions = {directions, directions};
+RenderJob viewOf(int pose, const Block& block) {
+  RenderJob job;
+  job.lightField = lightField(block);
+  job.display.hogels = {hogels, hogels};
+  job.display.directions = {directions, directions};
   const double angle = 2 * std::numbers::pi * pose / poses;
-  view.state.camera.eye = {0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.559};
-  return view;
+  job.state.camera.eye = {0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.559};
+  return job;
 }
 
 void countViews(benchmark::State& state) {
@@ -75,7 +75,7 @@ void countViews(benchmark::State& state) {
       benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
 }
 
-void timeViews(benchmark::State& state, const std::function<View(int)>& make, int threads) {
+void timeViews(benchmark::State& state, const std::function<RenderJob(int)>& make, int threads) {
   setThreads(threads);
   LensTables tables;
   Image image(600, 600);

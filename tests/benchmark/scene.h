@@ -22,10 +22,10 @@ constexpr Block standardBlock = hogelscope::LightField::standardBlock;
 std::shared_ptr<const hogelscope::LightField> lightField(const Block& block = standardBlock);
 
 /// Nearest, no leakage, plain lens.
-hogelscope::View viewOf(int pose, const Block& block = standardBlock);
+hogelscope::RenderJob viewOf(int pose, const Block& block = standardBlock);
 
 /// Whole pictures by the fast engine; each iteration is another pose. `threads` 0: all cores.
-void timeViews(benchmark::State& state, const std::function<hogelscope::View(int)>& make,
+void timeViews(benchmark::State& state, const std::function<hogelscope::RenderJob(int)>& make,
                int threads);
 
 /// Rays/s and views/s.

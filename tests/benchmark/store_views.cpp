@@ -31,8 +31,8 @@ void print(const char* what, ViewAt viewAt, Renderer& renderer) {
   constexpr int views = 15;
   std::vector<double> times;
   for (int k = 0; k < views; ++k) {
-    const View view = viewAt(k);
-    times.push_back(milliseconds([&] { (void)renderer.render(view); }));
+    const RenderJob job = viewAt(k);
+    times.push_back(milliseconds([&] { (void)renderer.render(job); }));
   }
   std::sort(times.begin(), times.end());
   std::printf("%-46s %8.1f ms (%.1f … %.1f)\n", what, times[views / 2], times.front(),
@@ -45,18 +45,18 @@ void measure(const char* file) {
   std::printf("%-46s %8.1f ms\n", "open",
               milliseconds([&] { scene = loadScene(session, {}, 1000000000); }));
   Renderer renderer;
-  const View view = scene->view(session.cameras.front());
-  const auto moved = [&view](double x) {
-    View other = view;
+  const RenderJob job = scene->job(session.cameras.front());
+  const auto moved = [&job](double x) {
+    RenderJob other = job;
     other.state.camera.eye.x += x;
     return other;
   };
   std::printf("%-46s %8.1f ms\n", "overview, read and rendered",
-              milliseconds([&] { (void)renderer.render(overview(view)); }));
+              milliseconds([&] { (void)renderer.render(overview(job)); }));
   std::printf("%-46s %8.1f ms\n", "the first view",
-              milliseconds([&] { (void)renderer.render(view); }));
+              milliseconds([&] { (void)renderer.render(job); }));
   print(
-      "the same again", [&](int) { return view; }, renderer);
+      "the same again", [&](int) { return job; }, renderer);
   print(
       "the eye moved by 1 mm each", [&](int k) { return moved(0.001 * k); }, renderer);
   print(

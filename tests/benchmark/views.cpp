@@ -15,32 +15,32 @@ using namespace hogelscope;
 
 namespace {
 
-View plain(int pose) {
+RenderJob plain(int pose) {
   return viewOf(pose);
 }
 
-View distorted(int pose) {
-  View view = viewOf(pose);
-  view.state.distortion = {0.6, 0.3, 0.2, 0.01, 0.2};  // the paper's Fig. 3, OpenCV's order
-  return view;
+RenderJob distorted(int pose) {
+  RenderJob job = viewOf(pose);
+  job.state.distortion = {0.6, 0.3, 0.2, 0.01, 0.2};  // the paper's Fig. 3, OpenCV's order
+  return job;
 }
 
-View leaking(int pose, double sigma, int windowSize) {
-  View view = viewOf(pose);
-  view.state.psf = {sigma, windowSize};
-  return view;
+RenderJob leaking(int pose, double sigma, int windowSize) {
+  RenderJob job = viewOf(pose);
+  job.state.psf = {sigma, windowSize};
+  return job;
 }
-View leaking5(int pose) {
+RenderJob leaking5(int pose) {
   return leaking(pose, 0.67, 5);
 }
-View leaking7(int pose) {
+RenderJob leaking7(int pose) {
   return leaking(pose, 0.946, 7);
 }
 
-View quadrilinear(int pose) {
-  View view = viewOf(pose);
-  view.sampling.reconstruction = Reconstruction::quadrilinear;
-  return view;
+RenderJob quadrilinear(int pose) {
+  RenderJob job = viewOf(pose);
+  job.sampling.reconstruction = Reconstruction::quadrilinear;
+  return job;
 }
 
 /// Addresses of every tap of every pixel of all poses, tap by tap within a row.
@@ -56,16 +56,16 @@ struct Reads {
 
 /// The texels that a view reads: `across`×`across` directions and `hogelsToo`² hogels round each
 /// hit.
-Reads readsOf(View (*make)(int), int across, int hogelsAcross, int poseCount) {
+Reads readsOf(RenderJob (*make)(int), int across, int hogelsAcross, int poseCount) {
   Reads reads{across * across * hogelsAcross * hogelsAcross, {}};
   reads.address.resize(std::size_t(poseCount) * 600 * 600 * std::size_t(reads.taps));
   const BlockLayout& layout = lightField()->layout();
   parallelRows(poseCount, [&](int begin, int end) {
     for (int pose = begin; pose < end; ++pose) {
-      const View view = make(pose);
-      const Display display(view.display);
-      const Camera camera(view.state.camera);
-      const Distortion lens(view.state.distortion);
+      const RenderJob job = make(pose);
+      const Display display(job.display);
+      const Camera camera(job.state.camera);
+      const Distortion lens(job.state.distortion);
       const RigidTransform& world = camera.worldFromCamera();
       const Vec3 eye = display.displayFromWorld().point(world.origin);
       for (int y = 0; y < 600; ++y)
@@ -116,7 +116,7 @@ void loadWords(const std::uint32_t* texels, const std::uint32_t* address, int co
   for (int k = 0; k < count; ++k) out[k] = texels[address[k]];
 }
 
-void limit(benchmark::State& state, View (*make)(int), int across, int hogelsAcross) {
+void limit(benchmark::State& state, RenderJob (*make)(int), int across, int hogelsAcross) {
   setThreads(0);
   const int poseCount = across * hogelsAcross > 1 ? 16 : poses;
   const Reads reads = readsOf(make, across, hogelsAcross, poseCount);
@@ -147,11 +147,11 @@ void limit(benchmark::State& state, View (*make)(int), int across, int hogelsAcr
 }
 
 /// What a view costs beside its pixels: 16×16 of them, on one thread, the eye moving.
-void smallViews(benchmark::State& state, View (*make)(int)) {
+void smallViews(benchmark::State& state, RenderJob (*make)(int)) {
   constexpr int side = 16;
   LensTables tables;
   Image image(side, side);
-  std::vector<View> views;
+  std::vector<RenderJob> views;
   for (int pose = 0; pose < poses; ++pose) {
     views.push_back(make(pose));
     views.back().state.camera.res = {side, side};
@@ -176,7 +176,7 @@ void reference(benchmark::State& state) {
 }
 
 /// What a report adds to each view: its error thrown back onto the panel.
-void panelError(benchmark::State& state, View (*make)(int)) {
+void panelError(benchmark::State& state, RenderJob (*make)(int)) {
   setThreads(0);
   Image reference(600, 600);
   std::fill(reference.seen.begin(), reference.seen.end(), std::uint8_t{255});

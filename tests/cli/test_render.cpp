@@ -118,7 +118,7 @@ void TestRender::exrHoldsTheValues() {
   QVERIFY(specOf("out/Fig 1.exr").format == OIIO::TypeDesc::FLOAT);
   const std::vector<float> values = valuesOf<float>("out/Fig 1.exr");
   const Scene scene = loadScene(m_session, {});
-  const Simulation simulation(scene.view(m_session.cameras[0]));
+  const Simulation simulation(scene.job(m_session.cameras[0]));
   int fractions = 0;
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 60; ++x) {
@@ -139,7 +139,7 @@ void TestRender::tiffHoldsSixteenBits() {
   QVERIFY(specOf("out/Fig 1.tif").format == OIIO::TypeDesc::UINT16);
   const std::vector<std::uint16_t> values = valuesOf<std::uint16_t>("out/Fig 1.tif");
   const Scene scene = loadScene(m_session, {});
-  const Simulation simulation(scene.view(m_session.cameras[0]));
+  const Simulation simulation(scene.job(m_session.cameras[0]));
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 60; ++x) {
       const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});

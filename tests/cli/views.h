@@ -10,6 +10,6 @@ inline std::vector<hogelscope::Image> simulated(const hogelscope::Session& sessi
   const hogelscope::Scene scene = hogelscope::loadScene(session, {});
   std::vector<hogelscope::Image> images;
   for (const hogelscope::CameraState& state : session.cameras)
-    images.push_back(hogelscope::simulate(scene.view(state)));
+    images.push_back(hogelscope::simulate(scene.job(state)));
   return images;
 }

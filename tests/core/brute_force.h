@@ -88,25 +88,25 @@ struct Ray {
 class Simulator {
  public:
   /// `margin`: how near to a border rounding may decide, in cells along i, j, u, v.
-  Simulator(const hogelscope::View& view, const Content& content,
+  Simulator(const hogelscope::RenderJob& job, const Content& content,
             const std::array<double, 4>& margin = {1e-4, 1e-4, 1e-4, 1e-4})
-      : m_view(view),
+      : m_job(job),
         m_content(content),
         m_margin(margin),
-        m_displayFromWorld(transposed(rotation(view.display.orientation))) {
-    const auto& camera = view.state.camera;
+        m_displayFromWorld(transposed(rotation(job.display.orientation))) {
+    const auto& camera = job.state.camera;
     m_forward = unit(minus(vector(camera.lookat), vector(camera.eye)));
     m_right = unit(crossProduct(m_forward, vector(camera.up)));
     m_down = crossProduct(m_forward, m_right);
   }
 
   [[nodiscard]] Ray ray(double px, double py) const {
-    const auto& [width, height] = m_view.state.camera.res;
-    double fx = height / 2.0 / std::tan(m_view.state.camera.fov * degree / 2);
+    const auto& [width, height] = m_job.state.camera.res;
+    double fx = height / 2.0 / std::tan(m_job.state.camera.fov * degree / 2);
     double fy = fx;
     double cx = (width - 1) / 2.0;
     double cy = (height - 1) / 2.0;
-    const auto& given = m_view.state.intrinsics;
+    const auto& given = m_job.state.intrinsics;
     if (given.fx > 0) {
       fx = given.fx;
       fy = given.fy > 0 ? given.fy : fx;
@@ -114,9 +114,9 @@ class Simulator {
       cy = given.cy > -1e7 ? given.cy : cy;
     }
     const LensOracle::Point q((px - cx) / fx, (py - cy) / fy);
-    const auto [k1, k2, p1, p2, k3] = m_view.state.distortion;
+    const auto [k1, k2, p1, p2, k3] = m_job.state.distortion;
     const LensOracle lens(k1, k2, p1, p2, k3);
-    if (m_view.sampling.mapping == hogelscope::LensMapping::direct) return along(lens.distort(q));
+    if (m_job.sampling.mapping == hogelscope::LensMapping::direct) return along(lens.distort(q));
     const LensOracle::Walk walk = lens.walk(q, 0.05, 0.05);
     if (walk.end == LensOracle::Walk::End::unclear) return {Ray::Meets::unclear};
     if (walk.end == LensOracle::Walk::End::fold) return {Ray::Meets::nothing};
@@ -125,7 +125,7 @@ class Simulator {
 
   /// Is one of a pixel's rays so near to a border, or to a fold, that rounding decides?
   [[nodiscard]] bool isUnclear(int x, int y) const {
-    const int n = m_view.sampling.samplesPerPixel;
+    const int n = m_job.sampling.samplesPerPixel;
     for (int s = 0; s < n * n; ++s)
       if (ray(x + (s % n + 0.5) / n - 0.5, y + (s / n + 0.5) / n - 0.5).meets ==
           Ray::Meets::unclear)
@@ -135,7 +135,7 @@ class Simulator {
 
   /// P'(u, v) of a directional pixel, in the light that is summed.
   [[nodiscard]] Vector leaked(int i, int j, int u, int v) const {
-    const auto& psf = m_view.state.psf;
+    const auto& psf = m_job.state.psf;
     const int n = psf.windowSize / 2;
     Vector sum{};
     double weights = 0;
@@ -159,19 +159,19 @@ class Simulator {
 
   /// Summed light to code values.
   [[nodiscard]] double encoded(double light) const {
-    if (m_view.state.psf.light == hogelscope::LightModel::encoded) return light;
+    if (m_job.state.psf.light == hogelscope::LightModel::encoded) return light;
     return 255 * (light > 0.0031308 ? 1.055 * std::pow(light, 1 / 2.4) - 0.055 : 12.92 * light);
   }
 
  private:
   [[nodiscard]] double decoded(double code) const {
-    if (m_view.state.psf.light == hogelscope::LightModel::encoded) return code;
+    if (m_job.state.psf.light == hogelscope::LightModel::encoded) return code;
     return code / 255 > 0.04045 ? std::pow((code / 255 + 0.055) / 1.055, 2.4) : code / 255 / 12.92;
   }
 
   /// `slope` is that of the leaving light; 0 … 1 over the angular field.
   [[nodiscard]] double acrossField(double slope, double fov) const {
-    if (m_view.display.lens == hogelscope::HogelLensModel::equiangular)
+    if (m_job.display.lens == hogelscope::HogelLensModel::equiangular)
       return 0.5 + std::atan(slope) / (fov * degree);
     return 0.5 + slope / (2 * std::tan(fov * degree / 2));
   }
@@ -182,9 +182,9 @@ class Simulator {
     for (std::size_t k = 0; k < 3; ++k)
       world[k] = p.real() * m_right[k] + p.imag() * m_down[k] + m_forward[k];
     const Vector d = times(m_displayFromWorld, world);
-    const auto& display = m_view.display;
+    const auto& display = m_job.display;
     const Vector o =
-        times(m_displayFromWorld, minus(vector(m_view.state.camera.eye), vector(display.position)));
+        times(m_displayFromWorld, minus(vector(m_job.state.camera.eye), vector(display.position)));
     if (o[2] <= 0 || d[2] >= 1e-9) return {Ray::Meets::nothing};
     if (d[2] > -1e-9) return {Ray::Meets::unclear};
     const double t = -o[2] / d[2];
@@ -208,7 +208,7 @@ class Simulator {
     return {clear ? Ray::Meets::display : Ray::Meets::unclear, hit};
   }
 
-  const hogelscope::View& m_view;
+  const hogelscope::RenderJob& m_job;
   const Content& m_content;
   std::array<double, 4> m_margin;
   Matrix m_displayFromWorld;

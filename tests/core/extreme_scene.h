@@ -72,30 +72,30 @@ inline hogelscope::SamplingParams sampling(Random& random) {
           random.integer(0, 3) > 0 ? 1 : random.integer(2, 4)};
 }
 
-inline bool isInverted(const hogelscope::View& view) {
-  return view.sampling.mapping == hogelscope::LensMapping::exact &&
-         view.state.distortion != hogelscope::DistortionParams{};
+inline bool isInverted(const hogelscope::RenderJob& job) {
+  return job.sampling.mapping == hogelscope::LensMapping::exact &&
+         job.state.distortion != hogelscope::DistortionParams{};
 }
 
 /// The reference's work for one pixel: taps, and for a lens' inverse as much as 300 of them.
-inline int workOf(const hogelscope::View& view) {
-  const auto& [mapping, reconstruction, samples, tolerance] = view.sampling;
+inline int workOf(const hogelscope::RenderJob& job) {
+  const auto& [mapping, reconstruction, samples, tolerance] = job.sampling;
   const int corners = 1 << 2 * static_cast<int>(reconstruction);
-  const int decoding = view.state.psf.light == hogelscope::LightModel::linear ? 4 : 1;
-  const int window = view.state.psf.windowSize;
-  return samples * samples * (corners * window * window * decoding + (isInverted(view) ? 300 : 0));
+  const int decoding = job.state.psf.light == hogelscope::LightModel::linear ? 4 : 1;
+  const int window = job.state.psf.windowSize;
+  return samples * samples * (corners * window * window * decoding + (isInverted(job) ? 300 : 0));
 }
 
 /// A picture of up to 24 × 24 pixels, or one row longer than a batch, that the reference has soon.
-inline void limitWork(Random& random, hogelscope::View& view) {
+inline void limitWork(Random& random, hogelscope::RenderJob& job) {
   constexpr int most = 20000;
-  auto& window = view.state.psf.windowSize;
-  while (workOf(view) > most && window > 1) window = window / 2 | 1;
-  const int pixels = std::max(most / workOf(view), 1);
+  auto& window = job.state.psf.windowSize;
+  while (workOf(job) > most && window > 1) window = window / 2 | 1;
+  const int pixels = std::max(most / workOf(job), 1);
   const int width = random.integer(0, 15) == 0 ? random.integer(129, 300) : random.integer(1, 24);
   const int height = width > 24 ? 1 : random.integer(1, 24);
-  view.state.camera.res[0] = std::min(width, pixels);
-  view.state.camera.res[1] = std::clamp(pixels / width, 1, height);
+  job.state.camera.res[0] = std::min(width, pixels);
+  job.state.camera.res[1] = std::clamp(pixels / width, 1, height);
 }
 
 /// An eye and what it looks at in the display frame; how large the panel is from there, as a slope.
@@ -181,7 +181,7 @@ inline hogelscope::IntrinsicsParams intrinsics(Random& random,
 /// All but the light field.
 inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   RandomScene scene;
-  auto& [lightField, panel, sampled, state, method] = scene.view;
+  auto& [lightField, panel, sampled, state, method] = scene.job;
   panel = display(random);
   // An eye is exactly in the plane, or a ray exactly parallel to it, where nothing is turned.
   if (kind == Eye::inPlane || kind == Eye::parallel) panel.orientation = {};
@@ -197,7 +197,7 @@ inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   state.distortion = lens(random);
   state.psf = psf(random);
   sampled = sampling(random);
-  limitWork(random, scene.view);
+  limitWork(random, scene.job);
   state.intrinsics = intrinsics(random, state.camera);
   scene.content.size = {panel.hogels[0], panel.hogels[1], panel.directions[0], panel.directions[1]};
   return scene;
@@ -209,7 +209,7 @@ void store(RandomScene& scene, double steps, CodeValue codeValue) {
   const auto& size = scene.content.size;
   std::vector<T> values(3 * size.width() * size.height());
   for (T& value : values) value = static_cast<T>(steps * codeValue());
-  scene.view.lightField = std::make_shared<hogelscope::LightField>(size, std::move(values));
+  scene.job.lightField = std::make_shared<hogelscope::LightField>(size, std::move(values));
 }
 
 /// In any of the stored types.
@@ -232,15 +232,15 @@ inline RandomScene scene(Random& random, Eye kind) {
 }
 
 /// How far rounding may move the real-valued i, j, u, v of a ray within the angular field.
-inline std::array<double, 4> rounding(const hogelscope::View& view) {
+inline std::array<double, 4> rounding(const hogelscope::RenderJob& job) {
   constexpr double epsilon = 0x1p-52;
-  const auto& display = view.display;
+  const auto& display = job.display;
   const auto norm = [](const hogelscope::Vec3& a) { return std::hypot(a.x, a.y, a.z); };
   const double field = std::max(display.fov[0], display.fov[1]);
   const double steepest = 1 + std::tan(field / 2 * brute::degree);
   // A root of the lens model is worse by 1 / det J; below 1e-3 the oracle calls it unclear.
-  const double slope = 4 * epsilon * steepest * steepest * (isInverted(view) ? 1e3 : 1);
-  const hogelscope::Vec3& eye = view.state.camera.eye;
+  const double slope = 4 * epsilon * steepest * steepest * (isInverted(job) ? 1e3 : 1);
+  const hogelscope::Vec3& eye = job.state.camera.eye;
   const double place = norm(eye - display.position) * slope +
                        4 * epsilon * (norm(eye) + norm(display.position)) * steepest;
   return {place / display.size[0] * display.hogels[0], place / display.size[1] * display.hogels[1],

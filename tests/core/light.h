@@ -14,9 +14,9 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-inline Light referenceLight(const hogelscope::View& view) {
-  const hogelscope::Simulation simulation(view);
-  const auto [width, height] = view.state.camera.res;
+inline Light referenceLight(const hogelscope::RenderJob& job) {
+  const hogelscope::Simulation simulation(job);
+  const auto [width, height] = job.state.camera.res;
   Light light;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -29,10 +29,10 @@ inline Light referenceLight(const hogelscope::View& view) {
   return light;
 }
 
-inline Light fastLight(const hogelscope::View& view) {
+inline Light fastLight(const hogelscope::RenderJob& job) {
   hogelscope::LensTables tables;
-  const hogelscope::FastSimulation simulation(view, tables, hogelscope::serialRows);
-  const auto [width, height] = view.state.camera.res;
+  const hogelscope::FastSimulation simulation(job, tables, hogelscope::serialRows);
+  const auto [width, height] = job.state.camera.res;
   constexpr std::uint8_t notWritten = 77;
   Light light;
   light.seen.assign(std::size_t(width) * std::size_t(height), notWritten);
@@ -48,9 +48,9 @@ inline Light fastLight(const hogelscope::View& view) {
 /// Where in a picture something does not hold, or "".
 using Problem = QString;
 
-inline Problem problemAt(const char* what, std::size_t pixel, const hogelscope::View& view,
+inline Problem problemAt(const char* what, std::size_t pixel, const hogelscope::RenderJob& job,
                          double value) {
-  const int width = view.state.camera.res[0];
+  const int width = job.state.camera.res[0];
   return QString("%1 at (%2, %3): %4")
       .arg(what)
       .arg(int(pixel) % width)
@@ -62,23 +62,23 @@ inline Problem problemAt(const char* what, std::size_t pixel, const hogelscope::
 /// decides; these are counted.
 inline Problem difference(const RandomScene& scene, const Light& expected, const Light& found,
                           int& unclear) {
-  const auto& view = scene.view;
-  const bool interpolates = view.sampling.reconstruction != hogelscope::Reconstruction::nearest;
-  std::array<double, 4> margin = extreme::rounding(view);
+  const auto& job = scene.job;
+  const bool interpolates = job.sampling.reconstruction != hogelscope::Reconstruction::nearest;
+  std::array<double, 4> margin = extreme::rounding(job);
   double change = 1e-3;
   for (double& cells : margin) {
     if (interpolates) change += 2 * 255 * cells;
     cells += 1e-4;
   }
-  const brute::Simulator rays(view, scene.content, margin);
+  const brute::Simulator rays(job, scene.content, margin);
   for (std::size_t pixel = 0; pixel < expected.seen.size(); ++pixel) {
     double most = 0;
     for (std::size_t k = 3 * pixel; k < 3 * pixel + 3; ++k)
       most = std::max(most, std::abs(expected.rgb[k] - found.rgb[k]));
     if (expected.seen[pixel] == found.seen[pixel] && most <= change) continue;
-    const int width = view.state.camera.res[0];
+    const int width = job.state.camera.res[0];
     if (!rays.isUnclear(int(pixel) % width, int(pixel) / width))
-      return problemAt("differs", pixel, view, most);
+      return problemAt("differs", pixel, job, most);
     ++unclear;
   }
   return {};

@@ -8,7 +8,7 @@
 #include "tests/core/random.h"
 
 struct RandomScene {
-  hogelscope::View view;
+  hogelscope::RenderJob job;
   brute::Content content;
 };
 
@@ -19,7 +19,7 @@ void fillWithNoise(Random& random, RandomScene& scene, double min, double max, d
   std::vector<T> values(3 * size.width() * size.height());
   for (T& value : values) value = static_cast<T>(random.uniform(min, max));
   for (const T value : values) scene.content.codes.push_back(double(value) * codeValue);
-  scene.view.lightField = std::make_shared<hogelscope::LightField>(size, std::move(values));
+  scene.job.lightField = std::make_shared<hogelscope::LightField>(size, std::move(values));
 }
 
 inline void fillWithNoise(Random& random, RandomScene& scene) {
@@ -37,7 +37,7 @@ inline void fillWithNoise(Random& random, RandomScene& scene) {
 /// As many hogels and directions of noise as the display has, in place of what was there.
 inline void fillDisplay(Random& random, RandomScene& scene) {
   const auto& [hogels, directions] =
-      std::pair(scene.view.display.hogels, scene.view.display.directions);
+      std::pair(scene.job.display.hogels, scene.job.display.directions);
   scene.content = {{hogels[0], hogels[1], directions[0], directions[1]}, {}};
   fillWithNoise(random, scene);
 }
@@ -109,11 +109,11 @@ inline hogelscope::PsfParams randomPsf(Random& random) {
 
 inline RandomScene randomScene(Random& random) {
   RandomScene scene;
-  scene.view.display = randomDisplay(random);
-  const hogelscope::CameraParams camera = randomCamera(random, scene.view.display);
-  scene.view.state = {camera, randomIntrinsics(random, camera), randomLens(random),
-                      randomPsf(random)};
-  scene.view.sampling.mapping =
+  scene.job.display = randomDisplay(random);
+  const hogelscope::CameraParams camera = randomCamera(random, scene.job.display);
+  scene.job.state = {camera, randomIntrinsics(random, camera), randomLens(random),
+                     randomPsf(random)};
+  scene.job.sampling.mapping =
       random.flip() ? hogelscope::LensMapping::exact : hogelscope::LensMapping::direct;
   fillDisplay(random, scene);
   return scene;
@@ -122,8 +122,7 @@ inline RandomScene randomScene(Random& random) {
 /// With any reconstruction too, and in one of four scenes with several rays a pixel.
 inline RandomScene randomSampledScene(Random& random) {
   RandomScene scene = randomScene(random);
-  scene.view.sampling.reconstruction =
-      static_cast<hogelscope::Reconstruction>(random.integer(0, 2));
-  scene.view.sampling.samplesPerPixel = random.integer(0, 3) == 0 ? 2 : 1;
+  scene.job.sampling.reconstruction = static_cast<hogelscope::Reconstruction>(random.integer(0, 2));
+  scene.job.sampling.samplesPerPixel = random.integer(0, 3) == 0 ? 2 : 1;
   return scene;
 }

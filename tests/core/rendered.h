@@ -5,7 +5,7 @@
 #include "core/engine/renderer.h"
 
 /// On the calling thread, without regard to the view's tolerance.
-inline hogelscope::Image rendered(hogelscope::View view) {
-  view.sampling.tolerance = 0;
-  return hogelscope::Renderer(hogelscope::serialRows).render(view);
+inline hogelscope::Image rendered(hogelscope::RenderJob job) {
+  job.sampling.tolerance = 0;
+  return hogelscope::Renderer(hogelscope::serialRows).render(job);
 }

@@ -35,9 +35,9 @@ cv::Mat blurred(const cv::Mat& image, const PsfParams& psf) {
   return sum / weight;
 }
 
-std::shared_ptr<const LightField> blurredFirst(const View& view) {
-  const LightFieldSource& field = *view.lightField;
-  const PsfParams& psf = view.state.psf;
+std::shared_ptr<const LightField> blurredFirst(const RenderJob& job) {
+  const LightFieldSource& field = *job.lightField;
+  const PsfParams& psf = job.state.psf;
   auto result = std::make_shared<LightField>(field.size(), StoredType::real);
   for (int i = 0; i < field.size().nx; ++i)
     for (int j = 0; j < field.size().ny; ++j) {
@@ -53,10 +53,10 @@ std::shared_ptr<const LightField> blurredFirst(const View& view) {
   return result;
 }
 
-std::vector<float> codeValues(const View& view) {
+std::vector<float> codeValues(const RenderJob& job) {
   LensTables tables;
-  const FastSimulation simulation(view, tables, serialRows);
-  const auto [width, height] = view.state.camera.res;
+  const FastSimulation simulation(job, tables, serialRows);
+  const auto [width, height] = job.state.camera.res;
   std::vector<float> values(std::size_t(3 * width * height));
   std::vector<std::uint8_t> seen(std::size_t(width * height));
   for (int y = 0; y < height; ++y)
@@ -93,14 +93,14 @@ class TestBlurFirst : public QObject {
     int lit = 0;
     for (int repeat = 0; repeat < 30; ++repeat) {
       RandomScene scene = randomScene(random);
-      View& view = scene.view;
-      view.state.psf = {random.uniform(0.3, 2), 2 * random.integer(1, 4) + 1,
-                        static_cast<PsfBorder>(border), static_cast<LightModel>(light)};
-      view.sampling.reconstruction = static_cast<Reconstruction>(reconstruction);
-      View first = view;
-      first.lightField = blurredFirst(view);
-      first.state.psf = {view.state.psf.sigma, 1};
-      const std::vector<float> windows = codeValues(view);
+      RenderJob& job = scene.job;
+      job.state.psf = {random.uniform(0.3, 2), 2 * random.integer(1, 4) + 1,
+                       static_cast<PsfBorder>(border), static_cast<LightModel>(light)};
+      job.sampling.reconstruction = static_cast<Reconstruction>(reconstruction);
+      RenderJob first = job;
+      first.lightField = blurredFirst(job);
+      first.state.psf = {job.state.psf.sigma, 1};
+      const std::vector<float> windows = codeValues(job);
       const std::vector<float> whole = codeValues(first);
       for (std::size_t k = 0; k < windows.size(); ++k) {
         QVERIFY(std::abs(windows[k] - whole[k]) < 2e-3F);

@@ -24,9 +24,9 @@ RandomScene sceneOf(std::uint64_t seed) {
   Random random(seed);
   RandomScene scene = randomSampledScene(random);
   if (random.flip()) return scene;
-  scene.view.display.directions = {random.integer(9, 40), random.integer(9, 40)};
+  scene.job.display.directions = {random.integer(9, 40), random.integer(9, 40)};
   fillDisplay(random, scene);
-  scene.view.state.camera.res = {random.integer(130, 200), random.integer(2, 3)};
+  scene.job.state.camera.res = {random.integer(130, 200), random.integer(2, 3)};
   return scene;
 }
 
@@ -40,9 +40,9 @@ bool agrees(std::uint8_t fast, std::uint8_t reference, double codeValue) {
 }
 
 QString firstDifference(const RandomScene& scene, Counts& counts) {
-  const Image fast = rendered(scene.view);
-  const Simulation reference(scene.view);
-  const brute::Simulator rays(scene.view, scene.content);
+  const Image fast = rendered(scene.job);
+  const Simulation reference(scene.job);
+  const brute::Simulator rays(scene.job, scene.content);
   for (std::size_t at = 0; at < fast.pixelCount(); ++at) {
     const int x = int(at) % fast.width;
     const int y = int(at) / fast.width;
@@ -100,10 +100,10 @@ void TestFastSimulation::plainScenesAreTheReference() {
     Random random(seed);
     scene.content.codes.clear();
     fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
-    scene.view.sampling = {};
-    if (random.flip()) scene.view.state.distortion = {};
-    scene.view.state.psf = {};
-    scene.view.display.lens = HogelLensModel::rectilinear;
+    scene.job.sampling = {};
+    if (random.flip()) scene.job.state.distortion = {};
+    scene.job.state.psf = {};
+    scene.job.display.lens = HogelLensModel::rectilinear;
     const QString difference = firstDifference(scene, counts);
     QVERIFY2(difference.isEmpty(), qPrintable(QString("scene %1: ").arg(seed) + difference));
   }
@@ -113,11 +113,11 @@ void TestFastSimulation::plainScenesAreTheReference() {
 void TestFastSimulation::codeValuesAreTheReferences() {
   for (std::uint64_t seed = 8000; seed < 8050; ++seed) {
     const RandomScene scene = sceneOf(seed);
-    const Simulation reference(scene.view);
-    const brute::Simulator rays(scene.view, scene.content);
+    const Simulation reference(scene.job);
+    const brute::Simulator rays(scene.job, scene.content);
     LensTables tables;
-    const FastSimulation fast(scene.view, tables, serialRows);
-    const auto [width, height] = scene.view.state.camera.res;
+    const FastSimulation fast(scene.job, tables, serialRows);
+    const auto [width, height] = scene.job.state.camera.res;
     std::vector<float> rgb(3 * std::size_t(width));
     std::vector<std::uint8_t> seen(rgb.size() / 3);
     for (int y = 0; y < height; ++y) {

@@ -19,9 +19,9 @@ namespace {
 RandomScene sceneOf(std::uint64_t seed) {
   Random random(seed);
   RandomScene scene = randomSampledScene(random);
-  scene.view.display.hogels = {random.integer(1, 30), random.integer(1, 60)};
+  scene.job.display.hogels = {random.integer(1, 30), random.integer(1, 60)};
   fillDisplay(random, scene);
-  scene.view.state.camera.res = {random.integer(20, 300), random.integer(10, 40)};
+  scene.job.state.camera.res = {random.integer(20, 300), random.integer(10, 40)};
   return scene;
 }
 
@@ -92,14 +92,14 @@ class Cutter : public LightFieldSource {
   std::shared_ptr<const LightField> m_whole;
 };
 
-View with(View view, std::shared_ptr<const LightFieldSource> lightField) {
-  view.lightField = std::move(lightField);
-  return view;
+RenderJob with(RenderJob job, std::shared_ptr<const LightFieldSource> lightField) {
+  job.lightField = std::move(lightField);
+  return job;
 }
 
-View streamed(const View& view) {
-  return with(view, std::make_shared<const StreamedLightField>(view.lightField->size(),
-                                                               view.lightField->type()));
+RenderJob streamed(const RenderJob& job) {
+  return with(job, std::make_shared<const StreamedLightField>(job.lightField->size(),
+                                                              job.lightField->type()));
 }
 
 }  // namespace
@@ -120,9 +120,9 @@ void TestFootprint::aFetchedViewIsTheView() {
   int seen = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const RandomScene scene = sceneOf(seed);
-    const Image whole = rendered(scene.view);
-    const View view = with(scene.view, std::make_shared<Cutter>(*scene.view.lightField));
-    QVERIFY2(rendered(view) == whole, qPrintable(QString("scene %1").arg(seed)));
+    const Image whole = rendered(scene.job);
+    const RenderJob job = with(scene.job, std::make_shared<Cutter>(*scene.job.lightField));
+    QVERIFY2(rendered(job) == whole, qPrintable(QString("scene %1").arg(seed)));
     seen += int(std::count(whole.seen.begin(), whole.seen.end(), 255));
   }
   QVERIFY2(seen > 3000, qPrintable(QString::number(seen)));
@@ -134,17 +134,16 @@ void TestFootprint::aPassingViewIsTheView() {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const RandomScene scene = sceneOf(seed);
     LensTables tables;
-    StreamingRenderer passing(streamed(scene.view), tables, serialRows);
+    StreamingRenderer passing(streamed(scene.job), tables, serialRows);
     passing.begin(tables, serialRows);
-    pass(*scene.view.lightField->overview(), [&](int j, int v, const auto* rgb) {
+    pass(*scene.job.lightField->overview(), [&](int j, int v, const auto* rgb) {
       if (v == 0 && j > 0) passing.finish(j - 1);
       passing.take(j, v, rgb);
     });
-    passing.finish(scene.view.lightField->size().ny - 1);
-    all += passing.footprint().texels() * memoryBytes(scene.view.lightField->type());
+    passing.finish(scene.job.lightField->size().ny - 1);
+    all += passing.footprint().texels() * memoryBytes(scene.job.lightField->type());
     kept += passing.bytes();
-    QVERIFY2(passing.takeImage() == rendered(scene.view),
-             qPrintable(QString("scene %1").arg(seed)));
+    QVERIFY2(passing.takeImage() == rendered(scene.job), qPrintable(QString("scene %1").arg(seed)));
   }
   QVERIFY2(kept < all, qPrintable(QString("%1 of %2 bytes").arg(kept).arg(all)));
 }
@@ -154,22 +153,22 @@ void TestFootprint::aPassingViewIsTheView() {
 void TestFootprint::aViewNeedsLittle() {
   Random random(1);
   RandomScene scene;
-  scene.view.display.hogels = {60, 50};
-  scene.view.display.directions = {60, 50};
-  scene.view.display.fov = {90, 90};
-  scene.view.display.size = {0.6, 0.5};
-  scene.view.state.camera.eye = {0, 0, 1};
-  scene.view.state.camera.fov = 60;
-  scene.view.state.camera.res = {400, 400};
-  scene.view.state.psf.windowSize = 1;
+  scene.job.display.hogels = {60, 50};
+  scene.job.display.directions = {60, 50};
+  scene.job.display.fov = {90, 90};
+  scene.job.display.size = {0.6, 0.5};
+  scene.job.state.camera.eye = {0, 0, 1};
+  scene.job.state.camera.fov = 60;
+  scene.job.state.camera.res = {400, 400};
+  scene.job.state.psf.windowSize = 1;
   scene.content.size = {60, 50, 60, 50};
   fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
-  const auto cutter = std::make_shared<Cutter>(*scene.view.lightField);
-  QVERIFY(rendered(with(scene.view, cutter)) == rendered(scene.view));
+  const auto cutter = std::make_shared<Cutter>(*scene.job.lightField);
+  QVERIFY(rendered(with(scene.job, cutter)) == rendered(scene.job));
   // u changes by 0.01·60/2 = 0.3 from column to column: at most two a column, 77 or so in all.
   const StreamingRenderer passing = [&] {
     LensTables tables;
-    return StreamingRenderer(streamed(scene.view), tables, serialRows);
+    return StreamingRenderer(streamed(scene.job), tables, serialRows);
   }();
   QVERIFY2(passing.bytes() < 4 * cutter->texels / 10,
            qPrintable(QString("%1 of %2 bytes").arg(passing.bytes()).arg(4 * cutter->texels)));
@@ -208,32 +207,32 @@ void TestFootprint::placesAreTakenAgainOnlyWhenTheyAreFree() {
 
 void TestFootprint::singleTexelsAreFetched() {
   const RandomScene scene = sceneOf(3);
-  const View view = with(scene.view, std::make_shared<Cutter>(*scene.view.lightField));
-  const auto [nx, ny, du, dv] = view.lightField->size();
+  const RenderJob job = with(scene.job, std::make_shared<Cutter>(*scene.job.lightField));
+  const auto [nx, ny, du, dv] = job.lightField->size();
   const TexelIndex last{nx - 1, ny - 1, du - 1, dv - 1};
-  QVERIFY(view.lightField->texel(last) == scene.view.lightField->texel(last));
-  QVERIFY(hogelPicture(*view.lightField, 0, 0) == hogelPicture(*scene.view.lightField, 0, 0));
+  QVERIFY(job.lightField->texel(last) == scene.job.lightField->texel(last));
+  QVERIFY(hogelPicture(*job.lightField, 0, 0) == hogelPicture(*scene.job.lightField, 0, 0));
 }
 
 /// Content that changes slowly over hogels and directions looks nearly the same in it.
 void TestFootprint::aFirstLookIsAtTheOverview() {
   RandomScene scene;
-  scene.view.display.hogels = {60, 60};
-  scene.view.display.directions = {30, 30};
-  scene.view.state.camera.eye = {0.05, 0.02, 0.6};
-  scene.view.state.camera.res = {60, 60};
+  scene.job.display.hogels = {60, 60};
+  scene.job.display.directions = {30, 30};
+  scene.job.state.camera.eye = {0.05, 0.02, 0.6};
+  scene.job.state.camera.res = {60, 60};
   const LightFieldSize size{60, 60, 30, 30};
   std::vector<std::uint8_t> values;
   for (int y = 0; y < 1800; ++y)
     for (int x = 0; x < 1800; ++x)
       for (const int value : {x / 30 * 4, y / 30 * 4, x % 30 * 8})
         values.push_back(std::uint8_t(value));
-  scene.view.lightField = std::make_shared<const LightField>(size, values);
-  QVERIFY(overview(scene.view) == scene.view);
-  const auto cutter = std::make_shared<Cutter>(*scene.view.lightField);
-  const Image first = rendered(overview(with(scene.view, cutter)));
+  scene.job.lightField = std::make_shared<const LightField>(size, values);
+  QVERIFY(overview(scene.job) == scene.job);
+  const auto cutter = std::make_shared<Cutter>(*scene.job.lightField);
+  const Image first = rendered(overview(with(scene.job, cutter)));
   QCOMPARE(cutter->texels, std::size_t(0));
-  const Image whole = rendered(scene.view);
+  const Image whole = rendered(scene.job);
   QVERIFY(first.seen == whole.seen);
   for (std::size_t k = 0; k < whole.rgb.size(); ++k)
     QVERIFY(std::abs(first.rgb[k] - whole.rgb[k]) <= 3 * 8);

@@ -149,22 +149,22 @@ class TestMethods : public QObject {
   /// Many hogels: a float has no room for their number and four digits more.
   void floatsDifferOnlyAtBorders() {
     Random random(4);
-    View view;
-    view.display.hogels = {4096, 2};
-    view.display.directions = {32, 2};
+    RenderJob job;
+    job.display.hogels = {4096, 2};
+    job.display.directions = {32, 2};
     RandomScene scene;
     scene.content.size = {4096, 2, 32, 2};
     fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
-    view.lightField = scene.view.lightField;
-    view.state.camera.res = {300, 200};
+    job.lightField = scene.job.lightField;
+    job.state.camera.res = {300, 200};
     int different = 0;
     for (int repeat = 0; repeat < 10; ++repeat) {
-      view.display.lens = repeat < 5 ? HogelLensModel::rectilinear : HogelLensModel::equiangular;
-      view.state.camera.eye = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.5};
-      view.method.isSingle = false;
-      const Image exact = rendered(view);
-      view.method.isSingle = true;
-      const Image single = rendered(view);
+      job.display.lens = repeat < 5 ? HogelLensModel::rectilinear : HogelLensModel::equiangular;
+      job.state.camera.eye = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.5};
+      job.method.isSingle = false;
+      const Image exact = rendered(job);
+      job.method.isSingle = true;
+      const Image single = rendered(job);
       for (std::size_t k = 0; k < exact.seen.size(); ++k)
         different +=
             std::equal(&exact.rgb[3 * k], &exact.rgb[3 * k] + 3, &single.rgb[3 * k]) ? 0 : 1;
@@ -178,35 +178,35 @@ class TestMethods : public QObject {
     int changed = 0;
     for (int repeat = 0; repeat < 60; ++repeat) {
       RandomScene scene = randomScene(random);
-      scene.view.state.psf.windowSize = 9;
-      scene.view.state.psf.sigma = random.uniform(0.4, 1.2);
-      const Image exact = rendered(scene.view);
+      scene.job.state.psf.windowSize = 9;
+      scene.job.state.psf.sigma = random.uniform(0.4, 1.2);
+      const Image exact = rendered(scene.job);
       for (const double bound : {0.5, 3.0, 20.0}) {
-        scene.view.method.droppedTaps = bound;
-        const Image less = rendered(scene.view);
+        scene.job.method.droppedTaps = bound;
+        const Image less = rendered(scene.job);
         for (std::size_t k = 0; k < exact.rgb.size(); ++k) {
           const int d = std::abs(exact.rgb[k] - less.rgb[k]);
           QVERIFY(d <= bound + 1);
           changed += d > 0 ? 1 : 0;
         }
       }
-      scene.view.method.droppedTaps = std::numeric_limits<double>::infinity();
+      scene.job.method.droppedTaps = std::numeric_limits<double>::infinity();
       RandomScene plain = scene;
-      plain.view.method = {};
-      plain.view.state.psf.windowSize = 1;
-      QVERIFY(rendered(scene.view) == rendered(plain.view));
+      plain.job.method = {};
+      plain.job.state.psf.windowSize = 1;
+      QVERIFY(rendered(scene.job) == rendered(plain.job));
     }
     QVERIFY(changed > 100);
   }
 
   void reducedPixelsStandInTheMiddleOfTheirs() {
-    View view;
-    view.state.camera.res = {width, height};
-    view.state.intrinsics = {55, 50, 31.5, 20};
-    const Camera full(view.state.camera, view.state.intrinsics);
+    RenderJob job;
+    job.state.camera.res = {width, height};
+    job.state.intrinsics = {55, 50, 31.5, 20};
+    const Camera full(job.state.camera, job.state.intrinsics);
     for (const int scale : {2, 4}) {
-      view.method.scale = scale;
-      const View small = reduced(view);
+      job.method.scale = scale;
+      const RenderJob small = reduced(job);
       QVERIFY((small.state.camera.res ==
                std::array{(width + scale - 1) / scale, (height + scale - 1) / scale}));
       QCOMPARE(small.method.scale, 1);
@@ -260,11 +260,11 @@ class TestMethods : public QObject {
   void halfSizeIsCloser() {
     Random random(7);
     RandomScene scene = randomScene(random);
-    scene.view.state.camera.res = {120, 90};
-    const Image exact = rendered(scene.view);
+    scene.job.state.camera.res = {120, 90};
+    const Image exact = rendered(scene.job);
     const auto error = [&](int scale) {
-      scene.view.method.scale = scale;
-      return rmse(exact, enlarged(rendered(reduced(scene.view)), scale, {120, 90}));
+      scene.job.method.scale = scale;
+      return rmse(exact, enlarged(rendered(reduced(scene.job)), scale, {120, 90}));
     };
     const double half = error(2);
     QVERIFY(half > 0 && half < error(4));

@@ -39,7 +39,7 @@ struct Expected {
   Expected(const RandomScene& scene, const Image& reference, Image& test)
       : hogels(std::size_t(scene.content.size.nx) * std::size_t(scene.content.size.ny)),
         directions(std::size_t(scene.content.size.du) * std::size_t(scene.content.size.dv)) {
-    const brute::Simulator rays(scene.view, scene.content);
+    const brute::Simulator rays(scene.job, scene.content);
     for (std::size_t at = 0; at < test.pixelCount(); ++at) {
       const brute::Ray ray = rayOf(rays, int(at) % test.width, int(at) / test.width);
       if (ray.meets == brute::Ray::Meets::unclear) test.seen[at] = 0;
@@ -114,18 +114,18 @@ void TestPanelError::sumsAreThoseOfALoop() {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
     const RandomScene scene = randomScene(random);
-    const CameraParams& camera = scene.view.state.camera;
+    const CameraParams& camera = scene.job.state.camera;
     const Image reference = noise(random, camera);
     Image test = noise(random, camera);
     const Expected expected(scene, reference, test);
     LensTables tables;
     PanelError error(scene.content.size);
-    error.add(scene.view, tables, serialRows, reference, test);
+    error.add(scene.job, tables, serialRows, reference, test);
     QVERIFY2(error.hogels() == expected.hogels, qPrintable(QString("hogels, seed %1").arg(seed)));
     QVERIFY2(error.directions() == expected.directions,
              qPrintable(QString("directions, seed %1").arg(seed)));
     met += expected.met;
-    if (!Distortion(scene.view.state.distortion).isIdentity()) ++distorted;
+    if (!Distortion(scene.job.state.distortion).isIdentity()) ++distorted;
   }
   QVERIFY(met > 10000 && distorted > 100);
 }
@@ -134,14 +134,14 @@ void TestPanelError::sumsAreThoseOfALoop() {
 void TestPanelError::orderAndThreadsDoNotMatter() {
   Random random(5);
   RandomScene scene = randomScene(random);
-  scene.view.display.fov = {120, 120};
-  std::vector<View> views;
+  scene.job.display.fov = {120, 120};
+  std::vector<RenderJob> views;
   std::vector<Image> pictures;
   for (int k = 0; k < 3; ++k) {
-    scene.view.state.camera = randomCamera(random, scene.view.display);
-    views.push_back(scene.view);
-    pictures.push_back(noise(random, scene.view.state.camera));
-    pictures.push_back(noise(random, scene.view.state.camera));
+    scene.job.state.camera = randomCamera(random, scene.job.display);
+    views.push_back(scene.job);
+    pictures.push_back(noise(random, scene.job.state.camera));
+    pictures.push_back(noise(random, scene.job.state.camera));
   }
   LensTables tables;
   PanelError forwards(scene.content.size);
@@ -160,63 +160,63 @@ void TestPanelError::orderAndThreadsDoNotMatter() {
 void TestPanelError::samplesAndMethodsDoNotMatter() {
   Random random(9);
   RandomScene scene = randomScene(random);
-  scene.view.state.distortion = {0.2, 0.1, 0.01, -0.01, 0.05};
-  const Image reference = noise(random, scene.view.state.camera);
-  const Image test = noise(random, scene.view.state.camera);
+  scene.job.state.distortion = {0.2, 0.1, 0.01, -0.01, 0.05};
+  const Image reference = noise(random, scene.job.state.camera);
+  const Image test = noise(random, scene.job.state.camera);
   LensTables tables;
   PanelError plain(scene.content.size);
-  plain.add(scene.view, tables, serialRows, reference, test);
-  scene.view.sampling.samplesPerPixel = 2;
-  scene.view.sampling.reconstruction = Reconstruction::quadrilinear;
-  scene.view.state.psf = {2, 9};
-  scene.view.method.lens = LensInverse::table;
-  scene.view.method.lensSteps = 8;
+  plain.add(scene.job, tables, serialRows, reference, test);
+  scene.job.sampling.samplesPerPixel = 2;
+  scene.job.sampling.reconstruction = Reconstruction::quadrilinear;
+  scene.job.state.psf = {2, 9};
+  scene.job.method.lens = LensInverse::table;
+  scene.job.method.lensSteps = 8;
   PanelError other(scene.content.size);
-  other.add(scene.view, tables, serialRows, reference, test);
+  other.add(scene.job, tables, serialRows, reference, test);
   QVERIFY(plain.hogels() == other.hogels() && plain.directions() == other.directions());
 }
 
 void TestPanelError::keptSumsGoOn() {
   Random random(3);
   const RandomScene scene = randomScene(random);
-  const Image a = noise(random, scene.view.state.camera);
-  const Image b = noise(random, scene.view.state.camera);
+  const Image a = noise(random, scene.job.state.camera);
+  const Image b = noise(random, scene.job.state.camera);
   LensTables tables;
   PanelError whole(scene.content.size);
-  whole.add(scene.view, tables, serialRows, a, b);
+  whole.add(scene.job, tables, serialRows, a, b);
   PanelError resumed(scene.content.size, whole.hogels(), whole.directions());
-  whole.add(scene.view, tables, serialRows, b, a);
-  resumed.add(scene.view, tables, serialRows, b, a);
+  whole.add(scene.job, tables, serialRows, b, a);
+  resumed.add(scene.job, tables, serialRows, b, a);
   QVERIFY(whole.hogels() == resumed.hogels() && whole.directions() == resumed.directions());
 }
 
 void TestPanelError::anEyeBehindThePanel() {
   Random random(4);
   RandomScene scene = randomScene(random);
-  scene.view.display.position = {};
-  scene.view.display.orientation = {};
-  scene.view.state.camera.eye = {0, 0, -1};
-  scene.view.state.camera.lookat = {0, 0, 0};
-  scene.view.state.camera.up = {0, 1, 0};
-  const Image a = noise(random, scene.view.state.camera);
+  scene.job.display.position = {};
+  scene.job.display.orientation = {};
+  scene.job.state.camera.eye = {0, 0, -1};
+  scene.job.state.camera.lookat = {0, 0, 0};
+  scene.job.state.camera.up = {0, 1, 0};
+  const Image a = noise(random, scene.job.state.camera);
   LensTables tables;
   PanelError error(scene.content.size);
-  error.add(scene.view, tables, serialRows, a, a);
+  error.add(scene.job, tables, serialRows, a, a);
   QVERIFY(error.hogels() == PanelError(scene.content.size).hogels());
 }
 
 void TestPanelError::badSizes() {
   Random random(4);
   const RandomScene scene = randomScene(random);
-  const Image good = noise(random, scene.view.state.camera);
+  const Image good = noise(random, scene.job.state.camera);
   LensTables tables;
   PanelError error(scene.content.size);
-  QVERIFY_EXCEPTION_THROWN(error.add(scene.view, tables, serialRows, good, Image(3, 3)),
+  QVERIFY_EXCEPTION_THROWN(error.add(scene.job, tables, serialRows, good, Image(3, 3)),
                            std::invalid_argument);
   LightFieldSize other = scene.content.size;
   ++other.nx;
   PanelError wrong(other);
-  QVERIFY_EXCEPTION_THROWN(wrong.add(scene.view, tables, serialRows, good, good),
+  QVERIFY_EXCEPTION_THROWN(wrong.add(scene.job, tables, serialRows, good, good),
                            std::invalid_argument);
   QVERIFY_EXCEPTION_THROWN(PanelError(other, error.hogels(), error.directions()),
                            std::invalid_argument);

@@ -17,16 +17,16 @@ class TestPanelView : public QObject {
     int seen = 0;
     for (int k = 0; k < 200; ++k) {
       RandomScene scene = randomScene(random);
-      const DisplayParams& display = scene.view.display;
-      const Vec3 eye = scene.view.state.camera.eye;
+      const DisplayParams& display = scene.job.display;
+      const Vec3 eye = scene.job.state.camera.eye;
       const std::array<int, 2> res{random.integer(1, 40), random.integer(1, 40)};
       const auto state = panelState(display, eye, res);
       QVERIFY(state.has_value());
-      scene.view.state = *state;
-      scene.view.sampling.mapping = LensMapping::exact;
+      scene.job.state = *state;
+      scene.job.sampling.mapping = LensMapping::exact;
       const int x = random.integer(0, res[0] - 1);
       const int y = random.integer(0, res[1] - 1);
-      const PixelTrace pixel = pixelTrace(scene.view, x, y);
+      const PixelTrace pixel = pixelTrace(scene.job, x, y);
       QVERIFY(pixel.place.has_value());
       QVERIFY(pixel.end != RayEnd::misses);
       QVERIFY(std::abs(pixel.place->i - (x + 0.5) / res[0] * display.hogels[0]) < 1e-6);

@@ -16,17 +16,17 @@ bool isNear(double a, double b, double tolerance = 1e-6) {
 }
 
 /// One hogel of 5×3 directions, all grey, and a camera before it.
-View plainView() {
-  View view;
-  view.display.hogels = {4, 4};
-  view.display.directions = {5, 3};
-  view.lightField =
+RenderJob plainView() {
+  RenderJob job;
+  job.display.hogels = {4, 4};
+  job.display.directions = {5, 3};
+  job.lightField =
       std::make_shared<const LightField>(LightFieldSize{4, 4, 5, 3}, StoredType::uint8);
-  view.state.camera.name = "plain";
-  view.state.camera.eye = {0, 0, 1};
-  view.state.camera.fov = 60;
-  view.state.camera.res = {101, 101};
-  return view;
+  job.state.camera.name = "plain";
+  job.state.camera.eye = {0, 0, 1};
+  job.state.camera.fov = 60;
+  job.state.camera.res = {101, 101};
+  return job;
 }
 
 }  // namespace
@@ -41,13 +41,13 @@ class TestPixelTrace : public QObject {
     int others = 0;
     for (int k = 0; k < 150; ++k) {
       RandomScene scene = randomScene(random);
-      scene.view.sampling.samplesPerPixel = random.integer(1, 3);
-      scene.view.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
-      const Image image = simulate(scene.view);
+      scene.job.sampling.samplesPerPixel = random.integer(1, 3);
+      scene.job.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
+      const Image image = simulate(scene.job);
       for (int n = 0; n < 20; ++n) {
         const int x = random.integer(0, image.width - 1);
         const int y = random.integer(0, image.height - 1);
-        const PixelTrace pixel = pixelTrace(scene.view, x, y);
+        const PixelTrace pixel = pixelTrace(scene.job, x, y);
         const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
         QCOMPARE(pixel.colour.has_value(), image.seen[at] == 255);
         if (!pixel.colour) continue;
@@ -67,14 +67,14 @@ class TestPixelTrace : public QObject {
     int notSeen = 0;
     for (int k = 0; k < 150; ++k) {
       const RandomScene scene = randomScene(random);
-      const brute::Simulator simulator(scene.view, scene.content);
-      const auto [width, height] = scene.view.state.camera.res;
+      const brute::Simulator simulator(scene.job, scene.content);
+      const auto [width, height] = scene.job.state.camera.res;
       for (int n = 0; n < 20; ++n) {
         const int x = random.integer(0, width - 1);
         const int y = random.integer(0, height - 1);
         const brute::Ray ray = simulator.ray(x, y);
         if (ray.meets == brute::Ray::Meets::unclear) continue;
-        const PixelTrace pixel = pixelTrace(scene.view, x, y);
+        const PixelTrace pixel = pixelTrace(scene.job, x, y);
         QCOMPARE(pixel.end == RayEnd::seen, ray.meets == brute::Ray::Meets::display);
         if (pixel.end != RayEnd::seen) {
           ++notSeen;
@@ -84,7 +84,7 @@ class TestPixelTrace : public QObject {
         ++seen;
         QVERIFY(isNear(pixel.place->i, ray.hit[0]) && isNear(pixel.place->j, ray.hit[1]));
         QVERIFY(isNear(pixel.place->u, ray.hit[2]) && isNear(pixel.place->v, ray.hit[3]));
-        checkGeometry(scene.view, pixel);
+        checkGeometry(scene.job, pixel);
       }
     }
     QVERIFY(seen > 500 && notSeen > 100);
@@ -108,34 +108,34 @@ class TestPixelTrace : public QObject {
   }
 
   void saysWhyNothingIsSeen() {
-    View view = plainView();
-    QCOMPARE(pixelTrace(view, 50, 50).end, RayEnd::seen);
-    QCOMPARE(pixelTrace(view, 50, 50).taps, 1);
-    QCOMPARE(pixelTrace(view, 0, 50).end, RayEnd::misses);
-    QVERIFY(pixelTrace(view, 0, 50).place.has_value());
-    QVERIFY(isNear(pixelTrace(view, 0, 50).target.z, 0, 1e-12));
-    view.display.fov = {10, 10};
-    QCOMPARE(pixelTrace(view, 30, 50).end, RayEnd::outsideField);
-    view.state.camera.lookat = {0, 0, 2};  // away from the panel
-    const PixelTrace away = pixelTrace(view, 50, 50);
+    RenderJob job = plainView();
+    QCOMPARE(pixelTrace(job, 50, 50).end, RayEnd::seen);
+    QCOMPARE(pixelTrace(job, 50, 50).taps, 1);
+    QCOMPARE(pixelTrace(job, 0, 50).end, RayEnd::misses);
+    QVERIFY(pixelTrace(job, 0, 50).place.has_value());
+    QVERIFY(isNear(pixelTrace(job, 0, 50).target.z, 0, 1e-12));
+    job.display.fov = {10, 10};
+    QCOMPARE(pixelTrace(job, 30, 50).end, RayEnd::outsideField);
+    job.state.camera.lookat = {0, 0, 2};  // away from the panel
+    const PixelTrace away = pixelTrace(job, 50, 50);
     QCOMPARE(away.end, RayEnd::misses);
     QVERIFY(!away.place && !away.colour);
     QVERIFY(length(away.target - Vec3{0, 0, 2}) < 1e-9);
-    view = plainView();
-    view.state.distortion.k1 = -1;  // folds at r = 1/√3, before the corner
-    QCOMPARE(pixelTrace(view, 0, 0).end, RayEnd::noRay);
+    job = plainView();
+    job.state.distortion.k1 = -1;  // folds at r = 1/√3, before the corner
+    QCOMPARE(pixelTrace(job, 0, 0).end, RayEnd::noRay);
     QVERIFY(!words(RayEnd::noRay).empty() && words(RayEnd::seen) != words(RayEnd::misses));
-    view.state.camera.lookat = view.state.camera.eye;
-    QVERIFY_EXCEPTION_THROWN((void)pixelTrace(view, 0, 0), InputError);
+    job.state.camera.lookat = job.state.camera.eye;
+    QVERIFY_EXCEPTION_THROWN((void)pixelTrace(job, 0, 0), InputError);
   }
 
  private:
   /// Eye, target, position and slopes are one line.
-  void checkGeometry(const View& view, const PixelTrace& pixel) {
-    const brute::Matrix turn = brute::transposed(brute::rotation(view.display.orientation));
+  void checkGeometry(const RenderJob& job, const PixelTrace& pixel) {
+    const brute::Matrix turn = brute::transposed(brute::rotation(job.display.orientation));
     const auto inDisplay = [&](const Vec3& p) {
       return brute::times(turn,
-                          brute::minus(brute::vector(p), brute::vector(view.display.position)));
+                          brute::minus(brute::vector(p), brute::vector(job.display.position)));
     };
     const brute::Vector eye = inDisplay(pixel.eye);
     const brute::Vector target = inDisplay(pixel.target);

@@ -16,25 +16,25 @@ namespace {
 constexpr double floatRounding = 1e-3;
 
 /// Content of 0 … 255 gives light of 0 … 255, and what is not seen is black.
-Problem rangeProblem(const View& view, const Light& light) {
+Problem rangeProblem(const RenderJob& job, const Light& light) {
   for (std::size_t k = 0; k < light.rgb.size(); ++k) {
     const double value = light.rgb[k];
     const std::uint8_t seen = light.seen[k / 3];
-    if (seen != 0 && seen != 255) return problemAt("a mask of neither", k / 3, view, seen);
-    if (seen == 0 && value != 0) return problemAt("unseen, not black", k / 3, view, value);
+    if (seen != 0 && seen != 255) return problemAt("a mask of neither", k / 3, job, seen);
+    if (seen == 0 && value != 0) return problemAt("unseen, not black", k / 3, job, value);
     if (!(value >= 0 && value <= 255 + floatRounding))
-      return problemAt("no light", k / 3, view, value);
+      return problemAt("no light", k / 3, job, value);
   }
   return {};
 }
 
 /// The picture is the light, rounded.
-Problem pictureProblem(const View& view, const Light& light, const Image& image) {
+Problem pictureProblem(const RenderJob& job, const Light& light, const Image& image) {
   for (std::size_t k = 0; k < light.rgb.size(); ++k) {
     if (image.seen[k / 3] != light.seen[k / 3])
-      return problemAt("another mask", k / 3, view, image.seen[k / 3]);
+      return problemAt("another mask", k / 3, job, image.seen[k / 3]);
     if (!(std::abs(image.rgb[k] - light.rgb[k]) <= 0.5 + floatRounding))
-      return problemAt("another pixel", k / 3, view, light.rgb[k]);
+      return problemAt("another pixel", k / 3, job, light.rgb[k]);
   }
   return {};
 }
@@ -45,13 +45,13 @@ struct Counts {
 };
 
 Problem firstProblem(const RandomScene& scene, Counts& counts) {
-  const View& view = scene.view;
-  const Light reference = referenceLight(view);
-  const Light fast = fastLight(view);
+  const RenderJob& job = scene.job;
+  const Light reference = referenceLight(job);
+  const Light fast = fastLight(job);
   counts.seen += int(std::count(fast.seen.begin(), fast.seen.end(), 255));
   for (const Problem& problem :
-       {rangeProblem(view, reference), rangeProblem(view, fast),
-        pictureProblem(view, reference, simulate(view)), pictureProblem(view, fast, rendered(view)),
+       {rangeProblem(job, reference), rangeProblem(job, fast),
+        pictureProblem(job, reference, simulate(job)), pictureProblem(job, fast, rendered(job)),
         difference(scene, reference, fast, counts.unclear)})
     if (!problem.isEmpty()) return problem;
   return {};
@@ -144,15 +144,15 @@ void TestProperties::constantLightStaysConstant() {
   for (int repeat = 0; repeat < 2000; ++repeat) {
     Random random(100000 + std::uint64_t(repeat));
     RandomScene scene = extreme::sceneWithoutLight(random, static_cast<Eye>(random.integer(0, 2)));
-    if (scene.view.state.psf.border == PsfBorder::black)
-      scene.view.state.psf.border = PsfBorder::renormalise;
-    scene.view.sampling.samplesPerPixel = 1;
+    if (scene.job.state.psf.border == PsfBorder::black)
+      scene.job.state.psf.border = PsfBorder::renormalise;
+    scene.job.sampling.samplesPerPixel = 1;
     const int codeValue = random.flip() ? 255 : random.integer(0, 254);
     extreme::fill(random, scene, [codeValue] { return double(codeValue); });
-    const Image fast = rendered(scene.view);
+    const Image fast = rendered(scene.job);
     seen += int(std::count(fast.seen.begin(), fast.seen.end(), 255));
     QVERIFY2(isAll(fast, codeValue), qPrintable(QString("fast, scene %1").arg(repeat)));
-    QVERIFY2(isAll(simulate(scene.view), codeValue), qPrintable(QString("scene %1").arg(repeat)));
+    QVERIFY2(isAll(simulate(scene.job), codeValue), qPrintable(QString("scene %1").arg(repeat)));
   }
   QVERIFY2(seen > 20000, qPrintable(QString::number(seen)));
 }
@@ -164,21 +164,21 @@ void TestProperties::whatIsLeftOutIsTooLittle() {
   const LightFieldSize size{1, 1, directions, directions};
   for (int repeat = 0; repeat < 500; ++repeat) {
     Random random(200000 + std::uint64_t(repeat));
-    View view;
-    view.display.hogels = {1, 1};
-    view.display.directions = {directions, directions};
-    view.state.camera.res = {1, 1};
+    RenderJob job;
+    job.display.hogels = {1, 1};
+    job.display.directions = {directions, directions};
+    job.state.camera.res = {1, 1};
     const int dark = random.integer(0, 12);
-    view.state.psf = {(dark + 1) / random.uniform(5, 6.5), directions, PsfBorder::renormalise,
-                      random.flip() ? LightModel::linear : LightModel::encoded};
+    job.state.psf = {(dark + 1) / random.uniform(5, 6.5), directions, PsfBorder::renormalise,
+                     random.flip() ? LightModel::linear : LightModel::encoded};
     LightField content(size, StoredType::uint8);
     const std::array<std::uint8_t, 3> white{255, 255, 255};
     for (int u = 0; u < directions; ++u)
       for (int v = 0; v < directions; ++v)
         if (std::max(std::abs(u - directions / 2), std::abs(v - directions / 2)) > dark)
           content.set({0, 0, u, v}, white.data());
-    view.lightField = std::make_shared<LightField>(std::move(content));
-    const double lost = std::abs(referenceLight(view).rgb[0] - fastLight(view).rgb[0]);
+    job.lightField = std::make_shared<LightField>(std::move(content));
+    const double lost = std::abs(referenceLight(job).rgb[0] - fastLight(job).rgb[0]);
     QVERIFY2(lost <= 1e-3, qPrintable(QString("scene %1: %2").arg(repeat).arg(lost)));
   }
 }
@@ -188,11 +188,11 @@ void TestProperties::partsOfRows() {
   constexpr std::uint8_t guard = 77;
   for (int repeat = 0; repeat < 1000; ++repeat) {
     Random random(300000 + std::uint64_t(repeat));
-    const View view = extreme::scene(random, static_cast<Eye>(random.integer(0, 2))).view;
+    const RenderJob job = extreme::scene(random, static_cast<Eye>(random.integer(0, 2))).job;
     LensTables tables;
-    const FastSimulation simulation(view, tables, serialRows);
-    const auto [width, height] = view.state.camera.res;
-    const Light whole = fastLight(view);
+    const FastSimulation simulation(job, tables, serialRows);
+    const auto [width, height] = job.state.camera.res;
+    const Light whole = fastLight(job);
     const int y = random.integer(0, height - 1);
     const int begin = random.integer(0, width - 1);
     const int end = random.integer(begin + 1, width);
@@ -215,14 +215,14 @@ void TestProperties::partsOfRows() {
 void TestProperties::noFrameNoPicture() {
   for (int repeat = 0; repeat < 1000; ++repeat) {
     Random random(400000 + std::uint64_t(repeat));
-    View view = extreme::scene(random, Eye::usual).view;
-    check(view.state, "state");
-    spoil(random, view.state.camera);
+    RenderJob job = extreme::scene(random, Eye::usual).job;
+    check(job.state, "state");
+    spoil(random, job.state.camera);
     LensTables tables;
-    QVERIFY_THROWS_EXCEPTION(InputError, check(view.state, "state"));
-    QVERIFY_THROWS_EXCEPTION(InputError, simulate(view));
-    QVERIFY_THROWS_EXCEPTION(InputError, rendered(view));
-    QVERIFY_THROWS_EXCEPTION(InputError, FastSimulation(view, tables, serialRows));
+    QVERIFY_THROWS_EXCEPTION(InputError, check(job.state, "state"));
+    QVERIFY_THROWS_EXCEPTION(InputError, simulate(job));
+    QVERIFY_THROWS_EXCEPTION(InputError, rendered(job));
+    QVERIFY_THROWS_EXCEPTION(InputError, FastSimulation(job, tables, serialRows));
   }
 }
 

@@ -29,7 +29,7 @@ void fillWithAffineLight(RandomScene& scene) {
         values.push_back(static_cast<std::uint8_t>(
             affine(c, {index[0] + 0.5, index[1] + 0.5, index[2] + 0.5, index[3] + 0.5})));
       }
-  scene.view.lightField = std::make_shared<LightField>(scene.content.size, std::move(values));
+  scene.job.lightField = std::make_shared<LightField>(scene.content.size, std::move(values));
 }
 
 /// The index between the outermost cells' middles nearest to a hit's.
@@ -107,11 +107,11 @@ void TestReconstruction::affineLightIsKept() {
   for (int repeat = 0; repeat < 60; ++repeat) {
     RandomScene scene = randomScene(random);
     fillWithAffineLight(scene);
-    scene.view.state.psf = {0.67, 1};
-    scene.view.sampling.reconstruction = static_cast<Reconstruction>(how);
-    const brute::Simulator expected(scene.view, scene.content);
-    const Simulation simulation(scene.view);
-    const auto [width, height] = scene.view.state.camera.res;
+    scene.job.state.psf = {0.67, 1};
+    scene.job.sampling.reconstruction = static_cast<Reconstruction>(how);
+    const brute::Simulator expected(scene.job, scene.content);
+    const Simulation simulation(scene.job);
+    const auto [width, height] = scene.job.state.camera.res;
     for (int k = 0; k < width * height; ++k) {
       const int y = k / width;
       const brute::Ray ray = expected.ray(k % width, y);
@@ -129,19 +129,19 @@ void TestReconstruction::affineLightIsKept() {
 /// One hogel, two directions, light summed linearly: the interpolated value is the mean of the two
 /// leaked ones, encoded last.
 void TestReconstruction::leaksBeforeItInterpolates() {
-  View view;
-  view.display.hogels = {1, 1};
-  view.display.directions = {2, 1};
-  view.lightField = std::make_shared<LightField>(LightFieldSize{1, 1, 2, 1},
-                                                 std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255});
-  view.state.camera.res = {1, 1};
-  view.state.psf = {1, 3, PsfBorder::black, LightModel::linear};
-  view.sampling.reconstruction = Reconstruction::bilinear;
+  RenderJob job;
+  job.display.hogels = {1, 1};
+  job.display.directions = {2, 1};
+  job.lightField = std::make_shared<LightField>(LightFieldSize{1, 1, 2, 1},
+                                                std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255});
+  job.state.camera.res = {1, 1};
+  job.state.psf = {1, 3, PsfBorder::black, LightModel::linear};
+  job.sampling.reconstruction = Reconstruction::bilinear;
   const double w = std::exp(-0.5);
   const double kept = 1 / ((1 + 2 * w) * (1 + 2 * w));  // a texel's own share of the window
   const double light = (kept + w * kept) / 2;
   const double code = 255 * (1.055 * std::pow(light, 1 / 2.4) - 0.055);
-  QVERIFY(difference(*Simulation(view).pixel(0, 0), {code, code, code}) < 1e-10);
+  QVERIFY(difference(*Simulation(job).pixel(0, 0), {code, code, code}) < 1e-10);
 }
 
 void TestReconstruction::samplesAreTheMeanOfRays_data() {
@@ -156,10 +156,10 @@ void TestReconstruction::samplesAreTheMeanOfRays() {
   int seen = 0;
   for (int repeat = 0; repeat < 15; ++repeat) {
     RandomScene scene = randomScene(random);
-    scene.view.sampling.samplesPerPixel = n;
-    const brute::Simulator simulator(scene.view, scene.content);
-    const Simulation simulation(scene.view);
-    const auto [width, height] = scene.view.state.camera.res;
+    scene.job.sampling.samplesPerPixel = n;
+    const brute::Simulator simulator(scene.job, scene.content);
+    const Simulation simulation(scene.job);
+    const auto [width, height] = scene.job.state.camera.res;
     for (int k = 0; k < width * height; ++k) {
       const Mean expected = meanOfRays(simulator, k % width, k / width, n);
       if (expected.unclear) continue;

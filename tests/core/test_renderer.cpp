@@ -47,43 +47,43 @@ class TestRenderer : public QObject {
 
  private Q_SLOTS:
   void isTheReference() {
-    View view = sampleView();
-    QVERIFY(Renderer().render(view) == simulate(view));
-    view.state.psf.windowSize = 3;
-    view.state.distortion.k1 = 0.1;
-    QVERIFY(Renderer(serialRows).render(view) == Renderer().render(view));
+    RenderJob job = sampleView();
+    QVERIFY(Renderer().render(job) == simulate(job));
+    job.state.psf.windowSize = 3;
+    job.state.distortion.k1 = 0.1;
+    QVERIFY(Renderer(serialRows).render(job) == Renderer().render(job));
   }
 
   void toleranceIsTheChoices() {
-    View view = sampleView();
-    view.state.camera.res = {300, 220};
-    view.state.psf.windowSize = 5;
-    view.sampling.samplesPerPixel = 3;
-    const Image exact = Renderer().render(view);
-    view.sampling.tolerance = 40;
+    RenderJob job = sampleView();
+    job.state.camera.res = {300, 220};
+    job.state.psf.windowSize = 5;
+    job.sampling.samplesPerPixel = 3;
+    const Image exact = Renderer().render(job);
+    job.sampling.tolerance = 40;
     Renderer renderer;
-    const Choice choice = renderer.chooseMethod(view);
-    QVERIFY(choice.pixels > 0 && choice.view.method != view.method);
-    QCOMPARE(choice.view.sampling.tolerance, 0.0);
-    const Image image = renderer.render(view);
-    QVERIFY(image == renderer.render(choice.view));
+    const Choice choice = renderer.chooseMethod(job);
+    QVERIFY(choice.pixels > 0 && choice.job.method != job.method);
+    QCOMPARE(choice.job.sampling.tolerance, 0.0);
+    const Image image = renderer.render(job);
+    QVERIFY(image == renderer.render(choice.job));
     QVERIFY(image != exact);
     QCOMPARE(image.width, 300);
   }
 
   void scaleIsEnlarged() {
-    View view = sampleView();
-    view.method.scale = 4;
-    QVERIFY(Renderer().render(view) == enlarged(simulate(reduced(view)), 4, {70, 50}));
+    RenderJob job = sampleView();
+    job.method.scale = 4;
+    QVERIFY(Renderer().render(job) == enlarged(simulate(reduced(job)), 4, {70, 50}));
   }
 
   void floatsRoundToTheImage() {
-    View view = sampleView();
-    view.state.psf.windowSize = 3;
+    RenderJob job = sampleView();
+    job.state.psf.windowSize = 3;
     for (const int scale : {1, 2}) {
-      view.method.scale = scale;
-      const Image image = Renderer().render(view);
-      const FloatImage floats = Renderer().renderFloat(view);
+      job.method.scale = scale;
+      const Image image = Renderer().render(job);
+      const FloatImage floats = Renderer().renderFloat(job);
       QVERIFY(floats.seen == image.seen);
       QCOMPARE(floats.rgb.size(), image.rgb.size());
       bool hasFraction = false;
@@ -97,17 +97,17 @@ class TestRenderer : public QObject {
 
   /// One slice for a view: all that its rays, its leakage and its interpolation read.
   void asksForItsFootprintOnce() {
-    View view = sampleView();
-    view.state.psf.windowSize = 3;
-    const Image expected = Renderer().render(view);
-    const auto source = std::make_shared<const CountingSource>(view.lightField);
-    view.lightField = source;
-    QVERIFY(Renderer().render(view) == expected);
+    RenderJob job = sampleView();
+    job.state.psf.windowSize = 3;
+    const Image expected = Renderer().render(job);
+    const auto source = std::make_shared<const CountingSource>(job.lightField);
+    job.lightField = source;
+    QVERIFY(Renderer().render(job) == expected);
     QCOMPARE(source->slices, 1);
     LensTables tables;
-    QVERIFY(source->asked == ViewRays(view, tables, serialRows).footprint(serialRows));
+    QVERIFY(source->asked == ViewRays(job, tables, serialRows).footprint(serialRows));
     QVERIFY(source->asked.texels() <
-            view.lightField->size().width() * view.lightField->size().height());
+            job.lightField->size().width() * job.lightField->size().height());
   }
 
   void cancels() {
@@ -118,11 +118,11 @@ class TestRenderer : public QObject {
   }
 
   void withoutALightFieldItThrows() {
-    View view = sampleView();
-    view.lightField = nullptr;
-    QVERIFY_THROWS_EXCEPTION(InputError, (void)Renderer().render(view));
-    view.sampling.tolerance = 1;
-    QVERIFY_THROWS_EXCEPTION(InputError, (void)Renderer().render(view));
+    RenderJob job = sampleView();
+    job.lightField = nullptr;
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)Renderer().render(job));
+    job.sampling.tolerance = 1;
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)Renderer().render(job));
   }
 };
 

@@ -36,8 +36,8 @@ bool isBlack(const Image& image, std::size_t at) {
 
 /// Names the first pixel that differs, or "".
 QString firstDifference(const RandomScene& scene, Counts& counts) {
-  const Image image = simulate(scene.view);
-  const brute::Simulator expected(scene.view, scene.content);
+  const Image image = simulate(scene.job);
+  const brute::Simulator expected(scene.job, scene.content);
   for (std::size_t at = 0; at < image.pixelCount(); ++at) {
     const int x = int(at) % image.width;
     const int y = int(at) / image.width;
@@ -98,8 +98,8 @@ void TestSimulate::plainScenes() {
   Counts counts;
   for (std::uint64_t seed = 1000; seed < 1050; ++seed) {
     RandomScene scene = sceneOf(seed);
-    scene.view.state.distortion = {};
-    scene.view.state.psf = {0.67, 1};
+    scene.job.state.distortion = {};
+    scene.job.state.psf = {0.67, 1};
     QCOMPARE(firstDifference(scene, counts), QString());
   }
   QVERIFY(counts.seen > 4000);
@@ -115,12 +115,12 @@ void TestSimulate::eyeBehindSeesNothing_data() {
 void TestSimulate::eyeBehindSeesNothing() {
   QFETCH(const double, z);
   RandomScene scene = sceneOf(5);
-  scene.view.display.position = {0, 0, 0};
-  scene.view.display.orientation = {0, 0, 0};
+  scene.job.display.position = {0, 0, 0};
+  scene.job.display.orientation = {0, 0, 0};
   for (const double lookatZ : {z - 1, z + 1}) {
-    scene.view.state.camera.eye = {0, 0, z};
-    scene.view.state.camera.lookat = {0, 0, lookatZ};
-    const Image image = simulate(scene.view);
+    scene.job.state.camera.eye = {0, 0, z};
+    scene.job.state.camera.lookat = {0, 0, lookatZ};
+    const Image image = simulate(scene.job);
     QVERIFY(image == Image(image.width, image.height));
   }
 }
@@ -133,16 +133,16 @@ void TestSimulate::extremeStatesGiveNumbers() {
     const auto pick = [&](double usual, double low, double high) {
       return random.flip() ? usual : random.flip() ? low : high;
     };
-    auto& [camera, intrinsics, distortion, psf] = scene.view.state;
+    auto& [camera, intrinsics, distortion, psf] = scene.job.state;
     if (random.flip()) intrinsics = {};
     camera.fov = pick(camera.fov, 0.01, 179.9);
     camera.eye.z = pick(camera.eye.z, -1e6, 1e6);
     distortion.k1 = pick(distortion.k1, -10, 10);
     distortion.p1 = pick(distortion.p1, -10, 10);
     psf.sigma = pick(psf.sigma, 1e-300, 20);
-    scene.view.display.fov[0] = pick(scene.view.display.fov[0], 0.01, 179.9);
-    scene.view.display.size[1] = pick(scene.view.display.size[1], 1e-6, 1e6);
-    const Simulation simulation(scene.view);
+    scene.job.display.fov[0] = pick(scene.job.display.fov[0], 0.01, 179.9);
+    scene.job.display.size[1] = pick(scene.job.display.size[1], 1e-6, 1e6);
+    const Simulation simulation(scene.job);
     for (int k = 0; k < 60; ++k) {
       const auto colour = simulation.pixel(random.integer(0, camera.res[0] - 1),
                                            random.integer(0, camera.res[1] - 1));
@@ -156,21 +156,21 @@ void TestSimulate::extremeStatesGiveNumbers() {
 
 void TestSimulate::pixelAndRenderAgree() {
   const RandomScene scene = sceneOf(3);
-  const Simulation simulation(scene.view);
-  Image image(scene.view.state.camera.res[0], scene.view.state.camera.res[1]);
+  const Simulation simulation(scene.job);
+  Image image(scene.job.state.camera.res[0], scene.job.state.camera.res[1]);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) simulation.render(x, y, image);
-  QVERIFY(image == simulate(scene.view));
+  QVERIFY(image == simulate(scene.job));
 }
 
 void TestSimulate::badViewsAreRefused() {
-  View missing = sceneOf(3).view;
+  RenderJob missing = sceneOf(3).job;
   missing.lightField = nullptr;
   QVERIFY_THROWS_EXCEPTION(InputError, Simulation{missing});
-  View differs = sceneOf(3).view;
+  RenderJob differs = sceneOf(3).job;
   ++differs.display.hogels[1];
   QVERIFY_THROWS_EXCEPTION(InputError, Simulation{differs});
-  View noFrame = sceneOf(3).view;
+  RenderJob noFrame = sceneOf(3).job;
   noFrame.state.camera.lookat = noFrame.state.camera.eye;
   QVERIFY_THROWS_EXCEPTION(InputError, Simulation{noFrame});
 }

@@ -44,34 +44,34 @@ LightField noise(const LightFieldSize& size) {
   return {size, LightField::Values(values)};
 }
 
-View viewOf(const std::array<int, 2>& res) {
-  View view;
-  view.display.hogels = {8, 8};
-  view.display.directions = {8, 8};
-  view.lightField = std::make_shared<const LightField>(noise({8, 8, 8, 8}));
-  view.state.camera.eye = {0, 0, 0.5};
-  view.state.camera.res = res;
-  return view;
+RenderJob viewOf(const std::array<int, 2>& res) {
+  RenderJob job;
+  job.display.hogels = {8, 8};
+  job.display.directions = {8, 8};
+  job.lightField = std::make_shared<const LightField>(noise({8, 8, 8, 8}));
+  job.state.camera.eye = {0, 0, 0.5};
+  job.state.camera.res = res;
+  return job;
 }
 
-View throughHardLens() {
+RenderJob throughHardLens() {
   const LensKey lens = beyondTheFold();
-  View view = viewOf(lens.res);
-  view.state.distortion = lens.distortion;
-  view.state.intrinsics = {lens.focalLength.x, lens.focalLength.y, lens.centre.x, lens.centre.y};
-  return view;
+  RenderJob job = viewOf(lens.res);
+  job.state.distortion = lens.distortion;
+  job.state.intrinsics = {lens.focalLength.x, lens.focalLength.y, lens.centre.x, lens.centre.y};
+  return job;
 }
 
 /// So many that no table of them is kept.
-View withManyRays(View view) {
-  view.sampling.samplesPerPixel = 64;
-  return view;
+RenderJob withManyRays(RenderJob job) {
+  job.sampling.samplesPerPixel = 64;
+  return job;
 }
 
-void renderRow(const View& view, const Progress& progress) {
+void renderRow(const RenderJob& job, const Progress& progress) {
   LensTables tables;
-  const FastSimulation simulation(view, tables, serialRows, progress);
-  const auto width = std::size_t(view.state.camera.res[0]);
+  const FastSimulation simulation(job, tables, serialRows, progress);
+  const auto width = std::size_t(job.state.camera.res[0]);
   std::vector<std::uint8_t> rgb(3 * width);
   std::vector<std::uint8_t> seen(width);
   simulation.row(0, 0, int(width), rgb.data(), seen.data());
@@ -117,11 +117,11 @@ class TestStop : public QObject {
   }
 
   void manyRaysAndTaps() {
-    View view = withManyRays(viewOf({128, 1}));
-    view.sampling.reconstruction = Reconstruction::quadrilinear;
-    view.state.psf = {20, 99, PsfBorder::clamp, LightModel::linear};
+    RenderJob job = withManyRays(viewOf({128, 1}));
+    job.sampling.reconstruction = Reconstruction::quadrilinear;
+    job.state.psf = {20, 99, PsfBorder::clamp, LightModel::linear};
     SecondTime stop;
-    QVERIFY_EXCEPTION_THROWN(renderRow(view, stop.progress()), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(renderRow(job, stop.progress()), Cancelled);
   }
 
   void manyPicturesRows() {
@@ -132,36 +132,36 @@ class TestStop : public QObject {
   }
 
   void probeForATolerance() {
-    View view = throughHardLens();
-    view.sampling.tolerance = 1;
-    view.sampling.reconstruction = Reconstruction::bilinear;
+    RenderJob job = throughHardLens();
+    job.sampling.tolerance = 1;
+    job.sampling.reconstruction = Reconstruction::bilinear;
     SecondTime stop;
     LensTables tables;
-    QVERIFY_EXCEPTION_THROWN((void)chooseMethod(view, tables, serialRows, stop.progress()),
+    QVERIFY_EXCEPTION_THROWN((void)chooseMethod(job, tables, serialRows, stop.progress()),
                              Cancelled);
   }
 
   /// And then nothing is added.
   void errorOnThePanel() {
-    const View view = throughHardLens();
-    Image picture(view.state.camera.res[0], view.state.camera.res[1]);
+    const RenderJob job = throughHardLens();
+    Image picture(job.state.camera.res[0], job.state.camera.res[1]);
     std::fill(picture.seen.begin(), picture.seen.end(), std::uint8_t{255});
     const PanelError none({8, 8, 8, 8});
     PanelError error = none;
     SecondTime stop;
     LensTables tables;
-    QVERIFY_EXCEPTION_THROWN(error.add(view, tables, serialRows, picture, picture, stop.progress()),
+    QVERIFY_EXCEPTION_THROWN(error.add(job, tables, serialRows, picture, picture, stop.progress()),
                              Cancelled);
     QVERIFY(error.hogels() == none.hogels() && error.directions() == none.directions());
   }
 
   void raysOfAPassingView() {
-    View view = throughHardLens();
-    view.lightField =
+    RenderJob job = throughHardLens();
+    job.lightField =
         std::make_shared<const StreamedLightField>(LightFieldSize{8, 8, 8, 8}, StoredType::uint8);
     SecondTime stop;
     LensTables tables;
-    QVERIFY_EXCEPTION_THROWN(StreamingRenderer(view, tables, serialRows, stop.progress()),
+    QVERIFY_EXCEPTION_THROWN(StreamingRenderer(job, tables, serialRows, stop.progress()),
                              Cancelled);
   }
 

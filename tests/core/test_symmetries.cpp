@@ -10,14 +10,14 @@ using extreme::Eye;
 
 namespace {
 
-constexpr std::array<Light (*)(const View&), 2> engines{referenceLight, fastLight};
+constexpr std::array<Light (*)(const RenderJob&), 2> engines{referenceLight, fastLight};
 
-View scaled(View view, double factor) {
-  CameraParams& camera = view.state.camera;
-  for (Vec3* length : {&view.display.position, &camera.eye, &camera.lookat})
+RenderJob scaled(RenderJob job, double factor) {
+  CameraParams& camera = job.state.camera;
+  for (Vec3* length : {&job.display.position, &camera.eye, &camera.lookat})
     *length = factor * *length;
-  for (double& size : view.display.size) size *= factor;
-  return view;
+  for (double& size : job.display.size) size *= factor;
+  return job;
 }
 
 Vec3 mirrored(const Vec3& a) {
@@ -26,7 +26,7 @@ Vec3 mirrored(const Vec3& a) {
 
 /// At the world's plane x = 0, with red and blue swapped: rows backwards.
 RandomScene mirrored(RandomScene scene, std::vector<std::uint8_t> values) {
-  auto& [lightField, display, sampling, state, method] = scene.view;
+  auto& [lightField, display, sampling, state, method] = scene.job;
   auto& camera = state.camera;
   for (Vec3* point : {&display.position, &camera.eye, &camera.lookat, &camera.up})
     *point = mirrored(*point);
@@ -50,10 +50,10 @@ Light backwards(Light light, int width) {
 }
 
 /// Display and camera together, to where the display's frame is the world's.
-View atOrigin(View view) {
-  CameraParams& camera = view.state.camera;
-  const brute::Matrix turn = brute::transposed(brute::rotation(view.display.orientation));
-  const Vec3 centre = view.display.position;
+RenderJob atOrigin(RenderJob job) {
+  CameraParams& camera = job.state.camera;
+  const brute::Matrix turn = brute::transposed(brute::rotation(job.display.orientation));
+  const Vec3 centre = job.display.position;
   const auto turned = [&](const Vec3& a) {
     const auto [x, y, z] = brute::times(turn, brute::vector(a));
     return Vec3{x, y, z};
@@ -61,8 +61,8 @@ View atOrigin(View view) {
   camera.eye = turned(camera.eye - centre);
   camera.lookat = turned(camera.lookat - centre);
   camera.up = turned(camera.up);
-  view.display.position = view.display.orientation = {};
-  return view;
+  job.display.position = job.display.orientation = {};
+  return job;
 }
 
 }  // namespace
@@ -80,10 +80,10 @@ class TestSymmetries : public QObject {
 void TestSymmetries::lengthsHaveNoUnit() {
   for (int repeat = 0; repeat < 1500; ++repeat) {
     Random random(500000 + std::uint64_t(repeat));
-    const View view = extreme::scene(random, static_cast<Eye>(random.integer(0, 7))).view;
-    const View other = scaled(view, std::ldexp(1, random.integer(-20, 20)));
+    const RenderJob job = extreme::scene(random, static_cast<Eye>(random.integer(0, 7))).job;
+    const RenderJob other = scaled(job, std::ldexp(1, random.integer(-20, 20)));
     for (const auto& engine : engines)
-      QVERIFY2(engine(view) == engine(other), qPrintable(QString("scene %1").arg(repeat)));
+      QVERIFY2(engine(job) == engine(other), qPrintable(QString("scene %1").arg(repeat)));
   }
 }
 
@@ -94,11 +94,11 @@ void TestSymmetries::aMirrorMirrors() {
     RandomScene scene = extreme::sceneWithoutLight(random, static_cast<Eye>(random.integer(0, 7)));
     std::vector<std::uint8_t> values(3 * scene.content.size.width() * scene.content.size.height());
     for (std::uint8_t& value : values) value = std::uint8_t(random.integer(0, 255));
-    scene.view.lightField = std::make_shared<LightField>(scene.content.size, values);
-    const View other = mirrored(scene, values).view;
+    scene.job.lightField = std::make_shared<LightField>(scene.content.size, values);
+    const RenderJob other = mirrored(scene, values).job;
     for (const auto& engine : engines) {
       const Light found = backwards(engine(other), other.state.camera.res[0]);
-      const Problem problem = difference(scene, engine(scene.view), found, unclear);
+      const Problem problem = difference(scene, engine(scene.job), found, unclear);
       QVERIFY2(problem.isEmpty(), qPrintable(QString("scene %1: ").arg(repeat) + problem));
     }
   }
@@ -110,11 +110,11 @@ void TestSymmetries::onlyWhatIsRelativeCounts() {
   for (int repeat = 0; repeat < 300; ++repeat) {
     Random random(700000 + std::uint64_t(repeat));
     RandomScene scene = randomScene(random);
-    scene.view.sampling = extreme::sampling(random);
-    extreme::limitWork(random, scene.view);
+    scene.job.sampling = extreme::sampling(random);
+    extreme::limitWork(random, scene.job);
     for (const auto& engine : engines) {
       const Problem problem =
-          difference(scene, engine(scene.view), engine(atOrigin(scene.view)), unclear);
+          difference(scene, engine(scene.job), engine(atOrigin(scene.job)), unclear);
       QVERIFY2(problem.isEmpty(), qPrintable(QString("scene %1: ").arg(repeat) + problem));
     }
   }

@@ -33,26 +33,26 @@ std::shared_ptr<const LightField> sampleContent(const DisplayParams& display) {
   return field;
 }
 
-View sampleView() {
-  View view;
-  view.display.hogels = {64, 64};
-  view.display.directions = {16, 16};
-  view.lightField = sampleContent(view.display);
-  return view;
+RenderJob sampleView() {
+  RenderJob job;
+  job.display.hogels = {64, 64};
+  job.display.directions = {16, 16};
+  job.lightField = sampleContent(job.display);
+  return job;
 }
 
-void vary(Random& random, View& view) {
+void vary(Random& random, RenderJob& job) {
   // Some so far away that the panel is a small part of the picture.
   const double far = random.integer(0, 3) == 0 ? std::exp(random.uniform(0, 4)) : 1;
-  view.state.camera.eye = {far * random.uniform(-0.2, 0.2), far * random.uniform(-0.2, 0.2),
-                           far * random.uniform(0.35, 0.9)};
-  view.state.camera.res = {random.integer(300, 420), random.integer(200, 300)};
-  view.state.psf = {random.uniform(0.4, 1.2), 2 * random.integer(0, 3) + 1};
-  view.state.distortion = {};
-  if (random.flip()) view.state.distortion = {random.uniform(-0.2, 0.6), 0.1, 0.01, -0.01};
-  view.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
-  view.sampling.samplesPerPixel = random.integer(1, 2);
-  view.sampling.tolerance = std::exp(random.uniform(std::log(0.3), std::log(25.0)));
+  job.state.camera.eye = {far * random.uniform(-0.2, 0.2), far * random.uniform(-0.2, 0.2),
+                          far * random.uniform(0.35, 0.9)};
+  job.state.camera.res = {random.integer(300, 420), random.integer(200, 300)};
+  job.state.psf = {random.uniform(0.4, 1.2), 2 * random.integer(0, 3) + 1};
+  job.state.distortion = {};
+  if (random.flip()) job.state.distortion = {random.uniform(-0.2, 0.6), 0.1, 0.01, -0.01};
+  job.sampling.reconstruction = static_cast<Reconstruction>(random.integer(0, 2));
+  job.sampling.samplesPerPixel = random.integer(1, 2);
+  job.sampling.tolerance = std::exp(random.uniform(std::log(0.3), std::log(25.0)));
 }
 
 double rmse(const Image& a, const Image& b) {
@@ -69,32 +69,32 @@ class TestTolerance : public QObject {
  private Q_SLOTS:
   void noToleranceChangesNothing() {
     LensTables tables;
-    View view = sampleView();
-    view.state.psf.windowSize = 5;
-    Choice choice = chooseMethod(view, tables, serialRows);
-    QVERIFY(choice.view == view);
+    RenderJob job = sampleView();
+    job.state.psf.windowSize = 5;
+    Choice choice = chooseMethod(job, tables, serialRows);
+    QVERIFY(choice.job == job);
     QCOMPARE(choice.pixels, 0);
-    view.sampling.tolerance = 5;
-    view.method.scale = 2;  // somebody chose already
-    choice = chooseMethod(view, tables, serialRows);
-    QVERIFY(choice.view == view);
+    job.sampling.tolerance = 5;
+    job.method.scale = 2;  // somebody chose already
+    choice = chooseMethod(job, tables, serialRows);
+    QVERIFY(choice.job == job);
   }
 
   void theErrorStaysWithinTheLimit() {
     Random random(9);
-    View view = sampleView();
+    RenderJob job = sampleView();
     constexpr int scenes = 240;
     int cheaper = 0;
     int beyondLimit = 0;
     for (int repeat = 0; repeat < scenes; ++repeat) {
-      vary(random, view);
+      vary(random, job);
       LensTables tables;
-      const Choice choice = chooseMethod(view, tables, serialRows);
-      const double error = rmse(rendered(choice.view), rendered(view));
-      cheaper += choice.view.method != Method{} || choice.view.sampling != view.sampling ? 1 : 0;
+      const Choice choice = chooseMethod(job, tables, serialRows);
+      const double error = rmse(rendered(choice.job), rendered(job));
+      cheaper += choice.job.method != Method{} || choice.job.sampling != job.sampling ? 1 : 0;
       beyondLimit += error > choice.limit + 0.02 ? 1 : 0;
-      QVERIFY(choice.limit <= view.sampling.tolerance);
-      const int pixels = view.state.camera.res[0] * view.state.camera.res[1];
+      QVERIFY(choice.limit <= job.sampling.tolerance);
+      const int pixels = job.state.camera.res[0] * job.state.camera.res[1];
       QVERIFY(choice.pixels == 0 || (choice.pixels > pixels / 50 && choice.pixels < pixels / 8));
     }
     qInfo("%d of %d scenes beyond the limit, %d rendered cheaper", beyondLimit, scenes, cheaper);
@@ -105,41 +105,41 @@ class TestTolerance : public QObject {
   /// Against the reference engine itself.
   void theReferenceAgrees() {
     Random random(10);
-    View view = sampleView();
+    RenderJob job = sampleView();
     for (int repeat = 0; repeat < 6; ++repeat) {
-      vary(random, view);
-      view.state.camera.res = {150, 100};
+      vary(random, job);
+      job.state.camera.res = {150, 100};
       LensTables tables;
-      const Choice choice = chooseMethod(view, tables, serialRows);
-      QVERIFY(rmse(rendered(choice.view), simulate(view)) <= choice.limit + 0.05);
+      const Choice choice = chooseMethod(job, tables, serialRows);
+      QVERIFY(rmse(rendered(choice.job), simulate(job)) <= choice.limit + 0.05);
     }
   }
 
   void smallPicturesAreProbedWhole() {
     Random random(11);
-    View view = sampleView();
+    RenderJob job = sampleView();
     for (int repeat = 0; repeat < 20; ++repeat) {
-      vary(random, view);
-      view.state.camera.res = {random.integer(20, 45), random.integer(15, 30)};
+      vary(random, job);
+      job.state.camera.res = {random.integer(20, 45), random.integer(15, 30)};
       LensTables tables;
-      const Choice choice = chooseMethod(view, tables, serialRows);
+      const Choice choice = chooseMethod(job, tables, serialRows);
       if (choice.pixels == 0) continue;  // nothing was cheaper
-      QCOMPARE(choice.pixels, view.state.camera.res[0] * view.state.camera.res[1]);
-      QVERIFY(std::abs(rmse(rendered(choice.view), rendered(view)) - choice.rmse) < 0.02);
+      QCOMPARE(choice.pixels, job.state.camera.res[0] * job.state.camera.res[1]);
+      QVERIFY(std::abs(rmse(rendered(choice.job), rendered(job)) - choice.rmse) < 0.02);
       QCOMPARE(choice.limit, choice.rmse);
     }
   }
 
   /// A larger tolerance is never dearer, and a huge one takes the cheapest there is: texels copied.
   void moreToleranceCostsLess() {
-    View view = sampleView();
-    view.state.psf = {0.9, 5};
-    view.sampling.reconstruction = Reconstruction::quadrilinear;
-    view.sampling.samplesPerPixel = 2;
+    RenderJob job = sampleView();
+    job.state.psf = {0.9, 5};
+    job.sampling.reconstruction = Reconstruction::quadrilinear;
+    job.sampling.samplesPerPixel = 2;
     LensTables tables;
     const auto texels = [&](double tolerance) {
-      view.sampling.tolerance = tolerance;
-      const View chosen = chooseMethod(view, tables, serialRows).view;
+      job.sampling.tolerance = tolerance;
+      const RenderJob chosen = chooseMethod(job, tables, serialRows).job;
       const int window = 2 * plan(chosen).psfReach + 1;
       const int corners = 1 << 2 * int(chosen.sampling.reconstruction);
       const int n = chosen.sampling.samplesPerPixel;
@@ -148,39 +148,39 @@ class TestTolerance : public QObject {
     QCOMPARE(texels(0.01), 16.0 * 25 * 4);
     QVERIFY(texels(5) < 16.0 * 25 * 4);
     QCOMPARE(texels(100), 1.0);
-    view.state.psf.windowSize = 1;
-    view.sampling = {};
-    view.sampling.tolerance = 100;  // texels are copied already
-    QCOMPARE(chooseMethod(view, tables, serialRows).pixels, 0);
+    job.state.psf.windowSize = 1;
+    job.sampling = {};
+    job.sampling.tolerance = 100;  // texels are copied already
+    QCOMPARE(chooseMethod(job, tables, serialRows).pixels, 0);
   }
 
   void threadsDoNotMatterAndStopIsHeard() {
-    View view = sampleView();
-    view.state.psf = {0.8, 7};
-    view.sampling.tolerance = 5;
+    RenderJob job = sampleView();
+    job.state.psf = {0.8, 7};
+    job.sampling.tolerance = 5;
     LensTables tables;
     const ParallelRows threads = [](int count, const std::function<void(int, int)>& rows) {
       std::thread other([&] { rows(count / 2, count); });
       rows(0, count / 2);
       other.join();
     };
-    const Choice one = chooseMethod(view, tables, serialRows);
-    const Choice two = chooseMethod(view, tables, threads);
-    QVERIFY(one.view == two.view && one.view.method != Method{});
+    const Choice one = chooseMethod(job, tables, serialRows);
+    const Choice two = chooseMethod(job, tables, threads);
+    QVERIFY(one.job == two.job && one.job.method != Method{});
     QCOMPARE(two.rmse, one.rmse);
     QCOMPARE(two.limit, one.limit);
     QVERIFY_THROWS_EXCEPTION(
-        Cancelled, (void)chooseMethod(view, tables, serialRows, [](double) { return false; }));
+        Cancelled, (void)chooseMethod(job, tables, serialRows, [](double) { return false; }));
   }
 
   void isTheSameEveryTime() {
-    View view = sampleView();
-    view.state.psf = {0.67, 5};
-    view.sampling.tolerance = 6;
+    RenderJob job = sampleView();
+    job.state.psf = {0.67, 5};
+    job.sampling.tolerance = 6;
     LensTables tables;
-    const Choice first = chooseMethod(view, tables, serialRows);
-    const Choice second = chooseMethod(view, tables, serialRows);
-    QVERIFY(first.view == second.view);
+    const Choice first = chooseMethod(job, tables, serialRows);
+    const Choice second = chooseMethod(job, tables, serialRows);
+    QVERIFY(first.job == second.job);
     QCOMPARE(first.rmse, second.rmse);
     QVERIFY(choiceText(first).find("with 99 % confidence") != std::string::npos);
   }

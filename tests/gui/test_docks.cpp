@@ -25,7 +25,7 @@ class TestDocks : public DocksTest {
  private:
   Image expected() const {
     const Session& session = m_model->session();
-    return rendered(loadScene(session, {}).view(m_model->current()));
+    return rendered(loadScene(session, {}).job(m_model->current()));
   }
 
   void nothingReplacesWhatIsRead(const QString& lightField) {

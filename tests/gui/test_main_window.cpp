@@ -65,7 +65,7 @@ class TestMainWindow : public QObject {
     waitForSample();
     const Session session = loadSession(sampleFile.toStdString());
     const Scene scene = loadScene(session, {});
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.view(session.cameras[0]))), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.job(session.cameras[0]))), patience);
     QVERIFY(m_window->windowTitle().startsWith("table1.json"));
     QVERIFY(!m_window->isWindowModified());
   }
@@ -102,7 +102,7 @@ class TestMainWindow : public QObject {
     Session session = loadSession(sampleFile.toStdString());
     session.cameras[0].psf.windowSize = 1;
     const Scene scene = loadScene(session, {});
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.view(session.cameras[0]))), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.job(session.cameras[0]))), patience);
   }
 
   void importsACalibrationAndSaysWhatTheLensIsWorth() {
@@ -155,7 +155,7 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("method: half size"), patience);
 
     const Scene scene = loadScene(session, {});
-    View small = scene.view(session.cameras[0]);
+    RenderJob small = scene.job(session.cameras[0]);
     const Image exact = simulate(small);
     small.method.scale = 2;
     const Image expected = enlarged(rendered(reduced(small)), 2, {80, 60});
@@ -231,7 +231,7 @@ class TestMainWindow : public QObject {
     session.cameras[0].distortion.k1 = editor<QDoubleSpinBox>("distortionArea", "k1")->value();
     QVERIFY(std::abs(session.cameras[0].distortion.k1) < 1e-9);
     const Scene scene = loadScene(session, {});
-    const Image expected = simulate(scene.view(session.cameras[0]));
+    const Image expected = simulate(scene.job(session.cameras[0]));
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
   }
 

@@ -63,7 +63,7 @@ class TestNotices : public WindowTest {
            !QFileInfo::exists("saved.png");
   }
   Image expected() const {
-    return rendered(loadScene(m_model->session(), {}).view(m_model->current()));
+    return rendered(loadScene(m_model->session(), {}).job(m_model->current()));
   }
   /// After each step of the events that come until the light field was found not to be readable,
   /// and a little longer.

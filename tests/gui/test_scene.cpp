@@ -38,7 +38,7 @@ class TestScene : public SceneTest {
     const auto shares = [&] {
       const QImage image = drawn();
       state.camera.res = {image.width(), image.height()};
-      const Image expected = rendered(m_loaded.view(state));
+      const Image expected = rendered(m_loaded.job(state));
       int seen = 0;
       int near = 0;
       for (std::size_t at = 0; at < expected.pixelCount(); ++at) {
@@ -220,7 +220,7 @@ class TestScene : public SceneTest {
       const QImage image = drawn();
       CameraState state = m_session.cameras[3];
       state.camera.res = {image.height(), image.height()};
-      const Image expected = rendered(m_loaded.view(state));
+      const Image expected = rendered(m_loaded.job(state));
       const int left = (image.width() - image.height()) / 2;
       double sum = 0;
       int pixels = 0;

@@ -102,7 +102,7 @@ class TestScenePicking : public SceneTest {
     const int x = match.captured(1).toInt();
     const int y = match.captured(2).toInt();
     QVERIFY(std::abs(x - 300 - 60) <= 3 && std::abs(y - 300 - 600 / 7) <= 3);
-    const PixelTrace traced = pixelTrace(m_loaded.view(m_session.cameras[0]), x, y);
+    const PixelTrace traced = pixelTrace(m_loaded.job(m_session.cameras[0]), x, y);
     QVERIFY2(lines[1].contains(QString::number(traced.colour->g, 'f', 1)), qPrintable(lines[1]));
     QVERIFY(lines[1].endsWith("25 leakage taps"));
     QVERIFY2(lines[2].startsWith(QString("hogel i %1, j %2 · direction u %3, v %4")

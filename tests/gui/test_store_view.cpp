@@ -34,7 +34,7 @@ class TestStoreView : public QObject {
 
   ImageWidget* view() const { return m_window->findChild<ImageWidget*>("pictureView"); }
   bool shows(const CameraState& state) const {
-    return equals(view()->image(), rendered(m_whole.view(state)));
+    return equals(view()->image(), rendered(m_whole.job(state)));
   }
 
  private Q_SLOTS:
@@ -76,7 +76,7 @@ void TestStoreView::theWholeImageFollowsTheOverview() {
   QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   QVERIFY(m_views.size() >= 2);
   QVERIFY(m_views.front().isOverview && !m_views.back().isOverview);
-  QVERIFY(!equals(m_views.front().image, rendered(m_whole.view(m_states[0]))));
+  QVERIFY(!equals(m_views.front().image, rendered(m_whole.job(m_states[0]))));
   const auto* dock = m_window->findChild<LightFieldDock*>();
   bool isSaid = false;
   for (const QLabel* label : dock->findChildren<QLabel*>())

@@ -24,7 +24,7 @@ cv::Mat real(const cv::Mat& grey) {
 
 /// What a camera saw of the panel, seen from straight ahead again: one pixel for one hogel.
 cv::Mat onPanel(const Scene& scene, const CameraState& state) {
-  const Image image = simulate(scene.view(state));
+  const Image image = simulate(scene.job(state));
   const cv::Mat rgb(image.height, image.width, CV_8UC3,
                     const_cast<std::uint8_t*>(image.rgb.data()));
   cv::Mat grey;

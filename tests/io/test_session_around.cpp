@@ -29,7 +29,7 @@ class TestSessionAround : public QObject {
     QCOMPARE(session.cameras.size(), std::size_t(1));
     const Scene scene = loadScene(session, {});
     QVERIFY((scene.lightField->size() == LightFieldSize{40, 10, 3, 2}));
-    const Image image = simulate(scene.view(session.cameras[0]));
+    const Image image = simulate(scene.job(session.cameras[0]));
     QVERIFY(image.seen[std::size_t(300) * 600 + 300] > 0);
   }
 

@@ -62,9 +62,9 @@ Session sessionOf(const QByteArray& file, const QByteArray& more = {}) {
   return session;
 }
 
-std::vector<View> viewsOf(const Session& session, const Scene& scene) {
-  std::vector<View> views;
-  for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
+std::vector<RenderJob> viewsOf(const Session& session, const Scene& scene) {
+  std::vector<RenderJob> views;
+  for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
   return views;
 }
 
@@ -120,7 +120,7 @@ void TestPassingPictures::samePictures() {
   const auto input = openLightField(session.lightField, session.display);
   const auto made = picturesInPassing(*input, viewsOf(session, unloadedScene(session, *input)),
                                       plenty, serialRows, {});
-  const std::vector<View> views = viewsOf(session, loadScene(session, {}));
+  const std::vector<RenderJob> views = viewsOf(session, loadScene(session, {}));
   QCOMPARE(made.size(), views.size());
   for (const std::size_t k : {0U, 1U, 2U, 4U}) {
     QCOMPARE(QString::fromStdString(made[k].problem), QString());
@@ -132,7 +132,7 @@ void TestPassingPictures::samePictures() {
 void TestPassingPictures::readOnce() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  const std::vector<View> views = viewsOf(session, unloadedScene(session, file));
+  const std::vector<RenderJob> views = viewsOf(session, unloadedScene(session, file));
   (void)picturesInPassing(file, views, plenty, serialRows, {});
   QCOMPARE(file.rows, 192);
 }
@@ -140,7 +140,7 @@ void TestPassingPictures::readOnce() {
 void TestPassingPictures::readTwiceWhereMemoryIsShort() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  const std::vector<View> views = viewsOf(session, unloadedScene(session, file));
+  const std::vector<RenderJob> views = viewsOf(session, unloadedScene(session, file));
   const auto whole = picturesInPassing(file, views, plenty, serialRows, {});
   file.rows = 0;
   // The lens of "c" alone takes 150·120·16 = 288 000 bytes.
@@ -163,10 +163,10 @@ void TestPassingPictures::tooLittleForOneView() {
 void TestPassingPictures::tooManyPictures() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  View large = viewsOf(session, unloadedScene(session, file)).front();
+  RenderJob large = viewsOf(session, unloadedScene(session, file)).front();
   large.state.camera.res = {16384, 16384};
   const double most = double(machineMemory()) / (2.0 * Image::bytesPerPixel * 16384 * 16384);
-  const std::vector<View> views(std::size_t(most) + 1, large);
+  const std::vector<RenderJob> views(std::size_t(most) + 1, large);
   const QString error =
       errorOf([&] { (void)picturesInPassing(file, views, plenty, serialRows, {}); });
   QVERIFY2(error.startsWith(QString("cameras: their %1 pictures need ").arg(views.size())) &&

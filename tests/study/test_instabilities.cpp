@@ -77,24 +77,24 @@ void TestInstabilities::anIdenticalViewRuinsTheMean() {
 
 /// Else the rows of "float" would measure something else.
 void TestInstabilities::doublesAreTheReference() {
-  View view;
-  view.display.hogels = {16, 12};
-  view.display.directions = {9, 14};
-  view.display.position = {0.3, -0.2, 5};
+  RenderJob job;
+  job.display.hogels = {16, 12};
+  job.display.directions = {9, 14};
+  job.display.position = {0.3, -0.2, 5};
   auto field = std::make_shared<LightField>(LightFieldSize{16, 12, 9, 14}, StoredType::uint8);
   for (int k = 0; k < 16 * 12 * 9 * 14; ++k) {
     const std::array rgb{std::uint8_t(k >> 8), std::uint8_t(k), std::uint8_t(7)};
     field->set({k % 16, k / 16 % 12, k / 192 % 9, k / 1728}, rgb.data());
   }
-  view.lightField = field;
-  view.state.camera.eye = {0.4, -0.1, 5.5};
-  view.state.camera.lookat = {0.3, -0.25, 5};
-  view.state.camera.res = {61, 47};
+  job.lightField = field;
+  job.state.camera.eye = {0.4, -0.1, 5.5};
+  job.state.camera.lookat = {0.3, -0.25, 5};
+  job.state.camera.res = {61, 47};
   for (const HogelLensModel lens : {HogelLensModel::rectilinear, HogelLensModel::equiangular}) {
-    view.display.lens = lens;
-    const Image reference = simulate(view);
+    job.display.lens = lens;
+    const Image reference = simulate(job);
     QVERIFY(std::count(reference.seen.begin(), reference.seen.end(), 255) > 500);
-    QVERIFY(pictureIn<double>(view) == reference);
+    QVERIFY(pictureIn<double>(job) == reference);
   }
 }
 

@@ -18,20 +18,20 @@ using namespace hogelscope;
 namespace {
 
 /// Two small views of noise through a lens, with leakage.
-std::vector<View> someViews(const SamplingParams& sampling = {}) {
+std::vector<RenderJob> someViews(const SamplingParams& sampling = {}) {
   Random random(3);
   RandomScene scene;
   scene.content.size = {40, 40, 12, 12};
   fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
-  View view;
-  view.lightField = scene.view.lightField;
-  view.display.hogels = {40, 40};
-  view.display.directions = {12, 12};
-  view.sampling = sampling;
-  view.state.camera.res = {64, 48};
-  view.state.psf = {0.67, 5};
-  view.state.distortion = {0.6, 0.4, 0, 0, 0.3};  // the paper's Fig. 1
-  std::vector<View> views{view, view};
+  RenderJob job;
+  job.lightField = scene.job.lightField;
+  job.display.hogels = {40, 40};
+  job.display.directions = {12, 12};
+  job.sampling = sampling;
+  job.state.camera.res = {64, 48};
+  job.state.psf = {0.67, 5};
+  job.state.distortion = {0.6, 0.4, 0, 0, 0.3};  // the paper's Fig. 1
+  std::vector<RenderJob> views{job, job};
   views[1].state.camera.eye = {0.1, 0.05, 0.5};
   return views;
 }
@@ -52,14 +52,14 @@ class TestTradeoff : public QObject {
     const std::vector<NamedMethod> methods = namedMethods();
     QVERIFY(methods.size() >= 20);
     std::set<std::string> names;
-    const View view = someViews().front();
+    const RenderJob job = someViews().front();
     for (std::size_t a = 0; a < methods.size(); ++a) {
       QVERIFY(names.insert(methods[a].name).second);
       for (std::size_t b = 0; b < a; ++b)
-        QVERIFY(applyMethod(methods[a], view) != applyMethod(methods[b], view));
+        QVERIFY(applyMethod(methods[a], job) != applyMethod(methods[b], job));
     }
     QCOMPARE(methods.front().name, std::string("exact"));
-    const View byDefault = applyMethod(methods.front(), view);
+    const RenderJob byDefault = applyMethod(methods.front(), job);
     QVERIFY(byDefault.method == Method{} && byDefault.sampling == SamplingParams{});
   }
 
@@ -99,12 +99,11 @@ class TestTradeoff : public QObject {
       if (method.name != "half size" && method.name != "bilinear") continue;
       double squares = 0;
       double values = 0;
-      for (const View& view : views) {
-        const Image expected = simulate(view);
-        const View used = applyMethod(method, view);
+      for (const RenderJob& job : views) {
+        const Image expected = simulate(job);
+        const RenderJob used = applyMethod(method, job);
         Image image = rendered(reduced(used));
-        if (used.method.scale > 1)
-          image = enlarged(image, used.method.scale, view.state.camera.res);
+        if (used.method.scale > 1) image = enlarged(image, used.method.scale, job.state.camera.res);
         for (std::size_t k = 0; k < image.rgb.size(); ++k)
           squares += std::pow(image.rgb[k] - expected.rgb[k], 2);
         values += double(image.rgb.size());

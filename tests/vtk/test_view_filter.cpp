@@ -20,21 +20,21 @@ using namespace hogelscope;
 namespace {
 
 /// 6×5 hogels of 7×4 directions with a different value everywhere.
-View sampleView() {
-  View view;
-  view.display.hogels = {6, 5};
-  view.display.directions = {7, 4};
+RenderJob sampleView() {
+  RenderJob job;
+  job.display.hogels = {6, 5};
+  job.display.directions = {7, 4};
   std::vector<std::uint8_t> values(std::size_t(3 * 6 * 5 * 7 * 4));
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::uint8_t(k * 37 % 251 + 1);
-  view.lightField =
+  job.lightField =
       std::make_shared<const LightField>(LightFieldSize{6, 5, 7, 4}, LightField::Values(values));
-  view.state.camera.name = "sample";
-  view.state.camera.eye = {0.05, 0.02, 0.6};
-  view.state.camera.lookat = {0.013, 0.007, 0};  // no ray goes through a corner of four hogels
-  view.state.camera.res = {61, 47};
-  view.state.distortion.k1 = 0.2;
-  view.state.psf.windowSize = 3;
-  return view;
+  job.state.camera.name = "sample";
+  job.state.camera.eye = {0.05, 0.02, 0.6};
+  job.state.camera.lookat = {0.013, 0.007, 0};  // no ray goes through a corner of four hogels
+  job.state.camera.res = {61, 47};
+  job.state.distortion.k1 = 0.2;
+  job.state.psf.windowSize = 3;
+  return job;
 }
 
 /// The filter's output from its top row on. Throws as UpdateOrThrow() does.
@@ -98,14 +98,14 @@ class TestViewFilter : public QObject {
     const vtkNew<vtkHogelViewFilter> filter;
     bool goesOn = false;
     filter->SetProgress([&](double) { return goesOn; });
-    View view = sampleView();
+    RenderJob job = sampleView();
     for (const std::array<int, 2> res :
          {std::array{610, 470}, std::array{61, 47}, std::array{305, 600}, std::array{30, 600}}) {
-      view.state.camera.res = res;
-      filter->SetView(view);
+      job.state.camera.res = res;
+      filter->SetJob(job);
       goesOn = res[0] < 300;
       if (goesOn) {
-        QVERIFY(imageOf(filter) == simulate(view));
+        QVERIFY(imageOf(filter) == simulate(job));
         QCOMPARE(filter->GetOutput()->GetDimensions()[0], res[0]);
         QCOMPARE(filter->GetOutput()->GetDimensions()[1], res[1]);
       } else {
@@ -115,22 +115,22 @@ class TestViewFilter : public QObject {
   }
 
   void givesTheReferencePicture() {
-    const View view = sampleView();
+    const RenderJob job = sampleView();
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(view);
+    filter->SetJob(job);
     const Image image = imageOf(filter);
-    const Image reference = simulate(view);
+    const Image reference = simulate(job);
     QVERIFY(image == reference);
     QVERIFY(std::count(image.seen.begin(), image.seen.end(), 255) > 500);
     QVERIFY(std::count(image.seen.begin(), image.seen.end(), 0) > 100);
   }
 
   void rowZeroIsTheBottom() {
-    const View view = sampleView();
+    const RenderJob job = sampleView();
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(view);
+    filter->SetJob(job);
     filter->Update();
-    const Image reference = simulate(view);
+    const Image reference = simulate(job);
     vtkImageData* output = filter->GetOutput();
     for (const int y : {0, 10, 46}) {
       const auto* rgb = static_cast<unsigned char*>(output->GetScalarPointer(30, y, 0));
@@ -142,7 +142,7 @@ class TestViewFilter : public QObject {
 
   void threadsDoNotMatter() {
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(sampleView());
+    filter->SetJob(sampleView());
     setThreads(1);
     const Image one = imageOf(filter);
     setThreads(0);
@@ -151,44 +151,44 @@ class TestViewFilter : public QObject {
   }
 
   void executesOnlyWhenSomethingChanged() {
-    View view = sampleView();
+    RenderJob job = sampleView();
     const vtkNew<vtkHogelViewFilter> filter;
     const Executions executions(filter);
-    filter->SetView(view);
+    filter->SetJob(job);
     filter->Update();
     filter->Update();
-    filter->SetView(sampleView());  // same values, but a light field of its own
-    filter->Update();
-    QCOMPARE(executions.count(), 2);
-    filter->SetView(filter->GetView());
+    filter->SetJob(sampleView());  // same values, but a light field of its own
     filter->Update();
     QCOMPARE(executions.count(), 2);
-    view = filter->GetView();
-    view.state.psf.sigma = 0.9;
-    filter->SetView(view);
+    filter->SetJob(filter->GetJob());
+    filter->Update();
+    QCOMPARE(executions.count(), 2);
+    job = filter->GetJob();
+    job.state.psf.sigma = 0.9;
+    filter->SetJob(job);
     filter->Update();
     QCOMPARE(executions.count(), 3);
   }
 
   /// A view with a tolerance or a scale has the camera's resolution all the same.
   void outputHasTheCamerasResolution() {
-    View view = sampleView();
-    view.method.scale = 2;
+    RenderJob job = sampleView();
+    job.method.scale = 2;
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(view);
+    filter->SetJob(job);
     filter->UpdateInformation();
     const int* extent =
         filter->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
     QCOMPARE(extent[1], 60);
     QCOMPARE(extent[3], 46);
     QCOMPARE(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0));  // nothing is rendered yet
-    QVERIFY(imageOf(filter) == enlarged(simulate(reduced(view)), 2, {61, 47}));
+    QVERIFY(imageOf(filter) == enlarged(simulate(reduced(job)), 2, {61, 47}));
     QCOMPARE(filter->GetOutput()->GetSpacing()[0], 1.0);
   }
 
   void codeValuesRoundToThePicture() {
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(sampleView());
+    filter->SetJob(sampleView());
     const std::vector<float> values = codeValuesOf(filter);
     const Image image = imageOf(filter);
     QCOMPARE(values.size(), image.rgb.size());
@@ -201,14 +201,14 @@ class TestViewFilter : public QObject {
   }
 
   void reportsErrorsInsteadOfThrowing() {
-    View view = sampleView();
-    view.state.camera.lookat = view.state.camera.eye;
+    RenderJob job = sampleView();
+    job.state.camera.lookat = job.state.camera.eye;
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(view);
+    filter->SetJob(job);
     filter->Update();
     QVERIFY(QString(filter->GetErrorMessage()).startsWith("lookat"));
     QVERIFY_EXCEPTION_THROWN((void)imageOf(filter), InputError);
-    filter->SetView(sampleView());
+    filter->SetJob(sampleView());
     QCOMPARE(imageOf(filter).width, 61);
     QCOMPARE(filter->GetErrorMessage(), "");
   }
@@ -221,12 +221,12 @@ class TestViewFilter : public QObject {
 
   void stopsAndStartsAgain() {
     const vtkNew<vtkHogelViewFilter> filter;
-    filter->SetView(sampleView());
+    filter->SetJob(sampleView());
     bool goesOn = false;
     filter->SetProgress([&goesOn](double) { return goesOn; });
     QVERIFY_EXCEPTION_THROWN((void)imageOf(filter), Cancelled);
     goesOn = true;
-    filter->SetView(filter->GetView());
+    filter->SetJob(filter->GetJob());
     QVERIFY(imageOf(filter) == simulate(sampleView()));
   }
 };

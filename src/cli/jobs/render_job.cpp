@@ -63,9 +63,9 @@ void renderLoaded(const Session& session, const RenderOutput& output, const Prog
     const Progress of =
         part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count);
     if (output.format == "png")
-      output.write(state, renderer.render(scene.view(state), of));
+      output.write(state, renderer.render(scene.job(state), of));
     else
-      output.write(state, renderer.renderFloat(scene.view(state), of));
+      output.write(state, renderer.renderFloat(scene.job(state), of));
   }
 }
 
@@ -78,8 +78,8 @@ void renderPassing(LightFieldFile& file, const Session& session, const RenderOut
                      "--pack it first");
   const Scene scene = unloadedScene(session, file);
   if (output.isExplained) std::cout << explanations(scene, session, part(progress, 0, 0));
-  std::vector<View> views;
-  for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
+  std::vector<RenderJob> views;
+  for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
   const std::vector<StatePicture> results =
       picturesInPassing(file, views, allowedMemory(), parallelRows, progress);
   std::optional<InputError> first;

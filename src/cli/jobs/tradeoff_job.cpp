@@ -27,8 +27,8 @@ int runTradeoff(const CommandLine& line) {
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));
-  std::vector<View> views;
-  for (const CameraState& state : session.cameras) views.push_back(scene.view(state));
+  std::vector<RenderJob> views;
+  for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
   const Tradeoff result = measureTradeoff(views, parallelRows, part(bar.progress(), 0.05, 1));
   const Question question = questionOf(session.sampling);
   const OffscreenPainting painting;

@@ -46,7 +46,7 @@ std::vector<Run> probeRuns(const std::array<int, 2>& res) {
 /// Renders the pixels of runs; for a smaller image also those around them.
 class Prober {
  public:
-  Prober(const View& asked, LensTables& tables, const ParallelRows& parallelRows,
+  Prober(const RenderJob& asked, LensTables& tables, const ParallelRows& parallelRows,
          const Progress& progress)
       : m_scale(asked.method.scale),
         m_simulation(reduced(asked), tables, parallelRows, progress),
@@ -123,40 +123,40 @@ Estimate estimate(const std::vector<RunError>& errors, bool isWhole) {
 
 /// Estimates the time of an image, in units of one summed texel: a copied texel costs less than
 /// one, a ray that sums costs more than its texels, and so does each pixel of an image scaled up.
-double cost(const View& view) {
+double cost(const RenderJob& job) {
   constexpr double copying = 1;
   constexpr double summing = 4;
   constexpr double enlarging = 3;
-  const Plan made = plan(view);
+  const Plan made = plan(job);
   const int window = 2 * made.psfReach + 1;
-  const int corners = 1 << 2 * static_cast<int>(view.sampling.reconstruction);
+  const int corners = 1 << 2 * static_cast<int>(job.sampling.reconstruction);
   const double ray = made.copiesTexels ? copying : summing + double(corners) * window * window;
-  const double samples = view.sampling.samplesPerPixel;
-  const double scale = view.method.scale;
+  const double samples = job.sampling.samplesPerPixel;
+  const double scale = job.method.scale;
   return ray * samples * samples / scale / scale + (scale > 1 ? enlarging : 0);
 }
 
 /// Returns all views that are cheaper in one or several respects, the cheapest first.
-std::vector<View> cheaper(const View& view) {
+std::vector<RenderJob> cheaper(const RenderJob& job) {
   std::vector<double> dropped{Method{}.droppedTaps};
-  for (int reach = (view.state.psf.windowSize - 1) / 2; reach-- > 0;)
-    dropped.push_back(1.001 * leakageLoss(view.state.psf, reach) + Method{}.droppedTaps);
-  std::vector<std::pair<double, View>> views;
+  for (int reach = (job.state.psf.windowSize - 1) / 2; reach-- > 0;)
+    dropped.push_back(1.001 * leakageLoss(job.state.psf, reach) + Method{}.droppedTaps);
+  std::vector<std::pair<double, RenderJob>> views;
   for (const int scale : {1, 2, 4})
-    for (int how = 0; how <= static_cast<int>(view.sampling.reconstruction); ++how)
-      for (int n = view.sampling.samplesPerPixel; n >= 1; n /= 2)
+    for (int how = 0; how <= static_cast<int>(job.sampling.reconstruction); ++how)
+      for (int n = job.sampling.samplesPerPixel; n >= 1; n /= 2)
         for (const double taps : dropped) {
-          View candidate = view;
+          RenderJob candidate = job;
           candidate.sampling.reconstruction = static_cast<Reconstruction>(how);
           candidate.sampling.samplesPerPixel = n;
           candidate.method.droppedTaps = taps;
           candidate.method.scale = scale;
           views.emplace_back(cost(candidate), candidate);
         }
-  const double most = cost(view);
+  const double most = cost(job);
   std::stable_sort(views.begin(), views.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<View> sorted;
+  std::vector<RenderJob> sorted;
   for (const auto& [costs, candidate] : views)
     if (costs < most) sorted.push_back(candidate);
   return sorted;
@@ -167,15 +167,15 @@ constexpr int leastSeen = 500;
 
 class Probe {
  public:
-  Probe(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+  Probe(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
         const Progress& progress)
-      : m_res(view.state.camera.res),
+      : m_res(job.state.camera.res),
         m_runs(probeRuns(m_res)),
         m_tables(tables),
         m_parallelRows(parallelRows),
         m_progress(progress) {
     for (const Run& run : m_runs) m_pixels += run.x1 - run.x0;
-    Prober prober(view, m_tables, m_parallelRows, m_progress);
+    Prober prober(job, m_tables, m_parallelRows, m_progress);
     m_parallelRows(int(m_runs.size()), [&](int begin, int end) {
       for (int k = begin; k < end; ++k) prober.render(m_runs[std::size_t(k)]);
     });
@@ -189,7 +189,7 @@ class Probe {
   }
 
   /// Returns none as soon as the error is certainly above `allowed`, a mean square.
-  [[nodiscard]] std::optional<Estimate> measure(const View& candidate, double allowed) const {
+  [[nodiscard]] std::optional<Estimate> measure(const RenderJob& candidate, double allowed) const {
     constexpr int parts = 4;
     Prober prober(candidate, m_tables, m_parallelRows, m_progress);
     // Runs of a view that is scaled up share pixels, of which there are few.
@@ -227,22 +227,22 @@ class Probe {
 
 }  // namespace
 
-Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+Choice chooseMethod(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                     const Progress& progress) {
-  Choice choice{view};
-  if (!(view.sampling.tolerance > 0) || view.method != Method{}) return choice;
-  checkContent(view);
-  choice.view.sampling.tolerance = 0;  // resolved
-  const std::vector<View> candidates = cheaper(choice.view);
+  Choice choice{job};
+  if (!(job.sampling.tolerance > 0) || job.method != Method{}) return choice;
+  checkContent(job);
+  choice.job.sampling.tolerance = 0;  // resolved
+  const std::vector<RenderJob> candidates = cheaper(choice.job);
   if (candidates.empty()) return choice;
-  const Probe probe(choice.view, tables, parallelRows, progress);
+  const Probe probe(choice.job, tables, parallelRows, progress);
   choice.pixels = probe.pixels();
   if (!probe.saysEnough()) return choice;
-  const double allowed = view.sampling.tolerance * view.sampling.tolerance;
-  for (const View& candidate : candidates) {
+  const double allowed = job.sampling.tolerance * job.sampling.tolerance;
+  for (const RenderJob& candidate : candidates) {
     const std::optional<Estimate> found = probe.measure(candidate, allowed);
     if (!found) continue;
-    choice.view = candidate;
+    choice.job = candidate;
     choice.rmse = std::sqrt(found->mean);
     choice.limit = std::sqrt(found->limit);
     break;
@@ -252,8 +252,8 @@ Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& pa
 
 std::string choiceText(const Choice& choice) {
   if (choice.pixels == 0) return "nothing is cheaper";
-  const SamplingParams& sampling = choice.view.sampling;
-  const Plan made = plan(choice.view);
+  const SamplingParams& sampling = choice.job.sampling;
+  const Plan made = plan(choice.job);
   std::array<char, 300> line{};
   std::snprintf(
       line.data(), line.size(),
@@ -261,9 +261,9 @@ std::string choiceText(const Choice& choice) {
       "pixels, at most %.3g with 99 %% confidence",
       nameOf(sampling.reconstruction).data(), sampling.samplesPerPixel, sampling.samplesPerPixel,
       (2 * made.psfReach + 1) * (2 * made.psfReach + 1),
-      choice.view.method.scale == 1   ? "full size"
-      : choice.view.method.scale == 2 ? "half size, scaled up"
-                                      : "quarter size, scaled up",
+      choice.job.method.scale == 1   ? "full size"
+      : choice.job.method.scale == 2 ? "half size, scaled up"
+                                     : "quarter size, scaled up",
       choice.rmse, choice.pixels, choice.limit);
   return line.data();
 }

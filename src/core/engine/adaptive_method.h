@@ -11,7 +11,7 @@ namespace hogelscope {
 /// The view to render instead of another one, and the results of the probe. Errors are RMS over
 /// pixels and channels of 8-bit images, in code values.
 struct Choice {
-  View view;         ///< its method and sampling may be cheaper than the original's
+  RenderJob job;     ///< its method and sampling may be cheaper than the original's
   double rmse = 0;   ///< over the probe
   double limit = 0;  ///< upper limit of the whole image's error, with 99 % confidence
   int pixels = 0;    ///< pixels of the probe; 0 without a probe
@@ -20,7 +20,7 @@ struct Choice {
 /// Returns the view itself if its tolerance is 0, it has a method already, nothing is cheaper, or
 /// the probe sees too little of the panel. The tolerance of the result is 0. Deterministic: the
 /// probe's pixels depend on the image's size alone. Throws Cancelled.
-Choice chooseMethod(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+Choice chooseMethod(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                     const Progress& progress = {});
 
 /// Describes a choice in one line, for --explain and the window.

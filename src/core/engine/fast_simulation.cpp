@@ -14,12 +14,12 @@ struct FastSimulation::Scratch {
   LightBatch sum{};
 };
 
-FastSimulation::FastSimulation(const View& view, LensTables& tables,
+FastSimulation::FastSimulation(const RenderJob& job, LensTables& tables,
                                const ParallelRows& parallelRows, const Progress& progress)
-    : m_rays(view, tables, parallelRows, progress),
-      m_texels(view.lightField->slice([&] { return m_rays.footprint(parallelRows); },
-                                      part(m_rays.progress(), 0, 0))),
-      m_filter(m_texels, view, m_rays.plan()) {}
+    : m_rays(job, tables, parallelRows, progress),
+      m_texels(job.lightField->slice([&] { return m_rays.footprint(parallelRows); },
+                                     part(m_rays.progress(), 0, 0))),
+      m_filter(m_texels, job, m_rays.plan()) {}
 
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
   hearStop(m_rays.progress());
@@ -129,7 +129,7 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
   const auto [begin, end] =
       m_rays.plan().knowsOutline ? m_rays.seenPart(y, x0, x1) : std::array{x0, x1};
   const auto scratch = std::make_unique<Scratch>();
-  const int n = m_rays.view().sampling.samplesPerPixel;
+  const int n = m_rays.job().sampling.samplesPerPixel;
   const float share = 1 / static_cast<float>(n * n);
   for (int first = begin; first < end; first += batchSize) {
     const int count = std::min(batchSize, end - first);

@@ -16,7 +16,7 @@ class FastSimulation {
  public:
   /// Fetches the texels; casts the view's rays if the light field needs to know what they read. The
   /// parameters and exceptions are those of ViewRays and LightFieldSource::slice().
-  FastSimulation(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+  FastSimulation(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                  const Progress& progress = {});
 
   [[nodiscard]] const ViewRays& rays() const { return m_rays; }

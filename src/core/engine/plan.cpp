@@ -43,28 +43,28 @@ double leakageLoss(const PsfParams& psf, int reach) {
          (weightWithin(psf, (psf.windowSize - 1) / 2) - weightWithin(psf, reach));
 }
 
-Plan plan(const View& view) {
-  return plan(view, Display(view.display));
+Plan plan(const RenderJob& job) {
+  return plan(job, Display(job.display));
 }
 
-Plan plan(const View& view, const Display& display) {
-  const SamplingParams& sampling = view.sampling;
-  const PsfParams& psf = view.state.psf;
+Plan plan(const RenderJob& job, const Display& display) {
+  const SamplingParams& sampling = job.sampling;
+  const PsfParams& psf = job.state.psf;
   Plan plan;
-  plan.hasLens = !Distortion(view.state.distortion).isIdentity();
+  plan.hasLens = !Distortion(job.state.distortion).isIdentity();
   plan.isTableKept =
       plan.hasLens &&
-      LensTable::bytes(view.state.camera.res, sampling.samplesPerPixel) <= LensTables::largestBytes;
+      LensTable::bytes(job.state.camera.res, sampling.samplesPerPixel) <= LensTables::largestBytes;
   plan.hasLinearHogels = display.lens(0).isLinear() && display.lens(1).isLinear();
-  plan.isBehind = !(display.displayFromWorld().point(view.state.camera.eye).z > 0);
+  plan.isBehind = !(display.displayFromWorld().point(job.state.camera.eye).z > 0);
   plan.knowsOutline =
       !plan.hasLens && sampling.samplesPerPixel == 1 && plan.hasLinearHogels && !plan.isBehind;
-  plan.psfReach = psf.windowSize > 1 ? neededReach(psf, view.method.droppedTaps) : 0;
+  plan.psfReach = psf.windowSize > 1 ? neededReach(psf, job.method.droppedTaps) : 0;
   plan.sumsTexels = plan.psfReach > 0 || sampling.samplesPerPixel > 1 ||
                     sampling.reconstruction != Reconstruction::nearest;
   plan.sumsLinear = plan.sumsTexels && psf.light == LightModel::linear;
-  plan.copiesTexels = !plan.sumsTexels && view.lightField->type() == StoredType::uint8 &&
-                      view.lightField->isInMemory();
+  plan.copiesTexels = !plan.sumsTexels && job.lightField->type() == StoredType::uint8 &&
+                      job.lightField->isInMemory();
   return plan;
 }
 

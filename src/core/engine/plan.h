@@ -21,9 +21,9 @@ struct Plan {
 };
 
 /// Makes the plan of a view; `view.lightField` must not be null.
-Plan plan(const View& view);
+Plan plan(const RenderJob& job);
 /// Makes the same plan with an existing Display of the view.
-Plan plan(const View& view, const Display& display);
+Plan plan(const RenderJob& job, const Display& display);
 
 /// Returns the most that a pixel changes, in code values, if leakage is cut to `reach` taps on each
 /// side.

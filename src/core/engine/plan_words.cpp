@@ -8,16 +8,16 @@ namespace hogelscope {
 
 namespace {
 
-std::string raysOf(const View& view) {
-  const auto [width, height] = view.state.camera.res;
-  const int n = view.sampling.samplesPerPixel;
+std::string raysOf(const RenderJob& job) {
+  const auto [width, height] = job.state.camera.res;
+  const int n = job.sampling.samplesPerPixel;
   return std::to_string(std::int64_t(width) * height * n * n) + " rays";
 }
 
-std::string lensWords(const View& view) {
-  if (view.sampling.mapping == LensMapping::direct) return "applied directly";
-  const std::string steps = std::to_string(view.method.lensSteps);
-  switch (view.method.lens) {
+std::string lensWords(const RenderJob& job) {
+  if (job.sampling.mapping == LensMapping::direct) return "applied directly";
+  const std::string steps = std::to_string(job.method.lensSteps);
+  switch (job.method.lens) {
     case LensInverse::newton:
       return "inverted by " + steps + " Newton steps";
     case LensInverse::fixedPoint:
@@ -29,25 +29,25 @@ std::string lensWords(const View& view) {
   }
 }
 
-Decision lensDecision(const View& view, const Plan& plan) {
+Decision lensDecision(const RenderJob& job, const Plan& plan) {
   const std::string table =
-      bytesText(LensTable::bytes(view.state.camera.res, view.sampling.samplesPerPixel));
+      bytesText(LensTable::bytes(job.state.camera.res, job.sampling.samplesPerPixel));
   if (!plan.hasLens) return {"no lens model", "all coefficients are 0", "a table of " + table};
-  const std::string what = "the lens, " + lensWords(view);
+  const std::string what = "the lens, " + lensWords(job);
   if (plan.isTableKept)
     return {what, "one table of rays for all states with this lens and resolution, " + table,
-            raysOf(view) + " through the lens for each further picture"};
+            raysOf(job) + " through the lens for each further picture"};
   return {what,
           "its table of rays would be larger than " + bytesText(LensTables::largestBytes) +
               ", so they are made row by row for each picture",
           table};
 }
 
-Decision leakageDecision(const View& view, const Plan& plan) {
+Decision leakageDecision(const RenderJob& job, const Plan& plan) {
   const auto square = [](int reach) { return (2 * reach + 1) * (2 * reach + 1); };
   const auto taps = [square](int reach) { return std::to_string(square(reach)); };
-  const int windowReach = (view.state.psf.windowSize - 1) / 2;
-  const double dropped = view.method.droppedTaps;
+  const int windowReach = (job.state.psf.windowSize - 1) / 2;
+  const double dropped = job.method.droppedTaps;
   if (windowReach == 0) return {"no light leakage", "windowSize is 1", ""};
   if (plan.psfReach == windowReach)
     return {"light leakage of " + taps(windowReach) + " taps", "each of them counts", ""};
@@ -62,36 +62,36 @@ Decision leakageDecision(const View& view, const Plan& plan) {
 
 }  // namespace
 
-std::vector<Decision> decisionsOf(const View& view, const Plan& plan) {
+std::vector<Decision> decisionsOf(const RenderJob& job, const Plan& plan) {
   std::vector<Decision> decisions;
-  if (view.method.isSingle)
+  if (job.method.isSingle)
     decisions.push_back({"rays in single precision", "the method says so", ""});
-  decisions.push_back(lensDecision(view, plan));
+  decisions.push_back(lensDecision(job, plan));
   if (plan.isBehind)
-    decisions.push_back({"no rays at all", "the eye is not in front of the panel", raysOf(view)});
+    decisions.push_back({"no rays at all", "the eye is not in front of the panel", raysOf(job)});
   if (plan.knowsOutline)
     decisions.push_back({"only rays within the panel's outline and angular field",
                          "the part of each row that sees it is known beforehand",
                          "the rays that miss it"});
-  decisions.push_back(leakageDecision(view, plan));
+  decisions.push_back(leakageDecision(job, plan));
   if (plan.copiesTexels)
     decisions.push_back(
         {"texels are copied", "nothing is summed and they have 8 bits", "all arithmetic on light"});
-  if (!plan.sumsTexels && view.state.psf.light == LightModel::linear)
+  if (!plan.sumsTexels && job.state.psf.light == LightModel::linear)
     decisions.push_back(
         {"no decoding to linear light", "nothing is summed", "two conversions for each ray"});
   return decisions;
 }
 
-std::string oneLine(const View& view, const Plan& plan) {
-  const int n = view.sampling.samplesPerPixel;
+std::string oneLine(const RenderJob& job, const Plan& plan) {
+  const int n = job.sampling.samplesPerPixel;
   const auto square = [](int width) { return std::to_string(width * width); };
-  std::string line(nameOf(view.sampling.reconstruction));
+  std::string line(nameOf(job.sampling.reconstruction));
   line += ", " + square(n) + (n == 1 ? " ray" : " rays") + " a pixel, ";
-  if (view.state.psf.windowSize == 1)
+  if (job.state.psf.windowSize == 1)
     line += "no leakage, ";
   else
-    line += square(2 * plan.psfReach + 1) + " of " + square(view.state.psf.windowSize) + " taps, ";
+    line += square(2 * plan.psfReach + 1) + " of " + square(job.state.psf.windowSize) + " taps, ";
   if (!plan.hasLens) return line + "no lens";
   return line + (plan.isTableKept ? "lens table kept" : "lens row by row");
 }

@@ -17,9 +17,9 @@ struct Decision {
 };
 
 /// Returns the decisions of `plan`, which must be the view's.
-std::vector<Decision> decisionsOf(const View& view, const Plan& plan);
+std::vector<Decision> decisionsOf(const RenderJob& job, const Plan& plan);
 
 /// Describes a plan in one line: "nearest, 1 ray a pixel, 25 of 25 taps, lens table kept".
-std::string oneLine(const View& view, const Plan& plan);
+std::string oneLine(const RenderJob& job, const Plan& plan);
 
 }  // namespace hogelscope

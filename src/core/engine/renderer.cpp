@@ -9,15 +9,15 @@
 
 namespace hogelscope {
 
-Choice Renderer::chooseMethod(const View& view, const Progress& progress) {
-  return hogelscope::chooseMethod(view, m_tables, m_rows, progress);
+Choice Renderer::chooseMethod(const RenderJob& job, const Progress& progress) {
+  return hogelscope::chooseMethod(job, m_tables, m_rows, progress);
 }
 
 /// One pixel for each method.scale × method.scale.
 template <class AnyImage>
-AnyImage Renderer::renderReduced(const View& view, const Progress& progress) {
-  const FastSimulation simulation(reduced(view), m_tables, m_rows, progress);
-  const auto [width, height] = simulation.rays().view().state.camera.res;
+AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress) {
+  const FastSimulation simulation(reduced(job), m_tables, m_rows, progress);
+  const auto [width, height] = simulation.rays().job().state.camera.res;
   AnyImage image(width, height);
   std::atomic<int> done = 0;
   m_rows(height, [&, width = width, height = height](int begin, int end) {
@@ -30,20 +30,20 @@ AnyImage Renderer::renderReduced(const View& view, const Progress& progress) {
   return image;
 }
 
-Image Renderer::render(const View& view, const Progress& progress) {
+Image Renderer::render(const RenderJob& job, const Progress& progress) {
   const Progress heard = forThreads(progress);
-  const View chosen = chooseMethod(view, heard).view;
+  const RenderJob chosen = chooseMethod(job, heard).job;
   Image image = renderReduced<Image>(chosen, heard);
   const int scale = chosen.method.scale;
-  return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
+  return scale == 1 ? image : enlarged(image, scale, job.state.camera.res);
 }
 
-FloatImage Renderer::renderFloat(const View& view, const Progress& progress) {
+FloatImage Renderer::renderFloat(const RenderJob& job, const Progress& progress) {
   const Progress heard = forThreads(progress);
-  const View chosen = chooseMethod(view, heard).view;
+  const RenderJob chosen = chooseMethod(job, heard).job;
   FloatImage image = renderReduced<FloatImage>(chosen, heard);
   const int scale = chosen.method.scale;
-  return scale == 1 ? image : enlarged(image, scale, view.state.camera.res);
+  return scale == 1 ? image : enlarged(image, scale, job.state.camera.res);
 }
 
 }  // namespace hogelscope

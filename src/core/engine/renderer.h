@@ -18,21 +18,21 @@ class Renderer {
 
   /// Returns the view that render() uses in place of one with a tolerance, see chooseMethod() in
   /// adaptive_method.h. Throws as render() does.
-  [[nodiscard]] Choice chooseMethod(const View& view, const Progress& progress = {});
+  [[nodiscard]] Choice chooseMethod(const RenderJob& job, const Progress& progress = {});
 
   /// Renders the image of the view's camera. `progress` is called from any thread with the fraction
   /// of the rows done, never concurrently. Throws InputError as Simulation and
   /// LightFieldSource::slice() do, and Cancelled.
-  [[nodiscard]] Image render(const View& view, const Progress& progress = {});
+  [[nodiscard]] Image render(const RenderJob& job, const Progress& progress = {});
   /// Renders the same image, not rounded.
-  [[nodiscard]] FloatImage renderFloat(const View& view, const Progress& progress = {});
+  [[nodiscard]] FloatImage renderFloat(const RenderJob& job, const Progress& progress = {});
 
   [[nodiscard]] LensTables& tables() { return m_tables; }
   [[nodiscard]] const ParallelRows& rows() const { return m_rows; }
 
  private:
   template <class AnyImage>
-  [[nodiscard]] AnyImage renderReduced(const View& view, const Progress& progress);
+  [[nodiscard]] AnyImage renderReduced(const RenderJob& job, const Progress& progress);
 
   ParallelRows m_rows;
   LensTables m_tables;

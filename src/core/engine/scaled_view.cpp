@@ -8,8 +8,8 @@
 
 namespace hogelscope {
 
-View reduced(const View& view) {
-  View small = view;
+RenderJob reduced(const RenderJob& job) {
+  RenderJob small = job;
   const int scale = std::exchange(small.method.scale, 1);
   if (scale == 1) return small;
   CameraState& state = small.state;
@@ -21,10 +21,10 @@ View reduced(const View& view) {
   return small;
 }
 
-View overview(const View& view) {
-  if (view.lightField->isInMemory()) return view;
-  View coarse = view;
-  coarse.lightField = view.lightField->overview();
+RenderJob overview(const RenderJob& job) {
+  if (job.lightField->isInMemory()) return job;
+  RenderJob coarse = job;
+  coarse.lightField = job.lightField->overview();
   const LightFieldSize size = coarse.lightField->size();
   coarse.display.hogels = {size.nx, size.ny};
   coarse.display.directions = {size.du, size.dv};

@@ -9,11 +9,11 @@ namespace hogelscope {
 
 /// Returns the view with one pixel in the middle of each method.scale × method.scale of them, and
 /// with method.scale 1; the last ones may reach beyond the image.
-View reduced(const View& view);
+RenderJob reduced(const RenderJob& job);
 
 /// Returns a quick view of a light field that is not in memory: that of its overview, whose
 /// directions are too wide to leak into each other. Any other view is returned unchanged.
-View overview(const View& view);
+RenderJob overview(const RenderJob& job);
 
 /// Enlarges a reduced image: colours are bilinear, the mask is that of the nearest pixel.
 Image enlarged(const Image& image, int scale, const std::array<int, 2>& res);

@@ -24,13 +24,13 @@ CellRange hogelRows(const Footprint& footprint) {
 
 }  // namespace
 
-StreamingRenderer::StreamingRenderer(const View& view, LensTables& tables,
+StreamingRenderer::StreamingRenderer(const RenderJob& job, LensTables& tables,
                                      const ParallelRows& parallelRows, const Progress& progress)
-    : m_view(view), m_progress(progress), m_due(std::size_t(view.lightField->size().ny)) {
-  const ViewRays rays(view, tables, parallelRows, progress);
+    : m_job(job), m_progress(progress), m_due(std::size_t(job.lightField->size().ny)) {
+  const ViewRays rays(job, tables, parallelRows, progress);
   if (rays.lens() != nullptr) m_lens = rays.lensKey();
-  const auto [width, height] = view.state.camera.res;
-  Footprint all(view.lightField->size().nx, view.lightField->size().ny);
+  const auto [width, height] = job.state.camera.res;
+  Footprint all(job.lightField->size().nx, job.lightField->size().ny);
   std::vector<int> lastUse(m_due.size());
   std::mutex mutex;
   const auto add = [&](const Piece& piece) {
@@ -51,16 +51,16 @@ StreamingRenderer::StreamingRenderer(const View& view, LensTables& tables,
 }
 
 std::size_t StreamingRenderer::bytes() const {
-  return std::size_t(m_slice.texels) * memoryBytes(m_view.lightField->type());
+  return std::size_t(m_slice.texels) * memoryBytes(m_job.lightField->type());
 }
 
 void StreamingRenderer::begin(LensTables& tables, const ParallelRows& parallelRows) {
   m_texels =
-      std::make_shared<LightField>(m_view.lightField->size(), m_view.lightField->type(), m_slice);
-  View view = m_view;
-  view.lightField = m_texels;
-  m_simulation.emplace(view, tables, parallelRows, m_progress);
-  m_image = Image(m_view.state.camera.res[0], m_view.state.camera.res[1]);
+      std::make_shared<LightField>(m_job.lightField->size(), m_job.lightField->type(), m_slice);
+  RenderJob job = m_job;
+  job.lightField = m_texels;
+  m_simulation.emplace(job, tables, parallelRows, m_progress);
+  m_image = Image(m_job.state.camera.res[0], m_job.state.camera.res[1]);
 }
 
 void StreamingRenderer::finish(int j) {

@@ -15,7 +15,7 @@ class StreamingRenderer {
   /// Casts all rays, but allocates no texels yet. The view's light field has nothing in memory.
   /// `progress` is passed to FastSimulation. Throws InputError, as Simulation does,
   /// std::length_error for a slice beyond 2^32 texels, and Cancelled, as begin() and finish() do.
-  StreamingRenderer(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+  StreamingRenderer(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                     const Progress& progress = {});
 
   /// Returns the bytes of the texels that are kept at a time.
@@ -46,7 +46,7 @@ class StreamingRenderer {
     int x1 = 0;
   };
 
-  View m_view;
+  RenderJob m_job;
   Progress m_progress;
   std::optional<LensKey> m_lens;
   SliceLayout m_slice;

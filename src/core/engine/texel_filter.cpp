@@ -20,16 +20,16 @@ int wholeVectors(int count) {
 
 }  // namespace
 
-TexelFilter::TexelFilter(std::shared_ptr<const LightField> lightField, const View& view,
+TexelFilter::TexelFilter(std::shared_ptr<const LightField> lightField, const RenderJob& job,
                          const Plan& plan)
     : m_lightField(std::move(lightField)),
-      m_reconstruction(view.sampling.reconstruction),
+      m_reconstruction(job.sampling.reconstruction),
       m_leaks(plan.psfReach > 0),
       m_sumsLinear(plan.sumsLinear) {
   const auto [nx, ny, du, dv] = m_lightField->size();
   m_cells = {nx, ny, du, dv};
-  m_weights = {axisWeights(view.state.psf, plan.psfReach, du),
-               axisWeights(view.state.psf, plan.psfReach, dv)};
+  m_weights = {axisWeights(job.state.psf, plan.psfReach, du),
+               axisWeights(job.state.psf, plan.psfReach, dv)};
 }
 
 TexelFilter::AxisWeights TexelFilter::axisWeights(const PsfParams& psf, int reach, int cells) {

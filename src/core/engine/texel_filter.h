@@ -25,7 +25,7 @@ class TexelFilter {
   /// Working memory of one thread.
   using Scratch = std::array<AxisTaps, 4>;
 
-  TexelFilter(std::shared_ptr<const LightField> lightField, const View& view, const Plan& plan);
+  TexelFilter(std::shared_ptr<const LightField> lightField, const RenderJob& job, const Plan& plan);
 
   /// Sums the light of the batch's first `count` rays: code values, or linear light if the plan
   /// says so. All lanes' cells must lie in the light field.

@@ -10,11 +10,11 @@ namespace hogelscope {
 
 namespace {
 
-HitMap hitMapOf(const View& view, const Display& display, const Camera& camera) {
+HitMap hitMapOf(const RenderJob& job, const Display& display, const Camera& camera) {
   const RigidTransform displayFromCamera = display.displayFromWorld() * camera.worldFromCamera();
   const auto list = [](const Vec3& d) { return std::array{d.x, d.y, d.z}; };
   const Vec3& eye = displayFromCamera.origin;
-  const auto& panel = view.display.size;
+  const auto& panel = job.display.size;
   const auto [nx, ny, du, dv] = display.size();
   HitMap map;
   map.right = list(displayFromCamera.xAxis);
@@ -29,7 +29,7 @@ HitMap hitMapOf(const View& view, const Display& display, const Camera& camera) 
     map.slope[2] = du / display.lens(0).slopeOf(1);
     map.slope[3] = -dv / display.lens(1).slopeOf(1);
   }
-  map.isSingle = view.method.isSingle;
+  map.isSingle = job.method.isSingle;
   return map;
 }
 
@@ -59,16 +59,16 @@ void widen(std::vector<CellRange>& ranges, int cell, int direction, const Reach&
 
 }  // namespace
 
-ViewRays::ViewRays(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                    const Progress& progress)
-    : m_view(view), m_progress(forThreads(progress)), m_display(view.display) {
-  const Camera camera(view.state.camera, view.state.intrinsics);
-  checkContent(view);
-  m_plan = hogelscope::plan(view, m_display);
-  m_lensKey = lensKeyOf(camera, view.state, view.sampling, view.method);
-  m_map = hitMapOf(view, m_display, camera);
-  m_seesNothing = !(m_display.displayFromWorld().point(view.state.camera.eye).z > 0);
-  for (int x = 0; x < view.state.camera.res[0]; ++x)
+    : m_job(job), m_progress(forThreads(progress)), m_display(job.display) {
+  const Camera camera(job.state.camera, job.state.intrinsics);
+  checkContent(job);
+  m_plan = hogelscope::plan(job, m_display);
+  m_lensKey = lensKeyOf(camera, job.state, job.sampling, job.method);
+  m_map = hitMapOf(job, m_display, camera);
+  m_seesNothing = !(m_display.displayFromWorld().point(job.state.camera.eye).z > 0);
+  for (int x = 0; x < job.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
   if (m_plan.isTableKept && !m_seesNothing)
     m_lens = tables.get(m_lensKey, parallelRows, m_progress);
@@ -106,8 +106,8 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
 }
 
 std::int64_t ViewRays::count() const {
-  const auto [width, height] = m_view.state.camera.res;
-  const std::int64_t n = m_view.sampling.samplesPerPixel;
+  const auto [width, height] = m_job.state.camera.res;
+  const std::int64_t n = m_job.sampling.samplesPerPixel;
   if (m_seesNothing) return 0;
   if (!m_plan.knowsOutline) return n * n * width * height;
   std::int64_t seen = 0;
@@ -146,11 +146,11 @@ void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch)
 Footprint ViewRays::footprint(int y, int x0, int x1) const {
   const auto [nx, ny, du, dv] = m_display.size();
   Footprint result(nx, ny);
-  const Reconstruction reconstruction = m_view.sampling.reconstruction;
+  const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
   CellBatch batch;
-  const int n = m_view.sampling.samplesPerPixel;
+  const int n = m_job.sampling.samplesPerPixel;
   for (int x = x0; x < x1; x += batchSize)
     for (int s = 0; s < n * n; ++s) {
       const int count = std::min(batchSize, x1 - x);
@@ -165,7 +165,7 @@ Footprint ViewRays::footprint(int y, int x0, int x1) const {
 }
 
 Footprint ViewRays::footprint(const ParallelRows& parallelRows) const {
-  const auto [width, height] = m_view.state.camera.res;
+  const auto [width, height] = m_job.state.camera.res;
   Footprint all(m_display.size().nx, m_display.size().ny);
   std::mutex mutex;
   parallelRows(height, [&, width = width](int begin, int end) {

@@ -24,10 +24,10 @@ class ViewRays {
   /// `tables` keeps lens tables between views. `progress` is kept and called wherever casting takes
   /// long, here and in all functions; it only cancels, without a fraction done. Throws InputError
   /// as Simulation does, and Cancelled, as all functions that cast rays do.
-  ViewRays(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+  ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
            const Progress& progress = {});
 
-  [[nodiscard]] const View& view() const { return m_view; }
+  [[nodiscard]] const RenderJob& job() const { return m_job; }
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   [[nodiscard]] const Progress& progress() const { return m_progress; }
   /// Whether the eye is not in front of the panel.
@@ -57,7 +57,7 @@ class ViewRays {
   [[nodiscard]] Footprint footprint(const ParallelRows& parallelRows) const;
 
  private:
-  View m_view;
+  RenderJob m_job;
   Progress m_progress;  ///< for threads
   Display m_display;
   Plan m_plan;

@@ -22,10 +22,10 @@ std::size_t product(int a, int b) {
 }
 
 /// One exact ray through each pixel's centre, whatever the picture was made of.
-View raysThroughCentres(View view) {
-  view.sampling.samplesPerPixel = 1;
-  view.method = {};
-  return view;
+RenderJob raysThroughCentres(RenderJob job) {
+  job.sampling.samplesPerPixel = 1;
+  job.method = {};
+  return job;
 }
 
 MULTIVERSIONED
@@ -69,13 +69,13 @@ void addTo(std::vector<PanelError::Cell>& cells, const std::vector<std::uint32_t
   }
 }
 
-void checkSizes(const View& view, const LightFieldSize& size, const Image& reference,
+void checkSizes(const RenderJob& job, const LightFieldSize& size, const Image& reference,
                 const Image& test) {
-  const auto [width, height] = view.state.camera.res;
+  const auto [width, height] = job.state.camera.res;
   for (const Image* image : {&reference, &test})
     if (image->width != width || image->height != height)
       throw std::invalid_argument("PanelError: a picture is not of the state's size");
-  if (Display(view.display).size() != size)
+  if (Display(job.display).size() != size)
     throw std::invalid_argument("PanelError: a display of another size");
 }
 
@@ -96,10 +96,10 @@ void PanelError::resize(std::size_t pixels) {
   for (auto* list : {&m_pixels.hogel, &m_pixels.direction, &m_pixels.squares}) list->resize(pixels);
 }
 
-void PanelError::add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                      const Image& reference, const Image& test, const Progress& progress) {
-  checkSizes(view, m_size, reference, test);
-  const ViewRays rays(raysThroughCentres(view), tables, parallelRows, progress);
+  checkSizes(job, m_size, reference, test);
+  const ViewRays rays(raysThroughCentres(job), tables, parallelRows, progress);
   resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {
     CellBatch batch;

@@ -30,7 +30,7 @@ class PanelError {
 
   /// Adds the pictures of one state. Rays are the fast engine's. Throws InputError as Simulation
   /// does, std::invalid_argument where a size is another, Cancelled: then nothing is added.
-  void add(const View& view, LensTables& tables, const ParallelRows& parallelRows,
+  void add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
            const Image& reference, const Image& test, const Progress& progress = {});
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }

@@ -23,30 +23,30 @@ std::string_view words(RayEnd end) {
   return texts.at(static_cast<std::size_t>(end));
 }
 
-PixelTrace pixelTrace(const View& view, int x, int y) {
+PixelTrace pixelTrace(const RenderJob& job, int x, int y) {
   PixelTrace result;
-  result.colour = Simulation(view).pixel(x, y);
-  const Camera camera(view.state.camera, view.state.intrinsics);
-  result.eye = view.state.camera.eye;
+  result.colour = Simulation(job).pixel(x, y);
+  const Camera camera(job.state.camera, job.state.intrinsics);
+  result.eye = job.state.camera.eye;
   const std::optional<Vec2> p =
-      idealPoint(Distortion(view.state.distortion), view.sampling.mapping, camera.normalised(x, y));
+      idealPoint(Distortion(job.state.distortion), job.sampling.mapping, camera.normalised(x, y));
   if (!p) {
     result.target = result.eye;
     return result;
   }
-  const Display display(view.display);
+  const Display display(job.display);
   const Vec3 direction = camera.worldFromCamera().direction({p->x, p->y, 1});
   const Vec3 eye = display.displayFromWorld().point(result.eye);
   const Vec3 way = display.displayFromWorld().direction(direction);
   result.place = display.intersectPlane(eye, way);
   result.end = endOf(display, result.place);
-  const double distance = length(view.state.camera.lookat - result.eye) / length(direction);
+  const double distance = length(job.state.camera.lookat - result.eye) / length(direction);
   result.target = result.eye + (result.place ? -eye.z / way.z : distance) * direction;
   if (!result.place) return result;
   result.position = display.position(result.place->i, result.place->j);
   result.slopes = {way.x / way.z, way.y / way.z};
   if (result.end == RayEnd::seen)
-    result.taps = tapsAt(view.state.psf, display.size(), static_cast<int>(result.place->u),
+    result.taps = tapsAt(job.state.psf, display.size(), static_cast<int>(result.place->u),
                          static_cast<int>(result.place->v));
   return result;
 }

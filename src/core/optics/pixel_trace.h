@@ -34,6 +34,6 @@ struct PixelTrace {
 
 /// Traces a pixel by the reference engine. `x` and `y` count from the image's upper left. Throws
 /// InputError as Simulation does.
-PixelTrace pixelTrace(const View& view, int x, int y);
+PixelTrace pixelTrace(const RenderJob& job, int x, int y);
 
 }  // namespace hogelscope

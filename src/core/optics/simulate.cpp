@@ -35,31 +35,31 @@ std::optional<Vec2> idealPoint(const Distortion& distortion, LensMapping mapping
                                        : distortion.distort(onSensor);
 }
 
-void checkContent(const View& view) {
-  if (!view.lightField) throw InputError("lightField", "is not loaded");
-  (void)resolved(view.display, view.lightField->size());
+void checkContent(const RenderJob& job) {
+  if (!job.lightField) throw InputError("lightField", "is not loaded");
+  (void)resolved(job.display, job.lightField->size());
 }
 
-Simulation::Simulation(View view)
-    : m_view(std::move(view)),
-      m_display(m_view.display),
-      m_camera(m_view.state.camera, m_view.state.intrinsics),
-      m_distortion(m_view.state.distortion),
-      m_psf(m_view.state.psf),
+Simulation::Simulation(RenderJob job)
+    : m_job(std::move(job)),
+      m_display(m_job.display),
+      m_camera(m_job.state.camera, m_job.state.intrinsics),
+      m_distortion(m_job.state.distortion),
+      m_psf(m_job.state.psf),
       m_displayFromCamera(m_display.displayFromWorld() * m_camera.worldFromCamera()) {
-  checkContent(m_view);
+  checkContent(m_job);
 }
 
 std::optional<Hit> Simulation::hitOf(double px, double py) const {
   const std::optional<Vec2> p =
-      idealPoint(m_distortion, m_view.sampling.mapping, m_camera.normalised(px, py));
+      idealPoint(m_distortion, m_job.sampling.mapping, m_camera.normalised(px, py));
   if (!p) return std::nullopt;
   return m_display.hit(m_displayFromCamera.origin, m_displayFromCamera.direction({p->x, p->y, 1}));
 }
 
 Rgb Simulation::reconstructed(const Hit& hit) const {
   const LightFieldSize& size = m_display.size();
-  const Reconstruction reconstruction = m_view.sampling.reconstruction;
+  const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const bool hogelsToo = reconstruction == Reconstruction::quadrilinear;
   const bool directions = reconstruction != Reconstruction::nearest;
   const std::array axes{
@@ -76,7 +76,7 @@ Rgb Simulation::reconstructed(const Hit& hit) const {
     }
     if (weight > 0)
       sum =
-          sum + weight * m_psf.leaked(*m_view.lightField, {index[0], index[1], index[2], index[3]});
+          sum + weight * m_psf.leaked(*m_job.lightField, {index[0], index[1], index[2], index[3]});
   }
   return sum;
 }
@@ -88,7 +88,7 @@ std::optional<Rgb> Simulation::ray(double px, double py) const {
 }
 
 std::optional<Rgb> Simulation::pixel(int x, int y) const {
-  const int n = m_view.sampling.samplesPerPixel;
+  const int n = m_job.sampling.samplesPerPixel;
   bool seen = false;
   Rgb sum;
   for (int sy = 0; sy < n; ++sy) {
@@ -100,7 +100,7 @@ std::optional<Rgb> Simulation::pixel(int x, int y) const {
   }
   if (!seen) return std::nullopt;
   const double rays = double(n) * n;
-  return encoded(m_view.state.psf.light, {sum.r / rays, sum.g / rays, sum.b / rays});
+  return encoded(m_job.state.psf.light, {sum.r / rays, sum.g / rays, sum.b / rays});
 }
 
 void Simulation::render(int x, int y, Image& image) const {
@@ -113,9 +113,9 @@ void Simulation::render(int x, int y, Image& image) const {
   image.rgb[3 * at + 2] = quantised(colour->b);
 }
 
-Image simulate(const View& view) {
-  const Simulation simulation(view);
-  const auto [width, height] = view.state.camera.res;
+Image simulate(const RenderJob& job) {
+  const Simulation simulation(job);
+  const auto [width, height] = job.state.camera.res;
   Image image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) simulation.render(x, y, image);

@@ -13,17 +13,17 @@
 namespace hogelscope {
 
 /// Everything that one image depends on. `display` has its hogels and directions resolved.
-struct View {
+struct RenderJob {
   std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;
   SamplingParams sampling;
   CameraState state;
   Method method{};  ///< for the fast engine; the reference engine ignores it
-  bool operator==(const View&) const = default;
+  bool operator==(const RenderJob&) const = default;
 };
 
 /// Throws InputError if the view has no light field, or one that is not the display's size.
-void checkContent(const View& view);
+void checkContent(const RenderJob& job);
 
 /// Returns the point of the plane z = 1 whose light falls through the lens on `onSensor`; none if
 /// there is no ray.
@@ -34,7 +34,7 @@ class Simulation {
  public:
   /// Throws InputError if the state has no camera frame, or the light field is not the display's
   /// size.
-  explicit Simulation(View view);
+  explicit Simulation(RenderJob job);
 
   /// Returns the light of pixel (x, y) in code values; none if none of its rays meets the display
   /// inside its angular field.
@@ -48,7 +48,7 @@ class Simulation {
   [[nodiscard]] std::optional<Hit> hitOf(double px, double py) const;
   [[nodiscard]] Rgb reconstructed(const Hit& hit) const;
 
-  View m_view;
+  RenderJob m_job;
   Display m_display;
   Camera m_camera;
   Distortion m_distortion;
@@ -57,6 +57,6 @@ class Simulation {
 };
 
 /// Renders the whole image on the calling thread: the oracle of the tests.
-Image simulate(const View& view);
+Image simulate(const RenderJob& job);
 
 }  // namespace hogelscope

@@ -208,10 +208,10 @@ void MainWindow::showView(const RenderedView& view) {
 
 /// To the measurement: the states as they are in the session now.
 void MainWindow::offerViews() {
-  std::vector<View> views;
+  std::vector<RenderJob> views;
   if (m_loaded)
     for (const CameraState& state : m_model->session().cameras)
-      views.push_back(m_loaded->view(state));
+      views.push_back(m_loaded->job(state));
   m_ui->tradeoffView->setViews(views);
 }
 

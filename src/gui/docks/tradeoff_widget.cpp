@@ -75,7 +75,7 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
   });
 }
 
-void TradeoffWidget::setViews(const std::vector<View>& views) {
+void TradeoffWidget::setViews(const std::vector<RenderJob>& views) {
   m_views = views;
   m_chart->setChart(TradeoffChart({}, ""));
   if (m_task->isRunning())

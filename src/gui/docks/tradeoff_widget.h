@@ -45,7 +45,7 @@ class TradeoffWidget : public QWidget {
 
   /// What the next measurement is over. Results of others are not shown any more, and one that is
   /// under way stops.
-  void setViews(const std::vector<View>& views);
+  void setViews(const std::vector<RenderJob>& views);
   /// No method is chosen any more; says nothing.
   void forgetChoice();
 
@@ -61,7 +61,7 @@ class TradeoffWidget : public QWidget {
   void choose(std::optional<std::size_t> row);
   void showIdle();
 
-  std::vector<View> m_views;
+  std::vector<RenderJob> m_views;
   Task* m_task;
   TradeoffChartWidget* m_chart;
   QPushButton* m_measureButton;

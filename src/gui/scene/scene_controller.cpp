@@ -246,7 +246,7 @@ void SceneController::tracePixel() {
   const auto [width, height] = state.camera.res;
   if (!m_loaded || !QRect(0, 0, width, height).contains(pixel)) return;
   try {
-    const PixelTrace traced = pixelTrace(m_loaded->view(state), pixel.x(), pixel.y());
+    const PixelTrace traced = pixelTrace(m_loaded->job(state), pixel.x(), pixel.y());
     m_pixel = pixel;
     m_pickText = SceneText::pixel(pixel.x(), pixel.y(), traced);
     if (traced.end == RayEnd::noRay) return;

@@ -21,10 +21,10 @@ namespace {
 constexpr int smallSide = 192;
 
 /// Null where it cannot be rendered, or was cancelled.
-VtkImage imageOf(const View& view, const std::array<std::uint8_t, 3>& unseen,
+VtkImage imageOf(const RenderJob& view, const std::array<std::uint8_t, 3>& unseen,
                  vtkHogelViewFilter& filter) {
   try {
-    filter.SetView(reduced(view));  // throws where the camera has no frame
+    filter.SetJob(reduced(view));  // throws where the camera has no frame
     filter.UpdateOrThrow();
     return toVtkImage(*filter.GetOutput(), unseen);
   } catch (const Cancelled&) {
@@ -35,8 +35,8 @@ VtkImage imageOf(const View& view, const std::array<std::uint8_t, 3>& unseen,
 }
 
 /// For the looks of it only: as fast as can be.
-View quick(const View& asked) {
-  View view = overview(asked);
+RenderJob quick(const RenderJob& asked) {
+  RenderJob view = overview(asked);
   view.sampling.tolerance = 0;
   view.sampling.samplesPerPixel = 1;
   return view;
@@ -124,13 +124,13 @@ void SceneWorker::run() {
     const std::optional<CameraState> panel =
         m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
     lock.unlock();
-    if (isNew) filter->SetView({});  // it may hold the last reference to the old light field
+    if (isNew) filter->SetJob({});  // it may hold the last reference to the old light field
     if (!m_scene) continue;
     if (!panel) {
       renderNextState(*filter);
       continue;
     }
-    const VtkImage image = imageOf(quick(m_scene->view(*panel)), panelColour, *filter);
+    const VtkImage image = imageOf(quick(m_scene->job(*panel)), panelColour, *filter);
     if (image != nullptr)
       queueAnswer(this, m_asked, m_number, [this, image] { Q_EMIT panelRendered(image); });
   }
@@ -147,7 +147,7 @@ void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {
     state = m_states[index];
     m_done[index] = state;
   }
-  View view = quick(m_scene->view(*state));
+  RenderJob view = quick(m_scene->job(*state));
   const auto [width, height] = state->camera.res;
   view.method.scale = (std::max(width, height) + smallSide - 1) / smallSide;
   VtkImage image = imageOf(view, {0, 0, 0}, filter);

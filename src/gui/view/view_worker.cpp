@@ -48,11 +48,11 @@ QImage toMask(vtkImageData& output) {
 
 /// Of a light field in a store the coarse image has not fewer pixels, but fewer hogels and
 /// directions: what takes long there is to fetch them.
-View viewOf(const Scene& scene, const CameraState& state, const std::optional<NamedMethod>& method,
-            int scale) {
+RenderJob viewOf(const Scene& scene, const CameraState& state,
+                 const std::optional<NamedMethod>& method, int scale) {
   if (scale > 1 && !scene.lightField->isInMemory())
     return overview(viewOf(scene, state, method, 1));
-  View view = method ? applyMethod(*method, scene.view(state)) : scene.view(state);
+  RenderJob view = method ? applyMethod(*method, scene.job(state)) : scene.job(state);
   view.method.scale = std::max(view.method.scale, scale);
   return view;
 }
@@ -60,8 +60,8 @@ View viewOf(const Scene& scene, const CameraState& state, const std::optional<Na
 /// Milliseconds: what the first view of a store is thought to take.
 constexpr double firstFetch = 1000;
 
-QString planOf(const View& view) {
-  const View made = reduced(view);
+QString planOf(const RenderJob& view) {
+  const RenderJob made = reduced(view);
   const QString how = QString::fromStdString(oneLine(made, plan(made)));
   return how + ViewWorker::tr(", %n threads", "", threadCount());
 }
@@ -135,7 +135,7 @@ void ViewWorker::run() {
   const vtkNew<vtkHogelViewFilter> filter;
   filter->SetProgress([this](double) { return !mustStop(); });
   for (;;) {
-    filter->SetView({});  // while it waits it holds no light field
+    filter->SetJob({});  // while it waits it holds no light field
     std::unique_lock lock(m_mutex);
     m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
     if (m_ends) return;
@@ -195,15 +195,15 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   Scene scene = *m_scene;
   scene.display = resolved(request.display, scene.lightField->size());
   scene.sampling = request.sampling;
-  const View view = viewOf(scene, request.state, request.method, scale);
+  const RenderJob view = viewOf(scene, request.state, request.method, scale);
   try {
     if (request.other) {
-      filter.SetView(viewOf(*request.other, request.state, request.method, scale));
+      filter.SetJob(viewOf(*request.other, request.state, request.method, scale));
       filter.UpdateOrThrow();
       result.otherImage = toQImage(*filter.GetOutput());
       result.otherSeen = toMask(*filter.GetOutput());
     }
-    filter.SetView(view);
+    filter.SetJob(view);
     filter.UpdateOrThrow();
   } catch (const Cancelled&) {
     m_pace.stopped(elapsed());
@@ -215,7 +215,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   result.seen = toMask(*filter.GetOutput());
   result.scale = scale;
   result.isOverview = view.lightField != scene.lightField;
-  result.plan = planOf(filter.GetChoice().view);
+  result.plan = planOf(filter.GetChoice().job);
   send([this, result] { Q_EMIT rendered(result); });
 }
 

@@ -21,7 +21,7 @@ struct Scene {
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
 
-  [[nodiscard]] View view(const CameraState& state) const {
+  [[nodiscard]] RenderJob job(const CameraState& state) const {
     return {lightField, display, sampling, state};
   }
 };

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plugin SDK: all that a plugin of Hogelscope includes. It is header-only, so a plugin links
+// nothing of Hogelscope. Any change to this file, or to core/base/parameters.h and
+// core/base/geometry.h, which it includes, needs a new `abi` (tests/plugins/sdk.sha256).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/parameters.h"
+
+namespace hogelscope::plugin {
+inline namespace v1 {
+
+constexpr std::uint32_t abi = 1;
+
+/// Red, green, blue in sRGB-encoded code values: 0 … 255 is the range of an 8-bit image.
+struct Colour {
+  float r = 0;
+  float g = 0;
+  float b = 0;
+};
+
+/// A line of light, followed from the viewer's side: the points (x − a t, y − b t, z − t) for
+/// 0 ≤ t ≤ reach. Metres in the display frame (docs/formulas.md, Display): x to the right, y up, z
+/// from the panel to the viewer. a = dx/dz and b = dy/dz are the light's slopes.
+struct Ray {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  double a = 0;
+  double b = 0;
+  double reach = 0;
+};
+
+/// The display that shows the content: its panel's size in metres, its hogels, their directions.
+struct Panel {
+  double size[2];
+  std::int32_t hogels[2];
+  std::int32_t directions[2];
+  double slopeStep[2];  ///< the slopes' range / directions: the mean width of a directional pixel
+};
+
+/// Relative paths in parameters are relative to `folder`; `threads` may be used at a time.
+struct Place {
+  std::string folder;
+  std::int32_t threads = 1;
+};
+
+/// The listener of long work.
+class Progress {
+ public:
+  /// Takes the fraction that is done, 0 … 1. Returns false to stop: the callee then throws.
+  [[nodiscard]] virtual bool go(double done) const = 0;
+
+ protected:
+  ~Progress() = default;
+};
+
+/// Triangles for the 3-D scene: x, y, z of each point in the display frame in metres, three indices
+/// for each triangle, 8-bit RGB of each point.
+struct Triangles {
+  std::vector<float> points;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint8_t> colours;
+};
+
+/// Content that is computed when a view asks for it: one 3-D scene. describe() and open() are
+/// called by one thread while no other function runs; all others may be called from several threads
+/// at a time. What a function throws (std::exception) is shown to the user as one line, so its
+/// what() names the file or the parameter and what to change.
+class ContentSource {
+ public:
+  virtual ~ContentSource() = default;
+
+  /// Visits the parameters, which JSON, forms, help and the manual follow.
+  virtual void describe(ParameterVisitor& v) = 0;
+  /// Prepares the content of these parameters; called again after each edit.
+  virtual void open(const Panel& panel, const Place& place, const Progress& progress) = 0;
+  /// The files that open() has read.
+  [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
+  /// The depths z between which there is content, back ≤ front.
+  virtual void depths(double& back, double& front) const = 0;
+  /// Sets the light of what each ray meets first and its depth z, NaN where it meets nothing (the
+  /// colour is then the background's). A ray's result does not depend on the others in the call.
+  /// Neighbours in the list are near each other. The three spans have one size.
+  virtual void trace(std::span<const Ray> rays, std::span<Colour> colours,
+                     std::span<float> depths) const = 0;
+  /// Returns what the 3-D scene draws.
+  [[nodiscard]] virtual Triangles triangles() const { return {}; }
+};
+
+/// One axis of a hogel's lens: a continuous, strictly growing function. All but describe() and
+/// open() may be called from several threads.
+class HogelLens {
+ public:
+  virtual ~HogelLens() = default;
+  virtual void describe(ParameterVisitor& v) = 0;
+  /// `fov` is the full angle of the field in degrees.
+  virtual void open(double fov, const Place& place) = 0;
+  /// Returns the coordinate in the angular field, −1/2 … 1/2, of light of a slope; 0 for 0.
+  [[nodiscard]] virtual double directionOf(double slope) const = 0;
+  /// The inverse of directionOf().
+  [[nodiscard]] virtual double slopeOf(double direction) const = 0;
+};
+
+/// A view as a metric sees it: width·height pixels of 8-bit RGB from the top left; `seen` is not 0
+/// where the pixel sees the display.
+struct Picture {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  std::span<const std::uint8_t> rgb;
+  std::span<const std::uint8_t> seen;
+};
+
+/// One figure of how far a test differs from a reference. compare() may be called from several
+/// threads.
+class Metric {
+ public:
+  virtual ~Metric() = default;
+  /// The title and the unit in tables ("MS-SSIM", ""), and the digits after the point.
+  [[nodiscard]] virtual const char* title() const = 0;
+  [[nodiscard]] virtual const char* unit() const { return ""; }
+  [[nodiscard]] virtual std::int32_t decimals() const { return 2; }
+  /// The pictures have one size. NaN where the figure is not defined.
+  [[nodiscard]] virtual double compare(const Picture& reference, const Picture& test) const = 0;
+};
+
+/// What the library's one symbol is: numbers that are read before any code of the plugin runs, its
+/// name (of the session's entries and the CSV's column), and a function for each thing that it
+/// offers, null for the others.
+struct Entry {
+  std::uint32_t abi;
+  const char* build;  ///< HOGELSCOPE_PLUGIN_BUILD
+  const char* name;
+  const char* version;
+  ContentSource* (*content)();
+  HogelLens* (*lens)();
+  Metric* (*metric)();
+};
+
+}  // namespace v1
+}  // namespace hogelscope::plugin
+
+#define HOGELSCOPE_TEXT_OF(x) #x
+#define HOGELSCOPE_TEXT(x) HOGELSCOPE_TEXT_OF(x)
+/// The C++ ABI of the compiler and of libstdc++, which host and plugin must share.
+#define HOGELSCOPE_PLUGIN_BUILD \
+  "gxx" HOGELSCOPE_TEXT(__GXX_ABI_VERSION) "-cxx11abi" HOGELSCOPE_TEXT(_GLIBCXX_USE_CXX11_ABI)
+#define HOGELSCOPE_PLUGIN(...)                                    \
+  extern "C" __attribute__((visibility("default")))               \
+  const hogelscope::plugin::Entry hogelscope_plugin {             \
+    hogelscope::plugin::abi, HOGELSCOPE_PLUGIN_BUILD, __VA_ARGS__ \
+  }
