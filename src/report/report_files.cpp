@@ -55,10 +55,10 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
   return files;
 }
 
-void writeTables(const fs::path& folder, const Report& report) {
-  writeTextFile(folder / "report.csv", csv(report.rows));
-  writeTextFile(folder / "metrics.csv", metricsCsv(report.rows));
-  writeTextFile(folder / "summary.csv", summaryCsv(report.summaries));
+void writeTables(const fs::path& folder, const Report& report, const MetricSet& metrics) {
+  writeTextFile(folder / "report.csv", reportCsv(report.rows, metrics));
+  writeTextFile(folder / "metrics.csv", metricsCsv(report.rows, metrics));
+  writeTextFile(folder / "summary.csv", summaryCsv(report.summaries, metrics));
   if (!report.comparisons.empty()) writeTextFile(folder / "bd.csv", bdCsv(report.comparisons));
 }
 

@@ -22,7 +22,8 @@ std::filesystem::path testImage(const std::filesystem::path& folder, std::size_t
                                 const std::string& state);
 
 /// report.csv, metrics.csv, summary.csv, and bd.csv where there are groups.
-void writeTables(const std::filesystem::path& folder, const Report& report);
+void writeTables(const std::filesystem::path& folder, const Report& report,
+                 const MetricSet& metrics);
 
 /// Writes testImage(), and referenceImage() with the first test.
 void writePictures(const std::filesystem::path& folder, std::size_t test, const std::string& state,

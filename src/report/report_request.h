@@ -31,6 +31,7 @@ struct ReportRequest {
   std::shared_ptr<LightFieldFile> file{};  ///< of the session; makeReport() opens it if null
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
+  MetricSet metrics{};
   std::string output;                    ///< the folder, made if missing
   std::string command;                   ///< how the report was asked for, for its page
   bool images = false;                   ///< keep every picture, too
@@ -63,8 +64,8 @@ struct Report {
   std::size_t taken = 0;         ///< rows of an earlier run
   bool replacedAnother = false;  ///< the folder had the journal of another, unfinished report
   double rendering = 0;          ///< seconds of all threads
-  double metrics = 0;            ///< the same
-  double pictures = 0;           ///< the same: compressing and writing
+  double comparing = 0;          ///< the same
+  double writing = 0;            ///< the same: compressing images and writing them
 };
 
 }  // namespace hogelscope

@@ -47,11 +47,6 @@ bool seesAnything(const Image& image) {
                      [](std::uint8_t seen) { return seen != 0; });
 }
 
-Metrics nothingCompared() {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  return {none, none, none, 0, {none, none, none}};
-}
-
 class ReportRun {
  public:
   ReportRun(const ReportRequest& request, const ReportListener& listener);
@@ -88,8 +83,8 @@ class ReportRun {
   std::vector<std::uint8_t> m_hasRow;
   Report m_report;
   TimeSum m_rendering;
-  TimeSum m_metrics;
-  TimeSum m_pictures;
+  TimeSum m_comparing;
+  TimeSum m_writing;
 };
 
 /// Many states side by side; a picture's rows share the cores where states are few.
@@ -129,8 +124,9 @@ void ReportRun::takeUp() {
           camera.name, tests[test].name, {}, camera.eye, camera.weight};
   }
   for (const auto& [index, entry] : m_journal.entries()) {
-    if (index >= m_hasRow.size()) continue;
-    m_report.rows[index].metrics = entry.metrics;
+    if (index >= m_hasRow.size() || entry.values.size() != m_request.metrics.columns().size())
+      continue;
+    m_report.rows[index].values = entry.values;
     m_report.rows[index].problem = entry.problem;
     m_hasRow[index] = 1;
     ++m_report.taken;
@@ -146,23 +142,23 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
                              const ViewPair& pair) {
   ReportRow row = m_report.rows[rowOf(test, state)];
   row.problem = pair.problem;
-  row.metrics = nothingCompared();
+  row.values = m_request.metrics.noValues();
   if (pair.problem.empty()) {
     if (m_request.images)
-      m_pictures.of([&] {
+      m_writing.of([&] {
         writePictures(m_folder, test, row.state, pair, m_progress.within());
         return 0;
       });
     if (seesAnything(pair.reference) || seesAnything(pair.test))
-      row.metrics = m_metrics.of([&] {
-        return compare(pair.reference, pair.test, m_pairs.renderer(worker).rows(),
-                       m_progress.within());
+      row.values = m_comparing.of([&] {
+        return m_request.metrics.compare(pair.reference, pair.test, m_pairs.renderer(worker).rows(),
+                                         m_progress.within());
       });
     else
       row.problem = seesNothing;
   }
   const std::lock_guard lock(m_mutex);
-  m_journal.add(rowOf(test, state), row.metrics, row.problem);
+  m_journal.add(rowOf(test, state), row.values, row.problem);
   m_hasRow[rowOf(test, state)] = 1;
   m_report.rows[rowOf(test, state)] = row;
   if (m_listener.finished) m_listener.finished(rowOf(test, state), row);
@@ -183,12 +179,13 @@ void ReportRun::showViews(std::size_t test) {
   for (std::size_t state = 0; state < states(); ++state)
     if (m_report.rows[rowOf(test, state)].problem.empty()) order.push_back(state);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return m_report.rows[rowOf(test, a)].metrics.mse > m_report.rows[rowOf(test, b)].metrics.mse;
+    return m_report.rows[rowOf(test, a)].values[mseColumn] >
+           m_report.rows[rowOf(test, b)].values[mseColumn];
   });
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
-    m_views.push_back(m_pictures.of(
-        [&] { return viewOf(rowOf(test, state), which, pair, m_progress.within()); }));
+    m_views.push_back(
+        m_writing.of([&] { return viewOf(rowOf(test, state), which, pair, m_progress.within()); }));
   };
   if (!order.empty()) show("worst", order.front());
   if (order.size() > 2) show("median", order[order.size() / 2]);
@@ -253,13 +250,14 @@ std::vector<ReportLens> certifyAll(const Session& session, const Progress& progr
 }
 
 void ReportRun::writeAll() {
-  m_report.summaries = summariseTests(m_report.rows, m_request.groups);
-  m_report.comparisons = bdRows(m_report.summaries, m_request.groups);
-  writeTables(m_folder, m_report);
+  m_report.summaries = summariseTests(m_report.rows, m_request.metrics, m_request.groups);
+  m_report.comparisons = bdRows(m_report.summaries, m_request.metrics, m_request.groups);
+  writeTables(m_folder, m_report, m_request.metrics);
   const DisplayParams& display = m_pairs.reference().display;
   ReportPage page{m_request.name,
                   m_facts.lines,
                   display,
+                  m_request.metrics,
                   m_report.rows,
                   m_report.summaries,
                   m_report.comparisons,
@@ -282,8 +280,8 @@ Report ReportRun::run() {
   for (std::size_t test = 0; test < tests; ++test) runTest(test);
   writeAll();
   m_report.rendering = m_rendering.seconds();
-  m_report.metrics = m_metrics.seconds();
-  m_report.pictures = m_pictures.seconds();
+  m_report.comparing = m_comparing.seconds();
+  m_report.writing = m_writing.seconds();
   return std::move(m_report);
 }
 

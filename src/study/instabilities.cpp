@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/light_field/light_field.h"
-#include "core/metrics/report_rows.h"
+#include "core/metrics/summary.h"
 #include "core/optics/psf.h"
 
 namespace hogelscope {
@@ -68,20 +68,21 @@ std::vector<InstabilityRow> psnrMeans() {
   NoisyPair pair;
   std::vector<InstabilityRow> rows;
   for (int identical = 0; identical < views; ++identical) {
+    const MetricSet metrics;
     std::vector<ReportRow> report;
     double openCv = 0;
     for (int view = 0; view < views; ++view) {
       Image& test = view < identical ? pair.reference : pair.test;
       openCv += openCvsPsnr(pair.reference, test) / views;
-      report.push_back({"", "", compare(pair.reference, test), {}});
+      report.push_back({"", "", metrics.compare(pair.reference, test), {}});
     }
-    const ReportSummary summary = summarise(report);
+    const ReportSummary summary = summariseRows(report, metrics);
     const auto add = [&](const char* method, double value) {
       rows.push_back({"psnr_mean", method, double(views), double(identical), {}, value});
     };
     add("mean of cv::PSNR", openCv);
-    add("mean of finite", summary.meanFinitePsnr);
-    add("of mean MSE", summary.psnrOfMeanMse);
+    add("mean of finite", summary.means[meanPsnr]);
+    add("of mean MSE", summary.means[psnrOfMeanMse]);
   }
   return rows;
 }

@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/engine/renderer.h"
 #include "core/engine/scaled_view.h"
-#include "core/metrics/metrics.h"
+#include "core/metrics/squared_error.h"
 
 namespace hogelscope {
 

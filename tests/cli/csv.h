@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "core/metrics/metrics.h"
+#include "core/metrics/metric.h"
 
 /// A line of RFC 4180 as its cells.
 inline QStringList cellsOf(const QByteArray& line) {
@@ -36,12 +36,17 @@ inline bool says(const QString& cell, double number) {
   return cell.toDouble() == number && digits.size() - zeros <= 17;
 }
 
-inline bool saysAll(const QStringList& cells, const hogelscope::Metrics& m,
+inline bool saysAll(const QStringList& cells, const std::vector<double>& values,
                     const hogelscope::Vec3& eye) {
-  const std::vector<double> numbers{m.mse,     hogelscope::psnr(m.mse),
-                                    m.mseSeen, hogelscope::psnr(m.mseSeen),
-                                    m.ssim,    m.seen,
-                                    eye.x,     eye.y,
+  using namespace hogelscope;
+  const std::vector<double> numbers{values[mseColumn],
+                                    values[psnrColumn],
+                                    values[mseSeenColumn],
+                                    values[psnrSeenColumn],
+                                    values[ssimColumn],
+                                    values[seenColumn],
+                                    eye.x,
+                                    eye.y,
                                     eye.z};
   if (cells.size() != int(numbers.size()) + 2) return false;
   for (std::size_t k = 0; k < numbers.size(); ++k)

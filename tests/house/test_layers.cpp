@@ -17,12 +17,13 @@ namespace {
 const std::map<QString, QStringList>& allowedRooms() {
   static const std::map<QString, QStringList> rooms{
       {"core/base", {}},
+      {"sdk/hogelscope", {"core/base"}},
       {"core/light_field", {"core/base"}},
       {"core/optics", {"core/base", "core/light_field"}},
       {"core/lens", {"core/base", "core/optics"}},
       {"core/engine", {"core/base", "core/light_field", "core/optics", "core/lens"}},
       {"core/cameras", {"core/base", "core/optics"}},
-      {"core/content", {"core/base", "core/light_field", "core/optics"}},
+      {"core/content", {"core/base", "sdk/hogelscope", "core/light_field", "core/optics"}},
       {"core/metrics",
        {"core/base", "core/light_field", "core/optics", "core/lens", "core/engine"}},
       {"io/files", {"core"}},

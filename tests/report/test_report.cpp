@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/base/text.h"
-#include "core/metrics/report_rows.h"
 #include "report/page/summary_page.h"
 #include "tests/core/random.h"
+#include "tests/report/metric_values.h"
 
 using namespace hogelscope;
 
@@ -18,10 +18,20 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
+const MetricSet metrics;
+
 const std::string header = "state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x,eye_y,eye_z\n";
 
 ReportRow row(const std::string& state, double mse) {
-  return {state, "a.png", {mse, mse, 0.5, 1}, {0, 0, 1}};
+  return {state, "a.png", metricValues(mse), {0, 0, 1}};
+}
+
+std::string csvOf(const std::vector<ReportRow>& rows) {
+  return reportCsv(rows, metrics);
+}
+
+ReportSummary summarise(const std::vector<ReportRow>& rows) {
+  return summariseRows(rows, metrics);
 }
 
 QString lastLine(const std::string& text) {
@@ -54,25 +64,30 @@ class TestReport : public QObject {
 };
 
 void TestReport::csvOfNothingIsTheHeader() {
-  QVERIFY(csv({}) == header);
+  QVERIFY(csvOf({}) == header);
 }
 
 void TestReport::csvRow() {
-  const ReportRow one{"Fig 1", "b.png", {650.25, 6502.5, 0.75, 0.125}, {0.1, -2, 1e-7}};
-  QVERIFY(csv({one}) == header + "Fig 1,b.png,650.25,20,6502.5,10,0.75,0.125,0.1,-2,1e-07\n");
+  ReportRow one{"Fig 1", "b.png", metricValues(650.25, 0.75, {}), {0.1, -2, 1e-7}};
+  one.values[psnrSeenColumn] = 10;
+  one.values[mseSeenColumn] = 6502.5;
+  one.values[seenColumn] = 0.125;
+  QVERIFY(csvOf({one}) == header + "Fig 1,b.png,650.25,20,6502.5,10,0.75,0.125,0.1,-2,1e-07\n");
 }
 
 void TestReport::csvRowsKeepTheirOrder() {
   const QStringList lines =
-      QString::fromStdString(csv({row("b", 1), row("a", 2), row("c", 0)})).split('\n');
+      QString::fromStdString(csvOf({row("b", 1), row("a", 2), row("c", 0)})).split('\n');
   QCOMPARE(lines.size(), 5);  // the text ends in a line end
   QVERIFY(lines[1].startsWith("b,") && lines[2].startsWith("a,") && lines[3].startsWith("c,"));
   QVERIFY(lines[4].isEmpty());
 }
 
 void TestReport::csvOfSpecialNumbers() {
-  const ReportRow identical{"s", "t", {0, notANumber, notANumber, 0}, {0, 0, 0}};
-  QCOMPARE(lastLine(csv({identical})), QString("s,t,0,inf,nan,nan,nan,0,0,0,0"));
+  ReportRow identical{"s", "t", metrics.noValues(), {0, 0, 0}};
+  identical.values[mseColumn] = 0;
+  identical.values[psnrColumn] = infinite;
+  QCOMPARE(lastLine(csvOf({identical})), QString("s,t,0,inf,nan,nan,nan,0,0,0,0"));
 }
 
 void TestReport::csvQuotes_data() {
@@ -123,7 +138,7 @@ void TestReport::csvQuotes() {
   QFETCH(const QString, cell);
   ReportRow one = row(name.toStdString(), 1);
   one.test = one.state;
-  const QString text = QString::fromStdString(csv({one}).substr(header.size()));
+  const QString text = QString::fromStdString(csvOf({one}).substr(header.size()));
   QVERIFY(text.startsWith(cell + "," + cell + ",1,"));
 }
 
@@ -131,7 +146,7 @@ void TestReport::csvQuotes() {
 void TestReport::csvKeepsNegativeNumbers() {
   ReportRow one = row("=a", 1);
   one.eye = {-0.5, -1e-7, 2};
-  QVERIFY(QString::fromStdString(csv({one}))
+  QVERIFY(QString::fromStdString(csvOf({one}))
               .endsWith("\n'=a,a.png,1,48.1308036086791,1,"
                         "48.1308036086791,0.5,1,-0.5,-1e-07,2\n"));
 }
@@ -196,23 +211,23 @@ void TestReport::summary() {
   const std::vector<ReportRow> rows{row("a", 6.5025), row("b", 650.25), row("c", 0),
                                     row("d", 65.025), row("e", 650.25)};
   const ReportSummary s = summarise(rows);
-  QVERIFY(std::abs(s.meanFinitePsnr - (40 + 20 + 30 + 20) / 4.0) < 1e-12);
-  QVERIFY(std::abs(s.psnrOfMeanMse - psnr((6.5025 + 650.25 + 65.025 + 650.25) / 5)) < 1e-12);
+  QVERIFY(std::abs(s.means[meanPsnr] - (40 + 20 + 30 + 20) / 4.0) < 1e-12);
+  QVERIFY(std::abs(s.means[psnrOfMeanMse] - psnr((6.5025 + 650.25 + 65.025 + 650.25) / 5)) < 1e-12);
   QCOMPARE(*s.worst, std::size_t(1));
   QCOMPARE(s.identical, std::size_t(1));
 }
 
 void TestReport::summaryOfIdenticalViews() {
   const ReportSummary s = summarise({row("a", 0), row("b", 0)});
-  QVERIFY(std::isnan(s.meanFinitePsnr));
-  QCOMPARE(s.psnrOfMeanMse, infinite);
+  QVERIFY(std::isnan(s.means[meanPsnr]));
+  QCOMPARE(s.means[psnrOfMeanMse], infinite);
   QVERIFY(!s.worst);
   QCOMPARE(s.identical, std::size_t(2));
 }
 
 void TestReport::summaryOfNothing() {
   const ReportSummary s = summarise({});
-  QVERIFY(std::isnan(s.meanFinitePsnr) && std::isnan(s.psnrOfMeanMse));
+  QVERIFY(std::isnan(s.means[meanPsnr]) && std::isnan(s.means[psnrOfMeanMse]));
   QVERIFY(!s.worst);
   QCOMPARE(s.identical, std::size_t(0));
 }
@@ -231,7 +246,7 @@ void TestReport::summaryInWords() {
 void TestReport::rowsThatCompareNothing() {
   ReportRow blind = row("b", notANumber);
   blind.problem = "sees nothing";
-  blind.metrics = {notANumber, notANumber, notANumber, 0, {notANumber, notANumber, notANumber}};
+  blind.values = metrics.noValues();
   ReportRow misleading = row("c", 0);  // whatever its numbers are
   misleading.problem = "no frame";
   const std::vector<ReportRow> rows{row("a", 650.25), blind, misleading};
@@ -239,15 +254,15 @@ void TestReport::rowsThatCompareNothing() {
   QCOMPARE(s.withoutView, std::size_t(2));
   QCOMPARE(s.identical, std::size_t(0));
   QCOMPARE(*s.worst, std::size_t(0));
-  QCOMPARE(s.meanFinitePsnr, 20.0);
-  QCOMPARE(s.psnrOfMeanMse, 20.0);
-  QCOMPARE(s.meanSsim, 0.5);
-  QVERIFY(!summarise({blind}).worst && std::isnan(summarise({blind}).meanFinitePsnr));
+  QCOMPARE(s.means[meanPsnr], 20.0);
+  QCOMPARE(s.means[psnrOfMeanMse], 20.0);
+  QCOMPARE(s.means[meanSsim], 0.5);
+  QVERIFY(!summarise({blind}).worst && std::isnan(summarise({blind}).means[meanPsnr]));
   const QStringList lines = QString::fromStdString(summaryText(s, rows)).split('\n');
   QCOMPARE(lines[4], QString("nothing to compare        2 of 3"));
   QVERIFY(summaryText(summarise({row("a", 1)}), {row("a", 1)}).find("nothing") ==
           std::string::npos);
-  QCOMPARE(lastLine(csv({blind})), QString("b,a.png,nan,nan,nan,nan,nan,0,0,0,1"));
+  QCOMPARE(lastLine(csvOf({blind})), QString("b,a.png,nan,nan,nan,nan,nan,0,0,0,1"));
 }
 
 QTEST_APPLESS_MAIN(TestReport)

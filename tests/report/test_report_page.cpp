@@ -12,19 +12,18 @@
 #include "core/base/text.h"
 #include "report/page/html.h"
 #include "tests/core/random.h"
+#include "tests/report/metric_values.h"
 
 using namespace hogelscope;
 
 namespace {
 
 ReportRow row(const std::string& state, double mse) {
-  return {state, "t.png", {mse, mse, 0.5, 1, {mse, mse, mse}}, {0, 0, 1}};
+  return {state, "t.png", metricValues(mse), {0, 0, 1}};
 }
 
 ReportRow blind(const std::string& state) {
-  const double none = std::nan("");
-  return {state,      "t.png", {none, none, none, 0, {none, none, none}},
-          {0, 0, -1}, 1,       "sees <nothing>"};
+  return {state, "t.png", MetricSet().noValues(), {0, 0, -1}, 1, "sees <nothing>"};
 }
 
 DisplayParams displayOf() {
@@ -39,7 +38,7 @@ ReportPage pageOf(const std::vector<ReportRow>& rows) {
   page.session = "s.json";
   page.display = displayOf();
   page.rows = rows;
-  if (!rows.empty()) page.summaries = summariseTests(rows);
+  if (!rows.empty()) page.summaries = summariseTests(rows, page.metrics);
   return page;
 }
 
@@ -202,7 +201,7 @@ void TestReportPage::oneTestHasNoRowOfAllTests() {
   ReportPage page = pageOf({row("a", 1), row("b", 2)});
   QVERIFY(!textsOf(html(page), "td").contains("all tests"));
   page.rows[1].test = "u.png";
-  page.summaries = summariseTests(page.rows);
+  page.summaries = summariseTests(page.rows, page.metrics);
   QVERIFY(textsOf(html(page), "td").contains("all tests"));
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/colour_map.h"
 #include "report/page/plot.h"
 #include "tests/core/random.h"
+#include "tests/report/metric_values.h"
 
 using namespace hogelscope;
 
@@ -64,12 +65,11 @@ Element pointOf(const QList<Element>& elements, const QString& state) {
 ReportRow row(const std::string& state, const Vec3& eye, double db,
               const std::string& test = "t.png") {
   const double mse = 255 * 255 / std::pow(10, db / 10);
-  return {state, test, {mse, mse, 0.5, 1, {mse, mse, mse}}, eye};
+  return {state, test, metricValues(mse), eye};
 }
 
 ReportRow blind(const std::string& state, const Vec3& eye) {
-  const double none = std::nan("");
-  return {state, "t.png", {none, none, none, 0, {none, none, none}}, eye, 1, "sees nothing"};
+  return {state, "t.png", MetricSet().noValues(), eye, 1, "sees nothing"};
 }
 
 DisplayParams displayOf(double width = 0.5, double height = 0.5) {

@@ -3,23 +3,39 @@
 #include <QTest>
 #include <cmath>
 
+#include "report/page/report_tables.h"
 #include "report/page/summary_page.h"
 #include "tests/core/random.h"
+#include "tests/report/metric_values.h"
 
 using namespace hogelscope;
 
 namespace {
 
+const MetricSet metrics;
+
 /// PSNR 20 + `better`, PSNR-Y 30 + `better`, PSNR-YUV 27.5 + `better`.
 ReportRow row(const std::string& state, const std::string& test, double better, double weight = 1) {
   const double factor = std::pow(10, -better / 10);
-  Metrics m{650.25 * factor, 650.25 * factor, 0.5 + better / 100, 1, {}};
-  m.mseYuv = {65.025 * factor, 650.25 * factor, 650.25 * factor};
-  return {state, test, m, {0, 0, 1}, weight};
+  return {state,
+          test,
+          metricValues(650.25 * factor, 0.5 + better / 100,
+                       {65.025 * factor, 650.25 * factor, 650.25 * factor}),
+          {0, 0, 1},
+          weight};
 }
 
 ReportRow identical(const std::string& state, const std::string& test) {
-  return {state, test, {0, 0, 1, 1, {}}, {0, 0, 1}, 1};
+  return {state, test, metricValues(0, 1, {}), {0, 0, 1}, 1};
+}
+
+ReportSummary summarise(const std::vector<ReportRow>& rows) {
+  return summariseRows(rows, metrics);
+}
+
+std::vector<TestSummary> summariesOf(const std::vector<ReportRow>& rows,
+                                     const std::vector<RateGroup>& groups = {}) {
+  return summariseTests(rows, metrics, groups);
 }
 
 QStringList linesOf(const std::string& text) {
@@ -53,6 +69,7 @@ class TestSummaries : public QObject {
   void allResamplesStates();
   void identicalOnly();
   void metricsTable();
+  void anotherMetric();
   void bdRates();
   void bdProblems();
   void page();
@@ -61,59 +78,59 @@ class TestSummaries : public QObject {
 void TestSummaries::means() {
   const ReportSummary s =
       summarise({row("a", "t", 0), row("b", "t", 10), identical("c", "t"), row("d", "t", 2)});
-  QVERIFY(near(s.meanFinitePsnr, 24));
-  QVERIFY(near(s.meanPsnrY, 34));
-  QVERIFY(near(s.meanPsnrYuv, 31.5));
-  QVERIFY(near(s.meanSsim, (0.5 + 0.6 + 1 + 0.52) / 4));
-  QVERIFY(near(s.psnrOfMeanMse, psnr(650.25 * (1 + 0.1 + std::pow(10, -0.2)) / 4)));
-  QVERIFY(near(s.weighted.meanFinitePsnr, s.meanFinitePsnr));
+  QVERIFY(near(s.means[meanPsnr], 24));
+  QVERIFY(near(s.means[meanPsnrY], 34));
+  QVERIFY(near(s.means[meanPsnrYuv], 31.5));
+  QVERIFY(near(s.means[meanSsim], (0.5 + 0.6 + 1 + 0.52) / 4));
+  QVERIFY(near(s.means[psnrOfMeanMse], psnr(650.25 * (1 + 0.1 + std::pow(10, -0.2)) / 4)));
+  QVERIFY(near(s.weighted[meanPsnr], s.means[meanPsnr]));
 }
 
 void TestSummaries::weightedMeans() {
   const std::vector<ReportRow> rows{row("a", "t", 0, 3), row("b", "t", 10, 1)};
-  const ReportMeans weighted = summarise(rows).weighted;
-  QVERIFY(near(weighted.meanFinitePsnr, 22.5));
-  QVERIFY(near(weighted.meanPsnrY, 32.5));
-  QVERIFY(near(weighted.meanPsnrYuv, 30));
-  QVERIFY(near(weighted.meanSsim, 0.525));
-  QVERIFY(near(weighted.psnrOfMeanMse, psnr(650.25 * (3 + 0.1) / 4)));
+  const std::vector<double> weighted = summarise(rows).weighted;
+  QVERIFY(near(weighted[meanPsnr], 22.5));
+  QVERIFY(near(weighted[meanPsnrY], 32.5));
+  QVERIFY(near(weighted[meanPsnrYuv], 30));
+  QVERIFY(near(weighted[meanSsim], 0.525));
+  QVERIFY(near(weighted[psnrOfMeanMse], psnr(650.25 * (3 + 0.1) / 4)));
   // A weight is as many equal rows.
   const ReportSummary repeated =
       summarise({row("a", "t", 0), row("a", "t", 0), row("a", "t", 0), row("b", "t", 10)});
-  QVERIFY(near(weighted.psnrOfMeanMse, repeated.psnrOfMeanMse));
+  QVERIFY(near(weighted[psnrOfMeanMse], repeated.means[psnrOfMeanMse]));
 }
 
 void TestSummaries::weightZeroDoesNotCount() {
   const ReportSummary s = summarise({row("a", "t", 0, 0), row("b", "t", 7, 2)});
-  QVERIFY(near(s.weighted.meanFinitePsnr, 27));
-  QVERIFY(near(s.meanFinitePsnr, 23.5));
-  QVERIFY(std::isnan(summarise({row("a", "t", 0, 0)}).weighted.meanFinitePsnr));
+  QVERIFY(near(s.weighted[meanPsnr], 27));
+  QVERIFY(near(s.means[meanPsnr], 23.5));
+  QVERIFY(std::isnan(summarise({row("a", "t", 0, 0)}).weighted[meanPsnr]));
 }
 
 void TestSummaries::notANumberDoesNotCount() {
   ReportRow small = row("b", "t", 6);
-  small.metrics.ssim = std::nan("");
+  small.values[ssimColumn] = std::nan("");
   const ReportSummary s = summarise({row("a", "t", 0), small});
-  QVERIFY(near(s.meanSsim, 0.5));
-  QVERIFY(near(s.meanFinitePsnr, 23));
+  QVERIFY(near(s.means[meanSsim], 0.5));
+  QVERIFY(near(s.means[meanPsnr], 23));
 }
 
 void TestSummaries::blocks() {
   const auto summaries =
-      summariseTests({row("a", "x", 0), row("a", "y", 5), row("b", "x", 10), row("b", "y", 7)});
+      summariesOf({row("a", "x", 0), row("a", "y", 5), row("b", "x", 10), row("b", "y", 7)});
   QCOMPARE(summaries.size(), std::size_t(3));
   QCOMPARE(summaries[0].test, std::string("x"));
   QCOMPARE(summaries[1].test, std::string("y"));
   QCOMPARE(summaries[2].test, std::string("all tests"));
-  QVERIFY(near(summaries[0].summary.meanFinitePsnr, 25));
-  QVERIFY(near(summaries[1].summary.meanFinitePsnr, 26));
-  QVERIFY(near(summaries[2].summary.meanFinitePsnr, 25.5));
+  QVERIFY(near(summaries[0].summary.means[meanPsnr], 25));
+  QVERIFY(near(summaries[1].summary.means[meanPsnr], 26));
+  QVERIFY(near(summaries[2].summary.means[meanPsnr], 25.5));
 }
 
 void TestSummaries::csvFigures() {
-  const auto summaries = summariseTests(
+  const auto summaries = summariesOf(
       {row("a", "x", 4, 1), row("b, c", "x", 0, 3), identical("d", "x")}, {{"g", {{"x", 0.25}}}});
-  const QStringList lines = linesOf(summaryCsv(summaries));
+  const QStringList lines = linesOf(summaryCsv(summaries, metrics));
   QCOMPARE(lines[0],
            QString("test,figure,value,low,high,weighted,weighted_low,weighted_high,state"));
   QCOMPARE(cells(lines, "x,views")[2], QString("3"));
@@ -136,8 +153,8 @@ void TestSummaries::csvFigures() {
 void TestSummaries::rowsWithProblems() {
   ReportRow blind = row("b", "x", 30, 5);
   blind.problem = "sees nothing";
-  const auto summaries = summariseTests({row("a", "x", 4), blind, row("c", "x", 4)});
-  const QStringList lines = linesOf(summaryCsv(summaries));
+  const auto summaries = summariesOf({row("a", "x", 4), blind, row("c", "x", 4)});
+  const QStringList lines = linesOf(summaryCsv(summaries, metrics));
   QCOMPARE(cells(lines, "x,views")[2], QString("3"));
   QCOMPARE(cells(lines, "x,views_without_comparison")[2], QString("1"));
   for (const int k : {2, 3, 4, 5, 6, 7})
@@ -153,7 +170,7 @@ void TestSummaries::allResamplesStates() {
     const double better = random.uniform(0, 10);
     for (const char* test : {"x", "y", "z"}) rows.push_back(row(std::to_string(k), test, better));
   }
-  const auto summaries = summariseTests(rows);
+  const auto summaries = summariesOf(rows);
   const auto width = [&](std::size_t k) {
     return summaries[k].intervals[0].high - summaries[k].intervals[0].low;
   };
@@ -162,8 +179,8 @@ void TestSummaries::allResamplesStates() {
 }
 
 void TestSummaries::identicalOnly() {
-  const auto summaries = summariseTests({identical("a", "x"), identical("b", "x")});
-  const QStringList lines = linesOf(summaryCsv(summaries));
+  const auto summaries = summariesOf({identical("a", "x"), identical("b", "x")});
+  const QStringList lines = linesOf(summaryCsv(summaries, metrics));
   QVERIFY(lines.contains("x,mean_psnr,nan,nan,nan,nan,nan,nan,"));
   QVERIFY(lines.contains("x,psnr_of_mean_mse,inf,inf,inf,inf,inf,inf,"));
   QVERIFY(lines.contains("x,mean_ssim,1,1,1,1,1,1,"));
@@ -172,12 +189,45 @@ void TestSummaries::identicalOnly() {
 
 void TestSummaries::metricsTable() {
   ReportRow one = row("a, b", "t", 0, 0.5);
-  one.metrics.mseYuv = {650.25, 65.025, 0};
-  QCOMPARE(QString::fromStdString(metricsCsv({one})),
+  one.values = metricValues(650.25, 0.5, {650.25, 65.025, 0});
+  QCOMPARE(QString::fromStdString(metricsCsv({one}, metrics)),
            QString("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight,problem\n"
                    "\"a, b\",t,650.25,65.025,0,20,30,inf,inf,0.5,\n"));
   one.problem = "no frame, sorry";
-  QVERIFY(metricsCsv({one}).ends_with(",0.5,\"no frame, sorry\"\n"));
+  QVERIFY(metricsCsv({one}, metrics).ends_with(",0.5,\"no frame, sorry\"\n"));
+}
+
+/// Its column and its mean reach every table without a line of theirs.
+void TestSummaries::anotherMetric() {
+  Metric largest;
+  largest.columns = {{"largest", "Largest", "cv", "", 1, 1, MetricColumn::Where::page}};
+  largest.means = {{"mean_largest", "mean largest", 0, 1, nullptr, true}};
+  largest.compare = [](const Image& reference, const Image& test, const ParallelRows&,
+                       const Progress&) {
+    int most = 0;
+    for (std::size_t k = 0; k < test.rgb.size(); ++k)
+      most = std::max(most, std::abs(int(reference.rgb[k]) - int(test.rgb[k])));
+    return std::vector<double>{double(most)};
+  };
+  const MetricSet more({largest});
+  Image a(20, 20), b(20, 20);
+  b.rgb[7] = 99;
+  const std::vector<ReportRow> rows{{"s", "t", more.compare(a, b), {0, 0, 1}, 1},
+                                    {"u", "t", more.compare(a, a), {0, 0, 1}, 1}};
+  QVERIFY(
+      reportCsv(rows, more).starts_with("state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x"));
+  const QStringList lines = linesOf(metricsCsv(rows, more));
+  QVERIFY(lines[0].endsWith(",psnr_yuv,largest,weight,problem"));
+  QVERIFY(lines[1].endsWith(",99,1,") && lines[2].endsWith(",0,1,"));
+  const auto summaries = summariseTests(rows, more);
+  QCOMPARE(cells(linesOf(summaryCsv(summaries, more)), "t,mean_largest")[2], QString("49.5"));
+  QVERIFY(summaryTables(summaries, more, {}).find("<th class=\"n\">mean largest</th>") !=
+          std::string::npos);
+  const std::string table = statesTable(rows, more);
+  QVERIFY(table.find("<th class=\"n\">Largest cv</th>") != std::string::npos);
+  QVERIFY(table.find("<td class=\"n\">99.0</td>") != std::string::npos);
+  const std::vector<RateGroup> groups{{"A", {{"t", 1}}}, {"B", {{"t", 2}}}};
+  QCOMPARE(bdRows(summaries, more, groups).back().quality, std::string("mean_largest"));
 }
 
 void TestSummaries::bdRates() {
@@ -191,7 +241,7 @@ void TestSummaries::bdRates() {
     half.tests.push_back({b, 0.05 * (k + 1)});
   }
   const std::vector<RateGroup> groups{anchor, half};
-  const auto comparisons = bdRows(summariseTests(rows, groups), groups);
+  const auto comparisons = bdRows(summariesOf(rows, groups), metrics, groups);
   QCOMPARE(comparisons.size(), std::size_t(3));
   for (const BdRow& one : comparisons) QVERIFY(std::abs(one.delta.rate + 50) < 1e-9);
   QVERIFY(near(comparisons[1].delta.psnrFrom, 30));
@@ -199,7 +249,7 @@ void TestSummaries::bdRates() {
   QCOMPARE(lines.size(), 5);
   QVERIFY(lines[3].startsWith("A,B,mean_psnr_yuv,-"));
   QVERIFY(bdText(comparisons).starts_with("B against A, mean_psnr: BD-rate -50.00 %, BD-PSNR "));
-  const std::string page = summaryTables(summariseTests(rows, groups), comparisons);
+  const std::string page = summaryTables(summariesOf(rows, groups), metrics, comparisons);
   QVERIFY(page.find("B against A, mean_psnr_y: BD-rate -50.00 %") != std::string::npos);
 }
 
@@ -213,13 +263,13 @@ void TestSummaries::bdProblems() {
 }
 
 void TestSummaries::page() {
-  const std::string plain = summaryTables(summariseTests({row("<s>", "<t>", 1)}), {});
+  const std::string plain = summaryTables(summariesOf({row("<s>", "<t>", 1)}), metrics, {});
   QVERIFY(plain.find("<td>&lt;t&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("<td>&lt;s&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("weighted") == std::string::npos);
   QVERIFY(plain.find("Bjøntegaard") == std::string::npos);
   const std::string weighted =
-      summaryTables(summariseTests({row("a", "t", 0, 3), row("b", "t", 10)}), {});
+      summaryTables(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics, {});
   QVERIFY(weighted.find("<td>t, weighted</td><td class=\"n\">22.50 <small>(") != std::string::npos);
 }
 

@@ -24,7 +24,7 @@ int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
   if (!least) return 0;
   int status = 0;
   for (const ReportRow& row : rows) {
-    const double db = psnr(row.metrics.mse);
+    const double db = row.values[psnrColumn];
     if (db >= *least || row.problem == seesNothing) continue;
     std::cerr << "hogelscope: " << row.state << ": " << row.test << ": "
               << (row.problem.empty() ? numberText(db) + " dB is below " + numberText(*least)
@@ -47,13 +47,13 @@ std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const C
 
 /// "400 views: 62 % of the time rendering, 12 % metrics, 3 % pictures".
 std::string timesText(const Report& report) {
-  const double all = report.rendering + report.metrics + report.pictures;
+  const double all = report.rendering + report.comparing + report.writing;
   const auto percent = [all](double seconds) {
     return std::to_string(std::lround(100 * seconds / all)) + " %";
   };
   if (!(all > 0)) return {};
   return "time spent                rendering " + percent(report.rendering) + ", metrics " +
-         percent(report.metrics) + ", pictures " + percent(report.pictures) + "\n";
+         percent(report.comparing) + ", pictures " + percent(report.writing) + "\n";
 }
 
 Report makeWithProgress(const ReportRequest& request, const CommandLine& line) {
@@ -104,9 +104,10 @@ int runReport(const CommandLine& line) {
                 << ": was of another report that did not finish; begun anew\n";
     if (report.taken > 0)
       std::cerr << "hogelscope: went on after " << report.taken << " views of an earlier run\n";
-    std::cout << summaryText(summarise(report.rows), report.rows) << bdText(report.comparisons)
-              << timesText(report) << "report in " << (folder / "report.html").string() << " and "
-              << (folder / "report.csv").string() << "\n";
+    std::cout << summaryText(report.summaries.back().summary, report.rows)
+              << bdText(report.comparisons) << timesText(report) << "report in "
+              << (folder / "report.html").string() << " and " << (folder / "report.csv").string()
+              << "\n";
   }
   return checkGate(report.rows, line.number("fail-below"));
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a report's rows amount to.
+// Sums up a report's rows.
 #include "core/metrics/summary.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "core/base/text.h"
 
@@ -13,49 +15,61 @@ namespace hogelscope {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t figureCount = 5;
-
-std::vector<double> listed(const ReportMeans& means) {
-  const auto& [psnr, ofMeanMse, ssim, psnrY, psnrYuv] = means;
-  return {psnr, ofMeanMse, ssim, psnrY, psnrYuv};
+/// The sums from which the means follow: for each mean Σ weight · value, Σ weight.
+std::vector<double> meanSums(const ReportRow& row, double weight, const MetricSet& metrics) {
+  std::vector<double> sums(2 * metrics.means().size(), 0);
+  if (!row.problem.empty()) return sums;
+  for (std::size_t k = 0; k < metrics.means().size(); ++k) {
+    const double value = row.values[metrics.means()[k].column];
+    if (!std::isfinite(value)) continue;
+    sums[2 * k] = weight * value;
+    sums[2 * k + 1] = weight;
+  }
+  return sums;
 }
 
-/// Plain sums, then weighted ones: one unit of the bootstrap.
-std::vector<double> unitOf(const ReportRow& row) {
-  const MeanSums plain = meanSums(row, 1);
-  const MeanSums weighted = meanSums(row, row.weight);
-  std::vector<double> unit(plain.begin(), plain.end());
-  unit.insert(unit.end(), weighted.begin(), weighted.end());
-  return unit;
+/// Returns the means of one or several lists of sums.
+std::vector<double> meansOfSums(const std::vector<double>& sums, const MetricSet& metrics) {
+  std::vector<double> means;
+  for (std::size_t k = 0; k < sums.size() / 2; ++k) {
+    const auto ofMean = metrics.means()[k % metrics.means().size()].ofMean;
+    const double mean = sums[2 * k] / sums[2 * k + 1];
+    means.push_back(ofMean == nullptr ? mean : ofMean(mean));
+  }
+  return means;
 }
 
-/// Rows of one state make one unit: what one viewer saw is drawn as a whole.
-std::vector<std::vector<double>> unitsOf(const std::vector<ReportRow>& rows) {
-  std::vector<std::string> states;
+void addTo(std::vector<double>& sums, const std::vector<double>& more) {
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += more[k];
+}
+
+/// A row's plain sums, then its weighted ones.
+std::vector<double> sumsOf(const ReportRow& row, const MetricSet& metrics) {
+  std::vector<double> sums = meanSums(row, 1, metrics);
+  std::ranges::copy(meanSums(row, row.weight, metrics), std::back_inserter(sums));
+  return sums;
+}
+
+/// One unit of the bootstrap for each state: what one viewer saw is drawn as a whole.
+std::vector<std::vector<double>> unitsOf(const std::vector<ReportRow>& rows,
+                                         const MetricSet& metrics) {
   std::vector<std::vector<double>> units;
-  for (const ReportRow& row : rows) {
-    const std::vector<double> unit = unitOf(row);
-    if (!states.empty() && states.back() == row.state) {  // they stand together in a report
-      for (std::size_t k = 0; k < unit.size(); ++k) units.back()[k] += unit[k];
-    } else {
-      states.push_back(row.state);
-      units.push_back(unit);
-    }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (k > 0 && rows[k].state == rows[k - 1].state)  // they stand together in a report
+      addTo(units.back(), sumsOf(rows[k], metrics));
+    else
+      units.push_back(sumsOf(rows[k], metrics));
   }
   return units;
 }
 
-std::vector<double> figuresOf(const std::vector<double>& sums) {
-  std::vector<double> figures = listed(meansOf(sums.data()));
-  const std::vector<double> weighted = listed(meansOf(sums.data() + 2 * figureCount));
-  figures.insert(figures.end(), weighted.begin(), weighted.end());
-  return figures;
-}
-
-TestSummary summaryOf(const std::string& test, std::vector<ReportRow> rows) {
+TestSummary summaryOf(const std::string& test, std::vector<ReportRow> rows,
+                      const MetricSet& metrics) {
   TestSummary result{test, std::move(rows), {}, {}, {}};
-  result.summary = summarise(result.rows);
-  result.intervals = bootstrap(unitsOf(result.rows), figuresOf);
+  result.summary = summariseRows(result.rows, metrics);
+  result.intervals = bootstrap(unitsOf(result.rows, metrics), [&](const std::vector<double>& sums) {
+    return meansOfSums(sums, metrics);
+  });
   return result;
 }
 
@@ -67,40 +81,55 @@ std::string figureRow(const TestSummary& summary, const std::string& figure,
   return text + "," + csvCell(state) + "\n";
 }
 
-std::string block(const TestSummary& summary) {
-  const std::vector<double> plain = listed(summary.summary);
-  const std::vector<double> weighted = listed(summary.summary.weighted);
+std::string block(const TestSummary& summary, const MetricSet& metrics) {
+  const std::vector<double>& plain = summary.summary.means;
+  const std::vector<double>& weighted = summary.summary.weighted;
   std::string text =
       figureRow(summary, "views", {double(summary.rows.size())}) +
       figureRow(summary, "identical_views", {double(summary.summary.identical)}) +
       figureRow(summary, "views_without_comparison", {double(summary.summary.withoutView)});
-  for (std::size_t k = 0; k < figureCount; ++k) {
+  for (std::size_t k = 0; k < plain.size(); ++k) {
     const Interval& interval = summary.intervals[k];
-    const Interval& other = summary.intervals[k + figureCount];
-    text += figureRow(summary, figureNames()[k],
+    const Interval& other = summary.intervals[k + plain.size()];
+    text += figureRow(summary, metrics.means()[k].name,
                       {plain[k], interval.low, interval.high, weighted[k], other.low, other.high});
   }
   if (summary.summary.worst) {
     const ReportRow& row = summary.rows[*summary.summary.worst];
-    text += figureRow(summary, "worst_psnr", {psnr(row.metrics.mse)}, row.state);
+    text += figureRow(summary, "worst_psnr", {row.values[psnrColumn]}, row.state);
   }
   if (summary.rate) text += figureRow(summary, "rate_bpp", {*summary.rate});
   return text;
 }
 
 double qualityOf(const std::vector<TestSummary>& summaries, const std::string& test,
-                 std::size_t figure) {
+                 std::size_t mean) {
   for (const TestSummary& summary : summaries)
-    if (summary.test == test) return listed(summary.summary)[figure];
+    if (summary.test == test) return summary.summary.means[mean];
   return nothing;
 }
 
 }  // namespace
 
-const std::array<const char*, 5>& figureNames() {
-  static const std::array<const char*, 5> names{"mean_psnr", "psnr_of_mean_mse", "mean_ssim",
-                                                "mean_psnr_y", "mean_psnr_yuv"};
-  return names;
+ReportSummary summariseRows(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
+  ReportSummary summary;
+  std::vector<double> sums(4 * metrics.means().size(), 0);
+  for (const ReportRow& row : rows) addTo(sums, sumsOf(row, metrics));
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    if (!rows[index].problem.empty()) {
+      ++summary.withoutView;
+      continue;
+    }
+    const double mse = rows[index].values[mseColumn];
+    if (mse == 0) ++summary.identical;
+    if (mse > 0 && (!summary.worst || mse > rows[*summary.worst].values[mseColumn]))
+      summary.worst = index;
+  }
+  const std::vector<double> means = meansOfSums(sums, metrics);
+  const auto middle = means.begin() + std::ptrdiff_t(metrics.means().size());
+  summary.means.assign(means.begin(), middle);
+  summary.weighted.assign(middle, means.end());
+  return summary;
 }
 
 std::vector<std::string> testsOf(const std::vector<ReportRow>& rows) {
@@ -111,40 +140,42 @@ std::vector<std::string> testsOf(const std::vector<ReportRow>& rows) {
 }
 
 std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
+                                        const MetricSet& metrics,
                                         const std::vector<RateGroup>& groups) {
   std::vector<TestSummary> summaries;
   for (const std::string& test : testsOf(rows)) {
     std::vector<ReportRow> own;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
                  [&](const ReportRow& row) { return row.test == test; });
-    summaries.push_back(summaryOf(test, std::move(own)));
+    summaries.push_back(summaryOf(test, std::move(own), metrics));
     for (const RateGroup& group : groups)
       for (const TestRate& rate : group.tests)
         if (rate.test == test) summaries.back().rate = rate.rate;
   }
-  summaries.push_back(summaryOf("all tests", rows));
+  summaries.push_back(summaryOf("all tests", rows, metrics));
   return summaries;
 }
 
-std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries,
+std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<RateGroup>& groups) {
-  const auto curve = [&](const RateGroup& group, std::size_t figure) {
+  const auto curve = [&](const RateGroup& group, std::size_t mean) {
     std::vector<RatePoint> points;
     for (const TestRate& test : group.tests)
-      points.push_back({test.rate, qualityOf(summaries, test.test, figure)});
+      points.push_back({test.rate, qualityOf(summaries, test.test, mean)});
     return points;
   };
   std::vector<BdRow> rows;
   for (std::size_t k = 1; k < groups.size(); ++k)
-    for (const std::size_t figure : {0U, 3U, 4U})
-      rows.push_back({groups[0].name, groups[k].name, figureNames()[figure],
-                      bdDelta(curve(groups[0], figure), curve(groups[k], figure))});
+    for (std::size_t mean = 0; mean < metrics.means().size(); ++mean)
+      if (metrics.means()[mean].isQuality)
+        rows.push_back({groups[0].name, groups[k].name, metrics.means()[mean].name,
+                        bdDelta(curve(groups[0], mean), curve(groups[k], mean))});
   return rows;
 }
 
-std::string summaryCsv(const std::vector<TestSummary>& summaries) {
+std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
   std::string text = "test,figure,value,low,high,weighted,weighted_low,weighted_high,state\n";
-  for (const TestSummary& summary : summaries) text += block(summary);
+  for (const TestSummary& summary : summaries) text += block(summary, metrics);
   return text;
 }
 

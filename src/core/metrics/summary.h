@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a report's rows amount to, for each test light field and over all: summary.csv, bd.csv.
+// Means of a report's rows, for each test light field and over all: summary.csv, bd.csv.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,24 @@
 
 namespace hogelscope {
 
-/// What summary.csv calls the means, in the order of ReportMeans.
-const std::array<const char*, 5>& figureNames();
+/// Means are named, never mixed (docs/formulas.md, Metrics). A row with a problem counts in none,
+/// and the mean of nothing is NaN.
+struct ReportSummary {
+  std::vector<double> means;         ///< of MetricSet::means()
+  std::vector<double> weighted;      ///< the same, with each row's weight
+  std::optional<std::size_t> worst;  ///< the row of the lowest PSNR that is not infinite
+  std::size_t identical = 0;
+  std::size_t withoutView = 0;  ///< rows with a problem
+};
+
+ReportSummary summariseRows(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
 /// One block of summary.csv.
 struct TestSummary {
   std::string test;  ///< "all tests" for the last block
   std::vector<ReportRow> rows;
   ReportSummary summary;
-  /// 95 % intervals of the means in the order of figureNames, then of the weighted ones.
+  /// 95 % intervals of the means, then of the weighted means.
   std::vector<Interval> intervals;
   std::optional<double> rate;  ///< bits per directional pixel
 };
@@ -51,14 +60,15 @@ std::vector<std::string> testsOf(const std::vector<ReportRow>& rows);
 /// A block for each test in the order of the rows, then one over all, whose intervals resample
 /// states: rows of one state stay together.
 std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
+                                        const MetricSet& metrics,
                                         const std::vector<RateGroup>& groups = {});
 
-/// Every later group against the first, in mean_psnr, mean_psnr_y and mean_psnr_yuv.
-std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries,
+/// Compares every later group with the first, in each mean that is a quality.
+std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<RateGroup>& groups);
 
 /// `summary.csv`, `bd.csv`.
-std::string summaryCsv(const std::vector<TestSummary>& summaries);
+std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
 std::string bdCsv(const std::vector<BdRow>& rows);
 
 }  // namespace hogelscope

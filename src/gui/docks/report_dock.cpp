@@ -250,7 +250,7 @@ void ReportDock::start() {
   m_tests.clear();
   for (int k = 0; k < m_testList->count(); ++k)
     m_tests.push_back(m_testList->item(k)->text().toStdString());
-  m_request = {};
+  m_request = ReportRequest();
   m_request.session = m_model->session();
   const bool isEdited = m_model->isModified();
   m_request.name = nameOf(*m_model);
@@ -300,7 +300,8 @@ void ReportDock::showIdle() {
 void ReportDock::showReport(const Report& report) {
   showIdle();
   if (m_table->rowCount() == 0) return;  // of another session
-  m_note->setText(QString::fromStdString(summaryText(summarise(report.rows), report.rows)));
+  m_note->setText(
+      QString::fromStdString(summaryText(report.summaries.back().summary, report.rows)));
   m_pageButton->setEnabled(true);
   if (!chosenRow()) chooseState(m_model->currentIndex());
 }
@@ -322,7 +323,7 @@ void ReportDock::emitPsnr() {
     dB.assign(m_request.session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t state = 0; state < dB.size(); ++state)
       if (const auto& row = m_table->row(order().row(state, m_test)); row)
-        dB[state] = psnr(row->metrics.mse);
+        dB[state] = row->values[psnrColumn];
   }
   if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
   Q_EMIT psnrChanged(dB);

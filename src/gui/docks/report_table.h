@@ -14,11 +14,12 @@ class ReportTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { test, psnrColumn, psnrSeenColumn, ssimColumn, seenColumn, columns };
+  /// The first column; the metrics' columns follow.
+  static constexpr int test = 0;
   /// By which a column is sorted: numbers as numbers.
   static constexpr int sortRole = Qt::UserRole;
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit ReportTable(QObject* parent);
 
   /// So many rows, none of which is known yet.
   void begin(std::size_t rows);
@@ -36,6 +37,16 @@ class ReportTable : public QAbstractTableModel {
  private:
   [[nodiscard]] QVariant rowHeader(int section, int role) const;
 
+  [[nodiscard]] QString textOf(const ReportRow& row, int column) const;
+  [[nodiscard]] const MetricColumn& metric(int column) const {
+    return m_metrics.columns()[m_columns[std::size_t(column) - 1]];
+  }
+  [[nodiscard]] double value(const ReportRow& row, int column) const {
+    return row.values[m_columns[std::size_t(column) - 1]];
+  }
+
+  MetricSet m_metrics;
+  std::vector<std::size_t> m_columns;  ///< indices of the metrics that the table shows
   std::vector<std::optional<ReportRow>> m_rows;
 };
 

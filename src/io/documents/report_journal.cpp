@@ -30,26 +30,28 @@ std::string headOf(const std::string& key) {
   return Json{{"hogelscope report", 1}, {"key", key}}.dump() + "\n";
 }
 
-/// nlohmann writes the shortest digits that read back as the same number, and null for NaN.
-std::string lineOf(std::size_t row, const Metrics& m, const std::string& problem) {
-  return Json{{"row", row},     {"mse", m.mse},       {"mseSeen", m.mseSeen}, {"ssim", m.ssim},
-              {"seen", m.seen}, {"mseYuv", m.mseYuv}, {"problem", problem}}
-             .dump(-1, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+/// A number, as the shortest digits that read back as it; JSON has no infinite numbers and no NaN.
+Json jsonNumber(double value) {
+  return std::isinf(value) ? Json("inf") : Json(value);  // nlohmann writes null for NaN
 }
 
 double number(const Json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+  if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (value == "inf") return std::numeric_limits<double>::infinity();
+  return value.get<double>();
+}
+
+std::string lineOf(std::size_t row, const std::vector<double>& values, const std::string& problem) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(jsonNumber(value));
+  return Json{{"row", row}, {"values", list}, {"problem", problem}}.dump(
+             -1, ' ', false, Json::error_handler_t::replace) +
+         "\n";
 }
 
 ReportJournal::Entry entryOf(const Json& line) {
   ReportJournal::Entry entry;
-  entry.metrics = {number(line.at("mse")),
-                   number(line.at("mseSeen")),
-                   number(line.at("ssim")),
-                   number(line.at("seen")),
-                   {}};
-  for (std::size_t k = 0; k < 3; ++k) entry.metrics.mseYuv[k] = number(line.at("mseYuv").at(k));
+  for (const Json& value : line.at("values")) entry.values.push_back(number(value));
   entry.problem = line.at("problem").get<std::string>();
   return entry;
 }
@@ -91,8 +93,9 @@ std::uintmax_t ReportJournal::read(const std::string& head) {
   return used;
 }
 
-void ReportJournal::add(std::size_t row, const Metrics& metrics, const std::string& problem) {
-  writeAll(m_descriptor.get(), lineOf(row, metrics, problem), m_file);
+void ReportJournal::add(std::size_t row, const std::vector<double>& values,
+                        const std::string& problem) {
+  writeAll(m_descriptor.get(), lineOf(row, values, problem), m_file);
 }
 
 void ReportJournal::remove() {

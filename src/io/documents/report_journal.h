@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
-#include "core/metrics/report_rows.h"
 #include "io/files/random_access_file.h"
 
 namespace hogelscope {
@@ -16,7 +16,7 @@ class ReportJournal {
  public:
   /// The figures of a row; its state and test follow from the session.
   struct Entry {
-    Metrics metrics;
+    std::vector<double> values;
     std::string problem;
   };
 
@@ -33,7 +33,7 @@ class ReportJournal {
   [[nodiscard]] bool replacedAnother() const { return m_replacedAnother; }
 
   /// Adds a row, which outlives the process once this returns. Throws InputError (full disk).
-  void add(std::size_t row, const Metrics& metrics, const std::string& problem);
+  void add(std::size_t row, const std::vector<double>& values, const std::string& problem);
   /// Deletes the journal, after the report has been written.
   void remove();
 

@@ -45,7 +45,7 @@ std::string colourOf(double share) {
 Span psnrSpan(const std::vector<ReportRow>& rows) {
   Span range;
   for (const ReportRow& row : rows) {
-    const double db = psnr(row.metrics.mse);
+    const double db = row.values[psnrColumn];
     if (row.problem.empty() && std::isfinite(db)) range.add(db);
   }
   if (!(range.low <= range.high)) return range;

@@ -80,12 +80,12 @@ std::string html(const ReportPage& page) {
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
       title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
       "<h1>Perceived views of " + title + "</h1>\n" + whatWasTested(page) +
-      summaryTables(page.summaries, page.comparisons);
+      summaryTables(page.summaries, page.metrics, page.comparisons);
   if (!page.rows.empty()) text += overPosition(page);
   if (!page.views.empty())
     text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page.views, page.rows);
   if (!page.panels.empty()) text += errorOnPanel(page);
-  if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows);
+  if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows, page.metrics);
   if (!page.lenses.empty())
     text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
   return text + definitions + "<script>" + reportScript + "</script>\n</body></html>\n";

@@ -22,6 +22,7 @@ struct ReportPage {
   std::string session;  ///< what it is called: its document's name, if it has one
   std::vector<ReportFact> facts;
   DisplayParams display;  ///< with its hogels and directions
+  MetricSet metrics;
   std::vector<ReportRow> rows;
   std::vector<TestSummary> summaries;
   std::vector<BdRow> comparisons;

@@ -3,7 +3,6 @@
 #include "report/page/report_tables.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/text.h"
 #include "report/page/html.h"
@@ -12,32 +11,37 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<const char*, 8> figures{"PSNR dB",          "PSNR seen dB", "PSNR\u2011Y dB",
-                                             "PSNR\u2011YUV dB", "SSIM",         "MSE",
-                                             "MSE seen",         "seen %"};
+/// The columns of the table.
+std::vector<std::size_t> pageColumns(const MetricSet& metrics) {
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < metrics.columns().size(); ++k)
+    if (metrics.columns()[k].where >= MetricColumn::Where::page) columns.push_back(k);
+  return columns;
+}
 
-std::string stateRow(const ReportRow& row) {
-  const Metrics& m = row.metrics;
+std::string stateRow(const ReportRow& row, const MetricSet& metrics) {
+  const std::vector<std::size_t> columns = pageColumns(metrics);
   std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(row.test) + "</td>";
   if (!row.problem.empty())
-    return text + "<td colspan=\"" + std::to_string(figures.size()) + "\" class=\"problem\">" +
+    return text + "<td colspan=\"" + std::to_string(columns.size()) + "\" class=\"problem\">" +
            escaped(row.problem) + "</td></tr>\n";
-  for (const std::string& cell :
-       {rounded(psnr(m.mse), 2), rounded(psnr(m.mseSeen), 2), rounded(psnr(m.mseYuv[0]), 2),
-        rounded(psnrYuv(m.mseYuv), 2), rounded(m.ssim, 4), rounded(m.mse, 3), rounded(m.mseSeen, 3),
-        rounded(100 * m.seen, 1)})
-    text += "<td class=\"n\">" + cell + "</td>";
+  for (const std::size_t k : columns)
+    text += "<td class=\"n\">" + tableText(metrics.columns()[k], row.values[k]) + "</td>";
   return text + "</tr>\n";
 }
 
 }  // namespace
 
-std::string statesTable(const std::vector<ReportRow>& rows) {
+std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
   std::string text =
       "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>state</th><th>test</th>";
-  for (const char* figure : figures) text += std::string("<th class=\"n\">") + figure + "</th>";
+  for (const std::size_t k : pageColumns(metrics)) {
+    const MetricColumn& column = metrics.columns()[k];
+    text += "<th class=\"n\">" +
+            escaped(column.title + (column.unit.empty() ? "" : " " + column.unit)) + "</th>";
+  }
   text += "</tr></thead>\n<tbody>\n";
-  for (const ReportRow& row : rows) text += stateRow(row);
+  for (const ReportRow& row : rows) text += stateRow(row, metrics);
   return text + "</tbody></table></div>\n";
 }
 

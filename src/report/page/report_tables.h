@@ -17,7 +17,7 @@ struct ReportLens {
 };
 
 /// A row for each state and test.
-std::string statesTable(const std::vector<ReportRow>& rows);
+std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
 /// States whose lenses have the same certificate share a row.
 std::string lensesTable(const std::vector<ReportLens>& lenses);

@@ -28,17 +28,17 @@ std::string counts(const TestSummary& test, bool hasBlind) {
   if (hasBlind) text += cell(std::to_string(test.summary.withoutView) + of);
   if (!test.summary.worst) return text + "<td></td><td></td>";
   const ReportRow& worst = test.rows[*test.summary.worst];
-  return text + cell(rounded(psnr(worst.metrics.mse), 2)) + "<td>" + escaped(worst.state) + "</td>";
+  return text + cell(rounded(worst.values[psnrColumn], 2)) + "<td>" + escaped(worst.state) +
+         "</td>";
 }
 
-std::string tableRow(const TestSummary& test, bool isWeighted, bool hasBlind) {
-  const ReportMeans& m = isWeighted ? test.summary.weighted : test.summary;
-  const Interval* interval = &test.intervals[isWeighted ? test.intervals.size() / 2 : 0];
-  const std::string text =
-      "<tr><td>" + escaped(test.test) + (isWeighted ? ", weighted" : "") + "</td>" +
-      withInterval(m.meanFinitePsnr, interval[0], 2) +
-      withInterval(m.psnrOfMeanMse, interval[1], 2) + withInterval(m.meanSsim, interval[2], 4) +
-      withInterval(m.meanPsnrY, interval[3], 2) + withInterval(m.meanPsnrYuv, interval[4], 2);
+std::string tableRow(const TestSummary& test, const MetricSet& metrics, bool isWeighted,
+                     bool hasBlind) {
+  const std::vector<double>& means = isWeighted ? test.summary.weighted : test.summary.means;
+  const Interval* intervals = &test.intervals[isWeighted ? means.size() : 0];
+  std::string text = "<tr><td>" + escaped(test.test) + (isWeighted ? ", weighted" : "") + "</td>";
+  for (std::size_t k = 0; k < means.size(); ++k)
+    text += withInterval(means[k], intervals[k], metrics.means()[k].decimals);
   if (!isWeighted) return text + counts(test, hasBlind) + "</tr>\n";
   return text + "<td colspan=\"" + (hasBlind ? "4" : "3") + "\"></td></tr>\n";
 }
@@ -69,11 +69,11 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
     return rounded(value, 2) + (std::isfinite(value) ? " dB" : "");
   };
   const std::string of = " of " + std::to_string(rows.size()) + "\n";
-  std::string text = "mean of the finite PSNRs  " + decibels(summary.meanFinitePsnr) + "\n" +
-                     "PSNR of the mean MSE      " + decibels(summary.psnrOfMeanMse) + "\n";
+  std::string text = "mean of the finite PSNRs  " + decibels(summary.means[meanPsnr]) + "\n" +
+                     "PSNR of the mean MSE      " + decibels(summary.means[psnrOfMeanMse]) + "\n";
   if (summary.worst) {
     const ReportRow& row = rows[*summary.worst];
-    text += "worst view                " + decibels(psnr(row.metrics.mse)) + ": " + row.state +
+    text += "worst view                " + decibels(row.values[psnrColumn]) + ": " + row.state +
             ", " + row.test + "\n";
   }
   text += "identical views           " + std::to_string(summary.identical) + of;
@@ -81,7 +81,7 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
   return text + "nothing to compare        " + std::to_string(summary.withoutView) + of;
 }
 
-std::string summaryTables(const std::vector<TestSummary>& summaries,
+std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<BdRow>& comparisons) {
   if (summaries.empty()) return {};
   const bool hasBlind = summaries.back().summary.withoutView > 0;
@@ -89,16 +89,16 @@ std::string summaryTables(const std::vector<TestSummary>& summaries,
       "<h2>Means over the states</h2>\n<p>In brackets 95 % bootstrap intervals. PSNR in dB; means "
       "are of the finite ones.</p>\n<div class=\"scroll\"><table class=\"means\"><thead><tr>"
       "<th>test</th>";
-  for (const char* head : {"mean PSNR", "PSNR of mean MSE", "mean SSIM", "mean PSNR\u2011Y",
-                           "mean PSNR\u2011YUV", "identical"})
-    text += std::string("<th class=\"n\">") + head + "</th>";
+  for (const MetricMean& mean : metrics.means())
+    text += "<th class=\"n\">" + escaped(mean.title) + "</th>";
+  text += "<th class=\"n\">identical</th>";
   if (hasBlind) text += "<th class=\"n\">nothing to compare</th>";
   text += "<th class=\"n\">worst PSNR</th><th>worst view</th></tr></thead>\n<tbody>\n";
   const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();  // all of one test is it
   for (std::size_t k = 0; k < shown; ++k) {
     const TestSummary& test = summaries[k];
-    text += tableRow(test, false, hasBlind);
-    if (hasWeights(test)) text += tableRow(test, true, hasBlind);
+    text += tableRow(test, metrics, false, hasBlind);
+    if (hasWeights(test)) text += tableRow(test, metrics, true, hasBlind);
   }
   text += "</tbody></table></div>\n";
   if (comparisons.empty()) return text;

@@ -17,7 +17,7 @@ std::string bdText(const std::vector<BdRow>& rows);
 
 /// The figures of every test, and the BD-rates if there are any, as HTML. The last summary is that
 /// over all.
-std::string summaryTables(const std::vector<TestSummary>& summaries,
+std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<BdRow>& comparisons);
 
 }  // namespace hogelscope

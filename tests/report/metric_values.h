@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The values of a report's row from a few of them.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/metrics/metric.h"
+#include "core/metrics/squared_error.h"
+
+/// The standard metrics of a view where every pixel is seen.
+inline std::vector<double> metricValues(double mse, double ssim,
+                                        const std::array<double, 3>& mseYuv) {
+  using hogelscope::psnr;
+  const auto& [y, cb, cr] = mseYuv;
+  return {psnr(mse),
+          psnr(mse),
+          mse,
+          mse,
+          ssim,
+          1,
+          y,
+          cb,
+          cr,
+          psnr(y),
+          psnr(cb),
+          psnr(cr),
+          hogelscope::psnrYuv(mseYuv)};
+}
+
+inline std::vector<double> metricValues(double mse) {
+  return metricValues(mse, 0.5, {mse, mse, mse});
+}
