@@ -103,7 +103,7 @@ double TradeoffAxes::y(double rmse) const {
   return m_errors.at(std::log10(rmse));
 }
 
-std::optional<QPointF> TradeoffAxes::place(const TradeoffRow& row) const {
+std::optional<QPointF> TradeoffAxes::positionOf(const TradeoffRow& row) const {
   if (!isMeasured(row)) return std::nullopt;
   return QPointF(x(row.milliseconds), row.rmse > 0 ? y(row.rmse) : m_zero.center().y());
 }

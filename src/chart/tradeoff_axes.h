@@ -21,7 +21,7 @@ class TradeoffAxes {
   TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& size);
 
   /// The row's point; none for a row without a time or an error.
-  std::optional<QPointF> place(const TradeoffRow& row) const;
+  std::optional<QPointF> positionOf(const TradeoffRow& row) const;
   /// The size of the text, points.
   double em() const { return m_em; }
   /// The parts of the plot: above the band of zeros, and the band.

@@ -78,7 +78,7 @@ std::optional<std::size_t> TradeoffChart::rowAt(const QPointF& place, const QSiz
   double nearest = 6;
   std::optional<std::size_t> found;
   for (std::size_t k = 0; k < m_rows.size(); ++k) {
-    const std::optional<QPointF> point = axes.place(m_rows[k]);
+    const std::optional<QPointF> point = axes.positionOf(m_rows[k]);
     const double distance = point ? QLineF(*point, place).length() : nearest;
     if (distance >= nearest) continue;
     nearest = distance;
@@ -125,7 +125,7 @@ void TradeoffChart::paintMarkers(QPainter& painter, const TradeoffAxes& axes) co
   };
   for (int level = 0; level <= 3; ++level)
     for (std::size_t k = 0; k < m_rows.size(); ++k)
-      if (const auto point = axes.place(m_rows[k]); point && importance(k) == level)
+      if (const auto point = axes.positionOf(m_rows[k]); point && importance(k) == level)
         paintMarker(painter, *point, axes.em(), k);
 }
 

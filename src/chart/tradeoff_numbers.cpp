@@ -28,7 +28,7 @@ bool meetsAny(const QRectF& box, const std::vector<QRectF>& others) {
 }
 
 QRectF markerOf(const std::vector<TradeoffRow>& rows, std::size_t row, const TradeoffAxes& axes) {
-  return square(*axes.place(rows[row]), axes.em() * markerRadius(rows, row));
+  return square(*axes.positionOf(rows[row]), axes.em() * markerRadius(rows, row));
 }
 
 /// Points whose markers hide one another share a box. Those with many numbers come first, since
@@ -165,7 +165,7 @@ std::vector<QLineF> paretoSteps(const std::vector<TradeoffRow>& rows, const Trad
   std::optional<QPointF> last;
   for (const std::size_t k : numbered(rows)) {
     if (!rows[k].isPareto) continue;
-    const QPointF point = *axes.place(rows[k]);
+    const QPointF point = *axes.positionOf(rows[k]);
     if (last) {
       const QPointF corner(point.x(), last->y());
       steps.emplace_back(*last, corner);

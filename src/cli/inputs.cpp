@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "report/passing_pictures.h"
+#include "report/streamed_images.h"
 
 namespace hogelscope {
 

@@ -62,8 +62,8 @@ void writeTables(const fs::path& folder, const Report& report, const MetricSet& 
   if (!report.comparisons.empty()) writeTextFile(folder / "bd.csv", bdCsv(report.comparisons));
 }
 
-void writePictures(const fs::path& folder, std::size_t test, const std::string& state,
-                   const ViewPair& pair, const Progress& progress) {
+void writeImages(const fs::path& folder, std::size_t test, const std::string& state,
+                 const ViewPair& pair, const Progress& progress) {
   const fs::path reference = referenceImage(folder, state);
   const fs::path own = testImage(folder, test, state);
   makeFolder(reference.parent_path());
@@ -76,8 +76,8 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std:
                             const PanelError& error, const DisplayParams& display) {
   makeFolder(folder / "panel_error");
   const LightFieldSize& size = error.size();
-  const Image hogels = hogelPicture(error, display);
-  const Image directions = directionPicture(error, display);
+  const Image hogels = hogelErrorImage(error, display);
+  const Image directions = directionErrorImage(error, display);
   writeCells(panelFile(folder, test, "hogels.exr"), size.nx, size.ny, error.hogels());
   writeCells(panelFile(folder, test, "directions.exr"), size.du, size.dv, error.directions());
   writePng(panelFile(folder, test, "hogels.png"), hogels);
@@ -87,7 +87,7 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std:
 
 ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair,
                   const Progress& progress) {
-  const DifferencePicture difference = differencePicture(pair.reference, pair.test);
+  const DifferenceImage difference = differenceImage(pair.reference, pair.test);
   return {row,
           which,
           pngOf(pair.reference, progress),

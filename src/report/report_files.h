@@ -26,10 +26,10 @@ void writeTables(const std::filesystem::path& folder, const Report& report,
                  const MetricSet& metrics);
 
 /// Writes testImage(), and referenceImage() with the first test.
-void writePictures(const std::filesystem::path& folder, std::size_t test, const std::string& state,
-                   const ViewPair& pair, const Progress& progress);
+void writeImages(const std::filesystem::path& folder, std::size_t test, const std::string& state,
+                 const ViewPair& pair, const Progress& progress);
 
-/// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png; the pictures for
+/// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png; the images for
 /// the page.
 ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t test,
                             const std::string& name, const PanelError& error,

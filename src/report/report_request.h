@@ -34,8 +34,8 @@ struct ReportRequest {
   MetricSet metrics{};
   std::string output;                    ///< the folder, made if missing
   std::string command;                   ///< how the report was asked for, for its page
-  bool images = false;                   ///< keep every picture, too
-  std::size_t memory = allowedMemory();  ///< bytes for light fields, besides the pictures
+  bool images = false;                   ///< keep every image, too
+  std::size_t memory = allowedMemory();  ///< bytes for light fields, besides the images
   std::optional<Scene> reference{};      ///< the session's light field, if it is in memory already
 };
 

@@ -87,13 +87,13 @@ class ReportRun {
   TimeSum m_writing;
 };
 
-/// Many states side by side; a picture's rows share the cores where states are few.
+/// Many states side by side; an image's rows share the cores where states are few.
 std::size_t workersFor(const ReportRequest& request) {
   const auto threads = std::size_t(threadCount());
   return request.session.cameras.size() < 2 * threads ? 1 : threads;
 }
 
-fs::path made(const fs::path& folder) {
+fs::path makeOutputFolder(const fs::path& folder) {
   makeFolder(folder);
   return folder;
 }
@@ -101,7 +101,7 @@ fs::path made(const fs::path& folder) {
 ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listener)
     : m_request(request),
       m_listener(listener),
-      m_folder(made(request.output)),
+      m_folder(makeOutputFolder(request.output)),
       m_progress(listener.progress),
       m_facts(factsOf(request, m_progress.within())),
       m_journal(m_folder, m_facts.key),
@@ -146,7 +146,7 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
   if (pair.problem.empty()) {
     if (m_request.images)
       m_writing.of([&] {
-        writePictures(m_folder, test, row.state, pair, m_progress.within());
+        writeImages(m_folder, test, row.state, pair, m_progress.within());
         return 0;
       });
     if (seesAnything(pair.reference) || seesAnything(pair.test))

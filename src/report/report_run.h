@@ -15,7 +15,7 @@ namespace hogelscope {
 std::vector<ReportTest> openTests(const Session& session, const std::vector<std::string>& files);
 
 /// Writes report.csv, metrics.csv, summary.csv, bd.csv, report.html, panel_error/, and with
-/// `images` the pictures. A state that cannot be rendered is a row that says why. Throws
+/// `images` the images. A state that cannot be rendered is a row that says why. Throws
 /// InputError, or Cancelled: then what is finished is on disk.
 Report makeReport(const ReportRequest& request, const ReportListener& listener);
 

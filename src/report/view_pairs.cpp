@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures that a report compares.
+// The images that a report compares.
 #include "report/view_pairs.h"
 
 #include <array>
@@ -32,7 +32,7 @@ ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& 
   Source source{unloadedScene(session, file), {}};
   std::vector<RenderJob> views;
   for (const CameraState& state : m_session.cameras) views.push_back(source.scene.job(state));
-  source.pictures = picturesInPassing(file, views, m_memory, serialRows, progress);
+  source.pictures = renderStreamed(file, views, m_memory, serialRows, progress);
   return source;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures that a report compares: a state's from the session's light field and from a test's.
+// The images that a report compares: a state's from the session's light field and from a test's.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 #include "core/engine/renderer.h"
 #include "io/scene/scene.h"
-#include "report/passing_pictures.h"
 #include "report/report_request.h"
+#include "report/streamed_images.h"
 
 namespace hogelscope {
 
@@ -21,11 +21,11 @@ struct ViewPair {
 };
 
 /// Two light fields are in memory at a time, each read once; of one that is too large and can only
-/// be read from the top all pictures are made while it is read. Different states may be rendered by
+/// be read from the top all images are made while it is read. Different states may be rendered by
 /// different workers at the same time.
 class ViewPairs {
  public:
-  /// `rowsWithin` is how the rows of one picture are shared out. `memory` bytes are for light
+  /// `rowsWithin` is how the rows of one image are shared out. `memory` bytes are for light
   /// fields.
   ViewPairs(Session session, LightFieldFile& file, std::size_t workers,
             const ParallelRows& rowsWithin, bool keepsReferences, std::size_t memory);
@@ -43,10 +43,10 @@ class ViewPairs {
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 
  private:
-  /// A light field in memory, or the pictures of all states.
+  /// A light field in memory, or the images of all states.
   struct Source {
     Scene scene;
-    std::vector<StatePicture> pictures;
+    std::vector<StateImage> pictures;
   };
 
   [[nodiscard]] bool streams(const LightFieldFile& file) const;

@@ -31,7 +31,7 @@ enum class Question {
 
 /// Returns displayAsBuilt for nearest with one ray, else idealPicture.
 Question questionOf(const SamplingParams& sampling);
-/// Return "the display as built" or "the ideal picture", and an explanation.
+/// Return "the display as built" or "the ideal image", and an explanation.
 std::string questionText(Question question);
 std::string details(Question question);
 

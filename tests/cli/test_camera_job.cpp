@@ -6,7 +6,7 @@
 #include "io/documents/session_file.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -37,7 +37,7 @@ class TestCameraJob : public QObject {
 void TestCameraJob::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
-  writePicture("a.png", 128, 128, [](int, int, int) { return 1.0F; });
+  writeImageFile("a.png", 128, 128, [](int, int, int) { return 1.0F; });
   writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
                             .lightField = R"({"file": "a.png"})",
                             .cameras = R"([{"name": "a", "res": [40, 30],

@@ -8,7 +8,7 @@
 #include "cli/parser.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -252,7 +252,7 @@ void TestCommandLine::infoOfTheSample() {
 }
 
 void TestCommandLine::infoOfPictures() {
-  writePicture("a.tif", 20, 18, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::UINT16, 4});
+  writeImageFile("a.tif", 20, 18, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::UINT16, 4});
   const Outcome outcome = run({"--info", "a.tif"}, m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.out,

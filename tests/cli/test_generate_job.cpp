@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 class TestGenerateJob : public QObject {
   Q_OBJECT

@@ -13,7 +13,7 @@
 #include "cli/parser.h"
 #include "core/base/error.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 

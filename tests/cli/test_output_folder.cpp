@@ -10,7 +10,7 @@
 #include "io/files/output_folder.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 namespace {
 
@@ -45,8 +45,8 @@ class TestOutputFolder : public QObject {
 void TestOutputFolder::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
-  writePicture("a.png", 128, 128,
-               [](int x, int y, int c) { return float((x * y + c) % 251) / 255; });
+  writeImageFile("a.png", 128, 128,
+                 [](int x, int y, int c) { return float((x * y + c) % 251) / 255; });
   const QByteArray whole = contentOf("a.png");
   writeFile("a.png", whole.left(whole.size() / 2));
   writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",

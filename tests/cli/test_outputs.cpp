@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 namespace {
 
@@ -60,8 +60,8 @@ class TestOutputs : public QObject {
 void TestOutputs::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
-  writePicture("a.png", 32, 32, wave);
-  writePicture("b.tif", 32, 32, wave);
+  writeImageFile("a.png", 32, 32, wave);
+  writeImageFile("b.tif", 32, 32, wave);
   writeFile("s.json", session(R"({"file": "a.png"})"));
 }
 
@@ -110,7 +110,7 @@ void TestOutputs::inputsAreKept() {
 
 void TestOutputs::reportKeepsItsViews() {
   for (const char* name : {"000_000.png", "000_001.png"})
-    writePicture(QString("test1/") + name, 8, 8, wave);
+    writeImageFile(QString("test1/") + name, 8, 8, wave);
   writeFile("v.json", QByteArray(R"({"hogelscope": 1, "display": {},
       "lightField": {"file": "test1", "layout": "views"},
       "cameras": [{"name": "000_001", "eye": [0, 0, 0.5], "res": [40, 40]}]})"));
@@ -247,8 +247,8 @@ void TestOutputs::unreadableFolder() {
 
 /// Two light fields are read side by side, on two threads; what is said afterwards is heard.
 void TestOutputs::everyLineIsHeard() {
-  writePicture("r.tif", 640, 640, wave);
-  writePicture("t.tif", 640, 640, [](int x, int y, int c) { return 0.9F * wave(x, y, c); });
+  writeImageFile("r.tif", 640, 640, wave);
+  writeImageFile("t.tif", 640, 640, [](int x, int y, int c) { return 0.9F * wave(x, y, c); });
   writeFile("s.json", session(R"({"file": "r.tif"})"));
   for (int k = 0; k < 5; ++k) {
     const Outcome outcome =

@@ -10,7 +10,7 @@
 #include "io/store/light_field_store.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 #include "tests/io/texels.h"
 
 using namespace hogelscope;
@@ -25,7 +25,7 @@ float valueAt(int x, int y, int c) {
 
 /// `hogels` × `hogels` of them, incompressible enough to take a while.
 void writeSource(int hogels) {
-  writePicture("a.png", hogels * size.du, hogels * size.dv, valueAt);
+  writeImageFile("a.png", hogels * size.du, hogels * size.dv, valueAt);
 }
 
 QStringList packArguments(int hogels) {

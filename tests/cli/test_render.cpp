@@ -8,7 +8,7 @@
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 

@@ -9,7 +9,7 @@
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -78,8 +78,8 @@ class TestReport : public QObject {
 void TestReport::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
-  writePicture("a.png", 128, 128, content);
-  writePicture("b.png", 128, 128, noisy);
+  writeImageFile("a.png", 128, 128, content);
+  writeImageFile("b.png", 128, 128, noisy);
   writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
                             .lightField = R"({"file": "a.png"})",
                             .cameras = cameras}));
@@ -117,7 +117,7 @@ void TestReport::table() {
 
 /// Its display and its light field; the states are the reference's.
 void TestReport::testIsASession() {
-  writePicture("c.png", 64, 96, noisy);
+  writeImageFile("c.png", 64, 96, noisy);
   writeFile("deep/t.json",
             text({.display = R"({"hogels": [8, 12], "directions": [8, 8], "fov": [50, 70]})",
                   .lightField = R"({"file": "../c.png"})",
@@ -138,8 +138,8 @@ void TestReport::testIsASession() {
 void TestReport::testIsAFolder() {
   for (int k = 0; k < 4; ++k) {
     const QString name = QString("/00%1_00%2.png").arg(k / 2).arg(k % 2);
-    writePicture("v" + name, 24, 20, [k](int x, int y, int c) { return content(x + k, y, c); });
-    writePicture("w" + name, 24, 20, [k](int x, int y, int c) { return noisy(x + k, y, c); });
+    writeImageFile("v" + name, 24, 20, [k](int x, int y, int c) { return content(x + k, y, c); });
+    writeImageFile("w" + name, 24, 20, [k](int x, int y, int c) { return noisy(x + k, y, c); });
   }
   writeFile("s.json", text({.display = "{}",
                             .lightField = R"({"file": "v", "layout": "views", "shear": [1, 0]})",
@@ -154,9 +154,9 @@ void TestReport::testIsAFolder() {
 /// A folder can only be views, whatever the session's own layout is.
 void TestReport::testIsAFolderOfAnotherLayout() {
   for (int k = 0; k < 64; ++k)
-    writePicture(QString("v/%1_%2.png").arg(k / 8, 3, 10, QChar('0')).arg(k % 8, 3, 10, QChar('0')),
-                 16, 16,
-                 [k](int x, int y, int c) { return content(8 * x + k % 8, 8 * y + k / 8, c); });
+    writeImageFile(
+        QString("v/%1_%2.png").arg(k / 8, 3, 10, QChar('0')).arg(k % 8, 3, 10, QChar('0')), 16, 16,
+        [k](int x, int y, int c) { return content(8 * x + k % 8, 8 * y + k / 8, c); });
   const Outcome outcome = report({"--test", "v"});
   QCOMPARE(outcome.err, QByteArray());
   QVERIFY(contentOf("out/report.csv").contains("<i>&,v,0,inf,0,inf,1,"));

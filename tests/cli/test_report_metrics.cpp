@@ -7,7 +7,7 @@
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 

@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 namespace {
 
@@ -95,9 +95,9 @@ class TestReportResume : public QObject {
 
 void TestReportResume::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
-  writePicture("a.png", 128, 128, content);
-  writePicture("b.png", 128, 128, noisy);
-  writePicture("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
+  writeImageFile("a.png", 128, 128, content);
+  writeImageFile("b.png", 128, 128, noisy);
+  writeImageFile("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
   writeFile("s.json", session());
   const Outcome whole = runHere(report("whole"));
   QCOMPARE(whole.err, QByteArray());

@@ -10,7 +10,7 @@
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ class TestTradeoffJob : public QObject {
   void init() {
     m_folder = std::make_unique<QTemporaryDir>();
     QVERIFY(QDir::setCurrent(m_folder->path()));
-    writePicture("a.png", 128, 128, content);
+    writeImageFile("a.png", 128, 128, content);
     writeFile("s.json", text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
                               .lightField = R"({"file": "a.png"})",
                               .cameras = R"([{"name": "a", "eye": [0.1, 0, 0.6], "res": [40, 30],

@@ -86,7 +86,7 @@ inline int workOf(const hogelscope::RenderJob& job) {
   return samples * samples * (corners * window * window * decoding + (isInverted(job) ? 300 : 0));
 }
 
-/// A picture of up to 24 × 24 pixels, or one row longer than a batch, that the reference has soon.
+/// An image of up to 24 × 24 pixels, or one row longer than a batch, that the reference has soon.
 inline void limitWork(Random& random, hogelscope::RenderJob& job) {
   constexpr int most = 20000;
   auto& window = job.state.psf.windowSize;

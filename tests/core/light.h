@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures before they are rounded, by either engine, and where they differ more than they may.
+// Images before they are rounded, by either engine, and where they differ more than they may.
 #pragma once
 
 #include <QString>
@@ -45,7 +45,7 @@ inline Light fastLight(const hogelscope::RenderJob& job) {
   return light;
 }
 
-/// Where in a picture something does not hold, or "".
+/// Where in an image something does not hold, or "".
 using Problem = QString;
 
 inline Problem problemAt(const char* what, std::size_t pixel, const hogelscope::RenderJob& job,

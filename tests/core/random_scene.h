@@ -28,7 +28,7 @@ inline void fillWithNoise(Random& random, RandomScene& scene) {
       return fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
     case 1:
       return fillWithNoise<std::uint16_t>(random, scene, 0, 65536, 1 / 257.0);
-    // Floating content may leave the range of a picture.
+    // Floating content may leave the range of an image.
     default:
       return fillWithNoise<float>(random, scene, -0.1, 1.2, 255);
   }

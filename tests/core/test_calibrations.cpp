@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the lens's inverse on real calibrations, over their whole pictures.
+// Tests the lens's inverse on real calibrations, over their whole images.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -27,7 +27,7 @@ struct Calibration {
   }
   [[nodiscard]] LensOracle oracle() const { return {d[0], d[1], d[2], d[3], d[4]}; }
   [[nodiscard]] Distortion lens() const { return Distortion({d[0], d[1], d[2], d[3], d[4]}); }
-  /// How far an ideal point's place in the picture is from q's, in pixels.
+  /// How far an ideal point's place in the image is from q's, in pixels.
   [[nodiscard]] double residual(const Vec2& ideal, const Vec2& q) const {
     const LensOracle::Point p = oracle().distort({ideal.x, ideal.y});
     return std::hypot(fx * (p.real() - q.x), fy * (p.imag() - q.y));

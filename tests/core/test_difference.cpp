@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests difference pictures: their values and their gain.
+// Tests difference images: their values and their gain.
 #include "core/metrics/difference.h"
 
 #include <QTest>
@@ -47,7 +47,7 @@ void TestDifference::gain() {
   QFETCH(const int, difference);
   QFETCH(const int, gain);
   const auto [a, b] = pairOf(difference);
-  const DifferencePicture result = differencePicture(a, b);
+  const DifferenceImage result = differenceImage(a, b);
   QCOMPARE(result.gain, gain);
   QVERIFY((result.image.rgb ==
            std::vector<std::uint8_t>{std::uint8_t(gain * difference), 0, 0, 0, 0, 0}));
@@ -60,20 +60,20 @@ void TestDifference::outliers() {
   Image b(1000, 1);
   for (std::size_t k = 0; k < 1000; ++k) a.rgb[3 * k] = 10;
   a.rgb[0] = 200;
-  QCOMPARE(differencePicture(a, b).gain, 16);
-  QCOMPARE(differencePicture(a, b).image.rgb[0], std::uint8_t(255));
-  QCOMPARE(differencePicture(a, b).image.rgb[3], std::uint8_t(160));
+  QCOMPARE(differenceImage(a, b).gain, 16);
+  QCOMPARE(differenceImage(a, b).image.rgb[0], std::uint8_t(255));
+  QCOMPARE(differenceImage(a, b).image.rgb[3], std::uint8_t(160));
   a.rgb[3] = 200;
-  QCOMPARE(differencePicture(a, b).gain, 1);
+  QCOMPARE(differenceImage(a, b).gain, 1);
 }
 
 void TestDifference::bothSigns() {
   const auto [a, b] = pairOf(100);
-  QVERIFY(differencePicture(a, b).image == differencePicture(b, a).image);
+  QVERIFY(differenceImage(a, b).image == differenceImage(b, a).image);
 }
 
 void TestDifference::sizes() {
-  QVERIFY_EXCEPTION_THROWN(differencePicture(Image(2, 1), Image(1, 2)), std::invalid_argument);
+  QVERIFY_EXCEPTION_THROWN(differenceImage(Image(2, 1), Image(1, 2)), std::invalid_argument);
 }
 
 QTEST_APPLESS_MAIN(TestDifference)

@@ -44,7 +44,7 @@ double residual(const DistortionParams& lens, const Vec2& ideal, const Vec2& q) 
   return focal * std::hypot(d.x - q.x, d.y - q.y);
 }
 
-/// 41×41 points over the whole picture.
+/// 41×41 points over the whole image.
 std::vector<Vec2> gridOf41() {
   std::vector<Vec2> points(std::size_t{41} * 41);
   const auto coordinate = [](std::size_t k) { return (double(k) * 599 / 40 - 299.5) / focal; };

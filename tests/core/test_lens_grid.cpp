@@ -45,7 +45,7 @@ class TestLensGrid : public QObject {
     }
   }
 
-  /// The picture's points, taken back by a root found by bisection along the radius, lie on the
+  /// The image's points, taken back by a root found by bisection along the radius, lie on the
   /// grid.
   void aBarrelsLinesAreTheModels() {
     const double k1 = -0.2;
@@ -66,7 +66,7 @@ class TestLensGrid : public QObject {
         QVERIFY(std::min(missOf(scale * shown.x), missOf(scale * shown.y)) < 1e-6);
         widest = std::max(widest, low);
       }
-    QVERIFY(widest > 0.7);  // the corners of the picture are reached
+    QVERIFY(widest > 0.7);  // the corners of the image are reached
   }
 
   /// r (1 + k1 r²) grows until r = 1 / √(-3 k1), where it is 2/3 of that.
@@ -87,11 +87,11 @@ class TestLensGrid : public QObject {
   }
 
   void aFoldOutsideThePictureIsNone() {
-    // It is at 2/3 / √(0.3) = 1.217 in the picture's plane; the farthest corner is at 0.81.
+    // It is at 2/3 / √(0.3) = 1.217 in the image's plane; the farthest corner is at 0.81.
     QVERIFY(lensGrid(lensOf({-0.1, 0, 0, 0, 0})).fold.empty());
   }
 
-  /// The picture shows at p what a pinhole sees at model(p), so model(p) lies on the grid.
+  /// The image shows at p what a pinhole sees at model(p), so model(p) lies on the grid.
   void directMapping() {
     const DistortionParams lens{0.3, 0.1, 0.01, -0.02, 0};
     const LensGrid grid = lensGrid(lensOf(lens, LensMapping::direct));

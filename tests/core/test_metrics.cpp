@@ -29,7 +29,7 @@ Image noise(int width, int height, std::uint64_t seed) {
   return image;
 }
 
-/// A picture like another one, but blurred by hand and a bit off.
+/// An image like another one, but blurred by hand and a bit off.
 Image similar(const Image& image) {
   Random random(9);
   Image other = image;
@@ -184,7 +184,7 @@ void TestMetrics::ssimIsOpenCvsInside() {
   const Image b = similar(a);
   cv::Mat map;
   cv::quality::QualitySSIM::compute(lumaMat(a), lumaMat(b), map);
-  // OpenCV continues the pictures beyond their borders.
+  // OpenCV continues the images beyond their borders.
   const cv::Mat inside = map(cv::Rect(5, 5, 54, 38));
   QVERIFY(std::abs(cv::mean(inside)[0] - ssim(a, b)) < 1e-4);
   QVERIFY(ssim(a, b) > 0.3 && ssim(a, b) < 0.99);
@@ -208,7 +208,7 @@ void TestMetrics::ssimNeedsAWindow() {
   QCOMPARE(ssim(Image(11, 11), Image(11, 11)), 1.0);
 }
 
-/// What tests/cli/metrics.py gives for these pictures with scikit-image 0.19.3.
+/// What tests/cli/metrics.py gives for these images with scikit-image 0.19.3.
 void TestMetrics::asScikitImage() {
   Image a = filled(48, 32, 0);
   Image b = a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the error on the panel: its sums against a brute-force loop, its figures and pictures
+// Tests the error on the panel: its sums against a brute-force loop, its figures and images
 // against what was put in.
 #include "core/metrics/panel_error.h"
 
@@ -156,7 +156,7 @@ void TestPanelError::orderAndThreadsDoNotMatter() {
   QVERIFY(forwards.directions() == backwards.directions());
 }
 
-/// A pixel counts where its centre falls, whatever the picture was made of.
+/// A pixel counts where its centre falls, whatever the image was made of.
 void TestPanelError::samplesAndMethodsDoNotMatter() {
   Random random(9);
   RandomScene scene = randomScene(random);
@@ -237,7 +237,7 @@ void TestPanelError::figures() {
   const double edge = std::tan(30 * brute::degree);
   QVERIFY(std::abs(f.direction.x - std::atan(0.75 * edge) / brute::degree) < 1e-9);
   QVERIFY(std::abs(f.direction.y - std::atan(0.5 * edge) / brute::degree) < 1e-9);
-  QCOMPARE(QString::fromStdString(text(f)),
+  QCOMPARE(QString::fromStdString(panelErrorText(f)),
            QString("Half of the squared error comes from 25 % of the hogels seen and from 50 % of "
                    "the directions seen; the costliest hogel is (1, 1), the costliest direction "
                    "is 23.4° right, 16.1° up."));
@@ -252,7 +252,7 @@ void TestPanelError::directionsAreThoseOfTheLens() {
   const PanelErrorFigures f = figuresOf(PanelError(sizeOf(display), {{1, 1}}, directions), display);
   QVERIFY(std::abs(f.direction.x + 30) < 1e-9);
   QVERIFY(std::abs(f.direction.y + 10) < 1e-9);
-  QVERIFY(text(f).find("30.0° left, 10.0° down") != std::string::npos);
+  QVERIFY(panelErrorText(f).find("30.0° left, 10.0° down") != std::string::npos);
 }
 
 void TestPanelError::noError() {
@@ -261,11 +261,11 @@ void TestPanelError::noError() {
   const PanelErrorFigures f = figuresOf(error, display);
   QCOMPARE(f.hogelShare, 0.0);
   QCOMPARE(f.hogelScale, 0.0);
-  QCOMPARE(text(f), std::string("No pixel seen in both pictures differs."));
-  const Image image = hogelPicture(error, display);
+  QCOMPARE(panelErrorText(f), std::string("No pixel seen in both pictures differs."));
+  const Image image = hogelErrorImage(error, display);
   QVERIFY(colourAt(image, 0, 0) == falseColour(0));
   QVERIFY(colourAt(image, image.width - 1, 0) == falseColour(std::nan("")));
-  QVERIFY(text(figuresOf(PanelError(sizeOf(display)), display)) == text(f));
+  QVERIFY(panelErrorText(figuresOf(PanelError(sizeOf(display)), display)) == panelErrorText(f));
 }
 
 void TestPanelError::outliersDoNotHideTheRest() {
@@ -295,7 +295,7 @@ void TestPanelError::planes() {
 void TestPanelError::pictures() {
   const DisplayParams display = displayOf({2, 2}, {2, 2});
   const Cells cells{cell(10, 1), cell(5, 2), {}, cell(0, 3)};
-  const Image image = hogelPicture(PanelError(sizeOf(display), cells, Cells(4)), display);
+  const Image image = hogelErrorImage(PanelError(sizeOf(display), cells, Cells(4)), display);
   QCOMPARE(image.width, 256);
   QCOMPARE(image.height, 256);
   for (int y = 0; y < 256; ++y)
@@ -327,7 +327,7 @@ void TestPanelError::shapes() {
   QFETCH(const QSize, size);
   DisplayParams display = displayOf({columns, rows}, {1, 1});
   display.size = {1, height};
-  const Image image = hogelPicture(PanelError(sizeOf(display)), display);
+  const Image image = hogelErrorImage(PanelError(sizeOf(display)), display);
   QCOMPARE(QSize(image.width, image.height), size);
 }
 

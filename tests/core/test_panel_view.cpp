@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The panel's own picture: each of its pixels is the ray from the eye to that place of the panel.
+// The panel's own image: each of its pixels is the ray from the eye to that place of the panel.
 #include <QtTest>
 
 #include "core/optics/panel_view.h"

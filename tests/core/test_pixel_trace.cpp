@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A traced pixel says what the picture shows: against the reference picture, an independent
+// A traced pixel says what the image shows: against the reference image, an independent
 // renderer's rays, and counted taps.
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each decision of the plan: that it is taken, and that the picture stays the reference's.
+// Each decision of the plan: that it is taken, and that the image stays the reference's.
 #include "core/engine/plan.h"
 
 #include <QTest>
@@ -135,7 +135,7 @@ class TestPlan : public QObject {
 
   void theCertificateCountsWhatHasNoRay() {
     RenderJob job = sampleView();
-    job.state.distortion = {0.2958943955272433, -1.0354662043042675};  // folds in the picture
+    job.state.distortion = {0.2958943955272433, -1.0354662043042675};  // folds in the image
     job.state.camera.fov = 90;
     const LensCertificate lens = certify(lensKeyOf(job.state, job.sampling), serialRows);
     QCOMPARE(lens.pixels, std::size_t(70 * 50));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds of every picture, over random scenes at the ends of what parameters allow.
+// What holds of every image, over random scenes at the ends of what parameters allow.
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -28,7 +28,7 @@ Problem rangeProblem(const RenderJob& job, const Light& light) {
   return {};
 }
 
-/// The picture is the light, rounded.
+/// The image is the light, rounded.
 Problem pictureProblem(const RenderJob& job, const Light& light, const Image& image) {
   for (std::size_t k = 0; k < light.rgb.size(); ++k) {
     if (image.seen[k / 3] != light.seen[k / 3])
@@ -138,7 +138,7 @@ void TestProperties::everyPicture() {
   QVERIFY2(counts.unclear <= 10, qPrintable(QString::number(counts.unclear)));
 }
 
-/// Where a hogel's edge loses no light: to the last bit of the picture.
+/// Where a hogel's edge loses no light: to the last bit of the image.
 void TestProperties::constantLightStaysConstant() {
   int seen = 0;
   for (int repeat = 0; repeat < 2000; ++repeat) {

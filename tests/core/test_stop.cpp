@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that all work of core which may take long asks whether to stop while it is at it. Each row
-// of a picture here takes seconds or more, so what asks before and between rows only does not pass.
+// of an image here takes seconds or more, so what asks before and between rows only does not pass.
 #include <QTest>
 #include <algorithm>
 
@@ -166,7 +166,7 @@ class TestStop : public QObject {
                              Cancelled);
   }
 
-  void metricsOfLargePictures() {
+  void metricsOfLargeImages() {
     const Image large(12000, 6000);
     SecondTime stop;
     QVERIFY_EXCEPTION_THROWN((void)squaredError(large, large, stop.progress()), Cancelled);

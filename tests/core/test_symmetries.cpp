@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What changes a scene but not its picture: another unit of length, a mirror, another place.
+// What changes a scene but not its image: another unit of length, a mirror, another place.
 #include <QTest>
 #include <cmath>
 

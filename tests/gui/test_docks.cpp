@@ -161,10 +161,10 @@ class TestDocks : public DocksTest {
     QVERIFY(!child<QToolButton>("importButton")->isEnabled());
     for (int v = 0; v < 3; ++v)
       for (int u = 0; u < 4; ++u)
-        writePicture(m_folder.filePath(QString("views/00%1_00%2.png").arg(v).arg(u)), 32, 24,
-                     [&](int x, int y, int c) {
-                       return float((x * 7 + y * 5 + 40 * u + 60 * v + 80 * c) % 256) / 255;
-                     });
+        writeImageFile(m_folder.filePath(QString("views/00%1_00%2.png").arg(v).arg(u)), 32, 24,
+                       [&](int x, int y, int c) {
+                         return float((x * 7 + y * 5 + 40 * u + 60 * v + 80 * c) % 256) / 255;
+                       });
     open(m_folder.filePath("views"));
     QVERIFY(m_window->windowTitle().startsWith("new session"));
     QVERIFY(m_window->isWindowModified());
@@ -180,7 +180,7 @@ class TestDocks : public DocksTest {
 
     // A quilt: the layout follows, and the fields with it.
     const QString quilt = m_folder.filePath("q_qs2x2a1.png");
-    writePicture(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
+    writeImageFile(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
     m_window->findChild<LightFieldDock*>()->choose(quilt);
     QTRY_VERIFY_WITH_TIMEOUT(
         child<QLabel>("contentsLabel")->text().startsWith("20×20 hogels of 4×1"), patience);
@@ -198,8 +198,8 @@ class TestDocks : public DocksTest {
   }
 
   void aHogelImageAsksForItsHogels() {
-    writePicture(m_folder.filePath("plain.png"), 60, 60,
-                 [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
+    writeImageFile(m_folder.filePath("plain.png"), 60, 60,
+                   [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
     QVERIFY(files(*m_window).open(m_folder.filePath("plain.png")));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), patience);
     QVERIFY(!files(*m_window).save(m_folder.filePath("plain.json")));

@@ -142,7 +142,7 @@ void TestNotices::openingDropsTheImage() {
 
 /// Its image on the panel, and its views on the frusta.
 void TestNotices::theSceneForgetsTheSessionBefore() {
-  writePicture("a.png", 64, 64, [](int, int, int channel) { return channel == 1 ? 0.0F : 1.0F; });
+  writeImageFile("a.png", 64, 64, [](int, int, int channel) { return channel == 1 ? 0.0F : 1.0F; });
   openSmall();
   key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
   QTRY_VERIFY_WITH_TIMEOUT(scene().panel().gridLines() == 0, patience);
@@ -198,7 +198,7 @@ void TestNotices::aStateThatCannotBeRendered() {
   auto* depth = editor<QDoubleSpinBox>("cameraArea", "eye.2");
   for (const bool hasOther : {false, true}) {
     if (hasOther) {
-      writePicture("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });
+      writeImageFile("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });
       QVERIFY(commands()->compareWith("b.png"));
       QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull() && isRight(), patience);
     }
@@ -242,8 +242,8 @@ void TestNotices::aNoticeIsPaintedOnTheDimmedImage() {
 /// It has a light field of its own; and what it says of its tests is not about the image.
 void TestNotices::aReportGoesOn() {
   openSmall();
-  writePicture("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });
-  writePicture("tiny.png", 4, 4, [](int, int, int) { return 0.5F; });
+  writeImageFile("b.png", 64, 64, [](int x, int y, int) { return float((x ^ y) % 64) / 64; });
+  writeImageFile("tiny.png", 4, 4, [](int, int, int) { return 0.5F; });
   auto* dock = m_window->findChild<ReportDock*>();
   auto* note = child<QLabel>("reportNote");
   action("reportDockAction")->trigger();

@@ -29,7 +29,7 @@
 #include "tests/gui/patience.h"
 #include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -114,9 +114,9 @@ class TestReportDock : public QObject {
 void TestReportDock::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
-  writePicture("a.png", 128, 128, content);
-  writePicture("b.png", 128, 128, noisy);
-  writePicture("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
+  writeImageFile("a.png", 128, 128, content);
+  writeImageFile("b.png", 128, 128, noisy);
+  writeImageFile("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
   m_window = std::make_unique<MainWindow>();
   m_window->resize(1600, 1000);
   m_window->show();
@@ -222,7 +222,7 @@ void TestReportDock::aRowShowsItsImages() {
   QVERIFY(test->viewport() != before);
   QCOMPARE(test->viewport(), reference->viewport());
   QCOMPARE(difference->viewport(), reference->viewport());
-  m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_pictures.png");
+  m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_images.png");
 }
 
 /// And a state that is chosen elsewhere is chosen here.
@@ -318,8 +318,8 @@ void TestReportDock::unsavedEditsHaveAHeading() {
 
 void TestReportDock::anUntitledSessionHasAHeading() {
   const QString quilt = m_folder->filePath("q_qs2x2a1.png");
-  writePicture(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
-  writePicture("t_qs2x2a1.png", 40, 40, [](int x, int y, int) { return float(x + 2 * y) / 120; });
+  writeImageFile(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
+  writeImageFile("t_qs2x2a1.png", 40, 40, [](int x, int y, int) { return float(x + 2 * y) / 120; });
   QVERIFY(files(*m_window).open(quilt));
   QCOMPARE(child<QLineEdit>("reportFolder")->text(), m_folder->filePath("q_qs2x2a1-report"));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);

@@ -13,11 +13,11 @@
 #include "tests/gui/patience.h"
 #include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 /// s.json: three states, a (with lens and leakage), b and c, over a.png.
 inline void writeSmallSession() {
-  writePicture("a.png", 64, 64, [](int x, int y, int channel) {
+  writeImageFile("a.png", 64, 64, [](int x, int y, int channel) {
     return float((x * 5 + y * 3 + channel * 40) % 200 + 20) / 255;
   });
   const auto state = [](const QByteArray& name, const QByteArray& more) {

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "io/layouts/light_field_file.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 #include "tests/io/texels.h"
 
 namespace hogelscope {

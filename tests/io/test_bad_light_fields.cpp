@@ -5,7 +5,7 @@
 
 #include "io/images/image_file.h"
 #include "io/scene/scene.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 #include "tests/io/refusal.h"
 
 using namespace hogelscope;
@@ -87,8 +87,8 @@ class TestBadLightFields : public QObject {
 void TestBadLightFields::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   writeGrey("ok.png", 8, 6);
-  writePicture("noise.png", 64, 48, noise);
-  writePicture("noise.jpg", 64, 48, noise);
+  writeImageFile("noise.png", 64, 48, noise);
+  writeImageFile("noise.jpg", 64, 48, noise);
   cut("noise.png", "cut.png");
   cut("noise.jpg", "cut.jpg");
   damage("noise.png", "damaged.png");
@@ -96,8 +96,8 @@ void TestBadLightFields::initTestCase() {
   writeFile("text.txt", "hello\n");
   writeFile("empty.png", "");
   const auto oneNan = [](int x, int y, int c) { return x == 5 && y == 2 && c == 1 ? NAN : 0.5F; };
-  writePicture("nan.exr", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
-  writePicture("nan.tif", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
+  writeImageFile("nan.exr", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
+  writeImageFile("nan.tif", 8, 6, oneNan, {OIIO::TypeDesc::FLOAT});
 
   QVERIFY(QDir().mkdir("none"));
   writeViews("views", {"000_000.png", "000_001.png", "001_000.png", "001_001.png"});
@@ -106,7 +106,7 @@ void TestBadLightFields::initTestCase() {
   writeViews("sizes", {"000_000.png", "000_001.png", "001_000.png"});
   writeGrey("sizes/001_001.png", 4, 6);
   writeViews("twice", {"000_000.png", "000_001.png", "000_001.tif"});
-  writePicture("broken/000_000.jpg", 64, 48, noise);
+  writeImageFile("broken/000_000.jpg", 64, 48, noise);
   cut("noise.jpg", "broken/000_001.jpg");
   writeViews("five", {"input_Cam000.png", "input_Cam001.png", "input_Cam002.png",
                       "input_Cam003.png", "input_Cam004.png"});
@@ -298,7 +298,7 @@ void TestBadLightFields::exrHeadersThatAskForGigabytes() {
   QFETCH(int, at);
   QFETCH(QByteArray, bytes);
   QFETCH(QString, problem);
-  writePicture("large.exr", 8, 6, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::HALF});
+  writeImageFile("large.exr", 8, 6, [](int, int, int) { return 0.5F; }, {OIIO::TypeDesc::HALF});
   QByteArray content = contentOf("large.exr");
   const qsizetype place = content.indexOf(attribute);
   QVERIFY(place > 0);

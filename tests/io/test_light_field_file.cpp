@@ -5,7 +5,7 @@
 
 #include "io/layouts/view_layouts.h"
 #include "io/scene/scene.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 #include "tests/io/texels.h"
 
 using namespace hogelscope;
@@ -122,8 +122,8 @@ void TestLightFieldFile::formats() {
   QFETCH(int, channels);
   QFETCH(int, tile);
   QFETCH(double, tolerance);
-  writePicture(file, size.nx * size.du, size.ny * size.dv, hogelImage,
-               {OIIO::TypeDesc::BASETYPE(type), channels, tile});
+  writeImageFile(file, size.nx * size.du, size.ny * size.dv, hogelImage,
+                 {OIIO::TypeDesc::BASETYPE(type), channels, tile});
   const LightField lightField = read(paramsOf(file));
   QCOMPARE(firstWrong(lightField, colourOf, tolerance), QString());
   QVERIFY(!firstWrong(
@@ -143,8 +143,8 @@ void TestLightFieldFile::grey() {
   QFETCH(QString, file);
   QFETCH(int, channels);
   const auto value = [](int x, int y, int c) { return c == 1 ? 1 : hogelImage(x, y, 0); };
-  writePicture(file, size.nx * size.du, size.ny * size.dv, value,
-               {OIIO::TypeDesc::UINT8, channels});
+  writeImageFile(file, size.nx * size.du, size.ny * size.dv, value,
+                 {OIIO::TypeDesc::UINT8, channels});
   const auto expected = [](const TexelIndex& at) {
     const double r = colourOf(at).r;
     return Rgb{r, r, r};
@@ -155,7 +155,7 @@ void TestLightFieldFile::grey() {
 /// Lossy, so it is near only where the picture is smooth.
 void TestLightFieldFile::jpeg() {
   const auto smooth = [](int x, int y, int c) { return float(x + y + 40 * c) / 255; };
-  writePicture("smooth.jpg", 64, 48, smooth);
+  writeImageFile("smooth.jpg", 64, 48, smooth);
   DisplayParams large;
   large.hogels = {16, 12};
   large.directions = {4, 4};
@@ -181,14 +181,15 @@ void TestLightFieldFile::alphaIsLightOverBlack() {
   const auto value = [](int x, int y, int c) {
     return c == 3 ? 102.0F / 255 : hogelImage(x, y, c);
   };
-  writePicture(file, size.nx * size.du, size.ny * size.dv, value, {OIIO::TypeDesc::UINT8, 4, tile});
+  writeImageFile(file, size.nx * size.du, size.ny * size.dv, value,
+                 {OIIO::TypeDesc::UINT8, 4, tile});
   const auto expected = [](const TexelIndex& at) { return 0.4 * colourOf(at); };
   QCOMPARE(firstWrong(read(paramsOf(file)), expected, 1), QString());
 }
 
 void TestLightFieldFile::incomingFlipsBoth() {
-  writePicture("hogels.tif", size.nx * size.du, size.ny * size.dv, hogelImage,
-               {OIIO::TypeDesc::UINT16});
+  writeImageFile("hogels.tif", size.nx * size.du, size.ny * size.dv, hogelImage,
+                 {OIIO::TypeDesc::UINT16});
   const auto expected = [](const TexelIndex& at) {
     return colourOf({at.i, at.j, size.du - 1 - at.u, size.dv - 1 - at.v});
   };
@@ -211,7 +212,7 @@ void TestLightFieldFile::quilts() {
   QFETCH(int, columns);
   QFETCH(int, rows);
   QFETCH(bool, incoming);
-  writePicture(file, size.nx * quiltColumns, size.ny * quiltRows, quilt);
+  writeImageFile(file, size.nx * quiltColumns, size.ny * quiltRows, quilt);
   const LightField lightField = read(quiltOf(file, columns, rows, incoming), {});
   constexpr LightFieldSize expectedSize{size.nx, size.ny, quiltColumns * quiltRows, 1};
   QVERIFY(lightField.size() == expectedSize);
@@ -244,7 +245,7 @@ void TestLightFieldFile::tilesFromName() {
 }
 
 void TestLightFieldFile::displayTakesTheFilesSize() {
-  writePicture("q.png", size.nx * quiltColumns, size.ny * quiltRows, quilt);
+  writeImageFile("q.png", size.nx * quiltColumns, size.ny * quiltRows, quilt);
   Session session;
   session.lightField = quiltOf("q.png", quiltColumns, quiltRows);
   const Scene scene = loadScene(session, {});
@@ -254,7 +255,7 @@ void TestLightFieldFile::displayTakesTheFilesSize() {
 }
 
 void TestLightFieldFile::canBeStopped() {
-  writePicture("large.png", 300, 200, [](int, int, int) { return 0.5F; });
+  writeImageFile("large.png", 300, 200, [](int, int, int) { return 0.5F; });
   DisplayParams large;
   large.hogels = {30, 20};
   large.directions = {10, 10};

@@ -6,7 +6,7 @@
 
 #include "io/images/image_file.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 

@@ -6,7 +6,7 @@
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 

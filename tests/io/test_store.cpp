@@ -81,8 +81,8 @@ void TestStore::everyTexel() {
   QFETCH(QList<int>, cells);
   QFETCH(int, type);
   const LightFieldSize size{cells[0], cells[1], cells[2], cells[3]};
-  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
-               {OIIO::TypeDesc::BASETYPE(type)});
+  writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+                 {OIIO::TypeDesc::BASETYPE(type)});
   const LightField source = packed(paramsOf("a.tif"), displayOf(size));
   LightFieldStore store("store.tif");
   QVERIFY(store.size() == size);
@@ -95,17 +95,17 @@ void TestStore::views() {
   constexpr LightFieldSize size{21, 18, 5, 3};
   for (int v = 0; v < size.dv; ++v)
     for (int u = 0; u < size.du; ++u)
-      writePicture(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
-                   size.nx, size.ny, [&](int x, int y, int c) {
-                     return valueAt({x, y, u, v}, c);
-                   });
+      writeImageFile(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
+                     size.nx, size.ny, [&](int x, int y, int c) {
+                       return valueAt({x, y, u, v}, c);
+                     });
   const LightField source = packed(paramsOf("views", Layout::views), {});
   QVERIFY(source.size() == size);
   QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), source), QString());
 }
 
 void TestStore::quilt() {
-  writePicture("a_qs3x2a1.png", 60, 40, [](int x, int y, int c) {
+  writeImageFile("a_qs3x2a1.png", 60, 40, [](int x, int y, int c) {
     return valueAt({x % 20, y % 20, x / 20, y / 20}, c);
   });
   const LightField source = packed(paramsOf("a_qs3x2a1.png", Layout::quilt), {});
@@ -116,7 +116,7 @@ void TestStore::quilt() {
 /// Turned while it is packed, or while the store is read.
 void TestStore::incoming() {
   constexpr LightFieldSize size{10, 9, 11, 7};
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
   const LightField turned = packed(paramsOf("a.png", Layout::hogels, true), displayOf(size));
   QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), turned), QString());
   const LightField plain = packed(paramsOf("a.png"), displayOf(size));
@@ -129,7 +129,7 @@ void TestStore::incoming() {
 void TestStore::blackTilesTakeNoRoom() {
   constexpr LightFieldSize size{64, 16, 32, 16};
   const auto black = [](int, int, int) { return 0.0F; };
-  writePicture("a.png", int(size.width()), int(size.height()), black);
+  writeImageFile("a.png", int(size.width()), int(size.height()), black);
   const LightField source = packed(paramsOf("a.png"), displayOf(size));
   // 2 pages of 64 tiles: an entry of the index has 12 bytes, nothing else grows with their number.
   QVERIFY(QFileInfo("store.tif").size() < 4 * 64 * 12);
@@ -138,7 +138,7 @@ void TestStore::blackTilesTakeNoRoom() {
 
 void TestStore::blocksOfAnyOrderAndCache() {
   constexpr LightFieldSize size{19, 17, 20, 9};
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
   const LightField source = packed(paramsOf("a.png"), displayOf(size));
   constexpr std::size_t blockBytes = 64 * 64 * 3;
   for (const std::size_t cache : {std::size_t{0}, 16 * 2 * blockBytes, plenty}) {
@@ -173,7 +173,7 @@ void TestStore::blocksOfAnyOrderAndCache() {
 
 void TestStore::littleMemoryMakesLowerBlocks() {
   constexpr LightFieldSize size{20, 32, 16, 16};
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
   constexpr std::size_t hogelRow = 3 * 20 * 16 * 16;
   for (const auto& [rows, expected] :
        std::vector<std::pair<std::size_t, int>>{{20, 8}, {9, 8}, {8, 4}, {5, 4}, {2, 1}, {1, 1}}) {
@@ -198,8 +198,8 @@ void TestStore::anotherReader_data() {
 void TestStore::anotherReader() {
   QFETCH(int, type);
   constexpr LightFieldSize size{19, 17, 20, 9};
-  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
-               {OIIO::TypeDesc::BASETYPE(type)});
+  writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+                 {OIIO::TypeDesc::BASETYPE(type)});
   const LightField source = packed(paramsOf("a.tif"), displayOf(size));
   const StoreHeader header = LightFieldStore("store.tif").header();
   const auto& block = header.block;
@@ -228,7 +228,7 @@ void TestStore::anotherReader() {
 
 void TestStore::overview() {
   constexpr LightFieldSize size{40, 30, 45, 33};
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
   const LightField source = packed(paramsOf("a.png"), displayOf(size));
   const auto shared = LightFieldStore("store.tif").overview();
   const LightField& small = *shared;
@@ -274,8 +274,8 @@ void TestStore::slices() {
   QFETCH(bool, incoming);
   QFETCH(int, type);
   constexpr LightFieldSize size{19, 17, 20, 19};
-  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size),
-               {OIIO::TypeDesc::BASETYPE(type)});
+  writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size),
+                 {OIIO::TypeDesc::BASETYPE(type)});
   (void)packed(paramsOf("a.tif"), displayOf(size));
   const LightField source =
       openLightField(paramsOf("a.tif", Layout::hogels, incoming), displayOf(size))->read({});
@@ -311,7 +311,7 @@ void TestStore::slices() {
 
 void TestStore::sliceBeyondTheMemoryAllowed() {
   constexpr LightFieldSize size{10, 9, 11, 7};
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
   (void)packed(paramsOf("a.png"), displayOf(size));
   LightFieldStore store("store.tif");
   const std::function<Footprint()> all = [&] { return allOf(size); };
@@ -328,7 +328,7 @@ void TestStore::sliceBeyondTheMemoryAllowed() {
 void TestStore::sizeIsForetold() {
   constexpr LightFieldSize size{10, 9, 11, 7};
   const auto foretold = [&](const char* file) {
-    writePicture(file, int(size.width()), int(size.height()), hogelImage(size));
+    writeImageFile(file, int(size.width()), int(size.height()), hogelImage(size));
     const auto opened = openLightField(paramsOf(file), displayOf(size));
     return planPack(paramsOf(file), *opened, {}, plenty).storeBytes;
   };
@@ -341,7 +341,7 @@ void TestStore::sizeIsForetold() {
 
 void TestStore::displayIsKept() {
   constexpr LightFieldSize size{10, 9, 11, 7};
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
   DisplayParams display = displayOf(size);
   display.fov = {47, 31};
   display.size = {0.3, 0.2};
@@ -358,7 +358,7 @@ void TestStore::displayIsKept() {
 
 void TestStore::recognised() {
   constexpr LightFieldSize size{10, 9, 11, 7};
-  writePicture("a.tif", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size));
   (void)packed(paramsOf("a.tif"), displayOf(size));
   QFile::rename("store.tif", "of any name");
   QVERIFY(lightFieldOf("of any name").layout == Layout::pack);

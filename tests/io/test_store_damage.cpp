@@ -11,7 +11,7 @@
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 #include "tests/io/texels.h"
 
 using namespace hogelscope;
@@ -88,7 +88,7 @@ class TestStoreDamage : public QObject {
 void TestStoreDamage::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
-  writePicture("a.png", int(size.width()), int(size.height()), [](int x, int y, int c) {
+  writeImageFile("a.png", int(size.width()), int(size.height()), [](int x, int y, int c) {
     return float((x * 7 + y * 13 + x * y / 3 + 50 * c) % 256) / 255;
   });
   packTo("store.tif");
@@ -252,8 +252,8 @@ void TestStoreDamage::stoppedPackGoesOn() {
 void TestStoreDamage::anotherSourceBeginsAnew() {
   packUntil("again.tif", 600);
   QVERIFY(pagesOf("again.tif.part") > 0);
-  writePicture("a.png", int(size.width()), int(size.height()),
-               [](int x, int y, int) { return float((x + y) % 200) / 255; });
+  writeImageFile("a.png", int(size.width()), int(size.height()),
+                 [](int x, int y, int) { return float((x + y) % 200) / 255; });
   packTo("again.tif");
   LightFieldStore store("again.tif");
   QCOMPARE(firstWrong(store.read({}),

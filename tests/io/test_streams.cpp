@@ -15,7 +15,7 @@ namespace {
 constexpr LightFieldSize size{10, 21, 11, 9};
 
 void writeHogels() {
-  writePicture("a.png", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
 }
 
 void writeStore() {
@@ -27,20 +27,20 @@ void writeStore() {
 void writeViews() {
   for (int v = 0; v < size.dv; ++v)
     for (int u = 0; u < size.du; ++u)
-      writePicture(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
-                   size.nx, size.ny, [&](int x, int y, int c) {
-                     return valueAt({x, y, u, v}, c);
-                   });
+      writeImageFile(QString("views/%1_%2.png").arg(v, 3, 10, QChar('0')).arg(u, 3, 10, QChar('0')),
+                     size.nx, size.ny, [&](int x, int y, int c) {
+                       return valueAt({x, y, u, v}, c);
+                     });
 }
 
 /// Each reader has its own way back to the top.
 void writeQuilts() {
   const auto write = [](const char* file, OIIO::TypeDesc::BASETYPE type) {
-    writePicture(file, size.nx * size.du, size.ny * size.dv,
-                 [](int x, int y, int c) {
-                   return valueAt({x % size.nx, y % size.ny, x / size.nx, y / size.ny}, c);
-                 },
-                 {type});
+    writeImageFile(file, size.nx * size.du, size.ny * size.dv,
+                   [](int x, int y, int c) {
+                     return valueAt({x % size.nx, y % size.ny, x / size.nx, y / size.ny}, c);
+                   },
+                   {type});
   };
   write("a_qs11x9a1.png", OIIO::TypeDesc::UINT8);
   write("b_qs11x9a1.png", OIIO::TypeDesc::UINT16);

@@ -5,7 +5,7 @@
 
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 #include "tests/io/texels.h"
 
 using namespace hogelscope;
@@ -21,7 +21,7 @@ Rgb colourOf(int row, int column, int x, int y) {
 }
 
 void writeView(const QString& file, int row, int column) {
-  writePicture(file, width, height, [row, column](int x, int y, int channel) {
+  writeImageFile(file, width, height, [row, column](int x, int y, int channel) {
     const Rgb colour = colourOf(row, column, x, y);
     return float((channel == 0 ? colour.r : channel == 1 ? colour.g : colour.b) / 255);
   });
@@ -234,9 +234,9 @@ void TestViewFolders::displayTakesTheFoldersSize() {
 /// The others are converted to it.
 void TestViewFolders::theFirstViewSaysTheType() {
   const auto value = [](int, int, int) { return 100.25F / 255; };
-  writePicture("v/000_000.tif", 2, 2, value, {OIIO::TypeDesc::FLOAT});
-  writePicture("v/000_001.tif", 2, 2, value, {OIIO::TypeDesc::UINT8});
-  writePicture("v/000_002.tif", 2, 2, value, {OIIO::TypeDesc::UINT16, 1});
+  writeImageFile("v/000_000.tif", 2, 2, value, {OIIO::TypeDesc::FLOAT});
+  writeImageFile("v/000_001.tif", 2, 2, value, {OIIO::TypeDesc::UINT8});
+  writeImageFile("v/000_002.tif", 2, 2, value, {OIIO::TypeDesc::UINT16, 1});
   const LightField lightField = openLightField(viewsIn("v"), {})->read({});
   QVERIFY(isNear(lightField.texel({0, 0, 0, 0}), {100.25, 100.25, 100.25}, 1e-4));
   QVERIFY(isNear(lightField.texel({1, 1, 1, 0}), {100, 100, 100}, 1e-4));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the report's page: well-formed and whole in one file, its parts in order, none of them
-// empty, its pictures byte for byte.
+// empty, its images byte for byte.
 #include "report/page/report_page.h"
 
 #include <QCryptographicHash>

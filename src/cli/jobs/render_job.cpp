@@ -16,7 +16,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
 #include "io/scene/scene.h"
-#include "report/passing_pictures.h"
+#include "report/streamed_images.h"
 
 namespace hogelscope {
 
@@ -80,8 +80,8 @@ void renderPassing(LightFieldFile& file, const Session& session, const RenderOut
   if (output.isExplained) std::cout << explanations(scene, session, part(progress, 0, 0));
   std::vector<RenderJob> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
-  const std::vector<StatePicture> results =
-      picturesInPassing(file, views, allowedMemory(), parallelRows, progress);
+  const std::vector<StateImage> results =
+      renderStreamed(file, views, allowedMemory(), parallelRows, progress);
   std::optional<InputError> first;
   for (std::size_t k = 0; k < results.size(); ++k) {
     const std::string& problem = results[k].problem;

@@ -45,7 +45,7 @@ std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const C
   return rateGroups(line, sizes);
 }
 
-/// "400 views: 62 % of the time rendering, 12 % metrics, 3 % pictures".
+/// "400 views: 62 % of the time rendering, 12 % metrics, 3 % images".
 std::string timesText(const Report& report) {
   const double all = report.rendering + report.comparing + report.writing;
   const auto percent = [all](double seconds) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The difference of two pictures as a picture.
+// The difference of two images as an image.
 #include "core/metrics/difference.h"
 
 #include <algorithm>
@@ -31,10 +31,10 @@ void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8
     result[k] = static_cast<std::uint8_t>(std::min(gain * std::abs(a[k] - b[k]), 255));
 }
 
-DifferencePicture differencePicture(const Image& reference, const Image& test) {
+DifferenceImage differenceImage(const Image& reference, const Image& test) {
   if (reference.width != test.width || reference.height != test.height)
-    throw std::invalid_argument("differencePicture: pictures of different sizes");
-  DifferencePicture result{Image(reference.width, reference.height)};
+    throw std::invalid_argument("differenceImage: pictures of different sizes");
+  DifferenceImage result{Image(reference.width, reference.height)};
   Image& image = result.image;
   writeDifference(reference.rgb, test.rgb, 1, image.rgb);
   std::array<std::size_t, 256> counts{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The difference of two pictures as a picture.
+// The difference of two images as an image.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace hogelscope {
 void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, int gain,
                      std::span<std::uint8_t> result);
 
-struct DifferencePicture {
+struct DifferenceImage {
   Image image;   ///< gain · |reference − test|, each channel; seen where both are
   int gain = 1;  ///< the largest power of two that cuts off at most a thousandth of the values
                  ///< that differ, so that one outlier does not hide the rest; 1 for none
 };
 
 /// Throws std::invalid_argument where the sizes differ.
-DifferencePicture differencePicture(const Image& reference, const Image& test);
+DifferenceImage differenceImage(const Image& reference, const Image& test);
 
 }  // namespace hogelscope

@@ -21,7 +21,7 @@ std::size_t product(int a, int b) {
   return std::size_t(a) * std::size_t(b);
 }
 
-/// One exact ray through each pixel's centre, whatever the picture was made of.
+/// One exact ray through each pixel's centre, whatever the image was made of.
 RenderJob raysThroughCentres(RenderJob job) {
   job.sampling.samplesPerPixel = 1;
   job.method = {};

@@ -12,7 +12,7 @@
 
 namespace hogelscope {
 
-/// Sums over all states of one test. Every pixel seen in both pictures counts for the one hogel and
+/// Sums over all states of one test. Every pixel seen in both images counts for the one hogel and
 /// the one direction that the ray through its centre meets; light leakage, interpolation and
 /// several samples per pixel change nothing of that, and a pixel whose centre meets none counts
 /// nowhere. Whole numbers, so that the order of the states does not matter.
@@ -28,7 +28,7 @@ class PanelError {
   /// From sums that were kept. Throws std::invalid_argument where they are not of this size.
   PanelError(const LightFieldSize& size, std::vector<Cell> hogels, std::vector<Cell> directions);
 
-  /// Adds the pictures of one state. Rays are the fast engine's. Throws InputError as Simulation
+  /// Adds the images of one state. Rays are the fast engine's. Throws InputError as Simulation
   /// does, std::invalid_argument where a size is another, Cancelled: then nothing is added.
   void add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
            const Image& reference, const Image& test, const Progress& progress = {});
@@ -41,7 +41,7 @@ class PanelError {
   [[nodiscard]] const std::vector<Cell>& directions() const { return m_directions; }
 
  private:
-  /// What each pixel of the picture in hand adds, and where; kept, since new memory costs more time
+  /// What each pixel of the image in hand adds, and where; kept, since new memory costs more time
   /// than the sums.
   struct Pixels {
     std::vector<std::uint32_t> hogel;

@@ -112,7 +112,7 @@ PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& displa
   return figures;
 }
 
-std::string text(const PanelErrorFigures& figures) {
+std::string panelErrorText(const PanelErrorFigures& figures) {
   if (!(figures.hogelShare > 0)) return "No pixel seen in both pictures differs.";
   return "Half of the squared error comes from " + percent(figures.hogelShare) +
          " of the hogels seen and from " + percent(figures.directionShare) +
@@ -134,11 +134,11 @@ std::vector<float> pixelCounts(const Cells& cells) {
   return plane;
 }
 
-Image hogelPicture(const PanelError& error, const DisplayParams& display) {
+Image hogelErrorImage(const PanelError& error, const DisplayParams& display) {
   return picture(error.hogels(), display.hogels, display.size);
 }
 
-Image directionPicture(const PanelError& error, const DisplayParams& display) {
+Image directionErrorImage(const PanelError& error, const DisplayParams& display) {
   return picture(error.directions(), display.directions, display.fov);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the error on the panel amounts to: planes for files, false-colour pictures, words.
+// What the error on the panel amounts to: planes for files, false-colour images, words.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace hogelscope {
 
 /// "Costliest" is what holds most of the squared error, summed over all views.
 struct PanelErrorFigures {
-  double hogelScale = 0;      ///< MSE at the end of the picture's colours, see `scaleEnd`
+  double hogelScale = 0;      ///< MSE at the end of the image's colours, see `scaleEnd`
   double directionScale = 0;  ///< likewise
   /// How few of the cells that pixels fell on hold half of the squared error; 0 where there is
   /// none.
@@ -27,7 +27,7 @@ struct PanelErrorFigures {
 PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display);
 
 /// One sentence.
-std::string text(const PanelErrorFigures& figures);
+std::string panelErrorText(const PanelErrorFigures& figures);
 
 /// Mean squared error of each cell, per channel: squares / (3·pixels). Not a number where no pixel
 /// fell.
@@ -42,7 +42,7 @@ double scaleEnd(const std::vector<PanelError::Cell>& cells);
 /// False colours of the mean squared errors from 0 to the figures' scales, grey where no pixel
 /// fell. Each cell is a block of pixels, so that small panels are 256 or more along their longer
 /// side, in the shape of the panel or of the angular field.
-Image hogelPicture(const PanelError& error, const DisplayParams& display);
-Image directionPicture(const PanelError& error, const DisplayParams& display);
+Image hogelErrorImage(const PanelError& error, const DisplayParams& display);
+Image directionErrorImage(const PanelError& error, const DisplayParams& display);
 
 }  // namespace hogelscope

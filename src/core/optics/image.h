@@ -38,7 +38,7 @@ struct FloatImage {
 };
 
 /// Returns the image of hogel (i, j), one pixel for each direction: column u, row v, all seen.
-Image hogelPicture(const LightFieldSource& lightField, int i, int j);
+Image hogelErrorImage(const LightFieldSource& lightField, int i, int j);
 
 /// Rounds a code value half up to 8 bits, limited to 0 … 255.
 std::uint8_t quantised(double codeValue);

@@ -25,7 +25,7 @@ VtkImage hogelImageOf(const LightFieldSource& lightField, int i, int j) {
     const auto small = lightField.overview();
     const int smallI = i * small->size().nx / lightField.size().nx;
     const int smallJ = j * small->size().ny / lightField.size().ny;
-    return toVtkImage(hogelPicture(*small, smallI, smallJ), {0, 0, 0});
+    return toVtkImage(hogelErrorImage(*small, smallI, smallJ), {0, 0, 0});
   } catch (const InputError&) {  // it is damaged: the simulated view says so
     return toVtkImage(Image(1, 1), {0, 0, 0});
   }

@@ -51,7 +51,7 @@ class HogelImage : public LightFieldFile {
     const auto target = [this](int x, int y) {
       return std::optional(TexelIndex{x / m_size.du, y / m_size.dv, x % m_size.du, y % m_size.dv});
     };
-    place(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
+    readTexels(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
     return lightField;
   }
 

@@ -20,8 +20,8 @@ inline std::string pixels(std::size_t width, std::size_t height) {
 /// Reads an image into the light field; `target(x, y)` returns the texel of pixel (x, y), or none.
 /// `incoming` flips directions that were recorded looking into the scene.
 template <class Target>
-void place(ImageFile& image, StoredType type, LightField& lightField, bool incoming, Target target,
-           const Progress& progress) {
+void readTexels(ImageFile& image, StoredType type, LightField& lightField, bool incoming,
+                Target target, const Progress& progress) {
   const auto [nx, ny, du, dv] = lightField.size();
   const auto putRow = [&, du = du, dv = dv](int y, const auto* rgb) {
     for (int x = 0; x < int(image.width()); ++x, rgb += 3) {

@@ -120,7 +120,7 @@ class ViewsFolder : public ScatteredFile {
         return std::nullopt;
       return at;
     };
-    place(image, m_type, lightField, m_params.incoming, target, progress);
+    readTexels(image, m_type, lightField, m_params.incoming, target, progress);
   }
 
   LightFieldParams m_params;
@@ -162,7 +162,7 @@ class QuiltImage : public ScatteredFile {
       const int rowFromBottom = m_rows - 1 - y / m_size.ny;
       return TexelIndex{x % m_size.nx, j - begin, rowFromBottom * m_columns + x / m_size.nx, 0};
     };
-    place(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
+    readTexels(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
     return lightField;
   }
 

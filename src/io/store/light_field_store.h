@@ -61,7 +61,8 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
   void openPages();
   void decode(Reader& reader, const BlockIndex& at, std::span<std::byte> texels) const;
   void checkPage(int number, const TiffPage& page) const;
-  void place(const BlockIndex& block, std::span<const std::byte> texels, LightField& target) const;
+  void copyBlock(const BlockIndex& block, std::span<const std::byte> texels,
+                 LightField& target) const;
   template <class T>
   void readBand(int begin, int end, std::vector<T>& band, const Progress& progress) const;
   [[nodiscard]] std::shared_ptr<const LightField> lastSlice() const;

@@ -41,8 +41,8 @@ std::vector<BlockIndex> blocksOfPage(const BlockIndex& counts, int page) {
 
 }  // namespace
 
-void LightFieldStore::place(const BlockIndex& block, std::span<const std::byte> texels,
-                            LightField& target) const {
+void LightFieldStore::copyBlock(const BlockIndex& block, std::span<const std::byte> texels,
+                                LightField& target) const {
   withStoredType(m_header.type, [&](auto zero) {
     using T = decltype(zero);
     const auto* values = reinterpret_cast<const T*>(texels.data());
@@ -76,7 +76,9 @@ LightField LightFieldStore::read(const Progress& progress) {
     const std::vector<BlockIndex> wanted = blocksOfPage(counts, page);
     blocks(
         wanted,
-        [&](std::size_t k, std::span<const std::byte> texels) { place(wanted[k], texels, target); },
+        [&](std::size_t k, std::span<const std::byte> texels) {
+          copyBlock(wanted[k], texels, target);
+        },
         part(progress, double(page) / counts.j, double(page + 1) / counts.j));
   }
   return target;

@@ -48,7 +48,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string pictureTag(const std::string& png, const std::string& text) {
+std::string imageTag(const std::string& png, const std::string& text) {
   return "<img alt=\"" + escaped(text) + "\" src=\"data:image/png;base64," + base64(png) + "\"/>";
 }
 

@@ -12,8 +12,8 @@ std::string escaped(const std::string& text);
 /// The alphabet of RFC 4648, padded.
 std::string base64(const std::string& bytes);
 
-/// A picture within the page, from a PNG file's bytes; `text` is what stands for it where it cannot
+/// An image within the page, from a PNG file's bytes; `text` is what stands for it where it cannot
 /// be seen.
-std::string pictureTag(const std::string& png, const std::string& text);
+std::string imageTag(const std::string& png, const std::string& text);
 
 }  // namespace hogelscope

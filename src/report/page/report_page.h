@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/metrics/summary.h"
-#include "report/page/report_pictures.h"
+#include "report/page/report_images.h"
 #include "report/page/report_tables.h"
 
 namespace hogelscope {
@@ -31,7 +31,7 @@ struct ReportPage {
   std::vector<ReportPanel> panels;
 };
 
-/// `report.html`: HTML that is well-formed XML, with its pictures, style and script inside. Throws
+/// `report.html`: HTML that is well-formed XML, with its images, style and script inside. Throws
 /// std::out_of_range where a view names no row.
 std::string html(const ReportPage& page);
 

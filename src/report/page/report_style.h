@@ -11,7 +11,7 @@ extern const char* const reportStyle;
 /// JavaScript; without it the page is as complete. Free of < and &, so that the page is XML too.
 extern const char* const reportScript;
 
-/// Content-Security-Policy: this style and this script, by their hashes, and pictures that are in
+/// Content-Security-Policy: this style and this script, by their hashes, and images that are in
 /// the page; whatever a name in a report should smuggle in does nothing.
 extern const char* const reportPolicy;
 

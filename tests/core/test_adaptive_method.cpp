@@ -42,7 +42,7 @@ RenderJob sampleView() {
 }
 
 void vary(Random& random, RenderJob& job) {
-  // Some so far away that the panel is a small part of the picture.
+  // Some so far away that the panel is a small part of the image.
   const double far = random.integer(0, 3) == 0 ? std::exp(random.uniform(0, 4)) : 1;
   job.state.camera.eye = {far * random.uniform(-0.2, 0.2), far * random.uniform(-0.2, 0.2),
                           far * random.uniform(0.35, 0.9)};
@@ -187,4 +187,4 @@ class TestTolerance : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TestTolerance)
-#include "test_tolerance.moc"
+#include "test_adaptive_method.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of a light field that is read from the top.
-#include "report/passing_pictures.h"
+// Images of a light field that is read from the top.
+#include "report/streamed_images.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -58,7 +58,7 @@ class Group {
 /// Each state in the first group after the last one that has room.
 std::vector<Group> grouped(const std::vector<RenderJob>& views, std::size_t memory,
                            LensTables& tables, const ParallelRows& parallelRows,
-                           std::vector<StatePicture>& pictures, const Progress& progress) {
+                           std::vector<StateImage>& pictures, const Progress& progress) {
   std::vector<Group> groups;
   groups.emplace_back(memory);
   for (std::size_t k = 0; k < views.size(); ++k) {
@@ -114,12 +114,11 @@ bool mustPass(const LightFieldFile& file, std::size_t memory) {
   return file.isStream() && !fitsInMemory(file, memory);
 }
 
-std::vector<StatePicture> picturesInPassing(LightFieldFile& file,
-                                            const std::vector<RenderJob>& views, std::size_t memory,
-                                            const ParallelRows& parallelRows,
-                                            const Progress& progress) {
+std::vector<StateImage> renderStreamed(LightFieldFile& file, const std::vector<RenderJob>& views,
+                                       std::size_t memory, const ParallelRows& parallelRows,
+                                       const Progress& progress) {
   checkRoom(views);
-  std::vector<StatePicture> pictures(views.size());
+  std::vector<StateImage> pictures(views.size());
   LensTables tables;
   std::vector<Group> groups = grouped(views, memory, tables, parallelRows, pictures, progress);
   std::erase_if(groups, [](Group& group) { return group.passengers().empty(); });

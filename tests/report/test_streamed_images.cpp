@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of a light field that is read from the top: the same pixels, each row read once, in the
+// Images of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
 #include "io/scene/scene.h"
-#include "report/passing_pictures.h"
+#include "report/streamed_images.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,7 +10,7 @@
 #include "io/documents/session_file.h"
 #include "tests/core/rendered.h"
 #include "tests/io/documents.h"
-#include "tests/io/pictures.h"
+#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -77,13 +77,13 @@ constexpr std::size_t plenty = std::size_t{1} << 30;
 
 }  // namespace
 
-class TestPassingPictures : public QObject {
+class TestStreamedImages : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase();
-  void samePictures_data();
-  void samePictures();
+  void sameImages_data();
+  void sameImages();
   void readOnce();
   void readTwiceWhereMemoryIsShort();
   void tooLittleForOneView();
@@ -96,15 +96,15 @@ class TestPassingPictures : public QObject {
   QTemporaryDir m_folder;
 };
 
-void TestPassingPictures::initTestCase() {
+void TestStreamedImages::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   for (const char* name : {"bytes.png", "bytes.tif", "bytes.jpg"})
-    writePicture(name, 180, 192, noise);
-  writePicture("words.png", 180, 192, noise, {OIIO::TypeDesc::UINT16});
-  writePicture("reals.exr", 180, 192, noise, {OIIO::TypeDesc::FLOAT});
+    writeImageFile(name, 180, 192, noise);
+  writeImageFile("words.png", 180, 192, noise, {OIIO::TypeDesc::UINT16});
+  writeImageFile("reals.exr", 180, 192, noise, {OIIO::TypeDesc::FLOAT});
 }
 
-void TestPassingPictures::samePictures_data() {
+void TestStreamedImages::sameImages_data() {
   QTest::addColumn<QByteArray>("file");
   QTest::addColumn<QByteArray>("more");
   for (const char* name : {"bytes.png", "bytes.tif", "bytes.jpg", "words.png", "reals.exr"})
@@ -113,13 +113,13 @@ void TestPassingPictures::samePictures_data() {
   QTest::newRow("incoming words") << QByteArray("words.png") << QByteArray(", \"incoming\": true");
 }
 
-void TestPassingPictures::samePictures() {
+void TestStreamedImages::sameImages() {
   QFETCH(QByteArray, file);
   QFETCH(QByteArray, more);
   const Session session = sessionOf(file, more);
   const auto input = openLightField(session.lightField, session.display);
-  const auto made = picturesInPassing(*input, viewsOf(session, unloadedScene(session, *input)),
-                                      plenty, serialRows, {});
+  const auto made = renderStreamed(*input, viewsOf(session, unloadedScene(session, *input)), plenty,
+                                   serialRows, {});
   const std::vector<RenderJob> views = viewsOf(session, loadScene(session, {}));
   QCOMPARE(made.size(), views.size());
   for (const std::size_t k : {0U, 1U, 2U, 4U}) {
@@ -129,70 +129,69 @@ void TestPassingPictures::samePictures() {
   QVERIFY(made[3].problem.find("eye") != std::string::npos);
 }
 
-void TestPassingPictures::readOnce() {
+void TestStreamedImages::readOnce() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
   const std::vector<RenderJob> views = viewsOf(session, unloadedScene(session, file));
-  (void)picturesInPassing(file, views, plenty, serialRows, {});
+  (void)renderStreamed(file, views, plenty, serialRows, {});
   QCOMPARE(file.rows, 192);
 }
 
-void TestPassingPictures::readTwiceWhereMemoryIsShort() {
+void TestStreamedImages::readTwiceWhereMemoryIsShort() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
   const std::vector<RenderJob> views = viewsOf(session, unloadedScene(session, file));
-  const auto whole = picturesInPassing(file, views, plenty, serialRows, {});
+  const auto whole = renderStreamed(file, views, plenty, serialRows, {});
   file.rows = 0;
   // The lens of "c" alone takes 150·120·16 = 288 000 bytes.
-  const auto made = picturesInPassing(file, views, 300000, serialRows, {});
+  const auto made = renderStreamed(file, views, 300000, serialRows, {});
   QCOMPARE(file.rows, 2 * 192);
   for (std::size_t k = 0; k < views.size(); ++k) QVERIFY(made[k].image == whole[k].image);
 }
 
-void TestPassingPictures::tooLittleForOneView() {
+void TestStreamedImages::tooLittleForOneView() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  const auto made = picturesInPassing(file, viewsOf(session, unloadedScene(session, file)), 100000,
-                                      serialRows, {});
+  const auto made =
+      renderStreamed(file, viewsOf(session, unloadedScene(session, file)), 100000, serialRows, {});
   QVERIFY(made[0].problem.empty());
   QCOMPARE(QString::fromStdString(made[2].problem).left(33),
            QString("memory: a view needs 290.9 kB of "));
 }
 
 /// All are in memory until the last row has come: refused before the first is read.
-void TestPassingPictures::tooManyPictures() {
+void TestStreamedImages::tooManyPictures() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
   RenderJob large = viewsOf(session, unloadedScene(session, file)).front();
   large.state.camera.res = {16384, 16384};
   const double most = double(machineMemory()) / (2.0 * Image::bytesPerPixel * 16384 * 16384);
   const std::vector<RenderJob> views(std::size_t(most) + 1, large);
-  const QString error =
-      errorOf([&] { (void)picturesInPassing(file, views, plenty, serialRows, {}); });
+  const QString error = errorOf([&] { (void)renderStreamed(file, views, plenty, serialRows, {}); });
   QVERIFY2(error.startsWith(QString("cameras: their %1 pictures need ").arg(views.size())) &&
                error.endsWith(": take fewer states, or pack the light field into a store"),
            qPrintable(error));
   QCOMPARE(file.rows, 0);
 }
 
-void TestPassingPictures::onlyLargeStreamsPass() {
+void TestStreamedImages::onlyLargeStreamsPass() {
   const Session session = sessionOf("bytes.png");
   const auto file = openLightField(session.lightField, session.display);
   const std::size_t bytes = LightField::bytes({20, 24, 9, 8}, StoredType::uint8);
   QVERIFY(!mustPass(*file, bytes));
   QVERIFY(mustPass(*file, bytes - 1));
-  writePicture("lf_qs4x2a1.png", 40, 20, noise);
+  writeImageFile("lf_qs4x2a1.png", 40, 20, noise);
   QVERIFY(!mustPass(*openLightField(lightFieldOf("lf_qs4x2a1.png"), {}), 1));
 }
 
-void TestPassingPictures::damagedRow() {
+void TestStreamedImages::damagedRow() {
   const QByteArray bytes = contentOf("bytes.png");
   writeFile("cut.png", bytes.left(bytes.size() * 3 / 4));
   const Session session = sessionOf("cut.png");
   const auto file = openLightField(session.lightField, session.display);
   try {
-    (void)picturesInPassing(*file, viewsOf(session, unloadedScene(session, *file)), plenty,
-                            serialRows, {});
+    (void)renderStreamed(*file, viewsOf(session, unloadedScene(session, *file)), plenty, serialRows,
+                         {});
     QFAIL("a file that is cut was read");
   } catch (const InputError& error) {
     const QString line = error.what();
@@ -200,14 +199,14 @@ void TestPassingPictures::damagedRow() {
   }
 }
 
-void TestPassingPictures::stops() {
+void TestStreamedImages::stops() {
   const Session session = sessionOf("bytes.png");
   const auto file = openLightField(session.lightField, session.display);
   const auto tillHalf = [](double done) { return done < 0.5; };
   QVERIFY_THROWS_EXCEPTION(
-      Cancelled, (void)picturesInPassing(*file, viewsOf(session, unloadedScene(session, *file)),
-                                         plenty, serialRows, tillHalf));
+      Cancelled, (void)renderStreamed(*file, viewsOf(session, unloadedScene(session, *file)),
+                                      plenty, serialRows, tillHalf));
 }
 
-QTEST_APPLESS_MAIN(TestPassingPictures)
-#include "test_passing_pictures.moc"
+QTEST_APPLESS_MAIN(TestStreamedImages)
+#include "test_streamed_images.moc"

@@ -56,4 +56,4 @@ void TestChangedField::eachKindOfField() {
 }
 
 QTEST_APPLESS_MAIN(TestChangedField)
-#include "test_changed_field.moc"
+#include "test_edit_name.moc"

@@ -20,8 +20,8 @@ struct PictureKind {
 using PictureValue = std::function<float(int x, int y, int channel)>;
 
 /// Makes the file's folder too.
-inline void writePicture(const QString& file, int width, int height, const PictureValue& value,
-                         const PictureKind& kind = {}) {
+inline void writeImageFile(const QString& file, int width, int height, const PictureValue& value,
+                           const PictureKind& kind = {}) {
   QDir().mkpath(QFileInfo(file).path());
   OIIO::ImageSpec spec(width, height, kind.channels, kind.type);
   spec.tile_width = spec.tile_height = kind.tile;
@@ -37,7 +37,7 @@ inline void writePicture(const QString& file, int width, int height, const Pictu
 }
 
 inline void writeGrey(const QString& file, int width, int height) {
-  writePicture(file, width, height, [](int, int, int) { return 0.5F; });
+  writeImageFile(file, width, height, [](int, int, int) { return 0.5F; });
 }
 
 inline OIIO::ImageSpec specOf(const QString& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of the report's page: chosen views beside each other, the error on the panel.
+// The images of the report's page: chosen views beside each other, the error on the panel.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace hogelscope {
 
-/// Three pictures of a row, whole PNG files' bytes.
+/// Three images of a row, whole PNG files' bytes.
 struct ReportView {
   std::size_t row = 0;  ///< of the report's rows
   std::string which;    ///< "worst", "median", "best"
   std::string reference;
   std::string test;
   std::string difference;
-  int gain = 1;  ///< of the difference picture
+  int gain = 1;  ///< of the difference image
 };
 
 /// A test's error over the hogels and over the directions, whole PNG files' bytes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of many states from a light field that memory cannot hold and that can only be read
+// The images of many states from a light field that memory cannot hold and that can only be read
 // from the top: read once, as long as what the states need of it fits in memory.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace hogelscope {
 
-/// A state's picture, or why there is none.
-struct StatePicture {
+/// A state's image, or why there is none.
+struct StateImage {
   Image image;
   std::string problem;
 };
@@ -21,12 +21,11 @@ struct StatePicture {
 bool mustPass(const LightFieldFile& file, std::size_t memory);
 
 /// The views' light field has nothing in memory. At most `memory` bytes are taken besides the
-/// pictures and one hogel row of the file; where that is too little for all views the file is read
+/// images and one hogel row of the file; where that is too little for all views the file is read
 /// more than once, and a view that alone needs more has a problem. Throws InputError (damaged
-/// file, pictures that the machine's memory cannot hold), Cancelled.
-std::vector<StatePicture> picturesInPassing(LightFieldFile& file,
-                                            const std::vector<RenderJob>& views, std::size_t memory,
-                                            const ParallelRows& parallelRows,
-                                            const Progress& progress);
+/// file, images that the machine's memory cannot hold), Cancelled.
+std::vector<StateImage> renderStreamed(LightFieldFile& file, const std::vector<RenderJob>& views,
+                                       std::size_t memory, const ParallelRows& parallelRows,
+                                       const Progress& progress);
 
 }  // namespace hogelscope

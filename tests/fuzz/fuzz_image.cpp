@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzzes pictures of the formats that light fields come in: EXR, JPEG, PNG, TIFF.
+// Fuzzes images of the formats that light fields come in: EXR, JPEG, PNG, TIFF.
 #include "io/images/image_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -8,7 +8,7 @@ using namespace hogelscope;
 void fuzz(std::string_view input) {
   constexpr double most = 1e6;  // pixels; more of them find nothing new
   mayRefuse([&] {
-    ImageFile image(fileOf("picture", input));
+    ImageFile image(fileOf("image", input));
     if (double(image.width()) * double(image.height()) > most) return;
     std::size_t rows = 0;
     image.read(image.type(),

@@ -112,7 +112,7 @@ class TestStates : public QObject {
     QCOMPARE(namesOf(session), QString("b|c"));
   }
 
-  /// The panel's corners are in the picture, its middle in the picture's middle, its top on top.
+  /// The panel's corners are in the image, its middle in the image's middle, its top on top.
   void aNewStateSeesTheWholePanel() {
     DisplayParams display;
     display.position = {3, -2, 5};
@@ -175,4 +175,4 @@ class TestStates : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TestStates)
-#include "test_states.moc"
+#include "test_state_list_edits.moc"

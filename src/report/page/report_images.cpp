@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of the report's page.
-#include "report/page/report_pictures.h"
+// The images of the report's page.
+#include "report/page/report_images.h"
 
 #include "core/base/text.h"
 #include "report/page/html.h"
@@ -11,7 +11,7 @@ namespace hogelscope {
 namespace {
 
 std::string captioned(const std::string& png, const std::string& caption) {
-  return "<figure>" + pictureTag(png, caption) + "<figcaption>" + escaped(caption) +
+  return "<figure>" + imageTag(png, caption) + "<figcaption>" + escaped(caption) +
          "</figcaption></figure>\n";
 }
 
@@ -29,7 +29,7 @@ std::string viewFigure(const ReportView& view, const ReportRow& row) {
          captioned(view.difference, difference) + "</div></figure>\n";
 }
 
-/// Words at the ends of a picture's sides.
+/// Words at the ends of an image's sides.
 struct Ends {
   std::string top;
   std::string bottom;
@@ -42,7 +42,7 @@ std::string errorFigure(const std::string& png, const std::string& title, const 
   std::string text = "<figure><figcaption>" + title + "</figcaption>" +
                      "<div class=\"row\"><div class=\"cells\"><div class=\"side\"><span>" +
                      ends.top + "</span><span>" + ends.bottom + "</span></div>" +
-                     pictureTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
+                     imageTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
                      "</span><span>" + ends.right + "</span></div></div>";
   if (scale > 0) text += colourBar(0, scale, "MSE");
   return text + "</div></figure>\n";
@@ -65,8 +65,8 @@ std::string viewFigures(const std::vector<ReportView>& views, const std::vector<
 std::string panelFigures(const std::vector<ReportPanel>& panels, const DisplayParams& display) {
   std::string all;
   for (const ReportPanel& panel : panels)
-    all += "<figure><h3>" + escaped(panel.test) + "</h3>\n<p>" + escaped(text(panel.figures)) +
-           "</p><div class=\"row\">\n" +
+    all += "<figure><h3>" + escaped(panel.test) + "</h3>\n<p>" +
+           escaped(panelErrorText(panel.figures)) + "</p><div class=\"row\">\n" +
            errorFigure(panel.hogels, "over the hogels, as the panel faces the viewer",
                        {"top", "bottom", "left", "right"}, panel.figures.hogelScale) +
            errorFigure(panel.directions, "over the directions in which light leaves",
