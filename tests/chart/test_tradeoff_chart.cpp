@@ -140,7 +140,7 @@ void TestTradeoffChart::numbersCoverNothing() {
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const double radius = 0.9 * axes.em() * markerRadius(rows, k);
       const QPointF reach(radius, radius);
-      const QPointF point = *axes.place(rows[k]);
+      const QPointF point = *axes.positionOf(rows[k]);
       QVERIFY2(!covers({point - reach, point + reach}), qPrintable(text));
     }
     boxes.push_back(group.box);
@@ -209,7 +209,7 @@ void TestTradeoffChart::everyPointIsFound() {
   const TradeoffChart chart(rows, "Error");
   const TradeoffAxes axes = chart.axes(size);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::optional<std::size_t> found = chart.rowAt(*axes.place(rows[k]), size);
+    const std::optional<std::size_t> found = chart.rowAt(*axes.positionOf(rows[k]), size);
     QVERIFY(found.has_value());
     QCOMPARE(QString::fromStdString(rows[*found].method), QString::fromStdString(rows[k].method));
   }
@@ -226,7 +226,7 @@ void TestTradeoffChart::nearPointsShareABox() {
   markPareto(rows);
   const QSizeF size(600, 450);
   const TradeoffChart chart(rows, "Error");
-  QCOMPARE(chart.rowAt(*chart.axes(size).place(rows[2]), size), std::optional<std::size_t>(0));
+  QCOMPARE(chart.rowAt(*chart.axes(size).positionOf(rows[2]), size), std::optional<std::size_t>(0));
   QStringList texts;
   for (const PointNumbers& group : numbersBesidePoints(rows, chart.axes(size), chartFont()))
     texts += textOf(group);
@@ -239,8 +239,8 @@ void TestTradeoffChart::zeroLiesBelowAllOthers() {
   const Rows rows = rowsOf({{"exact", 10, 0}, {"float", 5, 1e-3}, {"off", 1, 10}});
   const TradeoffAxes axes(rows, QSizeF(600, 450));
   QCOMPARE(axes.areas().size(), std::size_t{2});
-  QVERIFY(axes.areas()[1].contains(*axes.place(rows[0])));
-  QVERIFY(axes.areas()[0].contains(*axes.place(rows[1])));
+  QVERIFY(axes.areas()[1].contains(*axes.positionOf(rows[0])));
+  QVERIFY(axes.areas()[0].contains(*axes.positionOf(rows[1])));
   QVERIFY(axes.areas()[0].bottom() < axes.areas()[1].top());
   QVERIFY(saysIt(chartSvg(rows), "0: the reference’s own pixels"));
   QVERIFY(!saysIt(chartSvg(rowsOf({{"float", 5, 1e-3}})), "0: the reference’s own pixels"));
@@ -279,7 +279,7 @@ void TestTradeoffChart::selectionShows() {
   chart.select(12);
   const std::string chosen = pngOf(paintOf(chart), {600, 450});
   const QImage picture = QImage::fromData(QByteArray::fromStdString(chosen));
-  const QPointF point = *chart.axes(QSizeF(600, 450)).place(chart.rows()[12]);
+  const QPointF point = *chart.axes(QSizeF(600, 450)).positionOf(chart.rows()[12]);
   const auto isYellow = [&](const QPointF& place) {
     const QColor colour = picture.pixelColor((2 * place).toPoint());
     return colour.red() > 200 && colour.green() > 200 && colour.blue() < 120;
@@ -299,7 +299,8 @@ void TestTradeoffChart::unmeasuredRowsAreLeftOut() {
                       {"wild", 1, infinite},
                       {"negative", 1, -1}});
   const QSizeF size(600, 450);
-  for (const TradeoffRow& row : rows) QVERIFY(!TradeoffAxes(rows, size).place(row).has_value());
+  for (const TradeoffRow& row : rows)
+    QVERIFY(!TradeoffAxes(rows, size).positionOf(row).has_value());
   QVERIFY(saysIt(chartSvg(rows), "Nothing measured yet"));
   const Rows good = sampleRows();
   rows.insert(rows.begin(), good.begin(), good.end());
