@@ -18,7 +18,7 @@ const std::map<QString, QStringList>& allowedRooms() {
   static const std::map<QString, QStringList> rooms{
       {"core/base", {}},
       {"sdk/hogelscope", {"core/base"}},
-      {"core/light_field", {"core/base"}},
+      {"core/light_field", {"core/base", "sdk/hogelscope"}},
       {"core/optics", {"core/base", "core/light_field"}},
       {"core/lens", {"core/base", "core/optics"}},
       {"core/engine", {"core/base", "core/light_field", "core/optics", "core/lens"}},

@@ -85,8 +85,7 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   }
   /// Returns this object, which a std::shared_ptr must own.
   [[nodiscard]] std::shared_ptr<const LightField> slice(
-      const std::function<Footprint()>& /*footprint*/,
-      const Progress& /*progress*/) const override {
+      const ViewReads& /*reads*/, const Progress& /*progress*/) const override {
     return shared_from_this();
   }
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
@@ -104,6 +103,8 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   void set(const TexelIndex& at, const T* rgb) {
     std::get<TexelArray<T>>(m_texels)[m_layout.address(at)] = {rgb[0], rgb[1], rgb[2], T{}};
   }
+  /// Returns the layout of a slice; null if all texels are in memory.
+  [[nodiscard]] const SliceLayout* sliceLayout() const { return m_slice.get(); }
   /// Sets neighbours along u of a slice, from `first` on; T must be the stored type.
   template <class T>
   void setRun(const TexelIndex& first, int count, const T* rgb) {

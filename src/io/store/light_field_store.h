@@ -42,7 +42,7 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
 
   /// Keeps decoded blocks in the cache, and returns the last view's slice again if that covers the
   /// footprint.
-  [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
                                                         const Progress& progress) const override;
 
   /// Returns hogels and directions at even distances, read at the first call. Throws InputError.

@@ -74,8 +74,8 @@ Footprint LightFieldStore::stored(const Footprint& footprint) const {
 }
 
 std::shared_ptr<const LightField> LightFieldStore::slice(
-    const std::function<Footprint()>& footprintOf, const Progress& progress) const {
-  const Footprint footprint = footprintOf();
+    const ViewReads& reads, const Progress& progress) const {
+  const Footprint footprint = reads.footprint();
   if (auto last = lastSlice(); last && last->covers(footprint)) return last;
   if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
       bytes > double(allowedMemory()))
