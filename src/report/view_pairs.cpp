@@ -26,8 +26,8 @@ bool ViewPairs::streams(const LightFieldFile& file) const {
 ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& file,
                                         const Progress& progress) const {
   if (!streams(file))
-    return {loadScene(session, file, progress, m_memory,
-                      {0, m_renderers.size() > 1 ? 1 : threadCount()}),
+    return {loadScene(session, file, progress,
+                      {m_memory, 0, m_renderers.size() > 1 ? 1 : threadCount()}),
             {}};
   Source source{unloadedScene(session, file), {}};
   std::vector<RenderJob> views;

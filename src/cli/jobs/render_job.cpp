@@ -53,8 +53,7 @@ struct RenderOutput {
 
 /// Renders from a light field in memory or in a store.
 void renderLoaded(const Session& session, const RenderOutput& output, const Progress& progress) {
-  const Scene scene =
-      loadScene(session, part(progress, 0, 0.5), allowedMemory(), {.threads = threadCount()});
+  const Scene scene = loadScene(session, part(progress, 0, 0.5), {.threads = threadCount()});
   if (output.isExplained) std::cout << explanations(scene, session, part(progress, 0.5, 0.5));
   Renderer renderer;
   const auto count = double(session.cameras.size());

@@ -61,17 +61,6 @@ float storedValue(double codeValue) {
 
 }  // namespace
 
-void describe(ParameterVisitor& v, LiveParams& p) {
-  auto& [samples, fill, depth] = p;
-  v.group("live", "How a 3-D scene becomes directional pixels.");
-  v.field("samples", samples, {1, 4096, 1}, "",
-          "Rays of a directional pixel, over its hogel's area and its angle; 1: the middle ray.");
-  v.field("fill", fill, {0, 1, 0.05}, "",
-          "Part of a hogel's side, and of a direction's, over which the rays are spread.");
-  v.field("depth", depth, {-1e6, 1e6, 0.01}, "m",
-          "Content behind the first and in front of the second depth is left out.");
-}
-
 LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
                        const DisplayParams& display, const LiveParams& params, StoredType type,
                        std::size_t memory, ParallelRows rows)
@@ -89,7 +78,8 @@ LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
   const auto [nx, ny, du, dv] = m_display.size();
   for (int k = 0; k < params.samples; ++k) {
     const auto offset = [&](std::size_t axis) {
-      return 0.5 + params.fill[axis / 2] * latticeOffset(k, params.samples, axis);
+      const double sign = axis == 1 ? -1 : 1;  // up the panel, so that ScenePattern has the same
+      return 0.5 + sign * params.fill[axis / 2] * latticeOffset(k, params.samples, axis);
     };
     Sample sample;
     for (int i = 0; i < nx; ++i) sample.x.push_back(m_display.position(i + offset(0), 0).x);
@@ -184,7 +174,7 @@ std::shared_ptr<const LightField> LiveSource::overview() const {
     for (int& count : coarse.hogels) count = std::min(count, 64);
     for (int& count : coarse.directions) count = std::min(count, 16);
     const LiveSource small(m_content, coarse, m_live, m_type, m_memory, m_rows);
-    m_overview = small.slice(readsOfRows(small.size(), 0, small.size().ny), {});
+    m_overview = small.slice(readsOfRows(small.size(), {0, small.size().ny - 1}, {0, small.size().dv - 1}), {});
   });
   return m_overview;
 }

@@ -10,6 +10,7 @@
 #include "io/files/folders.h"
 #include "io/layouts/hogel_image.h"
 #include "io/layouts/view_layouts.h"
+#include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {
@@ -57,6 +58,8 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
       return openQuilt(params);
     case Layout::pack:
       return openStore(params, display);
+    case Layout::live:
+      return std::make_unique<LiveFile>(params, display);
     default:
       if (LightFieldStore::isStore(params.file))
         throw InputError(params.file, "lightField.layout",
@@ -77,30 +80,13 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file) {
   return scene;
 }
 
-bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
-  try {
-    return LightField::bytes(file.size(), file.type()) <= memory;
-  } catch (const std::length_error&) {
-    return false;
-  }
-}
-
-Scene loadScene(const Session& session, const Progress& progress, std::size_t memory,
-                const StoreUse& use) {
-  return loadScene(session, *openLightField(session.lightField, session.display), progress, memory,
-                   use);
+Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {
+  return loadScene(session, *openLightField(session.lightField, session.display), progress, use);
 }
 
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
-                std::size_t memory, const StoreUse& use) {
-  Scene scene{nullptr, resolved(session.display, file.size()), session.sampling};
-  if (session.lightField.layout == Layout::pack && !fitsInMemory(file, memory))
-    scene.lightField = std::make_shared<const LightFieldStore>(
-        session.lightField.file, session.lightField.incoming, std::min(memory, use.cache),
-        use.threads);
-  else
-    scene.lightField = std::make_shared<const LightField>(file.read(progress));
-  return scene;
+                const SourceUse& use) {
+  return {file.source(use, progress), resolved(session.display, file.size()), session.sampling};
 }
 
 }  // namespace hogelscope
