@@ -71,6 +71,10 @@ FlagGroup outputs() {
             .jobs = {render},
             .choices = {"png", "exr", "tif"},
             .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits."},
+           {.name = "ideal",
+            .jobs = {render},
+            .help = "In place of what the display shows: what the eye would see of the session's "
+                    "live scene itself through the panel."},
            {.name = "masks",
             .jobs = {render},
             .help = "Also DIR/<name>.mask.png, white where the display is seen."},
@@ -90,9 +94,16 @@ FlagGroup comparison() {
         .value = "LF",
         .jobs = {report},
         .neededBy = {report},
+        .unless = "against",
         .mayRepeat = true,
         .help = "A light field to compare with the session's: an image, a folder, a store, or a "
                 "session, whose display comes with it. Repeat it for more."},
+       {.name = "against",
+        .value = "ideal",
+        .jobs = {report},
+        .choices = {"ideal"},
+        .help = "The reference is the ideal view of the session's live scene: what the eye would "
+                "see of it without the display. The display is then the first test."},
        {.name = "fail-below",
         .value = "DB",
         .jobs = {report},

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --report: every state from the session's light field and from each test, compared.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 
 #include "cli/explain.h"
 #include "cli/inputs.h"
@@ -87,12 +89,18 @@ int runReport(const CommandLine& line) {
   request.name = line.text("session");
   request.sessionFile = line.text("session");
   request.session = loadSelected(line);
-  request.tests = openTests(request.session, line.texts("test"));
+  request.file = openLightField(request.session.lightField, request.session.display);
+  request.isAgainstIdeal = line.has("against");
+  if (request.isAgainstIdeal) {
+    requireScene(request.session);
+    request.tests.push_back({"display", request.session, request.file});
+  }
+  std::ranges::move(openTests(request.session, line.texts("test")),
+                    std::back_inserter(request.tests));
   request.groups = parseGroups(request.tests, line);
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
-  request.file = openLightField(request.session.lightField, request.session.display);
   announcePassing(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests)
     announcePassing(*test.file, request.memory / 2, isQuiet);

@@ -41,7 +41,8 @@ LightFieldParams lightFieldOf(const std::string& file) {
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = isFolder(file) != (params.layout == Layout::views) ||
+  const bool isAnotherKind = params.layout == Layout::live ||
+                             isFolder(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
   if (isAnotherKind) return lightFieldOf(file);
   LightFieldParams result = params;
@@ -75,9 +76,14 @@ bool readTheSame(const Session& a, const Session& b) {
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
   Scene scene{std::make_shared<const StreamedLightField>(file.size(), file.type()),
-              resolved(session.display, file.size()), session.sampling};
+              resolved(session.display, file.size()), session.sampling, false};
   scene.sampling.tolerance = 0;
   return scene;
+}
+
+void requireScene(const Session& session) {
+  if (session.lightField.layout != Layout::live)
+    throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
 }
 
 Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {
@@ -86,7 +92,8 @@ Scene loadScene(const Session& session, const Progress& progress, const SourceUs
 
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
                 const SourceUse& use) {
-  return {file.source(use, progress), resolved(session.display, file.size()), session.sampling};
+  return {file.source(use, progress), resolved(session.display, file.size()), session.sampling,
+          false};
 }
 
 }  // namespace hogelscope

@@ -20,9 +20,10 @@ struct Scene {
   std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
+  bool isIdeal = false;  ///< its views are ideal views
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
-    return {lightField, display, sampling, state};
+    return {lightField, display, sampling, state, {}, isIdeal};
   }
 };
 
@@ -32,6 +33,8 @@ Scene loadScene(const Session& session, const Progress& progress, const SourceUs
 /// Reads a light field that is open already: `file` is the session's.
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
                 const SourceUse& use = {});
+/// Throws InputError unless the session's light field is live, so that it has ideal views.
+void requireScene(const Session& session);
 /// Makes a scene for StreamingRenderer: the light field has no texels. The tolerance is 0, since no
 /// view can be probed before the texels have been read.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
