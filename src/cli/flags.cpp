@@ -26,19 +26,19 @@ using enum Command;
 const std::vector<Command> onStates{render, report, makeCameras, tradeoff};
 /// Those that write files.
 const std::vector<Command> writing{render, report,   makeCameras, generate,
-                                   pack,   tradeoff, stability};
+                                   pack,   exportAs, tradeoff,    stability};
 
 FlagGroup inputs() {
   return {
       "What is read",
       {{.name = "session",
         .value = "FILE",
-        .jobs = {render, report, makeCameras, generate, pack, tradeoff},
-        .neededBy = {render, report, makeCameras, generate, tradeoff},
+        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff},
+        .neededBy = {render, report, makeCameras, generate, exportAs, tradeoff},
         .help = "The session document: display, light field and camera states."},
        {.name = "set",
         .value = "S.F=VALUE",
-        .jobs = {render, report, makeCameras, generate, pack, tradeoff, info},
+        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, info},
         .mayRepeat = true,
         .help = "Overrides a parameter of the session, such as psf.sigma=0.9 or "
                 "camera.res=[300,300]; camera, intrinsics, distortion and psf go to every state. "
@@ -64,8 +64,8 @@ FlagGroup outputs() {
             .value = "PATH",
             .jobs = writing,
             .neededBy = writing,
-            .help = "The folder for the results; for --make-cameras, --generate and --pack the "
-                    "file. Folders are made if missing."},
+            .help = "The folder for the results; for --make-cameras, --generate, --pack and "
+                    "--export the file (views: the folder). Folders are made if missing."},
            {.name = "format",
             .value = "png|exr|tif",
             .jobs = {render},
@@ -153,13 +153,13 @@ FlagGroup resources() {
   return {"How the work is done",
           {{.name = "memory",
             .value = "MB",
-            .jobs = {window, render, report, pack, tradeoff},
+            .jobs = {window, render, report, pack, exportAs, tradeoff},
             .range = NumberRange{.min = 0.001, .max = 1e9},
             .help = "Megabytes for light fields, a quarter of the machine's by default; the window "
                     "takes it too. What needs more is read piece by piece, or from the top once."},
            {.name = "threads",
             .value = "N",
-            .jobs = {render, report, generate, pack, tradeoff, stability},
+            .jobs = {render, report, generate, pack, exportAs, tradeoff, stability},
             .range = NumberRange{.min = 1, .isInteger = true},
             .help = "Threads to work with; all by default."},
            {.name = "quiet", .jobs = writing, .help = "Prints nothing but errors."}}};

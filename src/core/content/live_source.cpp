@@ -174,7 +174,9 @@ std::shared_ptr<const LightField> LiveSource::overview() const {
     for (int& count : coarse.hogels) count = std::min(count, 64);
     for (int& count : coarse.directions) count = std::min(count, 16);
     const LiveSource small(m_content, coarse, m_live, m_type, m_memory, m_rows);
-    m_overview = small.slice(readsOfRows(small.size(), {0, small.size().ny - 1}, {0, small.size().dv - 1}), {});
+    const LightFieldSize size = small.size();
+    m_overview =
+        small.slice(readsOfRows(size, {0, size.ny - 1}, {0, size.du - 1}, {0, size.dv - 1}), {});
   });
   return m_overview;
 }

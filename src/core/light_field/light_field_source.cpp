@@ -19,10 +19,11 @@ void markAll(const SliceLayout& /*layout*/, std::vector<std::uint8_t>& marks) {
 
 }  // namespace
 
-ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& v) {
+ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
+                      const CellRange& v) {
   const auto footprint = [=] {
     Footprint rows(size.nx, size.ny);
-    std::ranges::fill(rows.u, CellRange{0, size.du - 1});
+    std::ranges::fill(rows.u, u);
     std::fill(rows.v.begin() + j.first, rows.v.begin() + j.last + 1, v);
     return rows;
   };

@@ -25,8 +25,9 @@ struct ViewReads {
   std::function<void(const SliceLayout& layout, std::vector<std::uint8_t>& marks)> mark;
 };
 
-/// Returns what reads the directions (·, v) of all hogels of rows [j.first, j.last].
-ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& v);
+/// Returns what reads all texels with these j, u and v.
+ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
+                      const CellRange& v);
 
 /// A light field in memory, in a store, or computed on demand. All functions may be
 /// called from several threads at the same time.

@@ -88,7 +88,7 @@ void LiveFile::stream(const HogelRow& row, const Progress& progress) {
     for (int v0 = 0; v0 < dv; v0 += most) {
       const int v1 = std::min(v0 + most, dv);
       const double done = (j + double(v0) / dv) / ny;
-      const auto texels = source.slice(readsOfRows(size(), {j, j}, {v0, v1 - 1}),
+      const auto texels = source.slice(readsOfRows(size(), {j, j}, {0, du - 1}, {v0, v1 - 1}),
                                        part(progress, done, (j + double(v1) / dv) / ny));
       for (int v = v0; v < v1; ++v) handOutRow(*texels, j, v, row, j);
     }
