@@ -12,31 +12,31 @@
 
 namespace hogelscope::mesh {
 
-/// Sixteen rays, the corners of the triangles that they meet, and where they meet them.
+/// The corners of the triangles that a packet meets.
 struct EmbreeScene::Lanes {
-  using Row = std::array<double, packet>;
+  using Row = Hits::Row<double>;
 
-  alignas(64) Row x{}, y{}, z{}, a{}, b{};
-  alignas(64) std::array<Row, 3> cornerX{}, cornerY{}, cornerZ{};
-  alignas(64) Row tolerance{};  ///< how near to an edge packets may differ from single rays, metres
-  alignas(64) std::array<Row, 3> weights{};
-  alignas(64) Row depth{};
-  alignas(64) std::array<long long, packet> isNearEdge{};
-  std::array<std::uint32_t, packet> triangles{};
+  alignas(64) std::array<Row, 3> x, y, z;
+  alignas(64) Hits::Row<std::int64_t> isNearEdge;
 };
 
 namespace {
 
+// Rounding of coordinates, with a margin: eight units in the last place.
+constexpr double roundings = 8 * std::numeric_limits<float>::epsilon();
+
 /// Along the ray a triangle is a flat one: corner − ray at the corner's depth. The weights are the
-/// areas that its edges span with the ray, which stands at 0.
-template <class Lanes>
-MULTIVERSIONED void solve(Lanes& l) {
-  for (std::size_t i = 0; i < EmbreeScene::packet; ++i) {
+/// areas that its edges span with the ray, which stands at 0. Near an edge, closer than rounding
+/// goes, packets may differ from single rays.
+template <class Packet, class Lanes>
+MULTIVERSIONED void solve(const Packet& p, double extent, Lanes& __restrict l,
+                          Hits& __restrict hits) {
+  for (std::size_t i = 0; i < Hits::most; ++i) {
     const auto flatX = [&](std::size_t k) {
-      return l.cornerX[k][i] - l.x[i] - l.a[i] * (l.cornerZ[k][i] - l.z[i]);
+      return l.x[k][i] - p.x[i] - p.a[i] * (l.z[k][i] - p.z[i]);
     };
     const auto flatY = [&](std::size_t k) {
-      return l.cornerY[k][i] - l.y[i] - l.b[i] * (l.cornerZ[k][i] - l.z[i]);
+      return l.y[k][i] - p.y[i] - p.b[i] * (l.z[k][i] - p.z[i]);
     };
     const double x0 = flatX(0), x1 = flatX(1), x2 = flatX(2);
     const double y0 = flatY(0), y1 = flatY(1), y2 = flatY(2);
@@ -47,7 +47,9 @@ MULTIVERSIONED void solve(Lanes& l) {
     const double side0 = (x2 - x1) * (x2 - x1) + (y2 - y1) * (y2 - y1);
     const double side1 = (x0 - x2) * (x0 - x2) + (y0 - y2) * (y0 - y2);
     const double side2 = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
-    const double near = l.tolerance[i] * l.tolerance[i];
+    const double margin =
+        roundings * (extent + std::abs(p.x[i]) + std::abs(p.y[i]) + std::abs(p.z[i]));
+    const double near = margin * margin;
     l.isNearEdge[i] = (area0 * area0 <= near * side0) | (area1 * area1 <= near * side1) |
                       (area2 * area2 <= near * side2) | (area0 * area <= 0) | (area1 * area <= 0) |
                       (area2 * area <= 0);
@@ -57,11 +59,11 @@ MULTIVERSIONED void solve(Lanes& l) {
     const double w2 = std::max(area2 * scale, 0.0);
     const double sum = w0 + w1 + w2;
     const double unit = sum > 0 ? 1 / sum : 0;
-    l.weights[0][i] = sum > 0 ? w0 * unit : 1;
-    l.weights[1][i] = w1 * unit;
-    l.weights[2][i] = w2 * unit;
-    l.depth[i] = l.weights[0][i] * l.cornerZ[0][i] + l.weights[1][i] * l.cornerZ[1][i] +
-                 l.weights[2][i] * l.cornerZ[2][i];
+    hits.weights[0][i] = sum > 0 ? w0 * unit : 1;
+    hits.weights[1][i] = w1 * unit;
+    hits.weights[2][i] = w2 * unit;
+    hits.z[i] = hits.weights[0][i] * l.z[0][i] + hits.weights[1][i] * l.z[1][i] +
+                hits.weights[2][i] * l.z[2][i];
   }
 }
 
@@ -79,11 +81,18 @@ void EmbreeScene::Release::operator()(void* scene) const {
   rtcReleaseScene(static_cast<RTCScene>(scene));
 }
 
-EmbreeScene::EmbreeScene(std::vector<float> points, std::vector<Corners> triangles, int threads,
+EmbreeScene::EmbreeScene(std::vector<float> points, std::vector<Corners> triangles,
+                         const std::vector<std::uint32_t>& materials, int threads,
                          const plugin::Progress& progress)
     : m_points(std::move(points)), m_triangles(std::move(triangles)) {
   for (const float x : m_points) m_extent = std::max(m_extent, double(std::abs(x)));
   m_points.push_back(0);
+  m_settled.resize(m_triangles.size());
+  for (std::size_t t = 0; t < m_triangles.size(); ++t) {
+    m_settled[t].material = materials[t];
+    for (std::size_t k = 0; k < 9; ++k)
+      m_settled[t].corners[k] = m_points[std::size_t{3} * m_triangles[t][k / 3] + k % 3];
+  }
   build(threads, progress);
 }
 
@@ -112,40 +121,28 @@ void EmbreeScene::build(int threads, const plugin::Progress& progress) {
     throw std::runtime_error("Embree: cannot build the scene: error " + std::to_string(error));
 }
 
-void EmbreeScene::gather(Lanes& lanes, std::size_t lane) const {
-  const Corners& corners = m_triangles[lanes.triangles[lane]];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float* p = &m_points[std::size_t{3} * corners[k]];
-    lanes.cornerX[k][lane] = p[0];
-    lanes.cornerY[k][lane] = p[1];
-    lanes.cornerZ[k][lane] = p[2];
-  }
-}
-
-void EmbreeScene::intersect(std::span<const plugin::Ray> rays, std::span<Hit, packet> hits) const {
-  Lanes lanes;
+void EmbreeScene::meet(std::span<const plugin::Ray> rays, Packet& packet) const {
   RTCRayHit16 packets;
-  alignas(64) int valid[packet];
-  // Rounding of coordinates, with a margin: eight units in the last place.
-  constexpr double roundings = 8 * std::numeric_limits<float>::epsilon();
-  for (std::size_t i = 0; i < packet; ++i) {
+  alignas(64) int valid[Hits::most];
+  for (std::size_t i = 0; i < Hits::most; ++i) {
     const plugin::Ray& ray = rays[std::min(i, rays.size() - 1)];
-    lanes.x[i] = ray.x;
-    lanes.y[i] = ray.y;
-    lanes.z[i] = ray.z;
-    lanes.a[i] = ray.a;
-    lanes.b[i] = ray.b;
-    lanes.tolerance[i] =
-        roundings * (m_extent + std::abs(ray.x) + std::abs(ray.y) + std::abs(ray.z));
+    packet.x[i] = ray.x;
+    packet.y[i] = ray.y;
+    packet.z[i] = ray.z;
+    packet.a[i] = ray.a;
+    packet.b[i] = ray.b;
+    packet.reach[i] = ray.reach;
     valid[i] = i < rays.size() ? -1 : 0;
-    packets.ray.org_x[i] = float(ray.x);
-    packets.ray.org_y[i] = float(ray.y);
-    packets.ray.org_z[i] = float(ray.z);
-    packets.ray.dir_x[i] = float(-ray.a);
-    packets.ray.dir_y[i] = float(-ray.b);
+  }
+  for (std::size_t i = 0; i < Hits::most; ++i) {
+    packets.ray.org_x[i] = float(packet.x[i]);
+    packets.ray.org_y[i] = float(packet.y[i]);
+    packets.ray.org_z[i] = float(packet.z[i]);
+    packets.ray.dir_x[i] = float(-packet.a[i]);
+    packets.ray.dir_y[i] = float(-packet.b[i]);
+    packets.ray.tfar[i] = float(packet.reach[i]);
     packets.ray.dir_z[i] = -1;
     packets.ray.tnear[i] = 0;
-    packets.ray.tfar[i] = float(ray.reach);
     packets.ray.time[i] = 0;
     packets.ray.mask[i] = UINT32_MAX;
     packets.ray.id[i] = 0;
@@ -155,44 +152,62 @@ void EmbreeScene::intersect(std::span<const plugin::Ray> rays, std::span<Hit, pa
     packets.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   intersect16(static_cast<RTCScene>(m_scene.get()), valid, packets);
-  for (std::size_t i = 0; i < packet; ++i) {
-    lanes.triangles[i] = packets.hit.primID[i];
-    if (lanes.triangles[i] != Hit::none) gather(lanes, i);
+  for (std::size_t i = 0; i < Hits::most; ++i) {
+    packet.triangles[i] = packets.hit.primID[i];
+    if (packet.triangles[i] == Hit::none) continue;
+    const Triangle* triangle = m_settled.data() + packet.triangles[i];
+    __builtin_prefetch(triangle);
+    __builtin_prefetch(&triangle->material);
   }
-  solve(lanes);
-  traceAgain(rays, lanes);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = {lanes.triangles[i],
-               {lanes.weights[0][i], lanes.weights[1][i], lanes.weights[2][i]},
-               lanes.depth[i]};
+}
+
+void EmbreeScene::gather(Lanes& lanes, Hits& hits, std::size_t lane) const {
+  static constexpr Triangle nothing{};
+  const std::uint32_t number = hits.triangles[lane];
+  const Triangle& triangle = number == Hit::none ? nothing : m_settled[number];
+  hits.materials[lane] = triangle.material;
+  for (std::size_t k = 0; k < 3; ++k) {
+    lanes.x[k][lane] = triangle.corners[3 * k];
+    lanes.y[k][lane] = triangle.corners[3 * k + 1];
+    lanes.z[k][lane] = triangle.corners[3 * k + 2];
+  }
 }
 
 /// A packet may hand a ray that passes an edge to the neighbour on its other side, or to what lies
 /// behind; a single ray's way depends on the ray alone.
-void EmbreeScene::traceAgain(std::span<const plugin::Ray> rays, Lanes& lanes) const {
+void EmbreeScene::settle(std::span<const plugin::Ray> rays, const Packet& packet,
+                         Hits& hits) const {
+  Lanes lanes;
+  hits.triangles = packet.triangles;
+  for (std::size_t i = 0; i < Hits::most; ++i) gather(lanes, hits, i);
+  solve(packet, m_extent, lanes, hits);
   bool isChanged = false;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (lanes.triangles[i] == Hit::none || lanes.isNearEdge[i] == 0) continue;
-    const plugin::Ray& ray = rays[i];
-    RTCRayHit single{};
-    single.ray.org_x = float(ray.x);
-    single.ray.org_y = float(ray.y);
-    single.ray.org_z = float(ray.z);
-    single.ray.dir_x = float(-ray.a);
-    single.ray.dir_y = float(-ray.b);
-    single.ray.dir_z = -1;
-    single.ray.tfar = float(ray.reach);
-    single.ray.mask = UINT32_MAX;
-    single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    single.hit.primID = Hit::none;
-    single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    intersect1(static_cast<RTCScene>(m_scene.get()), single);
-    if (single.hit.primID == lanes.triangles[i]) continue;
-    lanes.triangles[i] = single.hit.primID;
-    if (lanes.triangles[i] != Hit::none) gather(lanes, i);
+    if (hits.triangles[i] == Hit::none || lanes.isNearEdge[i] == 0) continue;
+    const std::uint32_t alone = meetAlone(rays[i]);
+    if (alone == hits.triangles[i]) continue;
+    hits.triangles[i] = alone;
+    gather(lanes, hits, i);
     isChanged = true;
   }
-  if (isChanged) solve(lanes);
+  if (isChanged) solve(packet, m_extent, lanes, hits);
+}
+
+std::uint32_t EmbreeScene::meetAlone(const plugin::Ray& ray) const {
+  RTCRayHit single{};
+  single.ray.org_x = float(ray.x);
+  single.ray.org_y = float(ray.y);
+  single.ray.org_z = float(ray.z);
+  single.ray.dir_x = float(-ray.a);
+  single.ray.dir_y = float(-ray.b);
+  single.ray.dir_z = -1;
+  single.ray.tfar = float(ray.reach);
+  single.ray.mask = UINT32_MAX;
+  single.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  single.hit.primID = Hit::none;
+  single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  intersect1(static_cast<RTCScene>(m_scene.get()), single);
+  return single.hit.primID;
 }
 
 bool EmbreeScene::isBlocked(const Vec3& from, const Vec3& way, bool isDirection) const {

@@ -74,8 +74,8 @@ ShadedMesh::ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int t
       m_front = std::max(m_front, z);
     }
   }
-  m_scene =
-      std::make_unique<EmbreeScene>(std::move(points), std::move(triangles), threads, progress);
+  m_scene = std::make_unique<EmbreeScene>(std::move(points), std::move(triangles), m_materialOf,
+                                          threads, progress);
   placeLights(frame);
 }
 
@@ -109,29 +109,28 @@ void ShadedMesh::setLook(Shading shading, const plugin::Panel& panel,
 
 void ShadedMesh::trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
                        std::span<float> depths) const {
-  std::array<Hit, EmbreeScene::packet> hits;
-  for (std::size_t first = 0; first < rays.size(); first += EmbreeScene::packet) {
-    const std::size_t count = std::min(EmbreeScene::packet, rays.size() - first);
-    m_scene->intersect(rays.subspan(first, count), hits);
+  m_scene->trace(rays, [&](const Hits& hits, std::size_t first) {
+    const std::size_t count = std::min(Hits::most, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      const Hit& hit = hits[i];
-      const bool isMissed = hit.triangle == Hit::none;
-      depths[first + i] = isMissed ? std::numeric_limits<float>::quiet_NaN() : float(hit.z);
-      colours[first + i] = isMissed ? m_background : colour(hit, rays[first + i]);
+      const bool isMissed = hits.triangles[i] == Hit::none;
+      depths[first + i] = isMissed ? std::numeric_limits<float>::quiet_NaN() : float(hits.z[i]);
+      const auto& plain = m_plain[hits.materials[i]];
+      colours[first + i] = isMissed ? m_background
+                           : plain  ? *plain
+                                    : colour(hits[i], hits.materials[i], rays[first + i]);
     }
-  }
+  });
 }
 
-plugin::Colour ShadedMesh::colour(const Hit& hit, const plugin::Ray& ray) const {
-  const std::uint32_t number = m_materialOf[hit.triangle];
-  if (m_plain[number]) return *m_plain[number];
-  const Linear surface = albedo(hit);
-  const bool isLit = m_shading == Shading::lambert && !m_mesh->materials[number].isUnlit;
+plugin::Colour ShadedMesh::colour(const Hit& hit, std::uint32_t number,
+                                  const plugin::Ray& ray) const {
+  const Material& material = m_mesh->materials[number];
+  const Linear surface = albedo(hit, material);
+  const bool isLit = m_shading == Shading::lambert && !material.isUnlit;
   return codes(isLit ? product(surface, lightOn(hit, ray)) : surface);
 }
 
-Linear ShadedMesh::albedo(const Hit& hit) const {
-  const Material& material = m_mesh->materials[m_materialOf[hit.triangle]];
+Linear ShadedMesh::albedo(const Hit& hit, const Material& material) const {
   Linear light = material.colour;
   if (!m_mesh->colours.empty())
     light = product(light, blended(m_mesh->colours, m_scene->corners(hit.triangle), hit.weights));
@@ -203,7 +202,7 @@ plugin::Triangles ShadedMesh::triangles() const {
     for (std::size_t k = 0; k < 3; ++k) {
       Hit corner{t, {}, m_scene->point(corners[k]).z};
       corner.weights[k] = 1;
-      const plugin::Colour code = codes(albedo(corner));
+      const plugin::Colour code = codes(albedo(corner, m_mesh->materials[m_materialOf[t]]));
       std::uint8_t* rgb = &shown.colours[std::size_t{3} * corners[k]];
       rgb[0] = std::uint8_t(std::lround(code.r));
       rgb[1] = std::uint8_t(std::lround(code.g));

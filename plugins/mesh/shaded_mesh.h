@@ -40,8 +40,9 @@ class ShadedMesh {
 
  private:
   void placeLights(const Affine& displayFromFile);
-  [[nodiscard]] plugin::Colour colour(const Hit& hit, const plugin::Ray& ray) const;
-  [[nodiscard]] Linear albedo(const Hit& hit) const;
+  [[nodiscard]] plugin::Colour colour(const Hit& hit, std::uint32_t number,
+                                      const plugin::Ray& ray) const;
+  [[nodiscard]] Linear albedo(const Hit& hit, const Material& material) const;
   [[nodiscard]] Linear textureColour(const Hit& hit, const Material& material) const;
   [[nodiscard]] Linear lightOn(const Hit& hit, const plugin::Ray& ray) const;
   [[nodiscard]] Vec3 shadingNormal(const Hit& hit, const Vec3& geometric) const;
