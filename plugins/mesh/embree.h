@@ -12,9 +12,14 @@ namespace hogelscope::mesh {
 
 #if HOGELSCOPE_EMBREE >= 4
 
-inline void intersect16(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+using QueryContext = RTCRayQueryContext;
+
+inline void intersect16(RTCScene scene, const int* valid, QueryContext& context,
+                        RTCRayHit16& rays) {
+  rtcInitRayQueryContext(&context);
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &rays, &arguments);
 }
@@ -27,8 +32,10 @@ inline void occluded1(RTCScene scene, RTCRay& ray) {
 
 #else
 
-inline void intersect16(RTCScene scene, const int* valid, RTCRayHit16& rays) {
-  RTCIntersectContext context;
+using QueryContext = RTCIntersectContext;
+
+inline void intersect16(RTCScene scene, const int* valid, QueryContext& context,
+                        RTCRayHit16& rays) {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &context, &rays);

@@ -67,6 +67,38 @@ MULTIVERSIONED void solve(const Packet& p, double extent, Lanes& __restrict l,
   }
 }
 
+/// Above so many triangles the watch for ties costs more than its share of a view's time.
+constexpr std::size_t mostWatched = std::size_t{1} << 18U;
+
+/// What Embree hands on from a packet's call to watchTies().
+struct Watch {
+  QueryContext context;
+  Hits::Row<float> depths;  ///< of the nearest triangles so far
+  std::uint32_t ties = 0;
+};
+
+/// Embree calls this for each triangle that may be the nearest to some of a packet's rays. Which of
+/// two at one depth it comes to first, where surfaces lie in one plane or cross, depends on the
+/// packet: so it is made to look a little farther than the nearest, and both are seen.
+void watchTies(const RTCFilterFunctionNArguments* arguments) {
+  if (arguments->N != Hits::most) return;  // a single ray
+  constexpr float margin = 1 + 4 * std::numeric_limits<float>::epsilon();
+  Watch& watch = *reinterpret_cast<Watch*>(arguments->context);
+  float* depths = &RTCRayN_tfar(arguments->ray, Hits::most, 0);
+  for (std::size_t i = 0; i < Hits::most; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const float depth = depths[i];
+    const float nearest = watch.depths[i];
+    watch.ties |= std::uint32_t(depth <= nearest * margin && nearest <= depth * margin) << i;
+    if (depth > nearest) {
+      arguments->valid[i] = 0;
+    } else {
+      watch.depths[i] = depth;
+      depths[i] = depth * margin;
+    }
+  }
+}
+
 struct DeviceRelease {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
 };
@@ -108,6 +140,8 @@ void EmbreeScene::build(int threads, const plugin::Progress& progress) {
                              m_points.data(), 0, 3 * sizeof(float), m_points.size() / 3);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              m_triangles.data(), 0, sizeof(Corners), m_triangles.size());
+  if (m_triangles.size() <= mostWatched)
+    rtcSetGeometryIntersectFilterFunction(geometry, &watchTies);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
@@ -151,7 +185,10 @@ void EmbreeScene::meet(std::span<const plugin::Ray> rays, Packet& packet) const 
     packets.hit.primID[i] = Hit::none;
     packets.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  intersect16(static_cast<RTCScene>(m_scene.get()), valid, packets);
+  Watch watch;
+  watch.depths.fill(std::numeric_limits<float>::max());
+  intersect16(static_cast<RTCScene>(m_scene.get()), valid, watch.context, packets);
+  packet.ties = watch.ties;
   for (std::size_t i = 0; i < Hits::most; ++i) {
     packet.triangles[i] = packets.hit.primID[i];
     if (packet.triangles[i] == Hit::none) continue;
@@ -183,7 +220,8 @@ void EmbreeScene::settle(std::span<const plugin::Ray> rays, const Packet& packet
   solve(packet, m_extent, lanes, hits);
   bool isChanged = false;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (hits.triangles[i] == Hit::none || lanes.isNearEdge[i] == 0) continue;
+    const bool isTie = (packet.ties >> i & 1U) != 0;
+    if (hits.triangles[i] == Hit::none || (lanes.isNearEdge[i] == 0 && !isTie)) continue;
     const std::uint32_t alone = meetAlone(rays[i]);
     if (alone == hits.triangles[i]) continue;
     hits.triangles[i] = alone;

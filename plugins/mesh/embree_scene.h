@@ -89,6 +89,7 @@ class EmbreeScene {
   struct Packet {
     alignas(64) Hits::Row<double> x, y, z, a, b, reach;
     Hits::Row<std::uint32_t> triangles;
+    std::uint32_t ties = 0;  ///< a bit for each ray that met two triangles at one depth
   };
   struct Triangle {
     std::array<float, 9> corners;  ///< again: one place in memory, not four
