@@ -68,9 +68,13 @@ class GltfReader {
     return nodes;
   }
 
+  /// In the file's order: a node, then its children.
   void walk(const std::vector<std::size_t>& roots) {
     Places open;
-    for (const std::size_t node : roots) open.emplace_back(node, Affine{});
+    const auto push = [&](const std::vector<std::size_t>& nodes, const Affine& parent) {
+      for (auto k = nodes.rbegin(); k != nodes.rend(); ++k) open.emplace_back(*k, parent);
+    };
+    push(roots, {});
     std::vector<bool> isVisited(m_data.root().contains("nodes") ? m_data.root()["nodes"].size()
                                                                 : 0);
     while (!open.empty()) {
@@ -81,7 +85,7 @@ class GltfReader {
         m_data.fail("nodes[" + std::to_string(index) + "]", "stands in the tree twice");
       isVisited[index] = true;
       const Affine frame = parent * transformOf(node);
-      for (const std::size_t child : indexList(node, "children")) open.emplace_back(child, frame);
+      push(indexList(node, "children"), frame);
       readNode(node, frame);
     }
   }
