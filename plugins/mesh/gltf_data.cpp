@@ -281,7 +281,7 @@ template <class T>
 void GltfData::copyRows(std::vector<T>& values, std::string_view bytes, std::size_t stride,
                         const Layout& layout) const {
   const std::size_t rows = values.size() / layout.components;
-  if (stride < layout.rowBytes || bytes.size() < layout.rowBytes ||
+  if (stride == 0 || stride < layout.rowBytes || bytes.size() < layout.rowBytes ||
       (bytes.size() - layout.rowBytes) / stride < rows - 1)
     fail(layout.name,
          "reaches beyond its bufferView of " + std::to_string(bytes.size()) + " bytes");
@@ -292,7 +292,7 @@ void GltfData::copyRows(std::vector<T>& values, std::string_view bytes, std::siz
     if constexpr (std::is_same_v<T, float>)
       values[k] = float(layout.divisor == 1 ? value : std::max(value, -1.0));
     else
-      values[k] = T(std::clamp(value, 0.0, 4294967295.0));
+      values[k] = T(value > 0 ? std::min(value, 4294967295.0) : 0);  // NaN is 0
   }
 }
 

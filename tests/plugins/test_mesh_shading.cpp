@@ -49,7 +49,7 @@ double bilinear(const std::vector<std::uint8_t>& rgb, int width, int height, dou
     for (int i = left; i <= left + 1; ++i) {
       const double weight = (1 - std::abs(x - 0.5 - i)) * (1 - std::abs(y - 0.5 - j));
       const int texel = wrapped(j, height, wrapT) * width + wrapped(i, width, wrapS);
-      sum += weight * linearOf(rgb[std::size_t(3 * texel)]);
+      sum += weight * linearOf(rgb[3 * std::size_t(texel)]);
     }
   return codeOf(sum);
 }
@@ -149,7 +149,7 @@ void TestMeshShading::farTexturesAreMeans() {
       double mean = 0;
       for (int j = 0; j < block; ++j)
         for (int i = 0; i < block; ++i)
-          mean += linearOf(pixels[std::size_t(3 * ((row * block + j) * n + column * block + i))]);
+          mean += linearOf(pixels[3 * std::size_t((row * block + j) * n + column * block + i)]);
       const double x = (column + 0.5) * block * 0.01 - double(half);
       const double y = double(half) - (row + 0.5) * block * 0.01;
       compare(scene.see(x, y).colour.r, codeOf(mean / (block * block)), 0.1);

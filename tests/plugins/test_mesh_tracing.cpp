@@ -3,7 +3,7 @@
 // that no ray's result depends on the others of its call.
 #include <QTest>
 #include <algorithm>
-#include <cstring>
+#include <bit>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -35,7 +35,7 @@ Rays gridRays(std::size_t count, std::uint32_t seed) {
     const double y = (int(random() % 64) - 32) / 64.0;
     for (int k = 0; k < 16; ++k) {
       const double slope = a + k % 2 / 32.0;
-      rays.push_back({x + k % 4 / 64.0 + slope, y + k / 4 / 64.0 + b, 1, slope, b, 4});
+      rays.push_back({x + k % 4 / 64.0 + slope, y + double(k / 4) / 64 + b, 1, slope, b, 4});
     }
   }
   return rays;
@@ -122,8 +122,10 @@ struct Results {
   std::vector<float> depths;
 
   [[nodiscard]] bool isSame(std::size_t k, const Results& other, std::size_t m) const {
-    return std::memcmp(&colours[k], &other.colours[m], sizeof colours[0]) == 0 &&
-           std::memcmp(&depths[k], &other.depths[m], sizeof depths[0]) == 0;
+    const plugin::Colour& a = colours[k];
+    const plugin::Colour& b = other.colours[m];
+    return a.r == b.r && a.g == b.g && a.b == b.b &&
+           std::bit_cast<std::uint32_t>(depths[k]) == std::bit_cast<std::uint32_t>(other.depths[m]);
   }
 };
 
