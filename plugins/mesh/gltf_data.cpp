@@ -45,8 +45,8 @@ std::string decodePercents(const std::string& uri) {
   std::string text;
   for (std::size_t k = 0; k < uri.size(); ++k) {
     const std::string digits = uri.substr(k, 3);
-    const bool isCode = digits.size() == 3 && digits[0] == '%' && std::isxdigit(digits[1]) != 0 &&
-                        std::isxdigit(digits[2]) != 0;
+    const bool isCode = digits.size() == 3 && digits[0] == '%' &&
+                        digits.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
     text.push_back(isCode ? char(std::stoi(digits.substr(1), nullptr, 16)) : uri[k]);
     if (isCode) k += 2;
   }

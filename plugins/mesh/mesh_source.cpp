@@ -40,11 +40,9 @@ std::vector<MeshSource::Version> MeshSource::versionsOf(const std::vector<std::s
   return versions;
 }
 
-void MeshSource::read(const std::string& file) {
+void MeshSource::read(const std::string& file, const plugin::Progress& progress) {
   if (m_mesh && m_mesh->files[0] == file && versionsOf(m_mesh->files) == m_versions) return;
-  m_shown.reset();
-  m_mesh.reset();
-  m_mesh = std::make_shared<const Mesh>(readMesh(file));
+  m_mesh = std::make_shared<const Mesh>(readMesh(file, progress));
   m_versions = versionsOf(m_mesh->files);
 }
 
@@ -52,11 +50,10 @@ void MeshSource::open(const plugin::Panel& panel, const plugin::Place& place,
                       const plugin::Progress& progress) {
   if (m_params.file.empty())
     throw std::runtime_error("mesh.file: is empty: name a .glb, .gltf, .obj or .ply file");
-  read(std::filesystem::path(place.folder) / m_params.file);
+  read(std::filesystem::path(place.folder) / m_params.file, progress);
   if (!progress.go(0.5)) throw std::runtime_error("stopped");
   const Pose pose{m_params.position, m_params.orientation, m_params.scale};
-  if (!m_shown || pose != m_pose) {
-    m_shown.reset();
+  if (!m_shown || m_shown->mesh() != m_mesh || pose != m_pose) {
     m_shown = std::make_unique<ShadedMesh>(m_mesh, pose, place.threads, progress);
     m_pose = pose;
   }

@@ -28,7 +28,7 @@ class MeshSource : public plugin::ContentSource {
  public:
   void describe(ParameterVisitor& v) override;
   /// Reads the file if it is another one than before or has changed, and builds the scene if the
-  /// pose has.
+  /// pose has. Where it throws, the source goes on showing what it did.
   void open(const plugin::Panel& panel, const plugin::Place& place,
             const plugin::Progress& progress) override;
   [[nodiscard]] std::vector<std::string> files() const override { return m_mesh->files; }
@@ -42,7 +42,7 @@ class MeshSource : public plugin::ContentSource {
  private:
   using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
-  void read(const std::string& file);
+  void read(const std::string& file, const plugin::Progress& progress);
   [[nodiscard]] static std::vector<Version> versionsOf(const std::vector<std::string>& files);
 
   MeshParams m_params;

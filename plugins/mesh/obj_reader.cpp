@@ -63,7 +63,8 @@ float linearFloat(double encoded) {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& file) : m_file(file) {}
+  ObjReader(const std::string& file, const plugin::Progress& progress)
+      : m_file(file), m_progress(progress) {}
 
   Mesh read() {
     std::string text = readBytes(m_file);
@@ -74,6 +75,8 @@ class ObjReader {
       text[at] = text[at + 1] = ' ';
     forLines(text, [&](std::string_view line, std::size_t number) {
       m_line = number;
+      if (number % 65536 == 0)
+        report(m_progress, std::size_t(line.data() - text.data()), text.size());
       readLine(Words(line));
     });
     m_mesh.fillAttributes();
@@ -236,6 +239,7 @@ class ObjReader {
   }
 
   std::string m_file;
+  const plugin::Progress& m_progress;
   Mesh m_mesh;
   std::vector<Vec3> m_places;
   std::vector<Linear> m_colours;
@@ -250,8 +254,8 @@ class ObjReader {
 
 }  // namespace
 
-Mesh readObj(const std::string& file) {
-  return ObjReader(file).read();
+Mesh readObj(const std::string& file, const plugin::Progress& progress) {
+  return ObjReader(file, progress).read();
 }
 
 }  // namespace hogelscope::mesh

@@ -56,7 +56,8 @@ struct Element {
 
 class PlyReader {
  public:
-  explicit PlyReader(const std::string& file) : m_file(file), m_bytes(readBytes(file)) {}
+  PlyReader(const std::string& file, const plugin::Progress& progress)
+      : m_file(file), m_bytes(readBytes(file)), m_progress(progress) {}
 
   Mesh read() {
     m_rest = m_bytes;
@@ -67,7 +68,10 @@ class PlyReader {
       // Each row has at least a byte for each property.
       if (element.count * double(element.properties.size()) > double(m_rest.size())) endsEarly();
       if (element.name == "vertex") preparePoints(element);
-      for (std::size_t row = 0; row < std::size_t(element.count); ++row) readRow(element);
+      for (std::size_t row = 0; row < std::size_t(element.count); ++row) {
+        if (row % 65536 == 0) report(m_progress, m_bytes.size() - m_rest.size(), m_bytes.size());
+        readRow(element);
+      }
     }
     m_mesh.materialOf.assign(m_mesh.triangles.size(), 0);
     return std::move(m_mesh);
@@ -262,6 +266,7 @@ class PlyReader {
 
   std::string m_file;
   std::string m_bytes;
+  const plugin::Progress& m_progress;
   std::string_view m_rest;  ///< what has not been read yet
   Mesh m_mesh;
   std::vector<Element> m_elements;
@@ -273,8 +278,8 @@ class PlyReader {
 
 }  // namespace
 
-Mesh readPly(const std::string& file) {
-  return PlyReader(file).read();
+Mesh readPly(const std::string& file, const plugin::Progress& progress) {
+  return PlyReader(file, progress).read();
 }
 
 }  // namespace hogelscope::mesh

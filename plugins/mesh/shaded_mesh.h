@@ -35,6 +35,7 @@ class ShadedMesh {
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
              std::span<float> depths) const;
   [[nodiscard]] plugin::Triangles triangles() const;
+  [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return m_mesh; }
   [[nodiscard]] double back() const { return m_back; }
   [[nodiscard]] double front() const { return m_front; }
 

@@ -24,6 +24,7 @@ using Json = nlohmann::json;
 
 inline void writeFile(const std::string& path, const std::string& bytes) {
   QFile file(QString::fromStdString(path));
+  file.remove();  // to write over it takes the file system a hundred times as long
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), qint64(bytes.size())) < 0)
     throw std::runtime_error(path + ": cannot be written");
 }

@@ -40,6 +40,7 @@ class TestMeshFiles : public QObject {
   void plyOfEachFormat();
   void namesWhatItRead();
   void readsAgainWhatHasChanged();
+  void stopsWhenAsked();
   void refuses_data();
   void refuses();
   void refusesBrokenGltf_data();
@@ -61,7 +62,7 @@ void TestMeshFiles::nodesStandInEachOther() {
   gltf.json["scenes"][0]["nodes"] = {1};
   Scene scene;
   scene.add("a.glb", gltf.glb());
-  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.glb"));
+  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.glb"), Going{});
   QVERIFY(isNear(mesh.points[0], {10, 2, 20}));
   QVERIFY(isNear(mesh.points[1], {7, 0, 20}));
   QVERIFY(isNear(mesh.points[2], {10, 0, 24}));
@@ -76,7 +77,7 @@ void TestMeshFiles::modesAndIndices() {
     primitive["mode"] = mode;
     primitive["indices"] = gltf.accessor(indices, 5121, "SCALAR", 1);
     scene.add("a.glb", gltf.glb());
-    return mesh::readMesh(scene.path("a.glb")).triangles;
+    return mesh::readMesh(scene.path("a.glb"), Going{}).triangles;
   };
   QCOMPARE(count(4, {0, 1, 2, 0, 2, 3}), (std::vector<mesh::Corners>{{0, 1, 2}, {0, 2, 3}}));
   QCOMPARE(count(5, {0, 1, 3, 2}), (std::vector<mesh::Corners>{{0, 1, 3}, {1, 3, 2}}));
@@ -93,7 +94,7 @@ void TestMeshFiles::sparseAccessors() {
       {"values", {{"bufferView", values}}}};
   Scene scene;
   scene.add("a.glb", gltf.glb());
-  QVERIFY(isNear(mesh::readMesh(scene.path("a.glb")).points[2], {7, 8, 9}));
+  QVERIFY(isNear(mesh::readMesh(scene.path("a.glb"), Going{}).points[2], {7, 8, 9}));
 }
 
 void TestMeshFiles::buffersBesideTheFile() {
@@ -102,12 +103,12 @@ void TestMeshFiles::buffersBesideTheFile() {
   Scene scene;
   scene.add("a.gltf", gltf.json.dump());
   scene.add("the points.bin", gltf.binary);
-  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.gltf"));
+  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.gltf"), Going{});
   QCOMPARE(mesh.files, (std::vector{scene.path("a.gltf"), scene.path("the points.bin")}));
   gltf.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," +
                                    QByteArray::fromStdString(gltf.binary).toBase64().toStdString();
   scene.add("b.gltf", gltf.json.dump());
-  QCOMPARE(mesh::readMesh(scene.path("b.gltf")).points, mesh.points);
+  QCOMPARE(mesh::readMesh(scene.path("b.gltf"), Going{}).points, mesh.points);
 }
 
 void TestMeshFiles::objHasMaterials() {
@@ -117,7 +118,7 @@ void TestMeshFiles::objHasMaterials() {
   scene.add("a.obj",
             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvn 0 0 2\n"
             "usemtl red\nf 1 2 3 4\nusemtl picture\nf -4/1/1 -3/1/1 \\\n-2/1/1\n");
-  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.obj"));
+  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.obj"), Going{});
   QCOMPARE(mesh.triangles, (std::vector<mesh::Corners>{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}));
   QCOMPARE(mesh.materialOf, (std::vector<std::uint32_t>{1, 1, 2}));
   QCOMPARE(mesh.materials[1].colour, (mesh::Linear{1, 0, 0}));
@@ -150,7 +151,7 @@ void TestMeshFiles::plyOfEachFormat() {
   scene.add("l.ply", "ply\nformat binary_little_endian 1.0\n" + header + little);
   scene.add("b.ply", "ply\nformat binary_big_endian 1.0\n" + header + big);
   for (const char* name : {"a.ply", "l.ply", "b.ply"}) {
-    const mesh::Mesh mesh = mesh::readMesh(scene.path(name));
+    const mesh::Mesh mesh = mesh::readMesh(scene.path(name), Going{});
     QCOMPARE(mesh.points, (std::vector<Vec3>{{0, 0, 0}, {1, 0.5, 0}, {0, 1, -2}}));
     QCOMPARE(mesh.triangles, (std::vector<mesh::Corners>{{0, 1, 2}}));
     QCOMPARE(mesh.colours[2][0], 1.0F);
@@ -175,6 +176,24 @@ void TestMeshFiles::readsAgainWhatHasChanged() {
   scene.source.depths(back, front);
   QCOMPARE(back, 1.0);
   QCOMPARE(front, 4.0);
+  QVERIFY(!scene.refusal("scene.glb", "damaged").empty());
+  QCOMPARE(scene.see(0.2, 0.2).z, 1.0F);  // what was shown before
+}
+
+void TestMeshFiles::stopsWhenAsked() {
+  struct Stopping : plugin::Progress {
+    [[nodiscard]] bool go(double done) const override { return done < 0.2; }
+  };
+  Scene scene;
+  std::string points;
+  for (int k = 0; k < 200000; ++k) points += "v 0 0 0\n";
+  scene.add("a.obj", points + "f 1 2 4000000000\n");
+  QVERIFY_EXCEPTION_THROWN(mesh::readMesh(scene.path("a.obj"), Stopping{}), std::runtime_error);
+  try {
+    (void)mesh::readMesh(scene.path("a.obj"), Stopping{});
+  } catch (const std::runtime_error& error) {
+    QCOMPARE(QString(error.what()), QString("stopped"));  // not the wrong face at its end
+  }
 }
 
 void TestMeshFiles::refuses_data() {
