@@ -20,6 +20,7 @@ enum class Command {
   tradeoff,
   stability,
   info,
+  plugins,
   help,
   version
 };

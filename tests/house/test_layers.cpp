@@ -32,6 +32,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"io/layouts", {"core", "io/files", "io/images"}},
       {"io/store", {"core", "io/files", "io/json", "io/images", "io/layouts"}},
       {"io/scene", {"core", "io/files", "io/images", "io/layouts", "io/store"}},
+      {"io/plugins", {"core", "io/files", "io/json", "sdk/hogelscope"}},
       {"io/documents", {"core", "io"}},
       {"vtk", {"core"}},
       {"study", {"core"}},

@@ -10,6 +10,7 @@
 #include "cli/jobs/report_groups.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
+#include "io/plugins/metric_plugins.h"
 #include "report/page/summary_page.h"
 #include "report/report_run.h"
 
@@ -87,6 +88,7 @@ int runReport(const CommandLine& line) {
   request.name = line.text("session");
   request.sessionFile = line.text("session");
   request.session = loadSelected(line);
+  request.metrics = metricsOf(request.session.metrics);
   request.tests = openTests(request.session, line.texts("test"));
   request.groups = parseGroups(request.tests, line);
   request.output = line.text("output");
