@@ -62,7 +62,7 @@ std::array<double, windowSize> gaussian() {
   std::array<double, windowSize> window{};
   double sum = 0;
   for (std::size_t k = 0; k < windowSize; ++k) {
-    const double x = double(k) - double(windowSize / 2);
+    const double x = double(k) - double(windowSize - 1) / 2;
     window[k] = std::exp(-x * x / (2 * sigma * sigma));
     sum += window[k];
   }
