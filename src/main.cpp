@@ -23,8 +23,10 @@ int run(int argc, char** argv) {
   const hogelscope::CommandLine line = hogelscope::parseCommandLine({argv + 1, argv + argc});
   if (line.mayHave("memory") && line.has("memory"))
     hogelscope::allowMemory(std::size_t(1e6 * *line.number("memory")));
-  if (line.command == hogelscope::Command::window)
+  if (line.command == hogelscope::Command::window) {
+    hogelscope::usePluginFolders(line);
     return hogelscope::runWindow(argc, argv, line.files);
+  }
   hogelscope::catchSignals();
   const int status = hogelscope::runBatch(line);
   if (!std::cout.flush()) throw hogelscope::InputError("standard output", "cannot be written");

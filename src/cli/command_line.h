@@ -21,6 +21,7 @@ enum class Command {
   tradeoff,
   stability,
   info,
+  plugins,
   help,
   version
 };

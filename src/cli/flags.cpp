@@ -55,7 +55,14 @@ FlagGroup inputs() {
        {.name = "calibrations",
         .value = "FILE",
         .jobs = {stability},
-        .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."}}};
+        .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
+       {.name = "plugins-path",
+        .value = "DIR",
+        .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, info,
+                 plugins},
+        .mayRepeat = true,
+        .help = "A folder of plugins, which is searched before the others; the window takes it "
+                "too. Repeat it for more."}}};
 }
 
 FlagGroup outputs() {

@@ -132,6 +132,13 @@ const std::vector<Job>& jobs() {
                    "  hogelscope --info large.png --set display.hogels=[512,512] \\\n"
                    "             --set display.directions=[600,600]\n",
        .run = runInfo},
+      {.command = Command::plugins,
+       .name = "plugins",
+       .help = "Lists the plugins that are found, and says why any is refused.",
+       .details = "Nothing of them is loaded: a session loads those that it names.",
+       .examples = "  hogelscope --plugins\n"
+                   "  hogelscope --plugins --plugins-path build/plugins-1\n",
+       .run = runPlugins},
       {.command = Command::help,
        .name = "help",
        .help = "This text; with a job, or \"parameters\", more of it.",

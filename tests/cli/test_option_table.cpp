@@ -215,7 +215,7 @@ void TestOptionTable::helpSaysWhoseOptionsAre() {
   const QString help = QString::fromStdString(helpText("")).simplified();
   QVERIFY(help.contains("--fail-below DB --report: exit status 1 if any PSNR is below."));
   QVERIFY(help.contains("--format png|exr|tif --render: of the pictures: EXR holds"));
-  QVERIFY(help.contains("--quiet Prints nothing but errors. Not for --info."));
+  QVERIFY(help.contains("--quiet Prints nothing but errors. Not for --info, --plugins."));
 }
 
 QTEST_GUILESS_MAIN(TestOptionTable)

@@ -74,6 +74,8 @@ class TestReportDock : public QObject {
   void theSceneIsTold();
   void stopsAndGoesOn();
   void errors();
+  void metricsOfPlugins();
+  void unknownMetrics();
   void editsAreNoted();
   void unsavedEditsHaveAHeading();
   void anUntitledSessionHasAHeading();
@@ -103,7 +105,8 @@ class TestReportDock : public QObject {
     auto* table = child<QTableView>("reportTable");
     return table->model()->index(row, column).data().toString();
   }
-  void open(const QByteArray& res = "[80, 60]", const QByteArray& sampling = "{}");
+  void open(const QByteArray& res = "[80, 60]", const QByteArray& sampling = "{}",
+            const QByteArray& metrics = "[]");
   void make();
 
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -125,8 +128,11 @@ void TestReportDock::init() {
   m_dock = m_window->findChild<ReportDock*>();
 }
 
-void TestReportDock::open(const QByteArray& res, const QByteArray& sampling) {
-  writeFile("s.json", session(res, sampling));
+void TestReportDock::open(const QByteArray& res, const QByteArray& sampling,
+                          const QByteArray& metrics) {
+  QByteArray document = session(res, sampling);
+  document.replace("\"sampling\"", "\"metrics\": " + metrics + ", \"sampling\"");
+  writeFile("s.json", document);
   QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   QTRY_VERIFY_WITH_TIMEOUT(m_dock->isVisible(), patience);
@@ -274,6 +280,46 @@ void TestReportDock::errors() {
   click("removeTestButton");
   QCOMPARE(child<QListWidget>("testList")->count(), 0);
   QVERIFY(!child<QPushButton>("makeReportButton")->isEnabled());
+}
+
+/// A column of the table after the standard ones, which another session's report does not have.
+void TestReportDock::metricsOfPlugins() {
+  open("[180, 170]", "{}", "[\"ms-ssim\"]");
+  m_dock->addTest("b.png");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  auto* model = child<QTableView>("reportTable")->model();
+  QCOMPARE(model->columnCount(), 6);
+  QCOMPARE(model->headerData(5, Qt::Horizontal).toString(), QString("MS\u2011SSIM"));
+  const QList<QByteArray> lines = contentOf("s-report/metrics.csv").split('\n');
+  const qsizetype column = cellsOf(lines[0]).indexOf("ms_ssim");
+  for (int row = 0; row + 1 < stateCount; ++row) {
+    const double figure = cellsOf(lines[row + 1]).value(column).toDouble();
+    QVERIFY(figure > 0.1 && figure < 1);
+    QCOMPARE(cell(row, 5), QString::number(figure, 'f', 4));
+  }
+  m_window->findChild<QScrollArea*>("cameraArea")
+      ->widget()
+      ->findChild<QDoubleSpinBox*>("eye.0")
+      ->setValue(0.05);
+  QVERIFY(child<QLabel>("reportStale")->isVisible());
+  QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(!child<QLabel>("reportStale")->isVisible());  // the session is whole again, metrics too
+  writeFile("t.json", session("[80, 60]", "{}"));
+  QVERIFY(files(*m_window).open(m_folder->filePath("t.json")));
+  QCOMPARE(model->columnCount(), 5);
+}
+
+void TestReportDock::unknownMetrics() {
+  open("[80, 60]", "{}", "[\"ms-sim\"]");
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), patience);
+  m_dock->addTest("b.png");
+  click("makeReportButton");
+  QCOMPARE(child<QLabel>("reportNote")->text(),
+           QString("plugin ms-sim: is not installed; did you mean ms-ssim?"));
+  QCOMPARE(child<QPushButton>("makeReportButton")->text(), QString("&Make report"));
+  QVERIFY(!QFileInfo::exists("s-report"));
 }
 
 void TestReportDock::editsAreNoted() {

@@ -139,9 +139,9 @@ void TestBadJson::structure_data() {
             "lightField.file: is missing: name the image or folder to show");
   refusedIn("unknown section", R"({"hogelscope": 1, "dispaly": {}})",
             "dispaly: is not known here; did you mean \"display\"?");
-  refusedIn(
-      "unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
-      "metadata: is not known here; known are hogelscope, display, lightField, sampling, cameras");
+  refusedIn("unknown section, nothing near", R"({"hogelscope": 1, "metadata": {}})",
+            "metadata: is not known here; known are hogelscope, display, lightField, sampling, "
+            "metrics, cameras");
   refusedIn("camera for cameras", R"({"hogelscope": 1, "camera": []})",
             "camera: is not known here; did you mean \"cameras\"?");
   refusedIn("unknown display field", text({.display = R"({"hogel": [4, 3]})"}),

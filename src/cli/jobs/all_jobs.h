@@ -32,6 +32,8 @@ int runTradeoff(const CommandLine& line);
 int runStability(const CommandLine& line);
 /// Prints what a session, an image, a folder of views or a store is, read as --set says.
 int runInfo(const CommandLine& line);
+/// Prints which plugins are found, and why any is refused.
+int runPlugins(const CommandLine& line);
 int runHelp(const CommandLine& line);
 int runVersion(const CommandLine& line);
 

@@ -12,6 +12,7 @@
 #include "cli/jobs/report_groups.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
+#include "io/plugins/metric_plugins.h"
 #include "report/page/summary_page.h"
 #include "report/report_run.h"
 
@@ -97,6 +98,7 @@ int runReport(const CommandLine& line) {
   }
   std::ranges::move(openTests(request.session, line.texts("test")),
                     std::back_inserter(request.tests));
+  request.metrics = metricsOf(request.session.metrics);
   request.groups = parseGroups(request.tests, line);
   request.output = line.text("output");
   request.command = line.shellText;

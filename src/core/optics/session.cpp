@@ -2,10 +2,12 @@
 // The rules of a session that join several fields.
 #include "core/optics/session.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/plugin_name.h"
 #include "core/optics/state_name.h"
 
 namespace hogelscope {
@@ -14,6 +16,15 @@ namespace {
 
 std::string statePath(std::size_t index) {
   return "cameras[" + std::to_string(index) + "]";
+}
+
+void checkMetrics(const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    const std::string path = "metrics[" + std::to_string(name - names.begin()) + "]";
+    checkPluginName(*name, path);
+    if (std::find(names.begin(), name, *name) != name)
+      throw InputError(path, "\"" + *name + "\" stands twice in the list");
+  }
 }
 
 }  // namespace
@@ -54,6 +65,7 @@ void check(const Session& session) {
     throw InputError(
         session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
         std::string("is missing: a ") + (isLive ? "scene" : "hogel image") + " does not say it");
+  checkMetrics(session.metrics);
   if (session.cameras.empty())
     throw InputError("cameras", "is empty: give at least one camera state");
   std::map<std::u32string, std::size_t> seen;

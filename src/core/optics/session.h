@@ -27,6 +27,7 @@ struct Session {
   DisplayParams display;
   LightFieldParams lightField;
   SamplingParams sampling;
+  std::vector<std::string> metrics;  ///< plugins whose figures a report has, too
   std::vector<CameraState> cameras;
   bool operator==(const Session&) const = default;
 };

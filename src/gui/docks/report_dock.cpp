@@ -22,6 +22,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/error.h"
 #include "gui/docks/report_images_widget.h"
 #include "gui/docks/report_table.h"
 #include "gui/session/session_forms.h"
@@ -29,6 +30,7 @@
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
+#include "io/plugins/metric_plugins.h"
 #include "report/page/summary_page.h"
 #include "report/report_files.h"
 
@@ -243,15 +245,21 @@ void ReportDock::openPage() {
 
 void ReportDock::makeOrStop() {
   if (m_task->isRunning()) return stop();
-  start();
+  try {
+    start(metricsOf(m_model->session().metrics));
+  } catch (const InputError& error) {
+    m_note->setText(error.what());
+    Q_EMIT failed(error.what());
+  }
 }
 
-void ReportDock::start() {
+void ReportDock::start(const MetricSet& metrics) {
   m_tests.clear();
   for (int k = 0; k < m_testList->count(); ++k)
     m_tests.push_back(m_testList->item(k)->text().toStdString());
   m_request = ReportRequest();
   m_request.session = m_model->session();
+  m_request.metrics = metrics;
   const bool isEdited = m_model->isModified();
   m_request.name = nameOf(*m_model);
   if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
@@ -259,7 +267,7 @@ void ReportDock::start() {
   m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
   m_request.images = true;  // what a click on a row shows
   m_request.reference = m_reference;
-  m_table->begin(m_request.session.cameras.size() * m_tests.size());
+  m_table->begin(m_request.session.cameras.size() * m_tests.size(), metrics);
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
   m_images->clear();
   m_test = 0;

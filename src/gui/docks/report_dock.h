@@ -52,7 +52,7 @@ class ReportDock : public QWidget {
   void askFolder();
   void openPage();
   void makeOrStop();
-  void start();
+  void start(const MetricSet& metrics);
   void stop();
   void showIdle();
   void showReport(const Report& report);

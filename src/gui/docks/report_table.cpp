@@ -8,12 +8,15 @@
 namespace hogelscope {
 
 ReportTable::ReportTable(QObject* parent) : QAbstractTableModel(parent) {
-  for (std::size_t k = 0; k < m_metrics.columns().size(); ++k)
-    if (m_metrics.columns()[k].where == MetricColumn::Where::window) m_columns.push_back(k);
+  begin(0);
 }
 
-void ReportTable::begin(std::size_t rows) {
+void ReportTable::begin(std::size_t rows, const MetricSet& metrics) {
   beginResetModel();
+  m_metrics = metrics;
+  m_columns.clear();
+  for (std::size_t k = 0; k < m_metrics.columns().size(); ++k)
+    if (m_metrics.columns()[k].where == MetricColumn::Where::window) m_columns.push_back(k);
   m_rows.assign(rows, std::nullopt);
   endResetModel();
 }

@@ -21,8 +21,8 @@ class ReportTable : public QAbstractTableModel {
 
   explicit ReportTable(QObject* parent);
 
-  /// So many rows, none of which is known yet.
-  void begin(std::size_t rows);
+  /// So many rows, none of which is known yet, of these metrics.
+  void begin(std::size_t rows, const MetricSet& metrics = MetricSet());
   void set(std::size_t index, const ReportRow& row);
   [[nodiscard]] const std::optional<ReportRow>& row(std::size_t index) const {
     return m_rows[index];

@@ -69,6 +69,17 @@ std::vector<CameraState> readStates(const Json& cameras) {
   return states;
 }
 
+std::vector<std::string> readMetrics(const Json& list) {
+  const char* const wanted = "is not a list of plugins' names: [\"ms-ssim\"]";
+  if (!list.is_array()) throw InputError("metrics", wanted);
+  std::vector<std::string> names;
+  for (const Json& name : list) {
+    if (!name.is_string()) throw InputError("metrics", wanted);
+    names.push_back(name.get<std::string>());
+  }
+  return names;
+}
+
 Session readSession(const Json& document) {
   Session session;
   JsonReader reader(document, "");
@@ -77,6 +88,8 @@ Session readSession(const Json& document) {
   if (const Json* lightField = reader.section("lightField"); lightField != nullptr)
     session.lightField = readLightField(*lightField);
   readSection(reader, "sampling", session.sampling);
+  if (const Json* metrics = reader.section("metrics"); metrics != nullptr)
+    session.metrics = readMetrics(*metrics);
   if (const Json* cameras = reader.section("cameras"); cameras != nullptr)
     session.cameras = readStates(*cameras);
   reader.refuseUnknown();
@@ -95,6 +108,10 @@ Json* objectAt(Json& object, const std::string& path) {
 
 /// Applies an override to the document, so that one reader checks everything.
 void applyOverride(Json& document, const std::string& text) {
+  if (text.starts_with("metrics=")) {  // a list, not a section
+    if (document.is_object()) document["metrics"] = parseOverride("session." + text).value;
+    return;
+  }
   const Override change = parseOverride(text);
   const std::string& section = change.section;
   const auto isOneOf = [&section](const auto& names) {
@@ -209,6 +226,7 @@ std::string textOf(const Session& session) {
   document["display"] = written(session.display);
   document["lightField"] = writtenLightField(session.lightField);
   document["sampling"] = written(session.sampling);
+  if (!session.metrics.empty()) document["metrics"] = session.metrics;
   document["cameras"] = Json::array();
   for (const CameraState& state : session.cameras)
     document["cameras"].push_back(writtenState(state));
@@ -237,6 +255,7 @@ std::vector<CameraState> loadStates(const fs::path& file) {
     JsonReader reader(document, "");
     checkVersion(reader.section("hogelscope"));
     for (const std::string_view section : sharedSections) (void)reader.section(section);
+    (void)reader.section("metrics");
     const Json* cameras = reader.section("cameras");
     reader.refuseUnknown();
     if (cameras == nullptr || cameras->empty())

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/content/scene_content.h"
 #include "io/layouts/texel_placement.h"
+#include "io/plugins/plugin_library.h"
 
 namespace hogelscope {
 
@@ -33,7 +34,8 @@ plugin::Panel panelOf(const DisplayParams& params) {
 
 ContentParams contentOf(const std::string& source) {
   if (source == "scene") return ContentParams([] { return std::make_unique<SceneContent>(); });
-  throw InputError("lightField.source", "\"" + source + "\" is not known: \"scene\" is built in");
+  const PluginLibrary library = loadPlugin(source, PluginKind::content);
+  return ContentParams([library] { return library.makeContent(); });
 }
 
 LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display)

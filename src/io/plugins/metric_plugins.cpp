@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Metrics of plugins beside the standard ones.
+#include "io/plugins/metric_plugins.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "io/plugins/plugin_guard.h"
+#include "io/plugins/plugin_library.h"
+
+namespace hogelscope {
+
+namespace {
+
+plugin::Picture pictureOf(const Image& image) {
+  return {image.width, image.height, image.rgb, image.seen};
+}
+
+Metric metricOf(const std::string& name) {
+  const std::shared_ptr<plugin::Metric> metric = loadPlugin(name, PluginKind::metric).makeMetric();
+  std::string column = name;
+  std::ranges::replace(column, '-', '_');
+  const int decimals = metric->decimals();
+  return {.columns = {{.name = column,
+                       .title = metric->title(),
+                       .unit = metric->unit(),
+                       .help = "Of the plugin " + name,
+                       .decimals = decimals,
+                       .where = MetricColumn::Where::window}},
+          .means = {{.name = "mean_" + column,
+                     .title = std::string("mean ") + metric->title(),
+                     .decimals = decimals}},
+          .compare = [metric](const Image& reference, const Image& test, const ParallelRows&,
+                              const Progress& progress) -> std::vector<double> {
+            hearStop(progress);
+            return {metric->compare(pictureOf(reference), pictureOf(test))};
+          }};
+}
+
+/// A table has each of its columns once.
+void refuseStandard(const std::string& column, const std::string& plugin) {
+  constexpr std::array<std::string_view, 4> others{"state", "test", "weight", "problem"};
+  const MetricSet standard;
+  if (std::ranges::find(others, column) != others.end() ||
+      std::ranges::find(standard.columns(), column, &MetricColumn::name) !=
+          standard.columns().end())
+    throw pluginError(plugin, "has the name of another column of a report: build it with another");
+}
+
+}  // namespace
+
+MetricSet metricsOf(const std::vector<std::string>& names) {
+  std::vector<Metric> others;
+  for (const std::string& name : names) {
+    others.push_back(metricOf(name));
+    refuseStandard(others.back().columns.front().name, name);
+  }
+  return MetricSet(std::move(others));
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folders in which plugins are looked for. None is a path of the machine that built the
+// program.
+#include "io/plugins/plugin_folders.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "io/files/folders.h"
+#include "sdk/hogelscope/plugin.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path>& addedFolders() {
+  static std::vector<fs::path> folders;
+  return folders;
+}
+
+}  // namespace
+
+void addPluginFolder(const fs::path& folder) {
+  if (!isFolder(folder))
+    throw InputError(folder.string(), "", "is not a folder; each plugin is a folder in it");
+  std::error_code error;
+  addedFolders().push_back(fs::canonical(folder, error));
+}
+
+std::vector<fs::path> pluginFolders() {
+  const std::string ours = "plugins-" + std::to_string(plugin::abi);
+  std::vector<fs::path> folders = addedFolders();
+  if (const char* home = std::getenv("HOME"); home != nullptr && fs::path(home).is_absolute())
+    folders.push_back(fs::path(home) / ".local/lib/hogelscope" / ours);
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path prefix = program.parent_path().parent_path();  // it is in PREFIX/bin
+    folders.push_back(prefix / HOGELSCOPE_LIBRARIES / "hogelscope" / ours);
+    folders.push_back(prefix / ours);
+  }
+  std::vector<fs::path> once;
+  for (const fs::path& folder : folders)
+    if (std::ranges::find(once, folder) == once.end()) once.push_back(folder);
+  return once;
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loads plugins.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "io/plugins/plugin_list.h"
+#include "sdk/hogelscope/plugin.h"
+
+namespace hogelscope {
+
+/// The library of a plugin. It stays loaded until the process ends, so copies, and what they make,
+/// may live as long as they like.
+class PluginLibrary {
+ public:
+  [[nodiscard]] const std::string& name() const { return m_name; }
+
+  // Each makes an object whose functions throw nothing but InputError ("plugin NAME: …") and
+  // Cancelled. Throws InputError, also where the plugin does not offer the kind.
+
+  [[nodiscard]] std::unique_ptr<plugin::ContentSource> makeContent() const;
+  [[nodiscard]] std::unique_ptr<plugin::HogelLens> makeLens() const;
+  [[nodiscard]] std::unique_ptr<plugin::Metric> makeMetric() const;
+
+ private:
+  friend PluginLibrary loadPlugin(const std::string& name, PluginKind kind);
+  PluginLibrary(std::string name, const plugin::Entry& entry)
+      : m_name(std::move(name)), m_entry(&entry) {}
+
+  std::string m_name;
+  const plugin::Entry* m_entry;
+};
+
+/// Loads the plugin of this name, which must offer the kind. Throws InputError: there is none, or
+/// why it cannot be used.
+PluginLibrary loadPlugin(const std::string& name, PluginKind kind);
+
+}  // namespace hogelscope
