@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/multiversioned.h"
 #include "core/base/text.h"
 #include "core/optics/image.h"
 
@@ -25,38 +26,22 @@ double latticeOffset(int k, int n, std::size_t axis) {
   return n == 1 ? 0 : (k * generator[axis] % n + 0.5) / n - 0.5;
 }
 
-/// Returns the marked texels of hogel rows [j0, j1), in tiles of hogels and of directions. Both
-/// orders matter: a view reads few directions of many hogels, an export all of each.
-template <class Use>
-void forTexels(const SliceLayout& layout, const std::vector<std::uint8_t>& marks, int j0, int j1,
-               Use use) {
-  const auto& [us, vs] = layout.footprint;
-  const auto inHogel = [&](int i, int j) {
-    const CellRange& u = us[std::size_t(i)];
-    const CellRange& v = vs[std::size_t(j)];
-    const std::uint32_t start =
-        layout.columnStart[std::size_t(i)] + layout.rowStart[std::size_t(j)];
-    for (int v0 = v.first; v0 <= v.last; v0 += tile)
-      for (int u0 = u.first; u0 <= u.last; u0 += tile)
-        for (int y = v0; y <= std::min(v0 + tile - 1, v.last); ++y)
-          for (int x = u0; x <= std::min(u0 + tile - 1, u.last); ++x)
-            if (marks[start + std::uint32_t(y) * layout.width + std::uint32_t(x)] != 0)
-              use(TexelIndex{i, j, x, y});
-  };
-  for (int i0 = 0; i0 < int(us.size()); i0 += tile)
-    for (int j = j0; j < j1; ++j)
-      for (int i = i0; i < std::min(i0 + tile, int(us.size())); ++i) inHogel(i, j);
+/// Rounds as quantised() does; without branches, so that it is vectorised.
+template <class Number>
+MULTIVERSIONED void quantise(const Number* values, std::size_t count, std::uint8_t* to) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto value = double(values[k]);
+    to[k] = std::uint8_t(int((value > 0 ? std::min(value, 255.0) : 0) + 0.5));
+  }
 }
 
-template <class T>
-T storedValue(double codeValue);
-template <>
-std::uint8_t storedValue(double codeValue) {
-  return quantised(codeValue);
+template <class Number>
+void store(const Number* values, std::size_t count, std::uint8_t* to) {
+  quantise(values, count, to);
 }
-template <>
-float storedValue(double codeValue) {
-  return float(codeValue / 255);
+template <class Number>
+void store(const Number* values, std::size_t count, float* to) {
+  for (std::size_t k = 0; k < count; ++k) to[k] = float(double(values[k]) / 255);
 }
 
 }  // namespace
@@ -90,65 +75,113 @@ LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
   }
 }
 
-/// Starts at the front of the content, so that what lies in the panel's plane is met (research on
-/// rays that start there: docs/formulas.md, Live scenes).
-plugin::Ray LiveSource::rayTo(const Vec3& point, double a, double b) const {
-  const double z = m_front;
-  return {point.x + a * (z - point.z), point.y + b * (z - point.z), z, a, b, m_front - m_back};
+/// Texels that wait to be traced, and room for their light.
+struct LiveSource::Work {
+  std::vector<std::uint32_t> addresses;
+  std::vector<plugin::Ray> rays;  ///< of all samples of a texel, texel after texel
+  std::vector<plugin::Colour> colours;
+  std::vector<float> depths;
+  std::vector<double> means;
+};
+
+/// Traces the first texels of the work, and stores the means of the samples.
+template <class T>
+void LiveSource::traceTexels(Work& work, std::size_t texelCount, LightField& texels) const {
+  auto& [addresses, rays, colours, depths, means] = work;
+  const std::size_t rayCount = texelCount * m_samples.size();
+  colours.resize(rayCount);
+  depths.resize(rayCount);
+  m_content->trace(std::span(rays).first(rayCount), colours, depths);
+  static_assert(sizeof(plugin::Colour) == 3 * sizeof(float));
+  const float* light = &colours.data()->r;
+  if (!std::all_of(light, light + 3 * colours.size(), [](float x) { return std::isfinite(x); }))
+    throw InputError("lightField.source", "its content sends light that is not a number");
+  const std::size_t count = 3 * texelCount;
+  std::array<T, 3 * mostInList> stored;
+  if (m_samples.size() == 1) {
+    store(light, count, stored.data());
+  } else {
+    means.assign(count, 0);
+    for (double* mean = means.data(); mean < means.data() + count; mean += 3)
+      for (std::size_t s = 0; s < m_samples.size(); ++s)
+        for (std::size_t c = 0; c < 3; ++c) mean[c] += double(*light++);
+    for (double& mean : means) mean *= 1.0 / double(m_samples.size());
+    store(means.data(), count, stored.data());
+  }
+  const T* from = stored.data();
+  for (std::size_t k = 0; k < texelCount; ++k, from += 3) texels.setAddress(addresses[k], from);
 }
 
+/// Calls `use` with the directions of a hogel, in tiles of directions, since neighbours share what
+/// they meet.
+template <class Use>
+inline void forDirections(const CellRange& u, const CellRange& v, Use use) {
+  const auto inTile = [&](int u0, int u1, int v0, int v1) {
+    for (int y = v0; y <= v1; ++y)
+      for (int x = u0; x <= u1; ++x) use(x, y);
+  };
+  if (u.last - u.first < tile && v.last - v.first < tile)  // most hogels of a view without leakage
+    return inTile(u.first, u.last, v.first, v.last);
+  for (int v0 = v.first; v0 <= v.last; v0 += tile)
+    for (int u0 = u.first; u0 <= u.last; u0 += tile)
+      inTile(u0, std::min(u0 + tile - 1, u.last), v0, std::min(v0 + tile - 1, v.last));
+}
+
+/// Traces the texels of hogel rows [j0, j1) that are marked, or all where `marks` is empty, in
+/// tiles of hogels: a view reads few directions of many hogels.
 template <class T>
-void LiveSource::traceTexels(std::span<const TexelIndex> list, LightField& texels) const {
-  const std::size_t samples = m_samples.size();
-  std::vector<plugin::Ray> rays;
-  rays.reserve(list.size() * samples);
-  for (const TexelIndex& at : list)
-    for (const Sample& sample : m_samples)
-      rays.push_back(rayTo({sample.x[std::size_t(at.i)], sample.y[std::size_t(at.j)], 0},
-                           sample.a[std::size_t(at.u)], sample.b[std::size_t(at.v)]));
-  std::vector<plugin::Colour> colours(rays.size());
-  std::vector<float> depths(rays.size());
-  m_content->trace(rays, colours, depths);
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    std::array<double, 3> sum{};
-    for (std::size_t s = k * samples; s < (k + 1) * samples; ++s) {
-      sum[0] += double(colours[s].r);
-      sum[1] += double(colours[s].g);
-      sum[2] += double(colours[s].b);
-    }
-    if (!std::isfinite(sum[0] + sum[1] + sum[2]))
-      throw InputError("lightField.source", "its content sends light that is not a number");
-    std::array<T, 3> rgb;
-    for (std::size_t c = 0; c < 3; ++c) rgb[c] = storedValue<T>(sum[c] / double(samples));
-    texels.set(list[k], rgb.data());
-  }
+void LiveSource::fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks, Work& work,
+                          LightField& texels, const Progress& progress) const {
+  const SliceLayout& layout = *texels.sliceLayout();
+  const std::size_t most = std::max(mostInList / m_samples.size(), std::size_t{1});
+  const std::uint8_t* const mark = marks.empty() ? nullptr : marks.data();
+  const double z = m_front;  // not the panel's plane, where content is met or not by chance
+  const double reach = m_front - m_back;
+  work.addresses.resize(most);
+  work.rays.resize(most * m_samples.size());
+  std::size_t waiting = 0;
+  const auto trace = [&] {
+    hearStop(progress);
+    traceTexels<T>(work, waiting, texels);
+    waiting = 0;
+  };
+  const auto addHogel = [&](int i, int j) {
+    const std::uint32_t start =
+        layout.columnStart[std::size_t(i)] + layout.rowStart[std::size_t(j)];
+    forDirections(
+        layout.footprint.u[std::size_t(i)], layout.footprint.v[std::size_t(j)], [&](int u, int v) {
+          const std::uint32_t address = start + std::uint32_t(v) * layout.width + std::uint32_t(u);
+          if (mark != nullptr && mark[address] == 0) return;
+          work.addresses[waiting] = address;
+          plugin::Ray* ray = &work.rays[waiting * m_samples.size()];
+          for (const auto& [xs, ys, as, bs] : m_samples) {
+            const double a = as[std::size_t(u)];
+            const double b = bs[std::size_t(v)];
+            *ray++ = {xs[std::size_t(i)] + a * z, ys[std::size_t(j)] + b * z, z, a, b, reach};
+          }
+          if (++waiting == most) trace();
+        });
+  };
+  const int nx = size().nx;
+  for (int i0 = 0; i0 < nx; i0 += tile)
+    for (int j = j0; j < j1; ++j)
+      for (int i = i0; i < std::min(i0 + tile, nx); ++i) addHogel(i, j);
+  if (waiting > 0) trace();
 }
 
 template <class T>
 void LiveSource::fill(const std::vector<std::uint8_t>& marks, LightField& texels,
                       const Progress& progress) const {
-  const SliceLayout& layout = *texels.sliceLayout();
   const int ny = size().ny;
   const int bands = (ny + tile - 1) / tile;
-  const std::size_t most = std::max(mostInList / m_samples.size(), std::size_t{1});
   const Progress polled = forThreads(progress);
   std::atomic<int> done = 0;
   m_rows(bands, [&](int begin, int end) {
-    std::vector<TexelIndex> list;
-    const auto flush = [&] {
-      hearStop(polled);
-      traceTexels<T>(list, texels);
-      list.clear();
-    };
+    Work work;
     for (int band = begin; band < end; ++band) {
-      forTexels(layout, marks, band * tile, std::min((band + 1) * tile, ny),
-                [&](const TexelIndex& at) {
-                  list.push_back(at);
-                  if (list.size() == most) flush();
-                });
+      fillRows<T>(band * tile, std::min((band + 1) * tile, ny), marks, work, texels, polled);
       reportProgress(polled, double(++done) / bands);
     }
-    if (!list.empty()) flush();
   });
 }
 
@@ -161,8 +194,11 @@ std::shared_ptr<const LightField> LiveSource::slice(const ViewReads& reads,
                                    " of the light field, " + bytesText(m_memory) +
                                    " are allowed: allow more");
   auto texels = std::make_shared<LightField>(size(), m_type, sliceLayout(footprint));
-  std::vector<std::uint8_t> marks(texels->sliceLayout()->texels, 0);
-  reads.mark(*texels->sliceLayout(), marks);
+  std::vector<std::uint8_t> marks;
+  if (reads.mark) {
+    marks.resize(texels->sliceLayout()->texels);
+    reads.mark(*texels->sliceLayout(), marks);
+  }
   if (m_type == StoredType::real)
     fill<float>(marks, *texels, progress);
   else
@@ -185,11 +221,9 @@ std::shared_ptr<const LightField> LiveSource::overview() const {
 
 void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const {
   std::vector<plugin::Ray> rays;
-  for (const auto& [a, b] : slopes) {
-    plugin::Ray ray = rayTo(eye, a, b);
-    if (ray.z > eye.z) ray = {eye.x, eye.y, eye.z, a, b, eye.z - m_back};
-    rays.push_back(ray);
-  }
+  const double z = std::min(m_front, eye.z);
+  for (const auto& [a, b] : slopes)
+    rays.push_back({eye.x + a * (z - eye.z), eye.y + b * (z - eye.z), z, a, b, z - m_back});
   std::vector<plugin::Colour> colours(rays.size());
   std::vector<float> depths(rays.size());
   m_content->trace(rays, colours, depths);

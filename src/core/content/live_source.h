@@ -41,9 +41,12 @@ class LiveSource : public LightFieldSource {
   template <class T>
   void fill(const std::vector<std::uint8_t>& marks, LightField& texels,
             const Progress& progress) const;
+  struct Work;
   template <class T>
-  void traceTexels(std::span<const TexelIndex> list, LightField& texels) const;
-  [[nodiscard]] plugin::Ray rayTo(const Vec3& point, double a, double b) const;
+  void fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks, Work& work,
+                LightField& texels, const Progress& progress) const;
+  template <class T>
+  void traceTexels(Work& work, std::size_t texelCount, LightField& texels) const;
 
   std::shared_ptr<const plugin::ContentSource> m_content;
   DisplayParams m_params;

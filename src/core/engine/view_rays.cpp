@@ -165,8 +165,13 @@ void ViewRays::lines(int y, int x0, int count, int sx, int sy, LineBatch& batch)
 }
 
 Footprint ViewRays::footprint(int y, int x0, int x1) const {
+  Footprint result(m_display.size().nx, m_display.size().ny);
+  addFootprint(y, x0, x1, result);
+  return result;
+}
+
+void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
   const auto [nx, ny, du, dv] = m_display.size();
-  Footprint result(nx, ny);
   const Reconstruction reconstruction = m_job.sampling.reconstruction;
   const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
@@ -182,7 +187,6 @@ Footprint ViewRays::footprint(int y, int x0, int x1) const {
         widen(result.v, int(batch.cell[1][k]), int(batch.cell[3][k]), reach, dv);
       }
     }
-  return result;
 }
 
 namespace {
@@ -234,13 +238,23 @@ void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>&
     }
 }
 
+/// Whether hogel columns and u depend on the pixel's column alone, hogel rows and v on its row: the
+/// view then reads its whole footprint.
+bool ViewRays::isSeparable() const {
+  return !m_plan.hasLens && m_map.right[1] == 0 && m_map.right[2] == 0 && m_map.down[0] == 0 &&
+         m_map.down[2] == 0;
+}
+
 ViewReads ViewRays::reads(const ParallelRows& parallelRows) const {
-  return {[this, parallelRows] { return footprint(parallelRows); },
-          [this, parallelRows](const SliceLayout& layout, std::vector<std::uint8_t>& marks) {
-            parallelRows(m_job.state.camera.res[1], [&](int begin, int end) {
-              for (int y = begin; y < end; ++y) mark(y, layout, marks);
-            });
-          }};
+  ViewReads reads;
+  reads.footprint = [this, parallelRows] { return footprint(parallelRows); };
+  if (isSeparable()) return reads;
+  reads.mark = [this, parallelRows](const SliceLayout& layout, std::vector<std::uint8_t>& marks) {
+    parallelRows(m_job.state.camera.res[1], [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) mark(y, layout, marks);
+    });
+  };
+  return reads;
 }
 
 Footprint ViewRays::footprint(const ParallelRows& parallelRows) const {
@@ -248,11 +262,10 @@ Footprint ViewRays::footprint(const ParallelRows& parallelRows) const {
   Footprint all(m_display.size().nx, m_display.size().ny);
   std::mutex mutex;
   parallelRows(height, [&, width = width](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const Footprint ofRow = footprint(y, 0, width);
-      const std::lock_guard lock(mutex);
-      all.include(ofRow);
-    }
+    Footprint ofRows(m_display.size().nx, m_display.size().ny);
+    for (int y = begin; y < end; ++y) addFootprint(y, 0, width, ofRows);
+    const std::lock_guard lock(mutex);
+    all.include(ofRows);
   });
   return all;
 }

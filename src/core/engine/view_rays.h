@@ -76,6 +76,8 @@ class ViewRays {
   };
   void points(int y, int x0, int count, int sx, int sy, Points& points) const;
   void cellsOf(const Points& points, int count, CellBatch& batch) const;
+  void addFootprint(int y, int x0, int x1, Footprint& footprint) const;
+  [[nodiscard]] bool isSeparable() const;
   void mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const;
 
   RenderJob m_job;

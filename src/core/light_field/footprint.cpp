@@ -22,16 +22,6 @@ bool coversAll(const std::vector<CellRange>& a, const std::vector<CellRange>& b)
 
 }  // namespace
 
-void CellRange::include(const CellRange& other) {
-  if (other.isEmpty()) return;
-  if (isEmpty()) {
-    *this = other;
-    return;
-  }
-  first = std::min(first, other.first);
-  last = std::max(last, other.last);
-}
-
 std::size_t Footprint::texels() const {
   return total(u) * total(v);
 }

@@ -4,6 +4,7 @@
 // some 50 MB of the paper's light field.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,7 +21,15 @@ struct CellRange {
     return other.isEmpty() || (first <= other.first && other.last <= last);
   }
   /// Extends this range to cover the other one.
-  void include(const CellRange& other);
+  void include(const CellRange& other) {
+    if (other.isEmpty()) return;
+    if (isEmpty()) {
+      *this = other;
+      return;
+    }
+    first = std::min(first, other.first);
+    last = std::max(last, other.last);
+  }
   bool operator==(const CellRange&) const = default;
 };
 

@@ -113,6 +113,11 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   }
   /// Returns the layout of a slice; null if all texels are in memory.
   [[nodiscard]] const SliceLayout* sliceLayout() const { return m_slice.get(); }
+  /// Sets the texel at an address of a slice's layout; T must be the stored type.
+  template <class T>
+  void setAddress(std::uint32_t address, const T* rgb) {
+    std::get<TexelArray<T>>(m_texels)[address] = {rgb[0], rgb[1], rgb[2], T{}};
+  }
   /// Sets neighbours along u of a slice, from `first` on; T must be the stored type.
   template <class T>
   void setRun(const TexelIndex& first, int count, const T* rgb) {

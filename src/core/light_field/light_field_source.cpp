@@ -11,14 +11,6 @@
 
 namespace hogelscope {
 
-namespace {
-
-void markAll(const SliceLayout& /*layout*/, std::vector<std::uint8_t>& marks) {
-  std::ranges::fill(marks, std::uint8_t{1});
-}
-
-}  // namespace
-
 ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
                       const CellRange& v) {
   const auto footprint = [=] {
@@ -27,7 +19,7 @@ ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const Cell
     std::fill(rows.v.begin() + j.first, rows.v.begin() + j.last + 1, v);
     return rows;
   };
-  return {footprint, markAll};
+  return {footprint, {}};
 }
 
 Rgb LightFieldSource::texel(const TexelIndex& at) const {
@@ -37,7 +29,7 @@ Rgb LightFieldSource::texel(const TexelIndex& at) const {
     one.v[std::size_t(at.j)] = {at.v, at.v};
     return one;
   };
-  return slice({footprint, markAll}, {})->texel(at);
+  return slice({footprint, {}}, {})->texel(at);
 }
 
 void LightFieldSource::trace(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,

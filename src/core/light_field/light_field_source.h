@@ -22,6 +22,7 @@ class LightField;
 struct ViewReads {
   std::function<Footprint()> footprint;
   /// Sets the marks of the texels that the view reads, of all texels of its footprint's layout.
+  /// Empty if it reads all of its footprint.
   std::function<void(const SliceLayout& layout, std::vector<std::uint8_t>& marks)> mark;
 };
 

@@ -20,10 +20,4 @@ Image hogelErrorImage(const LightFieldSource& lightField, int i, int j) {
   return image;
 }
 
-std::uint8_t quantised(double codeValue) {
-  if (!(codeValue > 0)) return 0;
-  if (codeValue >= 255) return 255;
-  return static_cast<std::uint8_t>(std::floor(codeValue + 0.5));
-}
-
 }  // namespace hogelscope

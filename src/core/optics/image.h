@@ -41,6 +41,9 @@ struct FloatImage {
 Image hogelErrorImage(const LightFieldSource& lightField, int i, int j);
 
 /// Rounds a code value half up to 8 bits, limited to 0 … 255.
-std::uint8_t quantised(double codeValue);
+inline std::uint8_t quantised(double codeValue) {
+  if (!(codeValue > 0)) return 0;
+  return codeValue >= 255 ? 255 : static_cast<std::uint8_t>(codeValue + 0.5);
+}
 
 }  // namespace hogelscope
