@@ -17,6 +17,7 @@ enum class Command {
   makeCameras,
   generate,
   pack,
+  exportAs,
   tradeoff,
   stability,
   info,

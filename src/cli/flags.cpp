@@ -26,19 +26,19 @@ using enum Command;
 const std::vector<Command> onStates{render, report, makeCameras, tradeoff};
 /// Those that write files.
 const std::vector<Command> writing{render, report,   makeCameras, generate,
-                                   pack,   tradeoff, stability};
+                                   pack,   exportAs, tradeoff,    stability};
 
 FlagGroup inputs() {
   return {
       "What is read",
       {{.name = "session",
         .value = "FILE",
-        .jobs = {render, report, makeCameras, generate, pack, tradeoff},
-        .neededBy = {render, report, makeCameras, generate, tradeoff},
+        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff},
+        .neededBy = {render, report, makeCameras, generate, exportAs, tradeoff},
         .help = "The session document: display, light field and camera states."},
        {.name = "set",
         .value = "S.F=VALUE",
-        .jobs = {render, report, makeCameras, generate, pack, tradeoff, info},
+        .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, info},
         .mayRepeat = true,
         .help = "Overrides a parameter of the session, such as psf.sigma=0.9 or "
                 "camera.res=[300,300]; camera, intrinsics, distortion and psf go to every state. "
@@ -58,7 +58,8 @@ FlagGroup inputs() {
         .help = "Adds lenses: a JSON list of cameras, or one OpenCV calibration."},
        {.name = "plugins-path",
         .value = "DIR",
-        .jobs = {window, render, report, makeCameras, generate, pack, tradeoff, info, plugins},
+        .jobs = {window, render, report, makeCameras, generate, pack, exportAs, tradeoff, info,
+                 plugins},
         .mayRepeat = true,
         .help = "A folder of plugins, which is searched before the others; the window takes it "
                 "too. Repeat it for more."}}};
@@ -70,13 +71,17 @@ FlagGroup outputs() {
             .value = "PATH",
             .jobs = writing,
             .neededBy = writing,
-            .help = "The folder for the results; for --make-cameras, --generate and --pack the "
-                    "file. Folders are made if missing."},
+            .help = "The folder for the results; for --make-cameras, --generate, --pack and "
+                    "--export the file (views: the folder). Folders are made if missing."},
            {.name = "format",
             .value = "png|exr|tif",
             .jobs = {render},
             .choices = {"png", "exr", "tif"},
             .help = "Of the pictures: EXR holds the unrounded values, TIFF 16 bits."},
+           {.name = "ideal",
+            .jobs = {render},
+            .help = "In place of what the display shows: what the eye would see of the session's "
+                    "live scene itself through the panel."},
            {.name = "masks",
             .jobs = {render},
             .help = "Also DIR/<name>.mask.png, white where the display is seen."},
@@ -96,9 +101,16 @@ FlagGroup comparison() {
         .value = "LF",
         .jobs = {report},
         .neededBy = {report},
+        .unless = "against",
         .mayRepeat = true,
         .help = "A light field to compare with the session's: an image, a folder, a store, or a "
                 "session, whose display comes with it. Repeat it for more."},
+       {.name = "against",
+        .value = "ideal",
+        .jobs = {report},
+        .choices = {"ideal"},
+        .help = "The reference is the ideal view of the session's live scene: what the eye would "
+                "see of it without the display. The display is then the first test."},
        {.name = "fail-below",
         .value = "DB",
         .jobs = {report},
@@ -148,13 +160,13 @@ FlagGroup resources() {
   return {"How the work is done",
           {{.name = "memory",
             .value = "MB",
-            .jobs = {window, render, report, pack, tradeoff},
+            .jobs = {window, render, report, pack, exportAs, tradeoff},
             .range = NumberRange{.min = 0.001, .max = 1e9},
             .help = "Megabytes for light fields, a quarter of the machine's by default; the window "
                     "takes it too. What needs more is read piece by piece, or from the top once."},
            {.name = "threads",
             .value = "N",
-            .jobs = {render, report, generate, pack, tradeoff, stability},
+            .jobs = {render, report, generate, pack, exportAs, tradeoff, stability},
             .range = NumberRange{.min = 1, .isInteger = true},
             .help = "Threads to work with; all by default."},
            {.name = "quiet", .jobs = writing, .help = "Prints nothing but errors."}}};

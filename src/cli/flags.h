@@ -25,6 +25,7 @@ struct Flag {
   std::string_view value = {};                 ///< "" if none follows
   std::vector<Command> jobs;                   ///< those that use it; all others refuse it
   std::vector<Command> neededBy = {};          ///< those that cannot do without it
+  std::string_view unless = {};                ///< an option that makes up for a missing one
   bool mayRepeat = false;                      ///< with another value each time
   std::optional<NumberRange> range = {};       ///< of the value, where it must be a number
   std::vector<std::string_view> choices = {};  ///< the allowed values; any if empty

@@ -93,6 +93,19 @@ const std::vector<Job>& jobs() {
            "             --set display.directions=[600,600]\n"
            "  hogelscope --pack views --output views.tif --memory 4000\n",
        .run = runPack},
+      {.command = Command::exportAs,
+       .name = "export",
+       .value = "LAYOUT",
+       .help = "Writes the session's light field, of any layout or live, as hogels (one image), "
+               "views (a folder), quilt or pack (a store).",
+       .details = "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
+                  "live scene becomes gives the same pictures as the scene itself. Only a light "
+                  "field that is a store or live may be larger than memory for views and quilt. "
+                  "After a stop pack goes on where it was.",
+       .examples = "  hogelscope --export hogels --session live.json --output hogels.png\n"
+                   "  hogelscope --export pack --session live.json --output store.tif\n"
+                   "  hogelscope --export quilt --session live.json --output room_qs8x6a0.75.png\n",
+       .run = runExport},
       {.command = Command::tradeoff,
        .name = "tradeoff",
        .help = "Measures speed against accuracy of every method on the session's own states: "

@@ -108,6 +108,7 @@ void refuseForeign(const Flag& flag, Command command) {
 
 void refuseMissing(const Flag& flag, const CommandLine& line) {
   if (!isOneOf(flag.neededBy, line.command) || line.has(flag.name)) return;
+  if (!flag.unless.empty() && line.has(flag.unless)) return;
   const std::string job = dashed(jobOf(line.command).name);
   throw InputError(dashed(flag.name), "is missing; " + job + " needs " + dashed(flag.name) + " " +
                                           std::string(flag.value) + ", see --help " +

@@ -20,8 +20,11 @@ std::string pixels(int x, int y) {
 /// "scene.png, 64×64 hogels of 32×32 directions, SHA-256 …".
 std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
                       const std::string& hash) {
-  return lightField.file + ", " + pixels(size.nx, size.ny) + " hogels of " +
-         pixels(size.du, size.dv) + " directions, SHA-256 " + hash;
+  const std::string name =
+      lightField.layout == Layout::live ? "live " + lightField.source : lightField.file;
+  const std::string content = hash.empty() ? "" : ", SHA-256 " + hash;
+  return name + ", " + pixels(size.nx, size.ny) + " hogels of " + pixels(size.du, size.dv) +
+         " directions" + content;
 }
 
 std::string described(const SamplingParams& sampling) {
@@ -36,13 +39,14 @@ std::string described(const SamplingParams& sampling) {
 ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   const Session& session = request.session;
   ReportFacts facts;
-  std::string all = versionsLine() + textOf(session) + (request.images ? "images" : "");
+  std::string all = versionsLine() + textOf(session) + (request.images ? "images" : "") +
+                    (request.isAgainstIdeal ? "ideal" : "");
   const auto line = [&](const std::string& name, const std::string& value) {
     facts.lines.push_back({name, value});
   };
   const auto lightField = [&](const std::string& name, const Session& of,
                               const LightFieldFile& file) {
-    const std::string hash = sha256(file.files(), progress);
+    const std::string hash = file.files().empty() ? "" : sha256(file.files(), progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
   };
@@ -50,6 +54,8 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
     line("Session", request.sessionFile + ", SHA-256 " +
                         sha256(std::vector<std::filesystem::path>{request.sessionFile}, progress));
   lightField("Light field", session, *request.file);
+  if (request.isAgainstIdeal)
+    line("Reference", "ideal view: the scene itself, without the display");
   for (const ReportTest& test : request.tests) {
     lightField(request.tests.size() == 1 ? "Test light field" : "Test " + test.name, test.session,
                *test.file);

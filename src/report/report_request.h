@@ -32,6 +32,7 @@ struct ReportRequest {
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
   MetricSet metrics{};
+  bool isAgainstIdeal = false;           ///< the reference is the ideal view of a live scene
   std::string output;                    ///< the folder, made if missing
   std::string command;                   ///< how the report was asked for, for its page
   bool images = false;                   ///< keep every image, too

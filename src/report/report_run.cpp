@@ -106,8 +106,7 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_facts(factsOf(request, m_progress.within())),
       m_journal(m_folder, m_facts.key),
       m_workers(workersFor(request)),
-      m_pairs(request.session, *request.file, m_workers, m_workers == 1 ? parallelRows : serialRows,
-              request.tests.size() > 1, request.memory),
+      m_pairs(request, m_workers, m_workers == 1 ? parallelRows : serialRows),
       m_hasRow(states() * request.tests.size()) {
   m_report.rows.resize(m_hasRow.size());
   m_report.replacedAnother = m_journal.replacedAnother();

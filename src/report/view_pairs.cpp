@@ -11,12 +11,13 @@
 
 namespace hogelscope {
 
-ViewPairs::ViewPairs(Session session, LightFieldFile& file, std::size_t workers,
-                     const ParallelRows& rowsWithin, bool keepsReferences, std::size_t memory)
-    : m_session(std::move(session)),
-      m_file(file),
-      m_memory(memory / 2),
-      m_references(keepsReferences ? m_session.cameras.size() : 0),
+ViewPairs::ViewPairs(const ReportRequest& request, std::size_t workers,
+                     const ParallelRows& rowsWithin)
+    : m_session(request.session),
+      m_file(*request.file),
+      m_isAgainstIdeal(request.isAgainstIdeal),
+      m_memory(request.memory / 2),
+      m_references(request.tests.size() > 1 ? m_session.cameras.size() : 0),
       m_renderers(workers, Renderer(rowsWithin)) {}
 
 bool ViewPairs::streams(const LightFieldFile& file) const {
@@ -26,8 +27,8 @@ bool ViewPairs::streams(const LightFieldFile& file) const {
 ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& file,
                                         const Progress& progress) const {
   if (!streams(file))
-    return {loadScene(session, file, progress, m_memory,
-                      {0, m_renderers.size() > 1 ? 1 : threadCount()}),
+    return {loadScene(session, file, progress,
+                      {m_memory, 0, m_renderers.size() > 1 ? 1 : threadCount()}),
             {}};
   Source source{unloadedScene(session, file), {}};
   std::vector<RenderJob> views;
@@ -83,7 +84,10 @@ void ViewPairs::read(const ReportTest& test, const Progress& progress) {
   m_test.reset();
   if (!m_reference && streams(m_file) && streams(*test.file)) return readSideBySide(test, progress);
   const bool isFirst = !m_reference;
-  if (isFirst) m_reference = readSource(m_session, m_file, part(progress, 0, 0.5));
+  if (isFirst) {
+    m_reference = readSource(m_session, m_file, part(progress, 0, 0.5));
+    m_reference->scene.isIdeal = m_isAgainstIdeal;
+  }
   m_test = readSource(test.session, *test.file, part(progress, isFirst ? 0.5 : 0, 1));
 }
 

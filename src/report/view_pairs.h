@@ -25,12 +25,13 @@ struct ViewPair {
 /// different workers at the same time.
 class ViewPairs {
  public:
-  /// `rowsWithin` is how the rows of one image are shared out. `memory` bytes are for light
-  /// fields.
-  ViewPairs(Session session, LightFieldFile& file, std::size_t workers,
-            const ParallelRows& rowsWithin, bool keepsReferences, std::size_t memory);
+  /// `rowsWithin` is how the rows of one image are shared out.
+  ViewPairs(const ReportRequest& request, std::size_t workers, const ParallelRows& rowsWithin);
 
-  void setReference(const Scene& scene) { m_reference.emplace().scene = scene; }
+  void setReference(const Scene& scene) {
+    m_reference.emplace().scene = scene;
+    m_reference->scene.isIdeal = m_isAgainstIdeal;
+  }
   /// Reads the session's light field, the first time, and a test's, side by side where both pass
   /// by. The last test's memory is free before the next one is read.
   void read(const ReportTest& test, const Progress& progress);
@@ -58,7 +59,8 @@ class ViewPairs {
 
   Session m_session;
   LightFieldFile& m_file;  ///< the session's light field
-  std::size_t m_memory;    ///< of each of the two
+  bool m_isAgainstIdeal;
+  std::size_t m_memory;  ///< of each of the two
   std::optional<Source> m_reference;
   std::optional<Source> m_test;
   std::vector<Image> m_references;    ///< of the states rendered, if they are kept for more tests

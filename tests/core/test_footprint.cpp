@@ -52,9 +52,9 @@ class Cutter : public LightFieldSource {
   [[nodiscard]] LightFieldSize size() const override { return m_whole->size(); }
   [[nodiscard]] StoredType type() const override { return m_whole->type(); }
 
-  [[nodiscard]] std::shared_ptr<const LightField> slice(
-      const std::function<Footprint()>& footprintOf, const Progress&) const override {
-    const Footprint footprint = footprintOf();
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
+                                                        const Progress&) const override {
+    const Footprint footprint = reads.footprint();
     auto slice =
         std::make_shared<LightField>(m_whole->size(), m_whole->type(), sliceLayout(footprint));
     pass(*m_whole, [&](int j, int v, const auto* rgb) {

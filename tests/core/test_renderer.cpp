@@ -23,11 +23,11 @@ class CountingSource : public LightFieldSource {
 
   [[nodiscard]] LightFieldSize size() const override { return m_source->size(); }
   [[nodiscard]] StoredType type() const override { return m_source->type(); }
-  [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
                                                         const Progress& progress) const override {
-    asked = footprint();
+    asked = reads.footprint();
     ++slices;
-    return m_source->slice(footprint, progress);
+    return m_source->slice(reads, progress);
   }
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
     return m_source->overview();

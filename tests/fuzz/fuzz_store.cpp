@@ -23,7 +23,7 @@ void readAll(LightFieldStore& store) {
   mayRefuse([&] { require(store.overview() != nullptr); });
   mayRefuse([&] {
     const Footprint footprint = footprintOf(size);
-    if (footprint.texels() < most) (void)store.slice([&] { return footprint; }, {});
+    if (footprint.texels() < most) (void)store.slice({[&] { return footprint; }, {}}, {});
   });
   if (double(size.width()) * double(size.height()) > most) return;
   mayRefuse([&] { (void)store.read({}); });

@@ -18,7 +18,7 @@ const std::map<QString, QStringList>& allowedRooms() {
   static const std::map<QString, QStringList> rooms{
       {"core/base", {}},
       {"sdk/hogelscope", {"core/base"}},
-      {"core/light_field", {"core/base"}},
+      {"core/light_field", {"core/base", "sdk/hogelscope"}},
       {"core/optics", {"core/base", "core/light_field"}},
       {"core/lens", {"core/base", "core/optics"}},
       {"core/engine", {"core/base", "core/light_field", "core/optics", "core/lens"}},
@@ -31,8 +31,8 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"io/images", {"core", "io/files"}},
       {"io/layouts", {"core", "io/files", "io/images"}},
       {"io/store", {"core", "io/files", "io/json", "io/images", "io/layouts"}},
-      {"io/scene", {"core", "io/files", "io/images", "io/layouts", "io/store"}},
       {"io/plugins", {"core", "io/files", "io/json", "sdk/hogelscope"}},
+      {"io/scene", {"core", "io/files", "io/images", "io/layouts", "io/plugins", "io/store"}},
       {"io/documents", {"core", "io"}},
       {"vtk", {"core"}},
       {"study", {"core"}},

@@ -288,7 +288,7 @@ void TestStore::slices() {
     for (int j = 0; j < size.ny; ++j)
       wanted.v.push_back(j % 7 == 6 ? CellRange{}
                                     : CellRange{j % (20 - width), j % (20 - width) + width - 1});
-    const auto slice = store->slice([&] { return wanted; }, {});
+    const auto slice = store->slice({[&] { return wanted; }, {}}, {});
     QVERIFY(slice->covers(wanted) && !slice->isInMemory());
     Footprint more = wanted;
     more.u[0].include({0, size.du - 1});
@@ -306,7 +306,8 @@ void TestStore::slices() {
   }
   QVERIFY(store->texel({18, 16, 7, 3}) == source.texel({18, 16, 7, 3}));
   QVERIFY_EXCEPTION_THROWN(
-      (void)store->slice([&] { return allOf(size); }, [](double) { return false; }), Cancelled);
+      (void)store->slice({[&] { return allOf(size); }, {}}, [](double) { return false; }),
+      Cancelled);
 }
 
 void TestStore::sliceBeyondTheMemoryAllowed() {
@@ -316,12 +317,12 @@ void TestStore::sliceBeyondTheMemoryAllowed() {
   LightFieldStore store("store.tif");
   const std::function<Footprint()> all = [&] { return allOf(size); };
   allowMemory(1000);
-  const QString error = errorOf([&] { (void)store.slice(all, {}); });
+  const QString error = errorOf([&] { (void)store.slice({all, {}}, {}); });
   allowMemory(0);
   QCOMPARE(
       error,
       QString("memory: a view needs 27.7 kB of the light field, 1 kB are allowed: allow more"));
-  QCOMPARE((store.slice(all, {})->size() == size), true);
+  QCOMPARE((store.slice({all, {}}, {})->size() == size), true);
 }
 
 /// What JPEG has lost makes a store no smaller.

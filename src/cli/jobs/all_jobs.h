@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/command_line.h"
+#include "core/optics/session.h"
 
 namespace hogelscope {
 
@@ -19,6 +20,11 @@ int runMakeCameras(const CommandLine& line);
 int runGenerate(const CommandLine& line);
 /// Writes a light field as a store. Continues where an earlier run stopped.
 int runPack(const CommandLine& line);
+/// Does the work of runPack() with the session's light field; `isDisplayGiven`: the store keeps its
+/// display.
+int packContent(const Session& session, bool isDisplayGiven, const CommandLine& line);
+/// Writes the session's light field in another layout.
+int runExport(const CommandLine& line);
 /// Measures speed against accuracy of every method on the session's own states: tradeoff.csv, .png
 /// and .svg.
 int runTradeoff(const CommandLine& line);

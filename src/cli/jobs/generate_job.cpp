@@ -49,7 +49,7 @@ void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes,
                const Progress& progress) {
   for (std::size_t at = 0; at < band.size(); at += rowBytes) {
     hearStop(progress);
-    writer.write({band.data() + at, rowBytes});
+    writer.write(band.data() + at);
   }
 }
 

@@ -41,8 +41,7 @@ std::string shapeText(const StoreHeader& header) {
 
 }  // namespace
 
-int runPack(const CommandLine& line) {
-  const auto [session, isDisplayGiven] = loadContent(line);
+int packContent(const Session& session, bool isDisplayGiven, const CommandLine& line) {
   const std::string output = line.text("output");
   const bool isQuiet = line.has("quiet");
   const auto file = openLightField(session.lightField, session.display);
@@ -61,6 +60,11 @@ int runPack(const CommandLine& line) {
   bar.done();
   if (!isQuiet) std::cout << output << ": " << bytesText(RandomAccessFile(output).size()) << "\n";
   return 0;
+}
+
+int runPack(const CommandLine& line) {
+  const auto [session, isDisplayGiven] = loadContent(line);
+  return packContent(session, isDisplayGiven, line);
 }
 
 }  // namespace hogelscope

@@ -30,6 +30,7 @@ struct RenderOutput {
   std::string format;
   bool hasMasks = false;
   bool isExplained = false;
+  bool isIdeal = false;
 
   [[nodiscard]] fs::path file(const CameraState& state, const std::string& ending) const {
     return folder / (state.camera.name + "." + ending);
@@ -53,8 +54,8 @@ struct RenderOutput {
 
 /// Renders from a light field in memory or in a store.
 void renderLoaded(const Session& session, const RenderOutput& output, const Progress& progress) {
-  const Scene scene =
-      loadScene(session, part(progress, 0, 0.5), allowedMemory(), {.threads = threadCount()});
+  Scene scene = loadScene(session, part(progress, 0, 0.5), {.threads = threadCount()});
+  scene.isIdeal = output.isIdeal;
   if (output.isExplained) std::cout << explanations(scene, session, part(progress, 0.5, 0.5));
   Renderer renderer;
   const auto count = double(session.cameras.size());
@@ -100,7 +101,8 @@ int runRender(const CommandLine& line) {
   // Opened first, so that a bad one leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   const RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),
-                            line.has("explain")};
+                            line.has("explain"), line.has("ideal")};
+  if (output.isIdeal) requireScene(session);
   checkOutputs(output.allFiles(session.cameras),
                inputFiles({line.text("session"), line.text("calibration")}, *file));
   makeFolder(output.folder);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --report: every state from the session's light field and from each test, compared.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 
 #include "cli/explain.h"
 #include "cli/inputs.h"
@@ -89,12 +91,18 @@ int runReport(const CommandLine& line) {
   request.sessionFile = line.text("session");
   request.session = loadSelected(line);
   request.metrics = metricsOf(request.session.metrics);
-  request.tests = openTests(request.session, line.texts("test"));
+  request.file = openLightField(request.session.lightField, request.session.display);
+  request.isAgainstIdeal = line.has("against");
+  if (request.isAgainstIdeal) {
+    requireScene(request.session);
+    request.tests.push_back({"display", request.session, request.file});
+  }
+  std::ranges::move(openTests(request.session, line.texts("test")),
+                    std::back_inserter(request.tests));
   request.groups = parseGroups(request.tests, line);
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
-  request.file = openLightField(request.session.lightField, request.session.display);
   announcePassing(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests)
     announcePassing(*test.file, request.memory / 2, isQuiet);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "core/optics/image.h"
 
@@ -19,6 +19,8 @@ constexpr double wallDepth = -0.5;
 constexpr double rulerDepth = 0.25;
 constexpr Vec3 ballCentre{-0.5, -0.4, 0.35};
 constexpr double ballRadius = 0.22;
+
+constexpr double everywhere = std::numeric_limits<double>::infinity();
 
 constexpr Rgb ink{20, 20, 30};
 constexpr Rgb paper{245, 243, 235};
@@ -70,17 +72,18 @@ bool nearLine(double x, double spacing, double width) {
   return std::abs(x - spacing * std::round(x / spacing)) < width / 2;
 }
 
-std::optional<Rgb> ball(const Vec2& p, const Vec2& s) {
+std::optional<ScenePattern::Met> ball(const Vec2& p, const Vec2& s) {
   // |(p + s z, z) - centre|² = radius², the root nearer to the viewer.
   const Vec3 d{s.x, s.y, 1};
   const Vec3 o = Vec3{p.x, p.y, 0} - ballCentre;
   const double half = dot(o, d) / dot(d, d);
   const double under = half * half - (dot(o, o) - ballRadius * ballRadius) / dot(d, d);
   if (under < 0) return std::nullopt;
-  const Vec3 normal = (1 / ballRadius) * (o + (-half + std::sqrt(under)) * d);
+  const double z = -half + std::sqrt(under);
+  const Vec3 normal = (1 / ballRadius) * (o + z * d);
   const double shade = 0.25 + 0.75 * std::max(0.0, dot(normal, normalise({-0.5, 0.7, 0.5})));
   const bool stripe = std::fmod(std::floor(6 * (normal.y + 2)), 2) == 0;
-  return shade * (stripe ? Rgb{235, 90, 40} : Rgb{250, 210, 60});
+  return ScenePattern::Met{shade * (stripe ? Rgb{235, 90, 40} : Rgb{250, 210, 60}), z};
 }
 
 /// A ruler above the middle: a tick every 0.05, a long one every 0.25.
@@ -116,14 +119,25 @@ ScenePattern::ScenePattern(const DisplayParams& display)
       m_scale(std::min(display.size[0], display.size[1]) / 2),
       m_hogelPitch{display.size[0] / display.hogels[0], display.size[1] / display.hogels[1]} {}
 
-Rgb ScenePattern::light(const PanelRay& ray) const {
+std::optional<ScenePattern::Met> ScenePattern::light(const PanelRay& ray, double back,
+                                                     double front) const {
   const Vec2 p{ray.position.x / m_scale, ray.position.y / m_scale};
   const Vec2& s = ray.slopes;
+  const auto isBetween = [&](double z) { return back <= z * m_scale && z * m_scale <= front; };
   // From the viewer's side: the first thing met hides the rest.
-  if (const auto colour = ball(p, s)) return *colour;
-  if (const auto colour = ruler(p.x + rulerDepth * s.x, p.y + rulerDepth * s.y)) return *colour;
-  if (const auto colour = card(p.x, p.y)) return *colour;
-  return wall(p.x + wallDepth * s.x, p.y + wallDepth * s.y);
+  if (const auto met = ball(p, s); met && isBetween(met->z))
+    return Met{met->light, met->z * m_scale};
+  if (isBetween(rulerDepth))
+    if (const auto colour = ruler(p.x + rulerDepth * s.x, p.y + rulerDepth * s.y))
+      return Met{*colour, rulerDepth * m_scale};
+  if (isBetween(0))
+    if (const auto colour = card(p.x, p.y)) return Met{*colour, 0};
+  if (!isBetween(wallDepth)) return std::nullopt;
+  return Met{wall(p.x + wallDepth * s.x, p.y + wallDepth * s.y), wallDepth * m_scale};
+}
+
+std::array<double, 2> ScenePattern::depths() const {
+  return {wallDepth * m_scale, (ballCentre.z + ballRadius) * m_scale};
 }
 
 Rgb ScenePattern::texel(const TexelIndex& at) const {
@@ -138,10 +152,11 @@ Rgb ScenePattern::texel(const TexelIndex& at) const {
     const auto offset = [k](std::size_t axis) {
       return (k * generator[axis] % points + 0.5) / points - 0.5;
     };
-    sum = sum + light({{middle.position.x + offset(0) * m_hogelPitch.x,
-                        middle.position.y + offset(1) * m_hogelPitch.y},
-                       {middle.slopes.x + offset(2) * slopeStep.x,
-                        middle.slopes.y + offset(3) * slopeStep.y}});
+    const PanelRay ray{
+        {middle.position.x + offset(0) * m_hogelPitch.x,
+         middle.position.y + offset(1) * m_hogelPitch.y},
+        {middle.slopes.x + offset(2) * slopeStep.x, middle.slopes.y + offset(3) * slopeStep.y}};
+    sum = sum + light(ray, -everywhere, everywhere)->light;
   }
   return (1.0 / points) * sum;
 }

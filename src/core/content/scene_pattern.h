@@ -2,6 +2,9 @@
 // The "scene" pattern: straight lines and lettering at known depths.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "core/content/pattern.h"
 
 namespace hogelscope {
@@ -17,9 +20,17 @@ class ScenePattern : public Pattern {
   /// Returns the light of a directional pixel: the mean over its angle and its hogel's area.
   [[nodiscard]] Rgb texel(const TexelIndex& at) const;
 
- private:
-  [[nodiscard]] Rgb light(const PanelRay& ray) const;
+  /// What a line meets first from the viewer's side between two depths, and its z in metres; the
+  /// wall behind everything has no end.
+  struct Met {
+    Rgb light;
+    double z = 0;
+  };
+  [[nodiscard]] std::optional<Met> light(const PanelRay& ray, double back, double front) const;
+  /// Returns the depths of the wall and of the ball's front.
+  [[nodiscard]] std::array<double, 2> depths() const;
 
+ private:
   Display m_display;
   double m_scale;  ///< half the panel's smaller side, metres
   Vec2 m_hogelPitch;

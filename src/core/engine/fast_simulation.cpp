@@ -17,8 +17,7 @@ struct FastSimulation::Scratch {
 FastSimulation::FastSimulation(const RenderJob& job, LensTables& tables,
                                const ParallelRows& parallelRows, const Progress& progress)
     : m_rays(job, tables, parallelRows, progress),
-      m_texels(job.lightField->slice([&] { return m_rays.footprint(parallelRows); },
-                                     part(m_rays.progress(), 0, 0))),
+      m_texels(job.lightField->slice(m_rays.reads(parallelRows), part(m_rays.progress(), 0, 0))),
       m_filter(m_texels, job, m_rays.plan()) {}
 
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "core/engine/fast_simulation.h"
+#include "core/engine/ideal_view.h"
 #include "core/engine/scaled_view.h"
 
 namespace hogelscope {
@@ -31,6 +32,7 @@ AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress)
 }
 
 Image Renderer::render(const RenderJob& job, const Progress& progress) {
+  if (job.isIdeal) return rounded(renderIdeal(job, m_tables, m_rows, progress));
   const Progress heard = forThreads(progress);
   const RenderJob chosen = chooseMethod(job, heard).job;
   Image image = renderReduced<Image>(chosen, heard);
@@ -39,6 +41,7 @@ Image Renderer::render(const RenderJob& job, const Progress& progress) {
 }
 
 FloatImage Renderer::renderFloat(const RenderJob& job, const Progress& progress) {
+  if (job.isIdeal) return renderIdeal(job, m_tables, m_rows, progress);
   const Progress heard = forThreads(progress);
   const RenderJob chosen = chooseMethod(job, heard).job;
   FloatImage image = renderReduced<FloatImage>(chosen, heard);

@@ -3,6 +3,7 @@
 #include "core/engine/view_rays.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -118,29 +119,49 @@ std::int64_t ViewRays::count() const {
   return seen;
 }
 
-void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const {
+void ViewRays::points(int y, int x0, int count, int sx, int sy, Points& points) const {
   hearStop(m_progress);
-  if (m_seesNothing) {
-    std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
-    return;
-  }
-  std::array<double, batchSize> madeX;
-  std::array<double, batchSize> madeY;
-  const double* x = madeX.data();
-  const double* py = madeY.data();
+  points.x = points.madeX.data();
+  points.y = points.madeY.data();
   if (m_lens) {
-    x = m_lens->x(y, sx, sy) + x0;
-    py = m_lens->y(y, sx, sy) + x0;
+    points.x = m_lens->x(y, sx, sy) + x0;
+    points.y = m_lens->y(y, sx, sy) + x0;
   } else if (!m_plan.hasLens && m_lensKey.samplesPerPixel == 1) {
-    x = plainX(x0);
-    madeY.fill(plainY(y));
+    points.x = plainX(x0);
+    points.madeY.fill(plainY(y));
   } else {
-    m_rays->row(y, sx, sy, x0, count, madeX.data(), madeY.data());
+    m_rays->row(y, sx, sy, x0, count, points.madeX.data(), points.madeY.data());
   }
-  if (m_plan.hasLinearHogels)
-    linearCells(m_map, x, py, count, batch);
+}
+
+void ViewRays::cellsOf(const Points& points, int count, CellBatch& batch) const {
+  if (m_seesNothing)
+    std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
+  else if (m_plan.hasLinearHogels)
+    linearCells(m_map, points.x, points.y, count, batch);
   else
-    curvedCells(m_map, m_display.lens(0), m_display.lens(1), x, py, count, batch);
+    curvedCells(m_map, m_display.lens(0), m_display.lens(1), points.x, points.y, count, batch);
+}
+
+void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const {
+  Points made;
+  if (!m_seesNothing) points(y, x0, count, sx, sy, made);
+  cellsOf(made, count, batch);
+}
+
+void ViewRays::lines(int y, int x0, int count, int sx, int sy, LineBatch& batch) const {
+  Points made;
+  CellBatch found;
+  if (!m_seesNothing) points(y, x0, count, sx, sy, made);
+  cellsOf(made, count, found);
+  batch.seen = found.seen;
+  for (std::size_t k = 0; k < std::size_t(count); ++k) {
+    if (batch.seen[k] == 0) continue;
+    const auto along = [&](std::size_t c) {
+      return made.x[k] * m_map.right[c] + made.y[k] * m_map.down[c] + m_map.forward[c];
+    };
+    batch.slopes[k] = {along(0) / along(2), along(1) / along(2)};
+  }
 }
 
 Footprint ViewRays::footprint(int y, int x0, int x1) const {
@@ -162,6 +183,64 @@ Footprint ViewRays::footprint(int y, int x0, int x1) const {
       }
     }
   return result;
+}
+
+namespace {
+
+/// Returns the cells that a ray reads along an axis: its own, the neighbour that is interpolated
+/// with, and `reach` more on each side.
+CellRange cellsRead(std::uint32_t cell, float place, bool isInterpolated, int reach, int count) {
+  const int own = int(cell);
+  const int neighbour = !isInterpolated ? own : place < 0.5F ? own - 1 : own + 1;
+  return {std::max(std::min(own, neighbour) - reach, 0),
+          std::min(std::max(own, neighbour) + reach, count - 1)};
+}
+
+/// Marks are set by several threads, all to 1.
+void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
+             std::vector<std::uint8_t>& marks) {
+  const auto& [is, js, us, vs] = box;
+  for (int j = js.first; j <= js.last; ++j)
+    for (int v = vs.first; v <= vs.last; ++v) {
+      const std::uint32_t row = layout.rowStart[std::size_t(j)] + std::uint32_t(v) * layout.width;
+      for (int i = is.first; i <= is.last; ++i)
+        for (int u = us.first; u <= us.last; ++u)
+          std::atomic_ref(marks[row + layout.columnStart[std::size_t(i)] + std::uint32_t(u)])
+              .store(1, std::memory_order_relaxed);
+    }
+}
+
+}  // namespace
+
+void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const {
+  const int width = m_job.state.camera.res[0];
+  const int n = m_job.sampling.samplesPerPixel;
+  const bool areDirections = m_job.sampling.reconstruction != Reconstruction::nearest;
+  const bool areHogels = m_job.sampling.reconstruction == Reconstruction::quadrilinear;
+  CellBatch batch;
+  for (int x = 0; x < width; x += batchSize)
+    for (int s = 0; s < n * n; ++s) {
+      const int count = std::min(batchSize, width - x);
+      cells(y, x, count, s % n, s / n, batch);
+      for (std::size_t k = 0; k < std::size_t(count); ++k) {
+        if (batch.seen[k] == 0) continue;
+        std::array<CellRange, 4> box;
+        for (std::size_t axis = 0; axis < 4; ++axis)
+          box[axis] = cellsRead(batch.cell[axis][k], batch.place[axis][k],
+                                axis < 2 ? areHogels : areDirections,
+                                axis < 2 ? 0 : m_plan.psfReach, m_map.count[axis]);
+        markBox(box, layout, marks);
+      }
+    }
+}
+
+ViewReads ViewRays::reads(const ParallelRows& parallelRows) const {
+  return {[this, parallelRows] { return footprint(parallelRows); },
+          [this, parallelRows](const SliceLayout& layout, std::vector<std::uint8_t>& marks) {
+            parallelRows(m_job.state.camera.res[1], [&](int begin, int end) {
+              for (int y = begin; y < end; ++y) mark(y, layout, marks);
+            });
+          }};
 }
 
 Footprint ViewRays::footprint(const ParallelRows& parallelRows) const {

@@ -19,6 +19,12 @@
 
 namespace hogelscope {
 
+/// The rays of a batch as lines; slopes only of those that see the display.
+struct LineBatch {
+  std::array<Vec2, batchSize> slopes;
+  std::array<std::uint8_t, batchSize> seen;
+};
+
 class ViewRays {
  public:
   /// `tables` keeps lens tables between views. `progress` is kept and called wherever casting takes
@@ -51,12 +57,27 @@ class ViewRays {
   /// Finds the cells that the rays of sub-pixel (sx, sy) of pixels [x0, x0 + count) of row y meet;
   /// at most a batch. Thread-safe, as the next one.
   void cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const;
+  /// Finds the slopes dx/dz, dy/dz in the display frame of the same rays.
+  void lines(int y, int x0, int count, int sx, int sy, LineBatch& batch) const;
   /// Returns the texels that pixels [x0, x1) of row y may read, interpolation and leakage included.
   [[nodiscard]] Footprint footprint(int y, int x0, int x1) const;
   /// Returns the texels that the whole image may read.
   [[nodiscard]] Footprint footprint(const ParallelRows& parallelRows) const;
+  /// Returns what the view reads; the functions refer to this object.
+  [[nodiscard]] ViewReads reads(const ParallelRows& parallelRows) const;
 
  private:
+  /// The points of the plane z = 1 of a batch: in `made` or elsewhere.
+  struct Points {
+    std::array<double, batchSize> madeX;
+    std::array<double, batchSize> madeY;
+    const double* x = nullptr;
+    const double* y = nullptr;
+  };
+  void points(int y, int x0, int count, int sx, int sy, Points& points) const;
+  void cellsOf(const Points& points, int count, CellBatch& batch) const;
+  void mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const;
+
   RenderJob m_job;
   Progress m_progress;  ///< for threads
   Display m_display;

@@ -8,7 +8,8 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> layoutNames{"hogels", "views", "quilt", "pack"};
+constexpr std::array<std::string_view, 5> layoutNames{"hogels", "views", "quilt", "pack", "live"};
+constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
 
@@ -25,18 +26,20 @@ double codeValue(float stored) {
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
-  auto& [file, layout, incoming, rows, columns, pattern, shear, quiltColumns, quiltRows] = p;
+  auto& [file, layout, incoming, rows, columns, pattern, shear, quiltColumns, quiltRows, source,
+         type, content, live] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
-  v.field(
-      "file", file,
-      "Image (hogels, quilt), folder or %-pattern of images (views), store (pack); relative to the "
-      "session.");
-  v.field(
-      "layout", layout, layoutNames,
-      "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, or a "
-      "store of blocks.");
-  v.field("incoming", incoming,
-          "Directions were recorded looking into the scene: both u and v are flipped.");
+  if (layout != Layout::live)
+    v.field("file", file,
+            "Image (hogels, quilt), folder or %-pattern of images (views), store (pack); relative "
+            "to the "
+            "session.");
+  v.field("layout", layout, layoutNames,
+          "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
+          "store of blocks; live: a 3-D scene, of which a view's rays are traced.");
+  if (layout != Layout::live)
+    v.field("incoming", incoming,
+            "Directions were recorded looking into the scene: both u and v are flipped.");
   if (layout == Layout::views) {
     v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
     v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
@@ -46,6 +49,13 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
             "by whole pixels, rounded.");
+  }
+  if (layout == Layout::live) {
+    v.field(
+        "source", source,
+        "What computes the content: \"scene\" is built in, others are plugins; its parameters are "
+        "an object of that name.");
+    v.field("type", type, typeNames, "How directional pixels are rounded: to 8 bits, or not.");
   }
   if (layout == Layout::quilt) {
     v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",

@@ -14,16 +14,19 @@
 #include "core/base/huge_pages.h"
 #include "core/base/parameters.h"
 #include "core/light_field/block_layout.h"
+#include "core/light_field/content_params.h"
 #include "core/light_field/light_field_source.h"
 #include "core/light_field/slice_layout.h"
 
 namespace hogelscope {
 
-enum class Layout { hogels, views, quilt, pack };
+enum class Layout { hogels, views, quilt, pack, live };
+/// The stored type of a live light field's texels.
+enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
 
-/// The session's `lightField`: the content's file and its layout.
+/// The session's `lightField`: the content's file and its layout, or a live scene.
 struct LightFieldParams {
   std::string file;
   Layout layout = Layout::hogels;
@@ -34,10 +37,15 @@ struct LightFieldParams {
   std::array<double, 2> shear{0, 0};
   int quiltColumns = 0;
   int quiltRows = 0;
+  std::string source;  ///< name of a live scene's content
+  LiveType type = LiveType::uint8;
+  ContentParams content;  ///< of the source
+  LiveParams live;        ///< of any source
   bool operator==(const LightFieldParams&) const = default;
 };
 
-/// Visits only the fields that the layout has.
+/// Visits only the fields that the layout has; `content` and `live` are an object of their own,
+/// named after the source.
 void describe(ParameterVisitor& v, LightFieldParams& p);
 
 /// A directional pixel as stored; `unused` makes its size a power of two.
@@ -85,8 +93,7 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   }
   /// Returns this object, which a std::shared_ptr must own.
   [[nodiscard]] std::shared_ptr<const LightField> slice(
-      const std::function<Footprint()>& /*footprint*/,
-      const Progress& /*progress*/) const override {
+      const ViewReads& /*reads*/, const Progress& /*progress*/) const override {
     return shared_from_this();
   }
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
@@ -104,6 +111,8 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   void set(const TexelIndex& at, const T* rgb) {
     std::get<TexelArray<T>>(m_texels)[m_layout.address(at)] = {rgb[0], rgb[1], rgb[2], T{}};
   }
+  /// Returns the layout of a slice; null if all texels are in memory.
+  [[nodiscard]] const SliceLayout* sliceLayout() const { return m_slice.get(); }
   /// Sets neighbours along u of a slice, from `first` on; T must be the stored type.
   template <class T>
   void setRun(const TexelIndex& first, int count, const T* rgb) {

@@ -2,11 +2,33 @@
 // The interface of content.
 #include "core/light_field/light_field_source.h"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "core/base/error.h"
 
 #include "core/light_field/light_field.h"
 
 namespace hogelscope {
+
+namespace {
+
+void markAll(const SliceLayout& /*layout*/, std::vector<std::uint8_t>& marks) {
+  std::ranges::fill(marks, std::uint8_t{1});
+}
+
+}  // namespace
+
+ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
+                      const CellRange& v) {
+  const auto footprint = [=] {
+    Footprint rows(size.nx, size.ny);
+    std::ranges::fill(rows.u, u);
+    std::fill(rows.v.begin() + j.first, rows.v.begin() + j.last + 1, v);
+    return rows;
+  };
+  return {footprint, markAll};
+}
 
 Rgb LightFieldSource::texel(const TexelIndex& at) const {
   const auto footprint = [this, &at] {
@@ -15,11 +37,16 @@ Rgb LightFieldSource::texel(const TexelIndex& at) const {
     one.v[std::size_t(at.j)] = {at.v, at.v};
     return one;
   };
-  return slice(footprint, {})->texel(at);
+  return slice({footprint, markAll}, {})->texel(at);
 }
 
-std::shared_ptr<const LightField> StreamedLightField::slice(
-    const std::function<Footprint()>& /*footprint*/, const Progress& /*progress*/) const {
+void LightFieldSource::trace(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,
+                             std::span<Rgb> /*light*/) const {
+  throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
+}
+
+std::shared_ptr<const LightField> StreamedLightField::slice(const ViewReads& /*reads*/,
+                                                            const Progress& /*progress*/) const {
   throw std::logic_error("StreamedLightField: its texels come once, from the top");
 }
 

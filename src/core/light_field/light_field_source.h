@@ -2,16 +2,32 @@
 // The interface of content: the source of the directional pixels of views.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "core/base/geometry.h"
 #include "core/base/progress.h"
 #include "core/light_field/footprint.h"
+#include "core/light_field/slice_layout.h"
 #include "core/light_field/texel.h"
 
 namespace hogelscope {
 
 class LightField;
+
+/// What a view reads. Both functions cast all of its rays.
+struct ViewReads {
+  std::function<Footprint()> footprint;
+  /// Sets the marks of the texels that the view reads, of all texels of its footprint's layout.
+  std::function<void(const SliceLayout& layout, std::vector<std::uint8_t>& marks)> mark;
+};
+
+/// Returns what reads all texels with these j, u and v.
+ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
+                      const CellRange& v);
 
 /// A light field in memory, in a store, or computed on demand. All functions may be
 /// called from several threads at the same time.
@@ -25,10 +41,9 @@ class LightFieldSource {
   [[nodiscard]] virtual LightFieldSize size() const = 0;
   [[nodiscard]] virtual StoredType type() const = 0;
 
-  /// Returns at least the texels of a footprint, in memory. `footprint` casts all rays of a view,
-  /// so a source that has everything in memory does not call it. Throws InputError, Cancelled.
-  [[nodiscard]] virtual std::shared_ptr<const LightField> slice(
-      const std::function<Footprint()>& footprint, const Progress& progress) const = 0;
+  /// Returns at least the texels that a view reads, in memory. Throws InputError, Cancelled.
+  [[nodiscard]] virtual std::shared_ptr<const LightField> slice(const ViewReads& reads,
+                                                                const Progress& progress) const = 0;
 
   /// Returns a small light field of the same panel for a first look: fewer hogels and directions,
   /// evenly spread; the whole light field where it is in memory. Throws InputError.
@@ -36,6 +51,11 @@ class LightFieldSource {
 
   /// Whether slice() gives the whole light field, at no cost: texels may then be copied unsummed.
   [[nodiscard]] virtual bool isInMemory() const { return false; }
+
+  /// Sets what an eye sees of the scene itself, without a display: the light that reaches it along
+  /// slopes dx/dz, dy/dz. The eye is in the display frame, in metres; the spans have one size. May
+  /// be called from several threads. Throws InputError for content that is not a live scene.
+  virtual void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const;
 
   /// Returns one texel; the index must lie in the light field. Throws InputError.
   [[nodiscard]] virtual Rgb texel(const TexelIndex& at) const;
@@ -49,7 +69,7 @@ class StreamedLightField : public LightFieldSource {
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] StoredType type() const override { return m_type; }
   /// Throws std::logic_error, as overview() does.
-  [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
                                                         const Progress& progress) const override;
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
 

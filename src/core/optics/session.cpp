@@ -48,16 +48,23 @@ void check(const CameraState& state, const std::string& path) {
 }
 
 void check(const Session& session) {
-  if (session.lightField.file.empty())
+  const bool isLive = session.lightField.layout == Layout::live;
+  if (isLive && session.lightField.source.empty())
+    throw InputError("lightField.source", "is missing: name what computes the content");
+  if (isLive && !session.lightField.file.empty())
+    throw InputError("lightField.file",
+                     "is not of a live light field: its source has a file of its own");
+  if (!isLive && session.lightField.file.empty())
     throw InputError("lightField.file", "is missing: name the image or folder to show");
   for (const auto& [name, pair] : {std::pair("display.hogels", session.display.hogels),
                                    std::pair("display.directions", session.display.directions)})
     if ((pair[0] > 0) != (pair[1] > 0))
       throw InputError(name, "has one number only: give both, across and down, or neither");
   const bool given = session.display.hogels[0] > 0 && session.display.directions[0] > 0;
-  if (session.lightField.layout == Layout::hogels && !given)
-    throw InputError(session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
-                     "is missing: a hogel image does not say it");
+  if ((isLive || session.lightField.layout == Layout::hogels) && !given)
+    throw InputError(
+        session.display.hogels[0] > 0 ? "display.directions" : "display.hogels",
+        std::string("is missing: a ") + (isLive ? "scene" : "hogel image") + " does not say it");
   checkMetrics(session.metrics);
   if (session.cameras.empty())
     throw InputError("cameras", "is empty: give at least one camera state");

@@ -18,7 +18,8 @@ struct RenderJob {
   DisplayParams display;
   SamplingParams sampling;
   CameraState state;
-  Method method{};  ///< for the fast engine; the reference engine ignores it
+  Method method{};       ///< for the fast engine; the reference engine ignores it
+  bool isIdeal = false;  ///< Renderer then makes the ideal view, see ideal_view.h
   bool operator==(const RenderJob&) const = default;
 };
 

@@ -9,6 +9,7 @@
 #include "io/files/atomic_file.h"
 #include "io/images/image_file.h"
 #include "io/json/json_parameters.h"
+#include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
 
@@ -32,6 +33,23 @@ CameraState readState(const Json& object, const std::string& path) {
   readSection(reader, "psf", state.psf);
   reader.refuseUnknown();
   return state;
+}
+
+LightFieldParams readLightField(const Json& object) {
+  LightFieldParams params;
+  JsonReader reader(object, "lightField");
+  describe(reader, params);
+  if (params.layout == Layout::live && !params.source.empty()) {
+    params.content = contentOf(params.source);
+    if (const Json* own = reader.section(params.source); own != nullptr) {
+      JsonReader ownReader(*own, reader.pathOf(params.source));
+      describe(ownReader, params.content);
+      describe(ownReader, params.live);
+      ownReader.refuseUnknown();
+    }
+  }
+  reader.refuseUnknown();
+  return params;
 }
 
 void checkVersion(const Json* version) {
@@ -67,7 +85,8 @@ Session readSession(const Json& document) {
   JsonReader reader(document, "");
   checkVersion(reader.section("hogelscope"));
   readSection(reader, "display", session.display);
-  readSection(reader, "lightField", session.lightField);
+  if (const Json* lightField = reader.section("lightField"); lightField != nullptr)
+    session.lightField = readLightField(*lightField);
   readSection(reader, "sampling", session.sampling);
   if (const Json* metrics = reader.section("metrics"); metrics != nullptr)
     session.metrics = readMetrics(*metrics);
@@ -76,6 +95,15 @@ Session readSession(const Json& document) {
   reader.refuseUnknown();
   check(session);
   return session;
+}
+
+/// Returns the object that has the field of a path like "mesh.file", made where it is missing; null
+/// if something else is there.
+Json* objectAt(Json& object, const std::string& path) {
+  if (!object.is_object() && !object.is_null()) return nullptr;
+  const std::size_t dot = path.find('.');
+  return dot == std::string::npos ? &object
+                                  : objectAt(object[path.substr(0, dot)], path.substr(dot + 1));
 }
 
 /// Applies an override to the document, so that one reader checks everything.
@@ -90,8 +118,9 @@ void applyOverride(Json& document, const std::string& text) {
     return std::find(names.begin(), names.end(), section) != names.end();
   };
   if (isOneOf(sharedSections)) {
-    if (document.is_object() && (!document.contains(section) || document[section].is_object()))
-      document[section][change.field] = change.value;
+    if (!document.is_object()) return;
+    if (Json* target = objectAt(document[section], change.field); target != nullptr)
+      (*target)[change.field.substr(change.field.rfind('.') + 1)] = change.value;
     return;
   }
   if (!isOneOf(stateSections))
@@ -111,6 +140,16 @@ Json written(Params params) {
   Json object = Json::object();
   JsonWriter writer(object);
   describe(writer, params);
+  return object;
+}
+
+Json writtenLightField(const LightFieldParams& params) {
+  Json object = written(params);
+  if (params.content.isGiven()) {
+    Json own = written(params.content);
+    own.update(written(params.live));
+    object[params.source] = std::move(own);
+  }
   return object;
 }
 
@@ -171,7 +210,10 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
     if (calibration) applyCalibration(document, *calibration);
     for (const std::string& text : overrides) applyOverride(document, text);
     Session session = readSession(document);
-    session.lightField.file = besideDocument(file, session.lightField.file);
+    if (session.lightField.layout != Layout::live)
+      session.lightField.file = besideDocument(file, session.lightField.file);
+    session.lightField.content.changeFile(
+        [&](const std::string& own) { return besideDocument(file, own); });
     return session;
   } catch (const InputError& error) {
     throw error.in(file.string());
@@ -182,7 +224,7 @@ std::string textOf(const Session& session) {
   Json document = Json::object();
   document["hogelscope"] = documentVersion;
   document["display"] = written(session.display);
-  document["lightField"] = written(session.lightField);
+  document["lightField"] = writtenLightField(session.lightField);
   document["sampling"] = written(session.sampling);
   if (!session.metrics.empty()) document["metrics"] = session.metrics;
   document["cameras"] = Json::array();
@@ -198,6 +240,8 @@ std::string textOf(const Session& session) {
 void saveSession(const fs::path& file, const Session& session) {
   Session moved = session;
   moved.lightField.file = relativeTo(file, session.lightField.file);
+  moved.lightField.content.changeFile(
+      [&](const std::string& own) { return relativeTo(file, own); });
   try {
     writeTextFile(file, textOf(moved));
   } catch (const InputError& error) {

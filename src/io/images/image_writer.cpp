@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -217,24 +218,36 @@ void writeMask(const fs::path& file, int width, int height, std::span<const std:
   writeWhole(file, OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::UINT8), grey);
 }
 
-ImageRowWriter::ImageRowWriter(const fs::path& file, std::size_t width, std::size_t height) {
+ImageRowWriter::ImageRowWriter(const fs::path& file, std::size_t width, std::size_t height,
+                               StoredType type) {
   constexpr std::size_t largest = 1U << 30U;
   if (width > largest || height > largest)
     throw InputError(file.string(), "size", "is beyond 2^30 px on a side");
-  OIIO::ImageSpec spec(int(width), int(height), 3, OIIO::TypeDesc::UINT8);
+  static constexpr std::array types{OIIO::TypeDesc::UINT8, OIIO::TypeDesc::UINT16,
+                                    OIIO::TypeDesc::FLOAT};
+  OIIO::ImageSpec spec(int(width), int(height), 3, types[std::size_t(type)]);
   // PNG: on runs of one colour six times as fast as libpng's own choice of filters, at three times
   // the size; and the row of a large light field is a megabyte.
   constexpr int noFilter = 8;
   spec.attribute("png:compressionLevel", 3);
   spec.attribute("png:filter", noFilter);
   m_output = std::make_unique<Output>(file, spec);
+  if (m_output->image->spec().format != spec.format)
+    throw InputError(file.string(), "cannot be written",
+                     "its format does not hold " + std::string(type == StoredType::real
+                                                                   ? "floats; use .exr or .tif"
+                                                                   : "16 bits; use .png or .tif"));
 }
 
 ImageRowWriter::~ImageRowWriter() = default;
 
-void ImageRowWriter::write(std::span<const std::uint8_t> row) {
-  if (!m_output->image->write_scanline(m_output->row++, 0, OIIO::TypeDesc::UINT8, row.data()))
-    m_output->fail();
+void ImageRowWriter::write(const StoredRows& row) {
+  const bool isWritten = std::visit(
+      [this]<class T>(const T* values) {
+        return m_output->image->write_scanline(m_output->row++, 0, baseType<T>(), values);
+      },
+      row);
+  if (!isWritten) m_output->fail();
 }
 
 void ImageRowWriter::finish() {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "io/images/image_file.h"
 
 namespace hogelscope {
 
@@ -31,15 +32,17 @@ void writeImage(const std::filesystem::path& file, int width, int height,
 void writeMask(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint8_t> grey);
 
-/// Writes 8-bit RGB of any size, row by row, in bounded memory.
+/// Writes RGB of any size, row by row, in bounded memory.
 class ImageRowWriter {
  public:
-  ImageRowWriter(const std::filesystem::path& file, std::size_t width, std::size_t height);
+  /// Throws InputError too if the file's format cannot hold values of the type.
+  ImageRowWriter(const std::filesystem::path& file, std::size_t width, std::size_t height,
+                 StoredType type = StoredType::uint8);
   ~ImageRowWriter();
   ImageRowWriter(const ImageRowWriter&) = delete;
   ImageRowWriter& operator=(const ImageRowWriter&) = delete;
-  /// Writes the next row of 3·width values.
-  void write(std::span<const std::uint8_t> row);
+  /// Writes the next row of 3·width values of the type.
+  void write(const StoredRows& row);
   void finish();
   /// Call it instead of finish(): leaves no file. Returns the size that it would have had.
   std::uintmax_t discard();

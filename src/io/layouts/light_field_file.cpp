@@ -11,6 +11,36 @@ namespace hogelscope {
 
 namespace fs = std::filesystem;
 
+std::shared_ptr<const LightFieldSource> LightFieldFile::source(const SourceUse& /*use*/,
+                                                               const Progress& progress) {
+  return std::make_shared<const LightField>(read(progress));
+}
+
+bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
+  try {
+    return LightField::bytes(file.size(), file.type()) <= memory;
+  } catch (const std::length_error&) {
+    return false;
+  }
+}
+
+void handOutRow(const LightField& lightField, int j, int v, const LightFieldFile::HogelRow& use,
+                int to) {
+  const LightFieldSize size = lightField.size();
+  std::visit(
+      [&](const auto& texels) {
+        std::vector<std::decay_t<decltype(texels[0].r)>> rgb;
+        rgb.reserve(3 * size.width());
+        for (int i = 0; i < size.nx; ++i)
+          for (int u = 0; u < size.du; ++u) {
+            const auto& [r, g, b, unused] = texels[lightField.layout().address({i, j, u, v})];
+            rgb.insert(rgb.end(), {r, g, b});
+          }
+        use(to, v, rgb.data());
+      },
+      lightField.texels());
+}
+
 LightField blankLightField(const LightFieldSize& size, StoredType type, const fs::path& file,
                            const std::string& hint) {
   try {

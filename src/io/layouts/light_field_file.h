@@ -4,14 +4,26 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/light_field/light_field.h"
+#include "io/files/system_limits.h"
 #include "io/images/image_file.h"
 
 namespace hogelscope {
+
+/// Options for the texels of views that are fetched or computed when a view asks for them.
+struct SourceUse {
+  std::size_t memory = allowedMemory();  ///< bytes for texels
+  /// Bytes of decoded blocks of a store that are kept for a moving eye: two views of the paper's
+  /// light field. For views that have nothing in common, allocating memory takes longer than
+  /// decoding.
+  std::size_t cache = 1000000000;
+  int threads = 0;  ///< for each view; 0 = all
+};
 
 /// A light field whose files have been found and opened, but not read.
 class LightFieldFile {
@@ -23,6 +35,10 @@ class LightFieldFile {
   /// Reads it into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 
+  /// Returns the light field for views: by default in memory. Throws InputError, or Cancelled.
+  [[nodiscard]] virtual std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
+                                                                       const Progress& progress);
+
   /// Called with directions (·, v) of hogels (·, j): three values each, in the order of i·du + u.
   using HogelRow = std::function<void(int j, int v, const StoredRows& rgb)>;
   /// Whether one pass in bounded memory suffices for stream().
@@ -32,6 +48,13 @@ class LightFieldFile {
   /// InputError, or Cancelled.
   virtual void stream(const HogelRow& row, const Progress& progress) = 0;
 };
+
+/// Whether the whole light field takes at most `memory` bytes.
+bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
+
+/// Passes directions (·, v) of hogels (·, j) of a light field or of a slice to `use`, as row `to`.
+void handOutRow(const LightField& texels, int j, int v, const LightFieldFile::HogelRow& use,
+                int to);
 
 /// Makes a black light field, to be filled. Throws InputError that names the file if the machine's
 /// memory is too small; `hint` tells the user what to do.

@@ -51,27 +51,10 @@ class ScatteredFile : public LightFieldFile {
 
   static void handOut(const LightField& band, int begin, const HogelRow& row,
                       const Progress& progress) {
-    const LightFieldSize& size = band.size();
-    const auto handRow = [&](const auto& texels, int j, int v, auto& rgb) {
-      auto to = rgb.begin();
-      for (int i = 0; i < size.nx; ++i)
-        for (int u = 0; u < size.du; ++u) {
-          const auto& [r, g, b, unused] = texels[band.layout().address({i, j, u, v})];
-          *to++ = r;
-          *to++ = g;
-          *to++ = b;
-        }
-      row(begin + j, v, rgb.data());
-    };
-    std::visit(
-        [&](const auto& texels) {
-          std::vector<std::decay_t<decltype(texels[0].r)>> rgb(3 * size.width());
-          for (int j = 0; j < size.ny; ++j) {
-            reportProgress(progress, double(j) / size.ny);
-            for (int v = 0; v < size.dv; ++v) handRow(texels, j, v, rgb);
-          }
-        },
-        band.texels());
+    for (int j = 0; j < band.size().ny; ++j) {
+      reportProgress(progress, double(j) / band.size().ny);
+      for (int v = 0; v < band.size().dv; ++v) handOutRow(band, j, v, row, begin + j);
+    }
   }
 };
 

@@ -10,6 +10,7 @@
 #include "io/files/folders.h"
 #include "io/layouts/hogel_image.h"
 #include "io/layouts/view_layouts.h"
+#include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {
@@ -40,7 +41,8 @@ LightFieldParams lightFieldOf(const std::string& file) {
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = isFolder(file) != (params.layout == Layout::views) ||
+  const bool isAnotherKind = params.layout == Layout::live ||
+                             isFolder(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
   if (isAnotherKind) return lightFieldOf(file);
   LightFieldParams result = params;
@@ -57,6 +59,8 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
       return openQuilt(params);
     case Layout::pack:
       return openStore(params, display);
+    case Layout::live:
+      return std::make_unique<LiveFile>(params, display);
     default:
       if (LightFieldStore::isStore(params.file))
         throw InputError(params.file, "lightField.layout",
@@ -72,35 +76,24 @@ bool readTheSame(const Session& a, const Session& b) {
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
   Scene scene{std::make_shared<const StreamedLightField>(file.size(), file.type()),
-              resolved(session.display, file.size()), session.sampling};
+              resolved(session.display, file.size()), session.sampling, false};
   scene.sampling.tolerance = 0;
   return scene;
 }
 
-bool fitsInMemory(const LightFieldFile& file, std::size_t memory) {
-  try {
-    return LightField::bytes(file.size(), file.type()) <= memory;
-  } catch (const std::length_error&) {
-    return false;
-  }
+void requireScene(const Session& session) {
+  if (session.lightField.layout != Layout::live)
+    throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
 }
 
-Scene loadScene(const Session& session, const Progress& progress, std::size_t memory,
-                const StoreUse& use) {
-  return loadScene(session, *openLightField(session.lightField, session.display), progress, memory,
-                   use);
+Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {
+  return loadScene(session, *openLightField(session.lightField, session.display), progress, use);
 }
 
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
-                std::size_t memory, const StoreUse& use) {
-  Scene scene{nullptr, resolved(session.display, file.size()), session.sampling};
-  if (session.lightField.layout == Layout::pack && !fitsInMemory(file, memory))
-    scene.lightField = std::make_shared<const LightFieldStore>(
-        session.lightField.file, session.lightField.incoming, std::min(memory, use.cache),
-        use.threads);
-  else
-    scene.lightField = std::make_shared<const LightField>(file.read(progress));
-  return scene;
+                const SourceUse& use) {
+  return {file.source(use, progress), resolved(session.display, file.size()), session.sampling,
+          false};
 }
 
 }  // namespace hogelscope

@@ -20,30 +20,21 @@ struct Scene {
   std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
+  bool isIdeal = false;  ///< its views are ideal views
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
-    return {lightField, display, sampling, state};
+    return {lightField, display, sampling, state, {}, isIdeal};
   }
 };
 
-/// Whether the whole light field takes at most `memory` bytes.
-bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
-
-/// Options for fetching the texels of views from a store.
-struct StoreUse {
-  /// Bytes of decoded blocks that are kept for a moving eye: two views of the paper's light field.
-  /// For views that have nothing in common, allocating memory takes longer than decoding.
-  std::size_t cache = 1000000000;
-  int threads = 0;  ///< for each view; 0 = all
-};
-
-/// Reads the session's light field, or opens it if it is a store that is larger than `memory`
-/// bytes. Throws InputError, or Cancelled.
-Scene loadScene(const Session& session, const Progress& progress,
-                std::size_t memory = allowedMemory(), const StoreUse& use = {});
+/// Reads the session's light field, or opens it if it is a store that is larger than `use.memory`
+/// bytes, or a live scene. Throws InputError, or Cancelled.
+Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use = {});
 /// Reads a light field that is open already: `file` is the session's.
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
-                std::size_t memory = allowedMemory(), const StoreUse& use = {});
+                const SourceUse& use = {});
+/// Throws InputError unless the session's light field is live, so that it has ideal views.
+void requireScene(const Session& session);
 /// Makes a scene for StreamingRenderer: the light field has no texels. The tolerance is 0, since no
 /// view can be probed before the texels have been read.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);

@@ -36,13 +36,16 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
 
   /// Reads the whole light field into memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
+  /// Returns a store that fetches blocks, if the whole takes more than `use.memory` bytes.
+  [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
+                                                               const Progress& progress) override;
   /// Keeps a row of blocks of hogels in memory at a time, or a part of it if that is more than half
   /// of allowedMemory(). isStream() is false, since views can read the blocks that they need.
   void stream(const HogelRow& row, const Progress& progress) override;
 
   /// Keeps decoded blocks in the cache, and returns the last view's slice again if that covers the
   /// footprint.
-  [[nodiscard]] std::shared_ptr<const LightField> slice(const std::function<Footprint()>& footprint,
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
                                                         const Progress& progress) const override;
 
   /// Returns hogels and directions at even distances, read at the first call. Throws InputError.

@@ -73,9 +73,16 @@ Footprint LightFieldStore::stored(const Footprint& footprint) const {
   return result;
 }
 
-std::shared_ptr<const LightField> LightFieldStore::slice(
-    const std::function<Footprint()>& footprintOf, const Progress& progress) const {
-  const Footprint footprint = footprintOf();
+std::shared_ptr<const LightFieldSource> LightFieldStore::source(const SourceUse& use,
+                                                                const Progress& progress) {
+  if (fitsInMemory(*this, use.memory)) return LightFieldFile::source(use, progress);
+  return std::make_shared<const LightFieldStore>(m_file.path(), m_incoming,
+                                                 std::min(use.memory, use.cache), use.threads);
+}
+
+std::shared_ptr<const LightField> LightFieldStore::slice(const ViewReads& reads,
+                                                         const Progress& progress) const {
+  const Footprint footprint = reads.footprint();
   if (auto last = lastSlice(); last && last->covers(footprint)) return last;
   if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
       bytes > double(allowedMemory()))

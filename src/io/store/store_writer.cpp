@@ -33,6 +33,8 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   Json object = Json::object();
   JsonWriter writer(object);
   describe(writer, params);
+  if (params.content.isGiven()) describe(writer, params.content);
+  describe(writer, params.live);
   std::string text = object.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::error_code none;
   for (const fs::path& path : file.files())
@@ -41,18 +43,23 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
             std::to_string(fs::last_write_time(path, none).time_since_epoch().count());
   std::array<char, 20> hash{};
   std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(hashOf(text)));
-  return fs::path(params.file).filename().string() + " " + hash.data();
+  const bool isLive = params.layout == Layout::live;
+  return (isLive ? params.source : fs::path(params.file).filename().string()) + " " + hash.data();
 }
 
-/// Estimates the store's size: that of its source, unless lossy coding has made that small.
-std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& file) {
+/// Estimates the store's size: that of its source, unless the source is coded with loss or not of
+/// pixels.
+std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& file, bool isLive) {
   std::error_code none;
   std::uint64_t ofSource = 0;
   for (const fs::path& path : file.files()) ofSource += fs::file_size(path, none);
   constexpr double shareOfPixels = 0.8;  // of a path-traced scene's JPEGs: 0.79
-  const std::string extension = file.files().front().extension().string();
-  const auto is = [&](const char* name) { return ::strcasecmp(extension.c_str(), name) == 0; };
-  return is(".jpg") || is(".jpeg")
+  const auto is = [](const fs::path& path, const char* extension) {
+    return ::strcasecmp(path.extension().c_str(), extension) == 0;
+  };
+  const std::vector<fs::path> files = file.files();
+  const bool isLossy = !files.empty() && (is(files[0], ".jpg") || is(files[0], ".jpeg"));
+  return isLossy || isLive
              ? std::uint64_t(shareOfPixels * double(header.size.width()) *
                              double(header.size.height()) * double(pixelBytes(header.type)))
              : ofSource;
@@ -154,7 +161,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   const std::size_t band = BandPacker::bandRows(header);
   plan.rows = std::clamp(memory / rowBytes, band, band + std::size_t(header.size.dv));
   plan.memory = plan.rows * rowBytes;
-  plan.storeBytes = expectedBytes(header, file);
+  plan.storeBytes = expectedBytes(header, file, params.layout == Layout::live);
   return plan;
 }
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A light field that is computed when a view asks for it: of the display's rays only those that the
+// view needs are traced through a 3-D scene (docs/formulas.md, Live scenes).
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/light_field/light_field.h"
+#include "core/optics/display.h"
+#include "sdk/hogelscope/plugin.h"
+
+namespace hogelscope {
+
+class LiveSource : public LightFieldSource {
+ public:
+  /// `display` has its hogels and directions, and `content` is open for it. slice() allocates at
+  /// most `memory` bytes for texels.
+  LiveSource(std::shared_ptr<const plugin::ContentSource> content, const DisplayParams& display,
+             const LiveParams& params, StoredType type, std::size_t memory,
+             ParallelRows rows = parallelRows);
+
+  [[nodiscard]] LightFieldSize size() const override { return m_display.size(); }
+  [[nodiscard]] StoredType type() const override { return m_type; }
+  /// Traces the texels that the view reads. They are the same to the last bit for any view, thread
+  /// count and block of texels.
+  [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
+                                                        const Progress& progress) const override;
+  /// Traces at most 64×64 hogels of 16×16 directions of the same panel.
+  [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
+  void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;
+
+ private:
+  /// One point of the lattice: the position of each hogel and the slope of each direction there.
+  struct Sample {
+    std::vector<double> x, y, a, b;
+  };
+
+  template <class T>
+  void fill(const std::vector<std::uint8_t>& marks, LightField& texels,
+            const Progress& progress) const;
+  template <class T>
+  void traceTexels(std::span<const TexelIndex> list, LightField& texels) const;
+  [[nodiscard]] plugin::Ray rayTo(const Vec3& point, double a, double b) const;
+
+  std::shared_ptr<const plugin::ContentSource> m_content;
+  DisplayParams m_params;
+  LiveParams m_live;
+  Display m_display;
+  StoredType m_type;
+  std::size_t m_memory;
+  ParallelRows m_rows;
+  double m_back;
+  double m_front;
+  std::vector<Sample> m_samples;
+  mutable std::once_flag m_overviewIsTraced;
+  mutable std::shared_ptr<const LightField> m_overview;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a light field in another layout.
+#include "io/scene/light_field_export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "io/files/atomic_file.h"
+#include "io/images/big_tiff.h"
+#include "io/images/image_writer.h"
+#include "io/layouts/view_layouts.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Writes rows in order that come in any.
+template <class T>
+class RowsInOrder {
+ public:
+  explicit RowsInOrder(ImageRowWriter& writer) : m_writer(writer) {}
+
+  void add(std::size_t y, const T* rgb, std::size_t count) {
+    if (y != m_next) {
+      m_waiting.emplace(y, std::vector<T>(rgb, rgb + count));
+      return;
+    }
+    m_writer.write(rgb);
+    ++m_next;
+    for (auto it = m_waiting.begin(); it != m_waiting.end() && it->first == m_next; ++m_next) {
+      m_writer.write(it->second.data());
+      it = m_waiting.erase(it);
+    }
+  }
+
+ private:
+  ImageRowWriter& m_writer;
+  std::size_t m_next = 0;
+  std::map<std::size_t, std::vector<T>> m_waiting;
+};
+
+/// Copies texels (i, j, u, v) for all i, three values each.
+template <class T>
+T* copyRow(const LightField& texels, int j, int u, int v, T* rgb) {
+  const auto& list = std::get<TexelArray<T>>(texels.texels());
+  for (int i = 0; i < texels.size().nx; ++i) {
+    const auto& [r, g, b, unused] = list[texels.layout().address({i, j, u, v})];
+    *rgb++ = r;
+    *rgb++ = g;
+    *rgb++ = b;
+  }
+  return rgb;
+}
+
+/// "007" of 12 numbers has the digits of "11".
+std::string padded(int number, int count) {
+  const std::string text = std::to_string(number);
+  const std::size_t digits = std::max<std::size_t>(std::to_string(count - 1).size(), 3);
+  return std::string(digits - text.size(), '0') + text;
+}
+
+fs::path viewFile(const LightFieldFile& lightField, const fs::path& folder, int u, int v) {
+  const auto [nx, ny, du, dv] = lightField.size();
+  const char* const ending = lightField.type() == StoredType::real ? ".exr" : ".png";
+  return folder / (padded(v, dv) + "_" + padded(u, du) + ending);
+}
+
+/// Views of an earlier, larger export would be taken for views of this one.
+void refuseOtherFiles(const LightFieldFile& lightField, const fs::path& folder) {
+  std::set<fs::path> own;
+  for (int v = 0; v < lightField.size().dv; ++v)
+    for (int u = 0; u < lightField.size().du; ++u) own.insert(viewFile(lightField, folder, u, v));
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (!own.contains(folder / entry.path().filename()))
+      throw InputError(entry.path().string(), "is in the folder of the views",
+                       "it would be taken for one: choose an empty folder");
+}
+
+template <class T>
+void writeView(const LightField& texels, const fs::path& file, int u, int v) {
+  const LightFieldSize size = texels.size();
+  ImageRowWriter writer(file, std::size_t(size.nx), std::size_t(size.ny), texels.type());
+  std::vector<T> row(3 * std::size_t(size.nx));
+  for (int j = 0; j < size.ny; ++j) {
+    copyRow(texels, j, u, v, row.data());
+    writer.write(row.data());
+  }
+  writer.finish();
+}
+
+}  // namespace
+
+void exportHogels(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
+  const LightFieldSize size = lightField.size();
+  ImageRowWriter writer(file, size.width(), size.height(), lightField.type());
+  withStoredType(lightField.type(), [&]<class T>(T) {
+    RowsInOrder<T> rows(writer);
+    lightField.stream(
+        [&](int j, int v, const StoredRows& rgb) {
+          rows.add(std::size_t(j) * std::size_t(size.dv) + std::size_t(v), std::get<const T*>(rgb),
+                   3 * size.width());
+        },
+        progress);
+  });
+  writer.finish();
+}
+
+void exportViews(LightFieldFile& lightField, const fs::path& folder, const Progress& progress) {
+  makeFolder(folder);
+  refuseOtherFiles(lightField, folder);
+  const LightFieldSize size = lightField.size();
+  const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
+  const double bytesOfRow =
+      double(size.width()) * size.ny * double(memoryBytes(lightField.type()) + 1);
+  const int most = int(std::clamp(double(allowedMemory()) / 2 / bytesOfRow, 1.0, double(size.dv)));
+  const auto at = [&](double rows) { return 0.2 + 0.8 * rows / size.dv; };
+  for (int v0 = 0; v0 < size.dv; v0 += most) {
+    const int v1 = std::min(v0 + most, size.dv);
+    const auto texels =
+        source->slice(readsOfRows(size, {0, size.ny - 1}, {0, size.du - 1}, {v0, v1 - 1}),
+                      part(progress, at(v0), at((v0 + v1) / 2.0)));
+    withStoredType(lightField.type(), [&]<class T>(T) {
+      for (int v = v0; v < v1; ++v)
+        for (int u = 0; u < size.du; ++u) {
+          reportProgress(progress, at((v0 + v1) / 2.0 + (v - v0) / 2.0));
+          writeView<T>(*texels, viewFile(lightField, folder, u, v), u, v);
+        }
+    });
+  }
+}
+
+QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const fs::path& file) {
+  const LightFieldSize size = lightField.size();
+  if (size.dv != 1)
+    throw InputError("display.directions",
+                     "has " + std::to_string(size.dv) +
+                         " rows: a quilt has one row of directions; export views");
+  const auto [columns, rows] = quiltTilesFromName(file.string());
+  if (columns > 0) {
+    if (columns * rows != size.du)
+      throw InputError(file.string(), "the name",
+                       "says " + std::to_string(columns * rows) + " views; there are " +
+                           std::to_string(size.du) + " directions");
+    return {columns, rows};
+  }
+  QuiltTiles best{size.du, 1};
+  for (int across = 1; across <= size.du; ++across) {
+    const auto shape = [&](int c) {
+      return std::abs(std::log(double(c) * size.nx / (double(size.du) / c * size.ny)));
+    };
+    if (size.du % across == 0 && shape(across) < shape(best.columns))
+      best = {across, size.du / across};
+  }
+  return best;
+}
+
+void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
+  const LightFieldSize size = lightField.size();
+  const auto [columns, rows] = quiltTilesFor(lightField, file);
+  ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
+                        std::size_t(rows) * std::size_t(size.ny), lightField.type());
+  const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
+  for (int row = rows - 1; row >= 0; --row) {  // the first row is the lowest
+    const int first = row * columns;
+    const auto from = [&](int k) { return 0.2 + 0.8 * double(rows - 1 - row + k) / rows; };
+    const auto texels =
+        source->slice(readsOfRows(size, {0, size.ny - 1}, {first, first + columns - 1}, {0, 0}),
+                      part(progress, from(0), from(1)));
+    withStoredType(lightField.type(), [&]<class T>(T) {
+      std::vector<T> pixels(3 * std::size_t(columns) * std::size_t(size.nx));
+      for (int j = 0; j < size.ny; ++j) {
+        T* to = pixels.data();
+        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, first + k, 0, to);
+        writer.write(pixels.data());
+      }
+    });
+  }
+  writer.finish();
+}
+
+}  // namespace hogelscope

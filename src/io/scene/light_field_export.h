@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a light field of any layout as one image of hogels, a folder of views or a quilt, in
+// bounded memory. Stores are written by io/store/store_writer.h. Values keep their type.
+#pragma once
+
+#include <filesystem>
+
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// Writes the image of hogels. Throws InputError, also if the image's format does not hold the
+/// type, or Cancelled, as the others do.
+void exportHogels(LightFieldFile& lightField, const std::filesystem::path& file,
+                  const Progress& progress);
+
+/// Writes FOLDER/RRR_CCC.png, floats as .exr, that openLightField() reads without being told
+/// how: row 000 was taken from the top, column 000 from the left. The folder has nothing else. A
+/// light field larger than memory must be live or a store.
+void exportViews(LightFieldFile& lightField, const std::filesystem::path& folder,
+                 const Progress& progress);
+
+/// The tiles of a quilt.
+struct QuiltTiles {
+  int columns = 0;
+  int rows = 0;
+};
+
+/// Returns the tiles that the name says ("_qs8x6a0.75"), or those of about a square image. Throws
+/// InputError: the name's are not as many as the directions, or there is more than one row of
+/// directions.
+QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const std::filesystem::path& file);
+
+/// Writes a quilt: view 0 is its bottom left tile and was taken from the left.
+void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,
+                 const Progress& progress);
+
+}  // namespace hogelscope

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Live scenes as light fields that can be opened.
+#include "io/scene/live_file.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/content/scene_content.h"
+#include "io/layouts/texel_placement.h"
+#include "io/plugins/plugin_library.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Opening is not cancelled: it comes before there is anything to show.
+class NoProgress : public plugin::Progress {
+ public:
+  [[nodiscard]] bool go(double /*done*/) const override { return true; }
+};
+
+plugin::Panel panelOf(const DisplayParams& params) {
+  const Display display(params);
+  const Vec2 first = display.slopes(0, 0);
+  const Vec2 last = display.slopes(params.directions[0], params.directions[1]);
+  return {{params.size[0], params.size[1]},
+          {params.hogels[0], params.hogels[1]},
+          {params.directions[0], params.directions[1]},
+          {(last.x - first.x) / params.directions[0], (first.y - last.y) / params.directions[1]}};
+}
+
+}  // namespace
+
+ContentParams contentOf(const std::string& source) {
+  if (source == "scene") return ContentParams([] { return std::make_unique<SceneContent>(); });
+  const PluginLibrary library = loadPlugin(source, PluginKind::content);
+  return ContentParams([library] { return library.makeContent(); });
+}
+
+LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display)
+    : m_params(params), m_display(display) {
+  if (display.hogels[0] <= 0 || display.directions[0] <= 0)
+    throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
+                     "is missing: a scene does not say it");
+  auto content = params.content.makeContent();
+  content->open(panelOf(display), {".", std::int32_t(threadCount())}, NoProgress());
+  m_content = std::move(content);
+}
+
+std::vector<std::filesystem::path> LiveFile::files() const {
+  const std::vector<std::string> names = m_content->files();
+  return {names.begin(), names.end()};
+}
+
+StoredType LiveFile::type() const {
+  return m_params.type == LiveType::real ? StoredType::real : StoredType::uint8;
+}
+
+std::shared_ptr<const LightFieldSource> LiveFile::source(const SourceUse& use,
+                                                         const Progress& /*progress*/) {
+  return std::make_shared<const LiveSource>(
+      m_content, m_display, m_params.live, type(), use.memory,
+      use.threads == 1 ? ParallelRows(serialRows) : ParallelRows(parallelRows));
+}
+
+LightField LiveFile::read(const Progress& progress) {
+  LightField lightField = blankLightField(size(), type(), m_params.source, packIt);
+  const auto [nx, ny, du, dv] = size();
+  stream(
+      [&, nx = nx, du = du](int j, int v, const StoredRows& row) {
+        std::visit(
+            [&](const auto* rgb) {
+              for (int i = 0; i < nx; ++i)
+                for (int u = 0; u < du; ++u, rgb += 3) lightField.set({i, j, u, v}, rgb);
+            },
+            row);
+      },
+      progress);
+  return lightField;
+}
+
+void LiveFile::stream(const HogelRow& row, const Progress& progress) {
+  const LiveSource source(m_content, m_display, m_params.live, type(),
+                          std::numeric_limits<std::size_t>::max());
+  const auto [nx, ny, du, dv] = size();
+  const double bytesOfRow = double(size().width()) * double(memoryBytes(type()) + 1);
+  const int most = int(std::clamp(double(allowedMemory()) / 2 / bytesOfRow, 1.0, double(dv)));
+  for (int j = 0; j < ny; ++j)
+    for (int v0 = 0; v0 < dv; v0 += most) {
+      const int v1 = std::min(v0 + most, dv);
+      const double done = (j + double(v0) / dv) / ny;
+      const auto texels = source.slice(readsOfRows(size(), {j, j}, {0, du - 1}, {v0, v1 - 1}),
+                                       part(progress, done, (j + double(v1) / dv) / ny));
+      for (int v = v0; v < v1; ++v) handOutRow(*texels, j, v, row, j);
+    }
+}
+
+}  // namespace hogelscope

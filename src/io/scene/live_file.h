@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Live scenes as light fields that can be opened.
+#pragma once
+
+#include "core/content/live_source.h"
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// Returns the parameters of content by its name in sessions: "scene", or a plugin's. Throws
+/// InputError for an unknown name, and what is wrong with a plugin.
+ContentParams contentOf(const std::string& source);
+
+class LiveFile : public LightFieldFile {
+ public:
+  /// Opens the content for the display, which has its hogels and directions. Throws InputError.
+  LiveFile(const LightFieldParams& params, const DisplayParams& display);
+
+  [[nodiscard]] LightFieldSize size() const override { return Display(m_display).size(); }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override;
+  [[nodiscard]] StoredType type() const override;
+  /// Traces the whole light field into memory.
+  [[nodiscard]] LightField read(const Progress& progress) override;
+  /// Returns a LiveSource.
+  [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
+                                                               const Progress& progress) override;
+  /// Traces some directions of a row of hogels at a time. isStream() is false, since views trace
+  /// the rays that they need.
+  void stream(const HogelRow& row, const Progress& progress) override;
+
+  [[nodiscard]] const plugin::ContentSource& content() const { return *m_content; }
+
+ private:
+  LightFieldParams m_params;
+  DisplayParams m_display;
+  std::shared_ptr<const plugin::ContentSource> m_content;
+};
+
+}  // namespace hogelscope
