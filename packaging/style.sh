@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 format() {
-  find src tests plugins \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) -print0 |
+  find plugins src tests \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) -print0 |
     xargs -0 clang-format-14 --dry-run -Werror
 }
 shell() { shellcheck --severity=warning .ci/run packaging/*.sh tests/benchmark/*.sh; }

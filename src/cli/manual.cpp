@@ -94,7 +94,10 @@ std::string parameterManual() {
          "`intrinsics`, `distortion` and `psf`.\n\n" +
          table<DisplayParams>() + lightFieldTable(Layout::hogels, "lightField") +
          lightFieldTable(Layout::views, "lightField, layout views") +
-         lightFieldTable(Layout::quilt, "lightField, layout quilt") + table<SamplingParams>() +
+         lightFieldTable(Layout::quilt, "lightField, layout quilt") +
+         lightFieldTable(Layout::live, "lightField, layout live") +
+         table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
+         table<SamplingParams>() +
          table<CameraParams>() + table<IntrinsicsParams>() + table<DistortionParams>() +
          table<PsfParams>() +
          "# Parameters of a camera set\n\n"

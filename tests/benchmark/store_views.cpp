@@ -43,7 +43,7 @@ void measure(const char* file) {
   const Session session = loadSession(file);
   std::optional<Scene> scene;
   std::printf("%-46s %8.1f ms\n", "open",
-              milliseconds([&] { scene = loadScene(session, {}, 1000000000); }));
+              milliseconds([&] { scene = loadScene(session, {}, {.memory = 1000000000}); }));
   Renderer renderer;
   const RenderJob job = scene->job(session.cameras.front());
   const auto moved = [&job](double x) {

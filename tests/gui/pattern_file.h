@@ -17,7 +17,7 @@ inline void writePattern(const std::string& pattern, const hogelscope::DisplayPa
   std::vector<std::uint8_t> row(3 * std::size_t(width));
   for (int y = 0; y < height; ++y) {
     made->row(y, row.data());
-    writer.write(row);
+    writer.write(row.data());
   }
   writer.finish();
 }

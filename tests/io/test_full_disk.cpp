@@ -41,7 +41,7 @@ const auto floats = noise<float>(std::size_t(3 * width * height));
 void writeRows(const std::string& file) {
   ImageRowWriter writer(file, width, height);
   for (std::size_t y = 0; y < height; ++y)
-    writer.write(std::span(bytes).subspan(3 * width * y, 3 * width));
+    writer.write(&bytes[std::size_t(3 * width) * std::size_t(y)]);
   writer.finish();
 }
 

@@ -90,7 +90,6 @@ int runReport(const CommandLine& line) {
   request.name = line.text("session");
   request.sessionFile = line.text("session");
   request.session = loadSelected(line);
-  request.metrics = metricsOf(request.session.metrics);
   request.file = openLightField(request.session.lightField, request.session.display);
   request.isAgainstIdeal = line.has("against");
   if (request.isAgainstIdeal) {
@@ -99,6 +98,7 @@ int runReport(const CommandLine& line) {
   }
   std::ranges::move(openTests(request.session, line.texts("test")),
                     std::back_inserter(request.tests));
+  request.metrics = metricsOf(request.session.metrics);
   request.groups = parseGroups(request.tests, line);
   request.output = line.text("output");
   request.command = line.shellText;

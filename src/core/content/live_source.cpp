@@ -116,6 +116,8 @@ void LiveSource::traceTexels(std::span<const TexelIndex> list, LightField& texel
       sum[1] += double(colours[s].g);
       sum[2] += double(colours[s].b);
     }
+    if (!std::isfinite(sum[0] + sum[1] + sum[2]))
+      throw InputError("lightField.source", "its content sends light that is not a number");
     std::array<T, 3> rgb;
     for (std::size_t c = 0; c < 3; ++c) rgb[c] = storedValue<T>(sum[c] / double(samples));
     texels.set(list[k], rgb.data());

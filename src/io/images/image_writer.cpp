@@ -232,7 +232,7 @@ ImageRowWriter::ImageRowWriter(const fs::path& file, std::size_t width, std::siz
   spec.attribute("png:compressionLevel", 3);
   spec.attribute("png:filter", noFilter);
   m_output = std::make_unique<Output>(file, spec);
-  if (m_output->image->spec().format != spec.format)
+  if (type != StoredType::uint8 && m_output->image->spec().format != spec.format)
     throw InputError(file.string(), "cannot be written",
                      "its format does not hold " + std::string(type == StoredType::real
                                                                    ? "floats; use .exr or .tif"

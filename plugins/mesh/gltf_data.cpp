@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gltf_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+#include "errors.h"
+#include "mesh.h"
+#include "mesh_reader.h"
+
+namespace hogelscope::mesh {
+
+namespace {
+
+std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, sizeof word);
+  return word;
+}
+
+std::string decodeBase64(std::string_view text) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    static constexpr std::string_view letters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t value = letters.find(c);
+    if (value == std::string_view::npos) break;  // '=' at the end
+    bits = (bits << 6U) | std::uint32_t(value);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(char((bits >> unsigned(count)) & 0xFFU));
+  }
+  return bytes;
+}
+
+/// Turns %20 and the like into letters.
+std::string decodePercents(const std::string& uri) {
+  std::string text;
+  for (std::size_t k = 0; k < uri.size(); ++k) {
+    const std::string digits = uri.substr(k, 3);
+    const bool isCode = digits.size() == 3 && digits[0] == '%' &&
+                        digits.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    text.push_back(isCode ? char(std::stoi(digits.substr(1), nullptr, 16)) : uri[k]);
+    if (isCode) k += 2;
+  }
+  return text;
+}
+
+struct ComponentType {
+  std::size_t bytes = 0;
+  double scale = 0;  ///< of normalised values
+};
+
+ComponentType componentType(double number) {
+  switch (int(number)) {
+    case 5120:
+      return {1, 127};
+    case 5121:
+      return {1, 255};
+    case 5122:
+      return {2, 32767};
+    case 5123:
+      return {2, 65535};
+    case 5125:
+      return {4, 4294967295.0};
+    case 5126:
+      return {4, 1};
+    default:
+      return {};
+  }
+}
+
+template <class T>
+double valueAs(const char* bytes) {
+  T value{};
+  std::memcpy(&value, bytes, sizeof value);
+  return double(value);
+}
+
+double valueOf(const char* bytes, int type) {
+  switch (type) {
+    case 5120:
+      return valueAs<std::int8_t>(bytes);
+    case 5121:
+      return valueAs<std::uint8_t>(bytes);
+    case 5122:
+      return valueAs<std::int16_t>(bytes);
+    case 5123:
+      return valueAs<std::uint16_t>(bytes);
+    case 5125:
+      return valueAs<std::uint32_t>(bytes);
+    default:
+      return valueAs<float>(bytes);
+  }
+}
+
+std::size_t componentsOf(const std::string& type) {
+  if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
+  if (type == "VEC3") return 3;
+  if (type == "VEC4") return 4;
+  return 0;  // matrices are for animations
+}
+
+}  // namespace
+
+struct GltfData::Layout {
+  std::string name;  ///< for messages
+  int type = 0;
+  std::size_t components = 0;
+  std::size_t count = 0;
+  std::size_t rowBytes = 0;
+  double divisor = 1;
+};
+
+GltfData::GltfData(const std::string& file)
+    : m_file(file), m_bytes(readBytes(file)), m_files{file} {
+  const std::string_view binary = readContainer();
+  if (!m_root.is_object()) fail("is not glTF", "its JSON is no object");
+  checkExtensions();
+  const Json asset = m_root.value("asset", Json());
+  if (!asset.is_object() || !asset.contains("version") || asset["version"] != "2.0")
+    fail("asset.version", "must be \"2.0\"");
+  readBuffers(binary);
+}
+
+void GltfData::fail(const std::string& what, const std::string& why) const {
+  mesh::fail(m_file, what, why);
+}
+
+/// Reads the JSON and returns the binary chunk of a .glb.
+std::string_view GltfData::readContainer() {
+  const std::string_view bytes = m_bytes;
+  std::string_view json = bytes;
+  std::string_view binary;
+  constexpr std::size_t chunkHeader = 8;
+  if (bytes.starts_with("glTF")) {
+    std::size_t at = 12;
+    if (bytes.size() < at + chunkHeader || wordAt(bytes, 8) > bytes.size())
+      fail("is damaged", "it ends before its last chunk");
+    if (wordAt(bytes, 4) != 2) fail("is not glTF 2.0", "the container has another version");
+    for (int chunk = 0; chunk < 2 && at + chunkHeader <= bytes.size(); ++chunk) {
+      const std::size_t size = wordAt(bytes, at);
+      if (size > bytes.size() - at - chunkHeader)
+        fail("is damaged", "it ends before its last chunk");
+      (chunk == 0 ? json : binary) = bytes.substr(at + chunkHeader, size);
+      at += chunkHeader + size;
+    }
+  }
+  m_root = Json::parse(json, nullptr, false);
+  if (m_root.is_discarded()) fail("is not glTF", "its JSON is damaged");
+  return binary;
+}
+
+void GltfData::checkExtensions() const {
+  static constexpr std::array known{"KHR_lights_punctual", "KHR_materials_unlit",
+                                    "KHR_mesh_quantization"};
+  const Json required = m_root.value("extensionsRequired", Json::array());
+  if (!required.is_array()) fail("extensionsRequired", "must be a list of names");
+  for (const Json& name : required) {
+    if (!name.is_string()) fail("extensionsRequired", "must be a list of names");
+    const auto text = name.get<std::string>();
+    if (std::find(known.begin(), known.end(), text) != known.end()) continue;
+    fail("needs the extension " + shortName(text), text == "KHR_draco_mesh_compression"
+                                                       ? "export it without Draco compression"
+                                                       : "export it without that extension");
+  }
+}
+
+void GltfData::readBuffers(std::string_view binary) {
+  const Json buffers = m_root.value("buffers", Json::array());
+  if (!buffers.is_array()) fail("buffers", "must be a list");
+  for (std::size_t k = 0; k < buffers.size(); ++k) {
+    const std::string name = "buffers[" + std::to_string(k) + "]";
+    const double length = number(entry("buffers", k), "byteLength", 0);
+    std::string bytes;
+    if (buffers[k].contains("uri")) {
+      if (!buffers[k]["uri"].is_string()) fail(name + ".uri", "must be a text");
+      bytes = resource(buffers[k]["uri"].get<std::string>(), name);
+    } else if (k == 0) {
+      bytes = binary;
+    }
+    if (length > double(bytes.size()))
+      fail(name, "has " + std::to_string(bytes.size()) + " bytes, not the byteLength it states");
+    m_buffers.push_back(std::move(bytes));
+  }
+}
+
+std::string GltfData::resource(const std::string& uri, const std::string& what) {
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(";base64,");
+    if (comma == std::string::npos) fail(what, "its data URI is not in base64");
+    return decodeBase64(std::string_view(uri).substr(comma + 8));
+  }
+  const std::string path = besides(m_file, decodePercents(uri));
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    fail(what, "there is no file " + shortName(path));
+  m_files.push_back(path);
+  return readBytes(path);
+}
+
+const Json& GltfData::entry(const char* list, std::size_t index) const {
+  const auto found = m_root.find(list);
+  if (found == m_root.end() || !found->is_array() || index >= found->size())
+    fail(list, "there is no entry " + std::to_string(index));
+  const Json& object = (*found)[index];
+  if (!object.is_object()) fail(list + ("[" + std::to_string(index) + "]"), "must be an object");
+  return object;
+}
+
+std::size_t GltfData::index(const Json& object, const char* member) const {
+  const auto found = object.find(member);
+  if (found == object.end()) return none;
+  if (!found->is_number_unsigned()) fail(member, "must be a whole number from 0 on");
+  return found->get<std::size_t>();
+}
+
+double GltfData::number(const Json& object, const char* member, double otherwise) const {
+  const auto found = object.find(member);
+  if (found == object.end()) return otherwise;
+  if (!found->is_number() || !std::isfinite(found->get<double>())) fail(member, "must be a number");
+  return found->get<double>();
+}
+
+std::vector<double> GltfData::list(const Json& object, const char* member,
+                                   std::size_t count) const {
+  const auto found = object.find(member);
+  if (found == object.end()) return {};
+  const auto isNumber = [](const Json& x) { return x.is_number(); };
+  if (!found->is_array() || found->size() != count ||
+      !std::all_of(found->begin(), found->end(), isNumber))
+    fail(member, "must be a list of " + std::to_string(count) + " numbers");
+  return found->get<std::vector<double>>();
+}
+
+std::string_view GltfData::bufferView(std::size_t index) const {
+  const Json& view = entry("bufferViews", index);
+  const std::string name = "bufferViews[" + std::to_string(index) + "]";
+  const std::size_t buffer = this->index(view, "buffer");
+  if (buffer >= m_buffers.size()) fail(name, "names a buffer that is not there");
+  const double offset = number(view, "byteOffset", 0);
+  const double length = number(view, "byteLength", 0);
+  const std::string& bytes = m_buffers[buffer];
+  if (!(offset >= 0 && length >= 0 && offset + length <= double(bytes.size())))
+    fail(name, "reaches beyond its buffer of " + std::to_string(bytes.size()) + " bytes");
+  return std::string_view(bytes).substr(std::size_t(offset), std::size_t(length));
+}
+
+GltfData::Layout GltfData::layout(std::size_t accessor) const {
+  const Json& object = entry("accessors", accessor);
+  Layout layout;
+  layout.name = "accessors[" + std::to_string(accessor) + "]";
+  const double type = number(object, "componentType", 0);
+  const ComponentType component = componentType(std::clamp(type, 0.0, 1e6));
+  const auto name = object.find("type");
+  if (name != object.end() && name->is_string())
+    layout.components = componentsOf(name->get<std::string>());
+  if (component.bytes == 0 || layout.components == 0)
+    fail(layout.name, "its type and componentType must be glTF's");
+  layout.type = int(type);
+  layout.rowBytes = component.bytes * layout.components;
+  const auto normalised = object.find("normalized");
+  if (normalised != object.end() && *normalised == true) layout.divisor = component.scale;
+  const double count = number(object, "count", 0);
+  if (!(count >= 1 && count <= 3.0 * mostTriangles))
+    fail(layout.name, "its count must be 1 … " + std::to_string(3 * mostTriangles));
+  layout.count = std::size_t(count);
+  return layout;
+}
+
+/// Copies as many rows as there are values for.
+template <class T>
+void GltfData::copyRows(std::vector<T>& values, std::string_view bytes, std::size_t stride,
+                        const Layout& layout) const {
+  const std::size_t rows = values.size() / layout.components;
+  if (stride == 0 || stride < layout.rowBytes || bytes.size() < layout.rowBytes ||
+      (bytes.size() - layout.rowBytes) / stride < rows - 1)
+    fail(layout.name,
+         "reaches beyond its bufferView of " + std::to_string(bytes.size()) + " bytes");
+  const std::size_t width = layout.rowBytes / layout.components;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const char* at = bytes.data() + k / layout.components * stride + k % layout.components * width;
+    const double value = valueOf(at, layout.type) / layout.divisor;
+    if constexpr (std::is_same_v<T, float>)
+      values[k] = float(layout.divisor == 1 ? value : std::max(value, -1.0));
+    else
+      values[k] = T(value > 0 ? std::min(value, 4294967295.0) : 0);  // NaN is 0
+  }
+}
+
+template <class T>
+std::vector<T> GltfData::elements(std::size_t accessor, const Layout& layout) const {
+  const Json& object = entry("accessors", accessor);
+  const std::size_t view = index(object, "bufferView");
+  const auto sparse = object.find("sparse");
+  if (view == none && sparse == object.end())
+    fail(layout.name, "has no bufferView; Draco compression is not supported");
+  if (view != none && bufferView(view).size() / layout.components < layout.count / 256)
+    fail(layout.name, "reaches beyond its bufferView");  // before it takes memory
+  std::vector<T> values(layout.count * layout.components);
+  if (view != none) {
+    std::string_view bytes = bufferView(view);
+    const double offset = number(object, "byteOffset", 0);
+    if (!(offset >= 0 && offset <= double(bytes.size())))
+      fail(layout.name, "starts beyond its bufferView");
+    bytes.remove_prefix(std::size_t(offset));
+    const double stride = number(entry("bufferViews", view), "byteStride", double(layout.rowBytes));
+    copyRows(values, bytes, stride > 0 && stride < 1e6 ? std::size_t(stride) : 0, layout);
+  }
+  if (sparse != object.end()) replaceSparse(values, *sparse, layout);
+  return values;
+}
+
+template <class T>
+void GltfData::replaceSparse(std::vector<T>& values, const Json& sparse,
+                             const Layout& layout) const {
+  if (!sparse.is_object() || !sparse.value("indices", Json()).is_object() ||
+      !sparse.value("values", Json()).is_object())
+    fail(layout.name, "its sparse part needs indices and values");
+  const double count = number(sparse, "count", 0);
+  if (!(count >= 1 && count <= double(layout.count)))
+    fail(layout.name, "its sparse part has more entries than it");
+  const auto read = [&]<class U>(const Json& part, const Layout& rows, std::vector<U>& into) {
+    std::string_view bytes = bufferView(index(part, "bufferView"));
+    const double offset = number(part, "byteOffset", 0);
+    if (!(offset >= 0 && offset <= double(bytes.size())))
+      fail(layout.name, "its sparse part starts beyond its bufferView");
+    bytes.remove_prefix(std::size_t(offset));
+    copyRows(into, bytes, rows.rowBytes, rows);
+  };
+  Layout index = layout;
+  index.components = 1;
+  index.divisor = 1;
+  const double type = number(sparse["indices"], "componentType", 0);
+  index.type = int(std::clamp(type, 0.0, 1e6));
+  index.rowBytes = componentType(index.type).bytes;
+  if (index.rowBytes == 0) fail(layout.name, "its sparse indices have no known componentType");
+  std::vector<std::uint32_t> places{};
+  places.resize(std::size_t(count));
+  read(sparse["indices"], index, places);
+  std::vector<T> replaced(std::size_t(count) * layout.components);
+  read(sparse["values"], layout, replaced);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k] >= layout.count)
+      fail(layout.name, "its sparse part names an entry beyond its end");
+    for (std::size_t c = 0; c < layout.components; ++c)
+      values[places[k] * layout.components + c] = replaced[k * layout.components + c];
+  }
+}
+
+Numbers GltfData::numbers(std::size_t accessor) const {
+  const Layout layout = this->layout(accessor);
+  return {elements<float>(accessor, layout), layout.components};
+}
+
+std::vector<std::uint32_t> GltfData::indices(std::size_t accessor) const {
+  const Layout layout = this->layout(accessor);
+  if (layout.components != 1 || layout.divisor != 1)
+    fail(layout.name, "must be a list of whole numbers");
+  return elements<std::uint32_t>(accessor, layout);
+}
+
+}  // namespace hogelscope::mesh

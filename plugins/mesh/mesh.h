@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a reader makes of a file: triangles with materials, and lights, in the file's frame and
+// units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "srgb.h"
+#include "texture.h"
+
+namespace hogelscope::mesh {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// 4 × 3 numbers: a point's place is linear·p + origin.
+struct Affine {
+  std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  Vec3 origin;
+
+  [[nodiscard]] Vec3 direction(const Vec3& d) const {
+    return d.x * axes[0] + d.y * axes[1] + d.z * axes[2];
+  }
+  [[nodiscard]] Vec3 point(const Vec3& p) const { return origin + direction(p); }
+  /// Takes a surface's normal along, with a length that depends on the scale.
+  [[nodiscard]] Vec3 normal(const Vec3& n) const;
+  [[nodiscard]] Affine operator*(const Affine& b) const;
+};
+
+struct Material {
+  Linear colour{1, 1, 1};
+  int texture = -1;  ///< none
+  Wrap wrap[2]{Wrap::repeat, Wrap::repeat};
+  bool isUnlit = false;
+};
+
+/// glTF's KHR_lights_punctual.
+struct Light {
+  enum class Kind : std::uint8_t { directional, point, spot };
+  Kind kind = Kind::directional;
+  Linear intensity{};  ///< candela, or lux of directional light
+  Vec3 position;
+  Vec3 direction{0, 0, -1};  ///< of the light, from the source; length 1
+  double range = 0;          ///< where a point's or spot's light ends; 0: nowhere
+  double cosInner = 1;       ///< a spot's full light is inside this angle,
+  double cosOuter = 0;       ///< none outside this one
+};
+
+/// Attributes of points are empty where no part of the file has them. A zero normal means none.
+struct Mesh {
+  std::vector<Vec3> points;
+  std::vector<std::array<float, 3>> normals;
+  std::vector<Linear> colours;
+  std::vector<std::array<float, 2>> uv;  ///< v runs down from the picture's top
+  std::vector<Corners> triangles;
+  std::vector<std::uint32_t> materialOf;  ///< of each triangle
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Light> lights;
+  std::vector<std::string> files;  ///< all that were read; the first is the mesh's own
+
+  /// Fills up attributes that the newest points lack, or earlier points lacked.
+  void fillAttributes();
+};
+
+/// The most triangles that a file may stand for.
+constexpr std::size_t mostTriangles = std::size_t{1} << 25U;
+
+}  // namespace hogelscope::mesh

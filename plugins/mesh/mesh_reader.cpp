@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "errors.h"
+
+namespace hogelscope::mesh {
+
+namespace {
+
+std::string endingOf(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return ending;
+}
+
+Mesh readByEnding(const std::string& file, const plugin::Progress& progress) {
+  const std::string ending = endingOf(file);
+  if (ending == ".gltf" || ending == ".glb") return readGltf(file);
+  if (ending == ".obj") return readObj(file, progress);
+  if (ending == ".ply") return readPly(file, progress);
+  fail(file, "is no known kind of mesh", "use .gltf, .glb, .obj or .ply");
+}
+
+bool isFinite(const Vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Throws if one of a list's entries, an attribute of a point, is NaN or infinite.
+template <class List>
+void checkFinite(const List& list, const char* what, const std::string& file) {
+  const auto wrong = std::find_if_not(list.begin(), list.end(), [](const auto& entry) {
+    return std::all_of(entry.begin(), entry.end(), [](float x) { return std::isfinite(x); });
+  });
+  if (wrong != list.end())
+    fail(file, what + (" of point " + std::to_string(wrong - list.begin())), "is NaN or infinite");
+}
+
+void check(const Mesh& mesh, const std::string& file) {
+  if (mesh.triangles.empty())
+    fail(file, "has no faces", "a surface of triangles is needed, not points or lines alone");
+  const auto wrong = std::find_if_not(mesh.points.begin(), mesh.points.end(), isFinite);
+  if (wrong != mesh.points.end())
+    fail(file, "point " + std::to_string(wrong - mesh.points.begin()), "is NaN or infinite");
+  checkFinite(mesh.normals, "the normal", file);
+  checkFinite(mesh.colours, "the colour", file);
+  checkFinite(mesh.uv, "the texture coordinate", file);
+  for (const Corners& corners : mesh.triangles)
+    for (const std::uint32_t corner : corners)
+      if (corner >= mesh.points.size())
+        fail(file, "a face names point " + std::to_string(corner),
+             "there are " + std::to_string(mesh.points.size()) + ", counted from 0");
+}
+
+}  // namespace
+
+void report(const plugin::Progress& progress, std::size_t read, std::size_t bytes) {
+  constexpr double share = 0.5;  // of opening
+  if (!progress.go(share * double(read) / double(bytes))) throw std::runtime_error("stopped");
+}
+
+std::string besides(const std::string& file, const std::string& name) {
+  return std::filesystem::path(file).parent_path() / name;
+}
+
+Mesh readMesh(const std::string& file, const plugin::Progress& progress) {
+  Mesh mesh = readByEnding(file, progress);
+  check(mesh, file);
+  return mesh;
+}
+
+}  // namespace hogelscope::mesh

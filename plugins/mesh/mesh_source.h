@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes as content of a display: the plugin's ContentSource.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hogelscope/plugin.h"
+#include "shaded_mesh.h"
+
+namespace hogelscope::mesh {
+
+struct MeshParams {
+  std::string file;
+  Vec3 position;
+  Vec3 orientation;  ///< degrees
+  double scale = 1;
+  Shading shading = Shading::lambert;
+  std::array<double, 3> background{};
+};
+
+void describe(ParameterVisitor& v, MeshParams& p);
+
+class MeshSource : public plugin::ContentSource {
+ public:
+  void describe(ParameterVisitor& v) override;
+  /// Reads the file if it is another one than before or has changed, and builds the scene if the
+  /// pose has. Where it throws, the source goes on showing what it did.
+  void open(const plugin::Panel& panel, const plugin::Place& place,
+            const plugin::Progress& progress) override;
+  [[nodiscard]] std::vector<std::string> files() const override { return m_mesh->files; }
+  void depths(double& back, double& front) const override;
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
+             std::span<float> depths) const override {
+    m_shown->trace(rays, colours, depths);
+  }
+  [[nodiscard]] plugin::Triangles triangles() const override { return m_shown->triangles(); }
+
+ private:
+  using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
+
+  void read(const std::string& file, const plugin::Progress& progress);
+  [[nodiscard]] static std::vector<Version> versionsOf(const std::vector<std::string>& files);
+
+  MeshParams m_params;
+  std::shared_ptr<const Mesh> m_mesh;
+  std::vector<Version> m_versions;  ///< of m_mesh's files when they were read
+  Pose m_pose;                      ///< of m_shown
+  std::unique_ptr<ShadedMesh> m_shown;
+};
+
+}  // namespace hogelscope::mesh

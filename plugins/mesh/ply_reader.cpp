@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stanford's PLY, as text and in binary: points with normals and colours, faces. Colours are taken
+// for sRGB. Other elements and properties are skipped.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <string_view>
+
+#include "errors.h"
+#include "mesh_reader.h"
+
+namespace hogelscope::mesh {
+
+namespace {
+
+enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64, unknown };
+
+Type typeOf(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, Type>, 16> names{
+      {{"char", Type::i8},
+       {"uchar", Type::u8},
+       {"short", Type::i16},
+       {"ushort", Type::u16},
+       {"int", Type::i32},
+       {"uint", Type::u32},
+       {"float", Type::f32},
+       {"double", Type::f64},
+       {"int8", Type::i8},
+       {"uint8", Type::u8},
+       {"int16", Type::i16},
+       {"uint16", Type::u16},
+       {"int32", Type::i32},
+       {"uint32", Type::u32},
+       {"float32", Type::f32},
+       {"float64", Type::f64}}};
+  for (const auto& [known, type] : names)
+    if (known == name) return type;
+  return Type::unknown;
+}
+
+constexpr std::array<std::size_t, 8> typeBytes{1, 1, 2, 2, 4, 4, 4, 8};
+
+struct Property {
+  std::string name;
+  Type type = Type::unknown;
+  Type countType = Type::unknown;  ///< of a list's length; unknown: no list
+};
+
+struct Element {
+  std::string name;
+  double count = 0;
+  std::vector<Property> properties;
+};
+
+class PlyReader {
+ public:
+  PlyReader(const std::string& file, const plugin::Progress& progress)
+      : m_file(file), m_bytes(readBytes(file)), m_progress(progress) {}
+
+  Mesh read() {
+    m_rest = m_bytes;
+    readHeader();
+    m_mesh.files.push_back(m_file);
+    m_mesh.materials.emplace_back();
+    for (const Element& element : m_elements) {
+      // Each row has at least a byte for each property.
+      if (element.count * double(element.properties.size()) > double(m_rest.size())) endsEarly();
+      if (element.name == "vertex") preparePoints(element);
+      for (std::size_t row = 0; row < std::size_t(element.count); ++row) {
+        if (row % 65536 == 0) report(m_progress, m_bytes.size() - m_rest.size(), m_bytes.size());
+        readRow(element);
+      }
+    }
+    m_mesh.materialOf.assign(m_mesh.triangles.size(), 0);
+    return std::move(m_mesh);
+  }
+
+ private:
+  enum class Format : std::uint8_t { text, little, big };
+
+  [[noreturn]] void damaged(const std::string& why) const {
+    fail(m_file, "is no PLY that can be read", why);
+  }
+  [[noreturn]] void endsEarly() const {
+    fail(m_file, "is damaged", "it ends before its last entry");
+  }
+
+  std::string_view nextLine() {
+    const std::size_t end = m_rest.find('\n');
+    if (end == std::string_view::npos) damaged("its header has no end_header");
+    std::string_view line = m_rest.substr(0, end);
+    m_rest.remove_prefix(end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
+
+  static std::vector<std::string_view> wordsOf(std::string_view line) {
+    std::vector<std::string_view> words;
+    while (true) {
+      line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+      if (line.empty()) return words;
+      words.push_back(line.substr(0, line.find_first_of(" \t")));
+      line.remove_prefix(words.back().size());
+    }
+  }
+
+  void readHeader() {
+    if (nextLine() != "ply") damaged("its first line is not \"ply\"");
+    for (std::string_view line = nextLine(); line != "end_header"; line = nextLine()) {
+      const std::vector<std::string_view> words = wordsOf(line);
+      if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+      if (words[0] == "format" && words.size() > 1) {
+        readFormat(words[1]);
+      } else if (words[0] == "element" && words.size() == 3) {
+        Element element{std::string(words[1]), 0, {}};
+        const auto [end, error] =
+            std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
+        if (error != std::errc() || !(element.count >= 0 && element.count < 4e9))
+          damaged("an element's count is no number");
+        m_elements.push_back(element);
+      } else if (words[0] == "property" && !m_elements.empty()) {
+        readProperty(words);
+      } else {
+        damaged("its header has the line " + shortName(std::string(line)));
+      }
+    }
+    for (const Element& element : m_elements)
+      if (element.properties.empty() && element.count > 0)
+        damaged("element " + shortName(element.name) + " has no properties");
+  }
+
+  void readFormat(std::string_view name) {
+    if (name == "ascii")
+      m_format = Format::text;
+    else if (name == "binary_little_endian")
+      m_format = Format::little;
+    else if (name == "binary_big_endian")
+      m_format = Format::big;
+    else
+      damaged("its format is unknown");
+  }
+
+  void readProperty(const std::vector<std::string_view>& words) {
+    const bool isList = words.size() == 5 && words[1] == "list";
+    if (!isList && words.size() != 3) damaged("a property has no type and name");
+    Property property;
+    property.name = words.back();
+    property.type = typeOf(words[isList ? 3 : 1]);
+    if (isList) property.countType = typeOf(words[2]);
+    if (property.type == Type::unknown || (isList && property.countType == Type::unknown))
+      damaged("property " + shortName(property.name) + " has an unknown type");
+    m_elements.back().properties.push_back(property);
+  }
+
+  double readValue(Type type) {
+    if (m_format == Format::text) {
+      m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\r\n"), m_rest.size()));
+      if (m_rest.empty()) endsEarly();
+      double value = 0;
+      const char* last = m_rest.data() + m_rest.size();
+      const auto [end, error] =
+          std::from_chars(m_rest.data() + (m_rest[0] == '+' ? 1 : 0), last, value);
+      if (error != std::errc()) damaged("it has a word where a number must be");
+      m_rest.remove_prefix(std::size_t(end - m_rest.data()));
+      return value;
+    }
+    std::array<char, 8> bytes{};
+    const std::size_t size = typeBytes[std::size_t(type)];
+    if (m_rest.size() < size) endsEarly();
+    std::copy_n(m_rest.begin(), size, bytes.begin());
+    m_rest.remove_prefix(size);
+    const bool isSwapped =
+        (m_format == Format::big) == (std::endian::native == std::endian::little);
+    if (isSwapped) std::reverse(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
+    return valueOf(type, bytes.data());
+  }
+
+  static double valueOf(Type type, const char* bytes) {
+    const auto as = [&]<class T>(T value) {
+      std::memcpy(&value, bytes, sizeof value);
+      return double(value);
+    };
+    switch (type) {
+      case Type::i8:
+        return as(std::int8_t{});
+      case Type::u8:
+        return as(std::uint8_t{});
+      case Type::i16:
+        return as(std::int16_t{});
+      case Type::u16:
+        return as(std::uint16_t{});
+      case Type::i32:
+        return as(std::int32_t{});
+      case Type::u32:
+        return as(std::uint32_t{});
+      case Type::f32:
+        return as(float{});
+      default:
+        return as(double{});
+    }
+  }
+
+  void preparePoints(const Element& element) {
+    const auto has = [&](std::string_view name) {
+      return std::any_of(element.properties.begin(), element.properties.end(),
+                         [&](const Property& p) { return p.name == name; });
+    };
+    if (!has("x") || !has("y") || !has("z")) damaged("its points have no x, y, z");
+    m_hasNormals = has("nx") && has("ny") && has("nz");
+    m_hasColours = has("red") && has("green") && has("blue");
+    m_mesh.points.reserve(std::size_t(element.count));
+  }
+
+  void readRow(const Element& element) {
+    const bool isPoint = element.name == "vertex";
+    m_values.fill(0);
+    for (const Property& property : element.properties) {
+      if (property.countType != Type::unknown)
+        readList(property, element.name == "face" && property.name.starts_with("vertex_ind"));
+      else
+        keepValue(property, readValue(property.type));
+    }
+    if (isPoint) appendPoint();
+  }
+
+  void keepValue(const Property& property, double value) {
+    static constexpr std::array<std::string_view, 9> names{"x",  "y",   "z",     "nx",  "ny",
+                                                           "nz", "red", "green", "blue"};
+    const auto found = std::find(names.begin(), names.end(), property.name);
+    if (found == names.end()) return;
+    const auto at = std::size_t(found - names.begin());
+    // Colours are 0 … 255, 0 … 65535, or real numbers 0 … 1.
+    const double white = property.type == Type::u8 ? 255 : property.type == Type::u16 ? 65535 : 1;
+    m_values[at] = at >= 6 ? linearOf(std::clamp(value / white, 0.0, 1.0)) : value;
+  }
+
+  void appendPoint() {
+    const auto& v = m_values;
+    m_mesh.points.push_back({v[0], v[1], v[2]});
+    if (m_hasNormals) {
+      const Vec3 n = normalise({v[3], v[4], v[5]});
+      m_mesh.normals.push_back({float(n.x), float(n.y), float(n.z)});
+    }
+    if (m_hasColours) m_mesh.colours.push_back({float(v[6]), float(v[7]), float(v[8])});
+  }
+
+  /// A polygon becomes a fan of triangles.
+  void readList(const Property& property, bool isFace) {
+    const double count = readValue(property.countType);
+    if (!(count >= 0 && count <= double(m_rest.size()))) endsEarly();
+    Corners corners{};
+    for (std::size_t k = 0; k < std::size_t(count); ++k) {
+      const double index = readValue(property.type);
+      if (!isFace) continue;
+      if (!(index >= 0 && index < 4294967295.0)) damaged("a face names a point that is not there");
+      corners[std::min<std::size_t>(k, 2)] = std::uint32_t(index);
+      if (k < 2) continue;
+      if (m_mesh.triangles.size() >= mostTriangles)
+        fail(m_file, "the file", "has more than 33554432 triangles");
+      m_mesh.triangles.push_back(corners);
+      corners[1] = corners[2];
+    }
+  }
+
+  std::string m_file;
+  std::string m_bytes;
+  const plugin::Progress& m_progress;
+  std::string_view m_rest;  ///< what has not been read yet
+  Mesh m_mesh;
+  std::vector<Element> m_elements;
+  std::array<double, 9> m_values{};  ///< of one point
+  Format m_format = Format::text;
+  bool m_hasNormals = false;
+  bool m_hasColours = false;
+};
+
+}  // namespace
+
+Mesh readPly(const std::string& file, const plugin::Progress& progress) {
+  return PlyReader(file, progress).read();
+}
+
+}  // namespace hogelscope::mesh

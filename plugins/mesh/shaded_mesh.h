@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A mesh that stands in the display frame, with its lights: the colour of what a ray meets.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "embree_scene.h"
+#include "hogelscope/plugin.h"
+#include "mesh.h"
+
+namespace hogelscope::mesh {
+
+enum class Shading : std::uint8_t { unlit, lambert };
+
+/// Where a mesh stands: displayFromFile is a turn, a scale of all three axes alike, a shift.
+struct Pose {
+  Vec3 position;
+  Vec3 orientation;  ///< degrees
+  double scale = 1;
+  bool operator==(const Pose&) const = default;
+};
+
+class ShadedMesh {
+ public:
+  /// Triangles with the same three points are kept once. Throws if the pose takes a point farther
+  /// than 10⁶ m.
+  ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int threads,
+             const plugin::Progress& progress);
+
+  /// How surfaces look; the panel tells how much of a texture a ray sees.
+  void setLook(Shading shading, const plugin::Panel& panel, const plugin::Colour& background);
+
+  /// As ContentSource::trace().
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
+             std::span<float> depths) const;
+  [[nodiscard]] plugin::Triangles triangles() const;
+  [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return m_mesh; }
+  [[nodiscard]] double back() const { return m_back; }
+  [[nodiscard]] double front() const { return m_front; }
+
+ private:
+  void placeLights(const Affine& displayFromFile);
+  [[nodiscard]] plugin::Colour colour(const Hit& hit, std::uint32_t number,
+                                      const plugin::Ray& ray) const;
+  [[nodiscard]] Linear albedo(const Hit& hit, const Material& material) const;
+  [[nodiscard]] Linear textureColour(const Hit& hit, const Material& material) const;
+  [[nodiscard]] Linear lightOn(const Hit& hit, const plugin::Ray& ray) const;
+  [[nodiscard]] Vec3 shadingNormal(const Hit& hit, const Vec3& geometric) const;
+
+  std::shared_ptr<const Mesh> m_mesh;
+  std::vector<std::uint32_t> m_materialOf;  ///< of the triangles that are left
+  std::unique_ptr<EmbreeScene> m_scene;
+  Affine m_displayFromFile;
+  double m_unit = 1;  ///< metres that the file's unit is long
+  double m_back = 0;
+  double m_front = 0;
+  std::vector<Light> m_lights;  ///< in the display frame
+  float m_ambient = 0;
+  Shading m_shading = Shading::unlit;
+  plugin::Colour m_background;
+  double m_pitch = 0;
+  double m_slopeStep = 0;
+  /// Of each material that is one colour all over.
+  std::vector<std::optional<plugin::Colour>> m_plain;
+};
+
+}  // namespace hogelscope::mesh
