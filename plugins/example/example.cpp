@@ -16,7 +16,7 @@ class Grating final : public plugin::ContentSource {
  public:
   void describe(ParameterVisitor& v) override {
     v.group("example", "A plane with upright bars, parallel to the panel.");
-    v.field("depth", m_depth, {-10, 10, 0.01}, "m", "Where the plane is; above 0 in front.");
+    v.field("z", m_depth, {-10, 10, 0.01}, "m", "Where the plane is; above 0 in front.");
     v.field("frequency", m_frequency, {0, 10000, 10}, "1/m", "Bars in a metre.");
     v.field("size", m_size, {0, 100, 0.01}, "m", "Width and height of the plane; 0: no end.");
   }

@@ -132,6 +132,8 @@ class TestHabits : public HabitsTest {
     QCOMPARE(manual->findChild<QLabel*>("manualNote")->text(), "Not found");
     page->setSource(QUrl("parameters.md"));  // as its link does
     QVERIFY(page->toPlainText().contains("windowSize"));
+    page->setSource(QUrl("plugins.md"));
+    QVERIFY(page->toPlainText().contains("HOGELSCOPE_PLUGIN"));
     QTest::keyClick(manual, Qt::Key_Escape);
     QVERIFY(!manual->isVisible());
   }

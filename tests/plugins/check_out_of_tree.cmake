@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Checks the SDK as a stranger uses it: installs it, builds a copy of plugins/example with it, and asks the
-# program for the result.
+# Checks the SDK as a stranger uses it: installs it, builds a copy of plugins/example with it and the plugin
+# of the manual's tutorial, and asks the program for the results, the tutorial's picture among them.
 # Run as: cmake -D SOURCE=<repository> -D BUILD=<build folder> -D COMPILER=<c++> -D GENERATOR=<CMake's>
 #   -D PROGRAM=<hogelscope> -P check_out_of_tree.cmake
 
@@ -23,11 +23,31 @@ list(LENGTH installed count)
 if(NOT count EQUAL 6)  # three headers, three files of CMake
   message(FATAL_ERROR "the component sdk has other files than it should: ${installed}")
 endif()
-run(${CMAKE_COMMAND} -S ${work}/example -B ${work}/build -G ${GENERATOR}
-  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${work}/prefix)
-run(${CMAKE_COMMAND} --build ${work}/build)
-run(${PROGRAM} --plugins --plugins-path ${work}/build/plugins-1)
-if(NOT out MATCHES "\nexample +1\\.0 +content +[^\n]*/tests/out_of_tree/build/plugins-1/example\n")
-  message(FATAL_ERROR "the plugin that was built outside is not listed:\n${out}")
+# The tutorial's blocks of code: ```cmake, ```cpp, ```json.
+file(READ ${SOURCE}/resources/manual/plugins.md manual)
+foreach(block cmake:stripes/CMakeLists.txt cpp:stripes/stripes.cpp json:stripes.json)
+  string(REGEX REPLACE ":.*" "" kind ${block})
+  string(REGEX REPLACE ".*:" "" file ${block})
+  if(NOT manual MATCHES "```${kind}\n([^`]*)```")
+    message(FATAL_ERROR "resources/manual/plugins.md has no block of ${kind}")
+  endif()
+  file(WRITE ${work}/${file} "${CMAKE_MATCH_1}")
+endforeach()
+
+foreach(name example stripes)
+  run(${CMAKE_COMMAND} -S ${work}/${name} -B ${work}/${name}/build -G ${GENERATOR}
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release
+    -D CMAKE_PREFIX_PATH=${work}/prefix)
+  run(${CMAKE_COMMAND} --build ${work}/${name}/build)
+  run(${PROGRAM} --plugins --plugins-path ${work}/${name}/build/plugins-1)
+  if(NOT out MATCHES "\n${name} +1\\.0 +content +[^\n]*/out_of_tree/${name}/build/plugins-1/${name}\n")
+    message(FATAL_ERROR "the plugin that was built outside is not listed:\n${out}")
+  endif()
+endforeach()
+
+run(${PROGRAM} --render --session ${work}/stripes.json --output ${work}/out
+  --plugins-path ${work}/stripes/build/plugins-1)
+run(${PROGRAM} --info ${work}/out/front.png)
+if(NOT out MATCHES "400×400 px")
+  message(FATAL_ERROR "the tutorial's picture is not there:\n${out}")
 endif()
-message(STATUS "${out}")

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/documents/session_file.h"
 #include "io/json/json_parameters.h"
 #include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_guard.h"
@@ -55,6 +56,7 @@ class TestPluginLibrary : public QObject {
   void stopsAndErrorsOfTheProgram();
   void liesAreFound();
   void longLines();
+  void namesOfEveryLiveScene();
   void theExample();
   void theExampleRefuses();
 
@@ -79,13 +81,13 @@ class TestPluginLibrary : public QObject {
 
 void TestPluginLibrary::initTestCase() {
   qputenv("HOME", path("home").toUtf8());
-  QVERIFY(QDir().mkpath(path("p")));
+  QVERIFY(QDir::setCurrent(m_folder.path()) && QDir().mkpath(path("p")));
   addPluginFolder(path("p").toStdString());
 }
 
 void TestPluginLibrary::unknownPlugins() {
-  QCOMPARE(load(PluginKind::content, "exmaple"),
-           "plugin exmaple: is not installed; did you mean example?");
+  QCOMPARE(load(PluginKind::content, "examples"),
+           "plugin examples: is not installed; did you mean example?");
   const QString line = load(PluginKind::content, "raytracer");
   QVERIFY2(line.startsWith("plugin raytracer: is not installed; looked in " + path("p") + ", "),
            qPrintable(line));
@@ -226,10 +228,20 @@ void TestPluginLibrary::longLines() {
   QCOMPARE(QString(pluginError("wrong", "\x1b[2J").what()), "plugin wrong: \\x1b[2J");
 }
 
+/// Its own parameters stand beside samples, fill and depth.
+void TestPluginLibrary::namesOfEveryLiveScene() {
+  install("lies");
+  writeFile("s.json", text({.lightField = R"({"layout": "live", "source": "wrong",
+                                              "wrong": {"corner": 1, "fill": 2}})"}));
+  QCOMPARE(errorOf([] { (void)loadSession("s.json"); }),
+           "s.json: lightField.wrong.fill: is declared twice: a plugin's parameter needs another "
+           "name");
+}
+
 /// A ray meets the plane where its line does; one that ends before it, or comes from behind, not.
 void TestPluginLibrary::theExample() {
   const auto grating = loadPlugin("example", PluginKind::content).makeContent();
-  const Json parameters{{"depth", 0.1}, {"frequency", 25.0}, {"size", 0.2}};
+  const Json parameters{{"z", 0.1}, {"frequency", 25.0}, {"size", 0.2}};
   JsonReader reader(parameters, "");
   grating->describe(reader);
   reader.refuseUnknown();
@@ -255,7 +267,7 @@ void TestPluginLibrary::theExample() {
 
 void TestPluginLibrary::theExampleRefuses() {
   const auto grating = loadPlugin("example", PluginKind::content).makeContent();
-  const Json parameters{{"depth", 0.0}, {"frequency", 100.0}};
+  const Json parameters{{"z", 0.0}, {"frequency", 100.0}};
   JsonReader reader(parameters, "");
   grating->describe(reader);
   QCOMPARE(errorOf([&] { grating->open(panel, {}, Listener(true)); }),

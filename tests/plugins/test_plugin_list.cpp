@@ -24,6 +24,7 @@ class TestPluginList : public QObject {
   void linksAndLoops();
   void theFirstOfOneName();
   void theTable();
+  void theInstallation();
 
  private:
   [[nodiscard]] QString path(const QString& name) const { return m_folder.path() + "/" + name; }
@@ -123,7 +124,7 @@ void TestPluginList::refusals_data() {
       "replaced; install the plugin again");
   add("negative bytes", "bytes", "-7", "bytes: -7 is out of range: 1 to 2147483647");
   add("huge bytes", "bytes", "7e300", "bytes: 7e+300 is out of range: 1 to 2147483647");
-  add("unknown key", "versoin", "1", "versoin: is not known here; did you mean \"version\"?");
+  add("unknown key", "flie", "1", "flie: is not known here; did you mean \"file\"?");
 }
 
 void TestPluginList::refusals() {
@@ -217,6 +218,22 @@ void TestPluginList::theTable() {
   QCOMPARE(missing.err,
            QByteArray("hogelscope: q: is not a folder; each plugin is a folder in it\n"));
   QCOMPARE(missing.status, 2);
+}
+
+/// The same program in another place finds the plugins that are there, and not its build tree's.
+void TestPluginList::theInstallation() {
+  const auto build = pluginFolders()[3].parent_path();
+  const QString folder =
+      QString::fromStdString(pluginFolders()[2].lexically_relative(build).string());
+  QVERIFY(folder.startsWith("lib") && QDir().mkpath(path("prefix/bin")));
+  QVERIFY(QFile::copy(HOGELSCOPE_PROGRAM, path("prefix/bin/hogelscope")));
+  writePlugin(path("prefix/" + folder + "/wrong"), "library");
+  QProcess process;
+  process.start(path("prefix/bin/hogelscope"), {"--plugins"});
+  const Outcome outcome = ended(process);
+  QCOMPARE(outcome.err, QByteArray());
+  QVERIFY2(outcome.out.contains(path("prefix/" + folder + "/wrong\n").toUtf8()), outcome.out);
+  QVERIFY2(!outcome.out.contains("example"), outcome.out);
 }
 
 QTEST_GUILESS_MAIN(TestPluginList)

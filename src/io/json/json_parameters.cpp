@@ -82,6 +82,8 @@ std::string JsonReader::pathOf(std::string_view name) const {
 }
 
 const Json* JsonReader::section(std::string_view name) {
+  if (std::find(m_known.begin(), m_known.end(), name) != m_known.end())
+    throw InputError(pathOf(name), "is declared twice: a plugin's parameter needs another name");
   m_known.push_back(name);
   const auto found = m_object.find(std::string(name));
   return found == m_object.end() ? nullptr : &*found;

@@ -21,7 +21,8 @@ class JsonReader : public ParameterVisitor {
   JsonReader(const Json& object, std::string path);
 
   void group(std::string_view, std::string_view) override {}
-  /// Returns the value of a key that is read elsewhere, or null.
+  /// Returns the value of a key that is read elsewhere, or null. Throws InputError for a name that
+  /// was read before: a plugin's parameters stand beside those of every live scene.
   const Json* section(std::string_view name);
   /// Throws InputError for a key that was not read, with the nearest known one. Call it last.
   void refuseUnknown() const;

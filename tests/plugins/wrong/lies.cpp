@@ -13,6 +13,7 @@ class Content final : public plugin::ContentSource {
   void describe(ParameterVisitor& v) override {
     v.group("wrong", "What is wrong.");
     v.field("corner", m_corner, {-1, 9, 1}, "", "A triangle's last point, of three.");
+    v.field("fill", m_fill, {0, 9, 1}, "", "Has the name of a parameter of every live scene.");
   }
   void open(const plugin::Panel&, const plugin::Place&, const plugin::Progress&) override {}
   void depths(double& back, double& front) const override {
@@ -27,6 +28,7 @@ class Content final : public plugin::ContentSource {
 
  private:
   int m_corner = 2;
+  int m_fill = 0;
 };
 
 class Metric final : public plugin::Metric {
