@@ -55,6 +55,7 @@ QStringList smallest(const Job& job) {
   static const QMap<QString, QString> values{{"make-cameras", "random"},
                                              {"generate", "edge"},
                                              {"pack", "q_qs5x3a1.png"},
+                                             {"export", "hogels"},
                                              {"info", "s.json"}};
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));

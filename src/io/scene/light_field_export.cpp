@@ -161,7 +161,9 @@ QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const fs::path& file)
 
 void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const auto [columns, rows] = quiltTilesFor(lightField, file);
+  const QuiltTiles tiles = quiltTilesFor(lightField, file);
+  const int columns = tiles.columns;
+  const int rows = tiles.rows;
   ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
                         std::size_t(rows) * std::size_t(size.ny), lightField.type());
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
