@@ -45,7 +45,7 @@ QStringList given(const Flag& flag) {
   static const QMap<QString, QString> values{
       {"set", "psf.sigma=1"}, {"format", "exr"}, {"fail-below", "30"}, {"count", "3"},
       {"region", "box"},      {"seed", "3"},     {"memory", "100"},    {"threads", "2"},
-      {"session", "s.json"},  {"test", "t.png"}, {"output", "out/o"}};
+      {"session", "s.json"},  {"test", "t.png"}, {"output", "out/o"},  {"against", "ideal"}};
   if (flag.value.empty()) return {dashed(flag.name)};
   return {dashed(flag.name), values.value(text(flag.name), "value")};
 }

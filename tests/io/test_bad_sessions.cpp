@@ -82,7 +82,7 @@ void TestBadSessions::types_data() {
   refusedIn("unknown lens", text({.display = R"({"lens": "fisheye"})"}),
             "display.lens: \"fisheye\" is not one of rectilinear, equiangular");
   refusedIn("unknown layout", text({.lightField = R"({"file": "scene.png", "layout": "tiles"})"}),
-            "lightField.layout: \"tiles\" is not one of hogels, views, quilt, pack");
+            "lightField.layout: \"tiles\" is not one of hogels, views, quilt, pack, live");
   refusedIn("unknown border", state(R"("psf": {"border": "wrap"})"),
             "cameras[0].psf.border: \"wrap\" is not one of renormalise, clamp, black");
   refusedIn(
