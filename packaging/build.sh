@@ -1,5 +1,5 @@
 #!/bin/sh
-# build.sh [TARGET]: installs the Debian packages that are missing, configures and builds into
+# build.sh [TARGET...]: installs the Debian packages that are missing, configures and builds into
 # build/release.
 # try.sh and check.sh begin with it.
 set -eu
@@ -7,4 +7,5 @@ cd "$(dirname "$0")/.."
 
 packaging/install.sh packaging/packages.txt
 [ -f build/release/build.ninja ] || cmake --preset release >/dev/null
-cmake --build --preset release ${1:+--target "$1"}
+[ $# -eq 0 ] || set -- --target "$@"
+cmake --build --preset release "$@"

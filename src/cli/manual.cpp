@@ -97,9 +97,8 @@ std::string parameterManual() {
          lightFieldTable(Layout::quilt, "lightField, layout quilt") +
          lightFieldTable(Layout::live, "lightField, layout live") +
          table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
-         table<SamplingParams>() +
-         table<CameraParams>() + table<IntrinsicsParams>() + table<DistortionParams>() +
-         table<PsfParams>() +
+         table<SamplingParams>() + table<CameraParams>() + table<IntrinsicsParams>() +
+         table<DistortionParams>() + table<PsfParams>() +
          "# Parameters of a camera set\n\n"
          "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
          table<CameraSetParams>() + table<CameraRegionParams>() +

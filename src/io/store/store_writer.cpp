@@ -33,8 +33,10 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   Json object = Json::object();
   JsonWriter writer(object);
   describe(writer, params);
-  if (params.content.isGiven()) describe(writer, params.content);
-  describe(writer, params.live);
+  if (params.content.isGiven()) {
+    describe(writer, params.content);
+    describe(writer, params.live);
+  }
   std::string text = object.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::error_code none;
   for (const fs::path& path : file.files())
