@@ -43,7 +43,8 @@ Image hogelErrorImage(const LightFieldSource& lightField, int i, int j);
 /// Rounds a code value half up to 8 bits, limited to 0 … 255.
 inline std::uint8_t quantised(double codeValue) {
   if (!(codeValue > 0)) return 0;
-  return codeValue >= 255 ? 255 : static_cast<std::uint8_t>(codeValue + 0.5);
+  if (codeValue >= 255) return 255;
+  return static_cast<std::uint8_t>(codeValue + 0.5);
 }
 
 }  // namespace hogelscope
