@@ -18,7 +18,7 @@ namespace {
 /// Neighbours share what they meet, so lists of texels go tile after tile.
 constexpr int tile = 4;
 /// Texels that are traced in one call.
-constexpr std::size_t mostInList = 1024;
+constexpr std::size_t mostInList = 512;
 
 /// Returns point k of n of the rank-1 lattice, -1/2 … 1/2 along each axis; the middle for n = 1.
 double latticeOffset(int k, int n, std::size_t axis) {

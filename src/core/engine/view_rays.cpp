@@ -257,7 +257,21 @@ ViewReads ViewRays::reads(const ParallelRows& parallelRows) const {
   return reads;
 }
 
+/// The footprint of a separable view: what one row reads across, and one column down.
+Footprint ViewRays::separableFootprint() const {
+  const auto [width, height] = m_job.state.camera.res;
+  Footprint all(m_display.size().nx, m_display.size().ny);
+  int y = 0;
+  while (y < height && all.texels() == 0) addFootprint(y++, 0, width, all);
+  if (all.texels() == 0) return all;
+  int x = 0;
+  while (footprint(y - 1, x, x + 1).texels() == 0) ++x;
+  for (; y < height; ++y) addFootprint(y, x, x + 1, all);
+  return all;
+}
+
 Footprint ViewRays::footprint(const ParallelRows& parallelRows) const {
+  if (isSeparable()) return separableFootprint();
   const auto [width, height] = m_job.state.camera.res;
   Footprint all(m_display.size().nx, m_display.size().ny);
   std::mutex mutex;

@@ -78,6 +78,7 @@ class ViewRays {
   void cellsOf(const Points& points, int count, CellBatch& batch) const;
   void addFootprint(int y, int x0, int x1, Footprint& footprint) const;
   [[nodiscard]] bool isSeparable() const;
+  [[nodiscard]] Footprint separableFootprint() const;
   void mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const;
 
   RenderJob m_job;
