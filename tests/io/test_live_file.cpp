@@ -79,7 +79,7 @@ void TestLiveFile::mistakes_data() {
   QTest::newRow("no source") << QByteArray(R"({"layout": "live"})") << display
                              << "lightField.source: is missing";
   QTest::newRow("another source") << QByteArray(R"({"layout": "live", "source": "scenes"})")
-                                  << display << "lightField.source: \"scenes\"";
+                                  << display << "plugin scenes: is not installed";
   QTest::newRow("a file") << QByteArray(R"({"layout": "live", "source": "scene", "file": "a.png"})")
                           << display << "lightField.file: is not of a live light field";
   QTest::newRow("no hogels") << live.lightField << QByteArray(R"({"directions": [5, 6]})")

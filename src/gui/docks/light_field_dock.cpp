@@ -11,8 +11,30 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/file_dialogs.h"
+#include "io/scene/live_file.h"
 
 namespace hogelscope {
+
+namespace {
+
+/// Returns an edited light field with the fields that another layout or source brings along. Throws
+/// InputError: there is no such source.
+LightFieldParams completed(const LightFieldParams& before, LightFieldParams after) {
+  if (after.layout != before.layout && after.layout == Layout::live) {
+    after = {};
+    after.layout = Layout::live;
+    after.source = "scene";
+  } else if (after.layout != Layout::live && before.layout == Layout::live) {
+    const Layout layout = after.layout;
+    after = {};
+    after.layout = layout;
+  }
+  if (after.source != before.source)
+    after.content = after.source.empty() ? ContentParams() : contentOf(after.source);
+  return after;
+}
+
+}  // namespace
 
 LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
     : QWidget(parent), m_model(model), m_contents(new QLabel) {
@@ -32,12 +54,44 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   row->addWidget(folderButton);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stackWidgets({contentForm(m_model, &Session::lightField), buttons, m_contents,
-                                  contentForm(m_model, &Session::sampling)}));
+  const auto visitContent = [](ParameterVisitor& v, LightFieldParams& p) {
+    if (p.content.isGiven()) describe(v, p.content);
+  };
+  const auto visitLive = [](ParameterVisitor& v, LightFieldParams& p) { describe(v, p.live); };
+  m_liveForms = {form(visitContent), form(visitLive)};
+  layout->addWidget(stackWidgets(
+      {form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); }), buttons,
+       m_liveForms[0], m_liveForms[1], m_contents, contentForm(m_model, &Session::sampling)}));
+  for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
+    connect(m_model, change, this, &LightFieldDock::showForms);
+  showForms();
   const auto enable = [this, buttons] { buttons->setEnabled(!m_model->session().cameras.empty()); };
   connect(m_model, &SessionModel::opened, this, enable);
   enable();
   setScene(std::nullopt);
+}
+
+/// A form over the light field, or a part of it.
+ParameterForm* LightFieldDock::form(
+    const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit) {
+  auto* made = new ParameterForm([this, visit](ParameterVisitor& visitor) {
+    Session content = m_model->session();
+    const LightFieldParams before = content.lightField;
+    visit(visitor, content.lightField);
+    try {
+      content.lightField = completed(before, content.lightField);
+      m_model->setContent(content);
+    } catch (const std::exception& error) {
+      Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+  });
+  follow(m_model, made);
+  return made;
+}
+
+void LightFieldDock::showForms() {
+  const bool isLive = m_model->session().lightField.content.isGiven();
+  for (QWidget* part : m_liveForms) part->setVisible(isLive);
 }
 
 void LightFieldDock::setScene(const std::optional<Scene>& scene) {
@@ -49,6 +103,8 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
       lightField.isInMemory()
           ? tr("%1 in memory")
                 .arg(locale().formattedDataSize(qint64(LightField::bytes(size, lightField.type()))))
+      : m_model->session().lightField.layout == Layout::live
+          ? tr("traced as each view needs it")
           : tr("in a store, of which each view reads what it needs");
   m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"
                          "as one hogel image: %6×%7 px; %8")

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light field dock: the file and how it is laid out, what it holds, and how views sample it.
+// The light field dock: the file and how it is laid out, or a live scene and its parameters; what
+// it holds, and how views sample it.
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <functional>
 #include <optional>
 
 #include "io/scene/scene.h"
@@ -11,6 +14,8 @@ class QLabel;
 
 namespace hogelscope {
 
+class ParameterForm;
+class ParameterVisitor;
 class SessionModel;
 
 class LightFieldDock : public QWidget {
@@ -24,12 +29,19 @@ class LightFieldDock : public QWidget {
   /// Another file or folder for the session. Its layout becomes one that such a thing can have.
   void choose(const QString& file);
 
+ Q_SIGNALS:
+  /// An edit names a source that cannot be used, and changes nothing.
+  void failed(const QString& line);
+
  private:
+  ParameterForm* form(const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit);
+  void showForms();
   void askFile();
   void askFolder();
 
   SessionModel* m_model;
   QLabel* m_contents;
+  std::array<QWidget*, 2> m_liveForms{};  ///< the content's own parameters, and all content's
 };
 
 }  // namespace hogelscope

@@ -77,7 +77,7 @@ void SessionModel::openLightField(const QString& file) {
 
 void SessionModel::save(const QString& file) {
   check(m_session);
-  checkOutputs({file.toStdString()}, {m_session.lightField.file});
+  checkOutputs({file.toStdString()}, {contentName(m_session.lightField)});
   saveSession(file.toStdString(), m_session);
   m_saved = m_session;
   m_file = file;

@@ -17,6 +17,16 @@
 
 namespace hogelscope {
 
+namespace {
+
+/// Of a live scene its own file alone: to open it may take seconds.
+std::vector<std::filesystem::path> filesOf(const Session& session) {
+  if (session.lightField.layout == Layout::live) return {contentName(session.lightField)};
+  return openLightField(session.lightField, session.display)->files();
+}
+
+}  // namespace
+
 ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
     : QObject(parent),
       m_ui(ui),
@@ -98,7 +108,7 @@ void ImageCommands::showComparison() {
     action->setEnabled(hasImage);
   for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
     action->setEnabled(isRight());
-  const std::string& own = m_model->session().lightField.file;
+  const std::string own = contentName(m_model->session().lightField);
   m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
                               m_comparison->name());
 }
@@ -137,9 +147,7 @@ bool ImageCommands::saveImage(const QString& file) {
   for (int y = 0; y < image.height(); ++y)
     rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
   try {
-    const Session& session = m_model->session();
-    checkOutputs({file.toStdString()},
-                 openLightField(session.lightField, session.display)->files());
+    checkOutputs({file.toStdString()}, filesOf(m_model->session()));
     writeImage(file.toStdString(), image.width(), image.height(), rgb);
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

@@ -171,7 +171,8 @@ void ViewWorker::loadNow(const Session& session) {
     return;
   }
   m_readShare = 1;
-  if (!m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
+  const bool isLive = session.lightField.layout == Layout::live;
+  if (!isLive && !m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
   send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }
 

@@ -40,6 +40,8 @@ ContentParams contentOf(const std::string& source) {
 
 LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display)
     : m_params(params), m_display(display) {
+  if (!params.content.isGiven())
+    throw InputError("lightField.source", "is missing: name what computes the content");
   if (display.hogels[0] <= 0 || display.directions[0] <= 0)
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");

@@ -70,8 +70,13 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
 }
 
 bool readTheSame(const Session& a, const Session& b) {
-  return a.lightField == b.lightField && a.display.hogels == b.display.hogels &&
-         a.display.directions == b.display.directions;
+  const DisplayParams& ours = a.display;
+  const DisplayParams& others = b.display;
+  const bool haveSameRays =
+      ours.size == others.size && ours.fov == others.fov && ours.lens == others.lens;
+  return a.lightField == b.lightField && ours.hogels == others.hogels &&
+         ours.directions == others.directions &&
+         (haveSameRays || a.lightField.layout != Layout::live);
 }
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {

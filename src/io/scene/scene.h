@@ -39,7 +39,8 @@ void requireScene(const Session& session);
 /// view can be probed before the texels have been read.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
 
-/// Whether both sessions read the same light field; their displays may differ otherwise.
+/// Whether both sessions read the same light field; their displays may differ otherwise. A live one
+/// is traced along the display's own rays.
 bool readTheSame(const Session& a, const Session& b);
 
 /// Recognises a folder of views, a store, a quilt by its name, or a hogel image.
