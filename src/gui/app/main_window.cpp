@@ -313,6 +313,7 @@ void MainWindow::forgetScene() {
   m_ui->reportPanel->setReference(std::nullopt);
   m_lightField->setScene(std::nullopt);
   m_scene->setScene(std::nullopt);
+  m_imageCommands->setScene(std::nullopt);
 }
 
 /// Of an edited live scene all that is shown stays until there is something newer, and edits that
@@ -383,6 +384,7 @@ void MainWindow::showScene() {
   m_display = m_loaded->display;
   m_lightField->setScene(m_loaded);
   m_scene->setScene(m_loaded);
+  m_imageCommands->setScene(m_loaded);
   m_ui->reportPanel->setReference(m_loaded);
   offerViews();
   showCurrent();

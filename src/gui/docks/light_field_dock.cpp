@@ -11,6 +11,8 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/task.h"
+#include "io/documents/session_file.h"
 #include "io/scene/live_file.h"
 
 namespace hogelscope {
@@ -37,7 +39,7 @@ LightFieldParams completed(const LightFieldParams& before, LightFieldParams afte
 }  // namespace
 
 LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_contents(new QLabel) {
+    : QWidget(parent), m_model(model), m_contents(new QLabel), m_task(new Task(this)) {
   m_contents->setObjectName("contentsLabel");
   m_contents->setToolTip(tr("What has been read"));
   m_contents->setWordWrap(true);
@@ -68,6 +70,8 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   const auto enable = [this, buttons] { buttons->setEnabled(!m_model->session().cameras.empty()); };
   connect(m_model, &SessionModel::opened, this, enable);
   enable();
+  connect(m_model, &SessionModel::opened, m_task, &Task::abandon);
+  connect(m_task, &Task::failed, this, &LightFieldDock::failed);
   setScene(std::nullopt);
 }
 
@@ -119,15 +123,32 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
 }
 
 void LightFieldDock::choose(const QString& file) {
+  m_task->abandon();
+  if (isMeshFile(file.toStdString())) return chooseMesh(file);
   Session content = m_model->session();
   content.lightField = withFile(content.lightField, file.toStdString());
   m_model->setContent(content);
 }
 
+/// Later, when it has been read: with a display that fits it, where the display stands.
+void LightFieldDock::chooseMesh(const QString& file) {
+  m_task->start([this, file](const Progress& progress) {
+    return [this, around = sessionAround(file.toStdString(), {}, progress)] {
+      Session content = m_model->session();
+      content.lightField = around.lightField;
+      content.display = around.display;
+      content.display.position = m_model->session().display.position;
+      content.display.orientation = m_model->session().display.orientation;
+      m_model->setContent(content);
+    };
+  });
+}
+
 void LightFieldDock::askFile() {
   const QString file =
       chooseFile(this, tr("Choose light field"),
-                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+                 tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.glb *.gltf "
+                    "*.obj *.ply);;All files (*)"));
   if (!file.isEmpty()) choose(file);
 }
 

@@ -17,6 +17,7 @@ namespace hogelscope {
 class ParameterForm;
 class ParameterVisitor;
 class SessionModel;
+class Task;
 
 class LightFieldDock : public QWidget {
   Q_OBJECT
@@ -26,21 +27,24 @@ class LightFieldDock : public QWidget {
 
   /// What is in memory; none while it is read or where it cannot be read.
   void setScene(const std::optional<Scene>& scene);
-  /// Another file or folder for the session. Its layout becomes one that such a thing can have.
+  /// Another file or folder for the session. Its layout becomes one that such a thing can have; a
+  /// mesh comes with a display that fits it, when it has been read.
   void choose(const QString& file);
 
  Q_SIGNALS:
-  /// An edit names a source that cannot be used, and changes nothing.
+  /// A source or a mesh cannot be used, and nothing changes.
   void failed(const QString& line);
 
  private:
   ParameterForm* form(const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit);
   void showForms();
+  void chooseMesh(const QString& file);
   void askFile();
   void askFolder();
 
   SessionModel* m_model;
   QLabel* m_contents;
+  Task* m_task;                           ///< reads a mesh
   std::array<QWidget*, 2> m_liveForms{};  ///< the content's own parameters, and all content's
 };
 

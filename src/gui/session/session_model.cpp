@@ -66,8 +66,8 @@ void SessionModel::recover(const QString& copy, const QString& file) {
   Q_EMIT opened();
 }
 
-void SessionModel::openLightField(const QString& file) {
-  m_session = sessionAround(file.toStdString());
+void SessionModel::openNew(const Session& session) {
+  m_session = session;
   m_saved = {};
   m_file.clear();
   m_current = 0;

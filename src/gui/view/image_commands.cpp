@@ -40,6 +40,7 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
   };
   connectAction(m_ui.compareAction, &ImageCommands::askFile);
   connectAction(m_ui.compareFolderAction, &ImageCommands::askFolder);
+  connect(m_ui.compareIdealAction, &QAction::triggered, m_comparison, &Comparison::startIdeal);
   connectAction(m_ui.stopComparingAction, &ImageCommands::stopComparing);
   connectAction(m_ui.savePictureAction, &ImageCommands::askImage);
   connectAction(m_ui.copyPictureAction, &ImageCommands::copy);
@@ -68,6 +69,10 @@ void ImageCommands::addModes() {
     connect(action, &QAction::triggered, this, [this, m = mode] { m_ui.pictureView->setMode(m); });
   }
   m_ui.sideBySideAction->setChecked(true);
+}
+
+void ImageCommands::setScene(const std::optional<Scene>& own) {
+  m_comparison->setScene(own);
 }
 
 std::optional<Scene> ImageCommands::other() const {
@@ -104,6 +109,8 @@ void ImageCommands::showComparison() {
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasImage);
   m_ui.compareFolderAction->setEnabled(hasImage);
+  m_ui.compareIdealAction->setEnabled(hasImage &&
+                                      m_model->session().lightField.layout == Layout::live);
   for (QAction* action : {m_ui.fitViewAction, m_ui.oneToOneViewAction})
     action->setEnabled(hasImage);
   for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
