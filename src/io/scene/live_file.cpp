@@ -120,7 +120,7 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
   shapePanel(display, std::max(extent.x, longer / mostSlender),
              std::max(extent.y, longer / mostSlender));
   params.content.set("scale", std::vector<double>{scale});
-  const Vec3 place = -scale * middle;
+  const Vec3 place = Vec3{} - scale * middle;  // 0, not −0
   params.content.set("position", std::vector<double>{place.x, place.y, place.z});
 }
 
