@@ -50,6 +50,8 @@ class TestCommandLine : public QObject {
   void mistakesAtTheProgram_data();
   void mistakesAtTheProgram();
   void infoOfTheSample();
+  void infoOfAMesh();
+  void infoOfALiveSession();
   void infoOfPictures();
   void infoOfAFolder();
   void infoHearsSettings_data();
@@ -249,6 +251,27 @@ void TestCommandLine::infoOfTheSample() {
                                    "state       é: eye (0.1, -2, 3) m, fov 45.5°, 64×48 px, psf "
                                    "sigma 0.67 in 1 px\n"));
   QCOMPARE(outcome.status, 0);
+}
+
+void TestCommandLine::infoOfAMesh() {
+  writeFile("a.obj", "v -1 0 1\nv 1 0 1\nv -1 1 -1\nf 1 2 3\n");
+  const Outcome outcome = run({"--info", "a.obj"}, m_folder->path());
+  QCOMPARE(outcome.err, QByteArray());
+  for (const char* line :
+       {"source      mesh\n", "  file        a.obj\n", "  position    (0, -0.1125, 0) m\n",
+        "  scale       0.225\n", "  samples     1\n", "triangles   1\n", "display     0.5×0.25 m, ",
+        "hogels      256×128\n", "directions  100×100\n"})
+    QVERIFY2(outcome.out.contains(line), outcome.out.constData());
+}
+
+void TestCommandLine::infoOfALiveSession() {
+  writeFile("s.json", text({.lightField = R"({"layout": "live", "source": "scene",
+                                              "scene": {"samples": 8}})"}));
+  const Outcome outcome = run({"--info", "s.json"}, m_folder->path());
+  QCOMPARE(outcome.err, QByteArray());
+  for (const char* line : {"light field scene\n", "source      scene\n", "  samples     8\n",
+                           "  depth       (-10, 10) m\n", "depths      "})
+    QVERIFY2(outcome.out.contains(line), outcome.out.constData());
 }
 
 void TestCommandLine::infoOfPictures() {

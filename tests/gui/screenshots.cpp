@@ -32,7 +32,7 @@ const QString sample = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json")
 class Shooting {
  public:
   Shooting(const QString& folder, const QSize& size, const QString& test)
-      : m_folder(folder), m_size(size), m_test(test) {}
+      : m_folder(QDir(folder).absolutePath()), m_size(size), m_test(test) {}
 
   void run() {
     m_window.resize(m_size);
@@ -49,6 +49,7 @@ class Shooting {
     report();
     keys();
     dark();
+    live();
   }
 
  private:
@@ -119,6 +120,19 @@ class Shooting {
     trigger("darkColours");
     QTest::qWait(1000);
     shoot("dark");
+  }
+
+  void live() {
+    trigger("lightColours");
+    QDir::setCurrent(HOGELSCOPE_SOURCE_DIR);  // the dock shows the name as it was given
+    files(m_window).open("data/room.glb");
+    wait([this] { return m_window.windowTitle().contains("new session"); });
+    wait([this] { return view()->notice().isEmpty(); });
+    trigger("compareIdealAction");
+    wait([this] { return !view()->otherImage().isNull(); });
+    trigger("sideBySideAction");
+    raise("lightFieldDock");
+    shoot("live");
   }
 
   QString m_folder;

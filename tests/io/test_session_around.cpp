@@ -97,6 +97,51 @@ class TestSessionAround : public QObject {
     QVERIFY(!readTheSame(a, c));
   }
 
+  void aLiveSceneHasTheDisplaysRays() {
+    Session a;
+    a.lightField.layout = Layout::live;
+    Session b = a;
+    b.display.position = {1, 2, 3};
+    QVERIFY(readTheSame(a, b));
+    b.display.size = {1, 2};
+    QVERIFY(!readTheSame(a, b));
+    b = a;
+    b.display.fov = {20, 30};
+    QVERIFY(!readTheSame(a, b));
+    b = a;
+    b.display.lens = HogelLensModel::equiangular;
+    QVERIFY(!readTheSame(a, b));
+  }
+
+  /// 4 wide, 2 high, at depths 1 and 5 of the file, beside its origin.
+  void aDisplayFitsAMesh() {
+    writeFile(file("a.obj"), "v 10 0 1\nv 14 0 1\nv 10 2 5\nf 1 2 3\n");
+    const Session session = sessionAround(file("a.obj").toStdString());
+    check(session);
+    QVERIFY(session.lightField.layout == Layout::live && session.lightField.source == "mesh");
+    QCOMPARE(contentName(session.lightField), file("a.obj").toStdString());
+    QVERIFY((session.display.size == std::array{0.5, 0.25}));
+    QVERIFY((session.display.hogels == std::array{256, 128}));
+    QVERIFY((session.display.directions == std::array{100, 100}));
+    const Scene scene = loadScene(session, {});
+    const std::vector<float> points = scene.lightField->triangles().points;
+    const std::vector<float> wanted{-0.225F, -0.1125F, -0.225F, 0.225F, -0.1125F,
+                                    -0.225F, -0.225F,  0.1125F, 0.225F};
+    QCOMPARE(points.size(), wanted.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      QVERIFY(std::abs(points[k] - wanted[k]) < 1e-6F);
+    saveSession(file("saved.json").toStdString(), session);
+    QVERIFY((loadSession(file("saved.json").toStdString()).display == session.display));
+  }
+
+  void aMeshThatNoDisplayFits() {
+    writeFile(file("far.obj"), "v 1e5 0 0\nv 1e5 1 0\nv 100001 1 0\nf 1 2 3\n");
+    const QString error = errorOf([&] { (void)sessionAround(file("far.obj").toStdString()); });
+    QVERIFY2(error.contains("far.obj: is no mesh that a panel fits"), qPrintable(error));
+    QVERIFY(
+        errorOf([&] { (void)sessionAround(file("none.ply").toStdString()); }).contains("none.ply"));
+  }
+
   void anotherFileKeepsTheLayout() {
     writeGrey(file("views2/000_000.png"), 4, 4);
     LightFieldParams quilt;

@@ -19,7 +19,7 @@ int runMakeCameras(const CommandLine& line) {
   if (!isSessionFile(output))
     throw InputError(output, "cannot be written", "a session's name ends in .json");
   // The session itself may be replaced by the one with more states; nothing that it reads may.
-  checkOutputs({output}, {line.subject, line.text("calibration"), session.lightField.file});
+  checkOutputs({output}, {line.subject, line.text("calibration"), contentName(session.lightField)});
   makeFolderOf(output);
   saveSession(output, result);
   if (!line.has("quiet"))

@@ -12,6 +12,7 @@
 #include "io/images/image_file.h"
 #include "io/layouts/view_files.h"
 #include "io/layouts/view_layouts.h"
+#include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
 
@@ -84,13 +85,81 @@ void printStore(std::ostream& out, const Session& around) {
   printSize(out, around);
 }
 
+/// Prints the parameters of a live scene, one in a line.
+class ParameterLines : public ParameterVisitor {
+ public:
+  explicit ParameterLines(std::ostream& out) : m_out(out) {}
+  void group(std::string_view, std::string_view) override {}
+
+ protected:
+  void numbers(const Field& field, std::span<double> values, bool isList) override {
+    begin(field) << (isList ? "(" : "");
+    for (std::size_t k = 0; k < values.size(); ++k)
+      m_out << (k == 0 ? "" : ", ") << numberText(values[k]);
+    end(field, isList);
+  }
+  void integers(const Field& field, std::span<int> values, bool isList) override {
+    begin(field) << (isList ? "(" : "");
+    for (std::size_t k = 0; k < values.size(); ++k) m_out << (k == 0 ? "" : ", ") << values[k];
+    end(field, isList);
+  }
+  void flag(const Field& field, bool& value) override {
+    begin(field) << (value ? "true" : "false") << "\n";
+  }
+  void text(const Field& field, std::string& value) override { begin(field) << value << "\n"; }
+  void choice(const Field& field, int& index) override {
+    begin(field) << field.choices[std::size_t(index)] << "\n";
+  }
+
+ private:
+  std::ostream& begin(const Field& field) {
+    return m_out << "  " << field.name
+                 << std::string(12 - std::min<std::size_t>(11, field.name.size()), ' ');
+  }
+  void end(const Field& field, bool isList) {
+    m_out << (isList ? ")" : "") << (field.unit.empty() ? "" : " ") << field.unit << "\n";
+  }
+
+  std::ostream& m_out;
+};
+
+void printLive(std::ostream& out, const Session& session) {
+  LightFieldParams params = session.lightField;
+  out << "layout      live: rays of a scene are traced as views need them\n"
+      << "source      " << params.source << "\n";
+  ParameterLines lines(out);
+  describe(lines, params.content);
+  describe(lines, params.live);
+  const LiveFile file(params, session.display);
+  const auto& [points, corners, colours] = file.content().triangles();
+  double back = 0;
+  double front = 0;
+  file.content().depths(back, front);
+  if (!corners.empty()) out << "triangles   " << corners.size() / 3 << "\n";
+  out << "depths      " << numberText(back) << " … " << numberText(front) << " m\n";
+  for (const fs::path& name : file.files()) out << "file        " << name.string() << "\n";
+}
+
+void printMesh(std::ostream& out, const Session& around) {
+  printLive(out, around);
+  out << "display     " << numberText(around.display.size[0]) << "×"
+      << numberText(around.display.size[1]) << " m, fov " << numberText(around.display.fov[0])
+      << "×" << numberText(around.display.fov[1]) << "°\n";
+  printSize(out, Display(around.display).size());
+}
+
 void printSession(std::ostream& out, const Session& session) {
   out << "session     " << session.cameras.size() << " camera state(s)\n"
       << "display     " << numberText(session.display.size[0]) << "×"
       << numberText(session.display.size[1]) << " m, fov " << numberText(session.display.fov[0])
       << "×" << numberText(session.display.fov[1]) << "°\n"
-      << "light field " << session.lightField.file << "\n";
-  printSize(out, session);
+      << "light field " << contentName(session.lightField) << "\n";
+  if (session.lightField.layout == Layout::live) {
+    printLive(out, session);
+    printSize(out, Display(session.display).size());
+  } else {
+    printSize(out, session);
+  }
   for (const CameraState& state : session.cameras) {
     const auto& [name, eye, lookat, up, fov, res, weight] = state.camera;
     out << "state       " << name << ": eye (" << numberText(eye.x) << ", " << numberText(eye.y)
@@ -114,6 +183,7 @@ int runInfo(const CommandLine& line) {
       const Layout layout = around.lightField.layout;
       (layout == Layout::views  ? printFolder
        : layout == Layout::pack ? printStore
+       : layout == Layout::live ? printMesh
                                 : printImage)(out, around);
     }
   } catch (const InputError& error) {

@@ -28,6 +28,8 @@ class Values : public ParameterVisitor {
   explicit Values(Session session) {
     describe(*this, session.display);
     describe(*this, session.lightField);
+    if (session.lightField.content.isGiven()) describe(*this, session.lightField.content);
+    describe(*this, session.lightField.live);
     describe(*this, session.sampling);
   }
   std::vector<Value> values;

@@ -3,10 +3,12 @@
 // visits, by name.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -32,6 +34,18 @@ class ContentParams {
   void visit(ParameterVisitor& v);
   /// Passes the content's file to `change`, and sets it to the result: a text named "file".
   void changeFile(const std::function<std::string(const std::string&)>& change);
+  /// Returns the value of this name; null unless there is one of this type.
+  template <class T>
+  [[nodiscard]] const T* find(std::string_view name) const {
+    const auto found = std::ranges::find(m_values, name, &NamedValue::name);
+    return found == m_values.end() ? nullptr : std::get_if<T>(&found->value);
+  }
+  /// Sets a value that find() finds; changes nothing else.
+  template <class T>
+  void set(std::string_view name, const T& value) {
+    for (NamedValue& known : m_values)
+      if (known.name == name && std::holds_alternative<T>(known.value)) known.value = value;
+  }
 
   bool operator==(const ContentParams& other) const { return m_values == other.m_values; }
 

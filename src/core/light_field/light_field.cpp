@@ -65,6 +65,12 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   }
 }
 
+std::string contentName(const LightFieldParams& params) {
+  if (params.layout != Layout::live) return params.file;
+  const auto* file = params.content.find<std::string>("file");
+  return file != nullptr && !file->empty() ? *file : params.source;
+}
+
 namespace {
 
 LightField::Texels blackTexels(std::size_t count, StoredType type) {

@@ -48,6 +48,9 @@ struct LightFieldParams {
 /// named after the source.
 void describe(ParameterVisitor& v, LightFieldParams& p);
 
+/// Returns what messages call it: its file, that of a live scene, or else the scene's source.
+std::string contentName(const LightFieldParams& params);
+
 /// A directional pixel as stored; `unused` makes its size a power of two.
 template <class T>
 struct Texel {

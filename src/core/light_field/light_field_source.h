@@ -13,6 +13,7 @@
 #include "core/light_field/footprint.h"
 #include "core/light_field/slice_layout.h"
 #include "core/light_field/texel.h"
+#include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {
 
@@ -57,6 +58,9 @@ class LightFieldSource {
   /// slopes dx/dz, dy/dz. The eye is in the display frame, in metres; the spans have one size. May
   /// be called from several threads. Throws InputError for content that is not a live scene.
   virtual void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const;
+
+  /// Returns what the 3-D scene draws of a live scene; of others nothing. Throws InputError.
+  [[nodiscard]] virtual plugin::Triangles triangles() const { return {}; }
 
   /// Returns one texel; the index must lie in the light field. Throws InputError.
   [[nodiscard]] virtual Rgb texel(const TexelIndex& at) const;

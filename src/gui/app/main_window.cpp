@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <utility>
 
 #include "gui/app/colours.h"
@@ -152,6 +153,7 @@ void MainWindow::connectDocks() {
   m_imageCommands = new ImageCommands(*m_ui, m_model, this);
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
+  connect(m_lightField, &LightFieldDock::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::otherChanged, this, &MainWindow::render);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
@@ -183,13 +185,14 @@ void MainWindow::connectWorker() {
 }
 
 void MainWindow::render() {
-  if (!m_loaded) return;  // onSceneLoaded() renders
+  if (!m_loaded || m_isReading) return;  // onSceneLoaded() renders
   m_worker->render({m_model->current(), m_display, m_model->session().sampling, m_method,
                     m_imageCommands->other()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
   m_imageCommands->show(view);
+  loadWhatWaits();
   const int views = view.otherImage.isNull() ? 1 : 2;
   const QString form = views == 1 ? tr("%1 × %2 px in %3 ms, %4 views/s, %5")
                                   : tr("%1 × %2 px, both in %3 ms, %4 views/s, %5");
@@ -239,6 +242,9 @@ void MainWindow::addHabits() {
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, m_ui->splitter);
   connect(m_ui->resetLayoutAction, &QAction::triggered, m_layout, &WindowLayout::reset);
+  m_sayReading = new QTimer(this);
+  m_sayReading->setSingleShot(true);
+  connect(m_sayReading, &QTimer::timeout, this, &MainWindow::showReading);
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);
   m_readingBar->setObjectName("readingBar");
@@ -251,14 +257,18 @@ void MainWindow::addHabits() {
 
 /// Shows nothing rather than the image of another light field.
 void MainWindow::showStopped() {
+  endReading();
   const QString line = tr("Stopped reading %1; to read it, open the session again")
-                           .arg(QString::fromStdString(m_model->session().lightField.file));
+                           .arg(QString::fromStdString(contentName(m_model->session().lightField)));
   m_imageCommands->drop(line);
   m_messages->showMessage(line);
 }
 
 /// What the worker could not do, on the image until it can.
 void MainWindow::showFailure(const QString& line) {
+  const bool isOld = !readTheSame(m_asked, m_model->session());
+  endReading();
+  if (isOld) return load();
   const QString what =
       m_loaded ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
   QString advice = tr("Correct it in the docks, undo the edit, or choose another state.");
@@ -290,41 +300,92 @@ void MainWindow::showSession() {
   showStates();
 }
 
-void MainWindow::load() {
-  m_asked = m_model->session();
-  m_display = m_asked.display;
-  m_loaded.reset();  // the old one's memory is free before the new one is read
+/// Without a light field, if one was being read.
+void MainWindow::endReading() {
+  m_sayReading->stop();
+  if (std::exchange(m_isReading, false)) forgetScene();
+  m_isAwaited = false;
+}
+
+/// The memory is free then.
+void MainWindow::forgetScene() {
+  m_loaded.reset();
   m_ui->reportPanel->setReference(std::nullopt);
   m_lightField->setScene(std::nullopt);
   m_scene->setScene(std::nullopt);
+  m_imageCommands->setScene(std::nullopt);
+}
+
+/// Of an edited live scene all that is shown stays until there is something newer, and edits that
+/// come faster than pictures wait for the next one (loadWhatWaits): else none would ever come.
+void MainWindow::load() {
+  const auto isLive = [](const Session& session) {
+    return session.lightField.layout == Layout::live;
+  };
+  const bool isEdit = m_loaded && isLive(m_asked) && isLive(m_model->session());
+  if (isEdit && m_isAwaited) return;
+  m_asked = m_model->session();
+  m_display = m_asked.display;
+  m_isReading = m_isAwaited = true;
+  if (!isEdit) forgetScene();
   m_worker->load(m_asked);
+  constexpr int quick = 300;  // milliseconds
+  if (isEdit)
+    m_sayReading->start(quick);
+  else
+    showReading();
+}
+
+void MainWindow::loadWhatWaits() {
+  m_isAwaited = false;
+  if (m_loaded && !readTheSame(m_asked, m_model->session())) load();
+}
+
+void MainWindow::showReading() {
   m_readingBar->show();
-  const QString line = tr("Reading %1 …").arg(QString::fromStdString(m_asked.lightField.file));
+  const QString line =
+      tr("Reading %1 …").arg(QString::fromStdString(contentName(m_asked.lightField)));
   m_imageCommands->showNotice(line);
   m_messages->showMessage(line);
 }
 
-/// What has been read, with the session's display and sampling as they are now.
+/// What has been read, with the session's display and sampling as they are now; a live scene may
+/// have been edited since.
 void MainWindow::onSceneLoaded(const Scene& scene) {
+  m_isReading = false;
   m_loaded = scene;
-  m_imageCommands->showNotice(tr("Rendering …"));
-  showContent();
+  if (m_sayReading->isActive())
+    m_sayReading->stop();
+  else
+    m_imageCommands->showNotice(tr("Rendering …"));
+  if (readTheSame(m_asked, m_model->session()))
+    showContent();
+  else
+    showScene();
   if (std::exchange(m_isNew, false)) m_scene->scene().fit();
 }
 
 /// A light field that is in memory is not read again where only the panel's pose, size or lens or
 /// the sampling are others.
 void MainWindow::showContent() {
-  if (!m_loaded || !readTheSame(m_asked, m_model->session())) {
+  if (!m_loaded || m_isReading || !readTheSame(m_asked, m_model->session())) {
     load();
+    offerViews();
+    showCurrent();
   } else {
     m_loaded->display = resolved(m_model->session().display, m_loaded->lightField->size());
     m_loaded->sampling = m_model->session().sampling;
-    m_display = m_loaded->display;
-    m_lightField->setScene(m_loaded);
-    m_scene->setScene(m_loaded);
-    m_ui->reportPanel->setReference(m_loaded);
+    showScene();
   }
+}
+
+/// What has been read.
+void MainWindow::showScene() {
+  m_display = m_loaded->display;
+  m_lightField->setScene(m_loaded);
+  m_scene->setScene(m_loaded);
+  m_imageCommands->setScene(m_loaded);
+  m_ui->reportPanel->setReference(m_loaded);
   offerViews();
   showCurrent();
 }

@@ -10,6 +10,7 @@
 #include "study/tradeoff.h"
 
 class QComboBox;
+class QTimer;
 
 namespace Ui {
 class MainWindow;
@@ -56,6 +57,11 @@ class MainWindow : public QMainWindow {
   void showSession();
   void showContent();
   void load();
+  void loadWhatWaits();
+  void forgetScene();
+  void endReading();
+  void showReading();
+  void showScene();
   void onSceneLoaded(const Scene& scene);
   void showCurrent();
   void showTitle();
@@ -71,6 +77,7 @@ class MainWindow : public QMainWindow {
   FileCommands* m_files = nullptr;
   WindowLayout* m_layout = nullptr;
   ReadingBar* m_readingBar = nullptr;
+  QTimer* m_sayReading = nullptr;
   QComboBox* m_stateBox;
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
@@ -80,6 +87,8 @@ class MainWindow : public QMainWindow {
   bool m_isNew = false;                 ///< the session: the scene has to be fitted to it
   std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be
   Session m_asked;                      ///< whose light field was read last, or is read
+  bool m_isReading = false;             ///< m_asked's: m_loaded is an older one, if any
+  bool m_isAwaited = false;             ///< m_asked's first picture
   std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
 };
 

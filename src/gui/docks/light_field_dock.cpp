@@ -11,11 +11,35 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/task.h"
+#include "io/documents/session_file.h"
+#include "io/scene/live_file.h"
 
 namespace hogelscope {
 
+namespace {
+
+/// Returns an edited light field with the fields that another layout or source brings along. Throws
+/// InputError: there is no such source.
+LightFieldParams completed(const LightFieldParams& before, LightFieldParams after) {
+  if (after.layout != before.layout && after.layout == Layout::live) {
+    after = {};
+    after.layout = Layout::live;
+    after.source = "scene";
+  } else if (after.layout != Layout::live && before.layout == Layout::live) {
+    const Layout layout = after.layout;
+    after = {};
+    after.layout = layout;
+  }
+  if (after.source != before.source)
+    after.content = after.source.empty() ? ContentParams() : contentOf(after.source);
+  return after;
+}
+
+}  // namespace
+
 LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_contents(new QLabel) {
+    : QWidget(parent), m_model(model), m_contents(new QLabel), m_task(new Task(this)) {
   m_contents->setObjectName("contentsLabel");
   m_contents->setToolTip(tr("What has been read"));
   m_contents->setWordWrap(true);
@@ -32,12 +56,46 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   row->addWidget(folderButton);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stackWidgets({contentForm(m_model, &Session::lightField), buttons, m_contents,
-                                  contentForm(m_model, &Session::sampling)}));
+  const auto visitContent = [](ParameterVisitor& v, LightFieldParams& p) {
+    if (p.content.isGiven()) describe(v, p.content);
+  };
+  const auto visitLive = [](ParameterVisitor& v, LightFieldParams& p) { describe(v, p.live); };
+  m_liveForms = {form(visitContent), form(visitLive)};
+  layout->addWidget(stackWidgets(
+      {form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); }), buttons,
+       m_liveForms[0], m_liveForms[1], m_contents, contentForm(m_model, &Session::sampling)}));
+  for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
+    connect(m_model, change, this, &LightFieldDock::showForms);
+  showForms();
   const auto enable = [this, buttons] { buttons->setEnabled(!m_model->session().cameras.empty()); };
   connect(m_model, &SessionModel::opened, this, enable);
   enable();
+  connect(m_model, &SessionModel::opened, m_task, &Task::abandon);
+  connect(m_task, &Task::failed, this, &LightFieldDock::failed);
   setScene(std::nullopt);
+}
+
+/// A form over the light field, or a part of it.
+ParameterForm* LightFieldDock::form(
+    const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit) {
+  auto* made = new ParameterForm([this, visit](ParameterVisitor& visitor) {
+    Session content = m_model->session();
+    const LightFieldParams before = content.lightField;
+    visit(visitor, content.lightField);
+    try {
+      content.lightField = completed(before, content.lightField);
+      m_model->setContent(content);
+    } catch (const std::exception& error) {
+      Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+  });
+  follow(m_model, made);
+  return made;
+}
+
+void LightFieldDock::showForms() {
+  const bool isLive = m_model->session().lightField.content.isGiven();
+  for (QWidget* part : m_liveForms) part->setVisible(isLive);
 }
 
 void LightFieldDock::setScene(const std::optional<Scene>& scene) {
@@ -49,6 +107,8 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
       lightField.isInMemory()
           ? tr("%1 in memory")
                 .arg(locale().formattedDataSize(qint64(LightField::bytes(size, lightField.type()))))
+      : m_model->session().lightField.layout == Layout::live
+          ? tr("traced as each view needs it")
           : tr("in a store, of which each view reads what it needs");
   m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"
                          "as one hogel image: %6×%7 px; %8")
@@ -63,15 +123,32 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
 }
 
 void LightFieldDock::choose(const QString& file) {
+  m_task->abandon();
+  if (isMeshFile(file.toStdString())) return chooseMesh(file);
   Session content = m_model->session();
   content.lightField = withFile(content.lightField, file.toStdString());
   m_model->setContent(content);
 }
 
+/// Later, when it has been read: with a display that fits it, where the display stands.
+void LightFieldDock::chooseMesh(const QString& file) {
+  m_task->start([this, file](const Progress& progress) {
+    return [this, around = sessionAround(file.toStdString(), {}, progress)] {
+      Session content = m_model->session();
+      content.lightField = around.lightField;
+      content.display = around.display;
+      content.display.position = m_model->session().display.position;
+      content.display.orientation = m_model->session().display.orientation;
+      m_model->setContent(content);
+    };
+  });
+}
+
 void LightFieldDock::askFile() {
   const QString file =
       chooseFile(this, tr("Choose light field"),
-                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+                 tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.glb *.gltf "
+                    "*.obj *.ply);;All files (*)"));
   if (!file.isEmpty()) choose(file);
 }
 

@@ -55,7 +55,7 @@ std::string nameOf(const SessionModel& model) {
 
 /// Named after the session, or after its light field where it has no file yet.
 QString folderBeside(const SessionModel& model) {
-  const QString lightField = QString::fromStdString(model.session().lightField.file);
+  const QString lightField = QString::fromStdString(contentName(model.session().lightField));
   const QFileInfo info(QDir::cleanPath(model.file().isEmpty() ? lightField : model.file()));
   return info.path() + "/" + info.completeBaseName() + "-report";
 }

@@ -12,8 +12,10 @@
 #include "gui/session/session_model.h"
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/message_boxes.h"
+#include "gui/widgets/task.h"
 #include "io/documents/calibration_file.h"
 #include "io/documents/session_file.h"
+#include "io/scene/live_file.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
@@ -23,6 +25,7 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
       m_model(model),
       m_window(window),
       m_recent(new RecentFiles(ui.recentMenu, this)),
+      m_task(new Task(this)),
       m_autosave(new Autosave(model, this)) {
   connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
   connect(ui.openLightFieldAction, &QAction::triggered, this, &FileCommands::askLightField);
@@ -35,6 +38,7 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
     if (mayLeave()) open(file);
   });
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
+  connect(m_task, &Task::failed, this, &FileCommands::failed);
   connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::openFiles,
           Qt::QueuedConnection);
 }
@@ -51,15 +55,31 @@ bool FileCommands::guarded(Action action) {
 }
 
 bool FileCommands::open(const QString& file) {
+  if (isMeshFile(file.toStdString()) && !QFileInfo(file).isDir()) {
+    openMesh(file);
+    return true;
+  }
+  m_task->abandon();
   return guarded([&] {
     if (isSessionFile(file.toStdString())) {
       m_model->open(file);
       m_recent->add(file);
     } else {
-      m_model->openLightField(file);
+      m_model->openNew(sessionAround(file.toStdString()));
     }
     rememberFolderOf(file);
   });
+}
+
+/// On another thread: it has to be read to know which display fits it.
+void FileCommands::openMesh(const QString& file) {
+  m_task->start([this, file](const Progress& progress) {
+    return [this, file, session = sessionAround(file.toStdString(), {}, progress)] {
+      m_model->openNew(session);
+      rememberFolderOf(file);
+    };
+  });
+  Q_EMIT done(tr("Reading %1 …").arg(file));
 }
 
 bool FileCommands::save(const QString& file) {
@@ -91,7 +111,8 @@ void FileCommands::openAny(const QString& file, bool isFirst) {
   const QString suffix = QFileInfo(file).suffix().toLower();
   const bool isCalibration = suffix == "yml" || suffix == "yaml";
   const bool isOpen = !m_model->session().cameras.empty();
-  if (isFirst && (isSessionFile(file.toStdString()) || !(isOpen || isCalibration))) {
+  const bool isWhole = isSessionFile(file.toStdString()) || isMeshFile(file.toStdString());
+  if (isFirst && (isWhole || !(isOpen || isCalibration))) {
     if (mayLeave()) open(file);
   } else if (!isOpen) {
     Q_EMIT failed(tr("%1: needs an open session (*.json)").arg(file));
@@ -137,7 +158,8 @@ void FileCommands::askOpen() {
 void FileCommands::askLightField() {
   const QString file =
       chooseFile(m_window, tr("Open light field"),
-                 tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"));
+                 tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.glb *.gltf "
+                    "*.obj *.ply);;All files (*)"));
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 

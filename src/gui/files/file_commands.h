@@ -17,6 +17,7 @@ namespace hogelscope {
 class Autosave;
 class RecentFiles;
 class SessionModel;
+class Task;
 
 class FileCommands : public QObject {
   Q_OBJECT
@@ -25,15 +26,16 @@ class FileCommands : public QObject {
   FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
 
   /// These do not ask, and report errors through failed(). True if it is done. A session document
-  /// opens, or a light field (an image or a folder), which a new session is made around.
+  /// opens, or a light field (an image, a folder or a mesh), which a new session is made around; of
+  /// a mesh it does so later, when that has been read.
   bool open(const QString& file);
   bool save(const QString& file);
   /// Into the current state.
   bool importCalibration(const QString& file);
 
   /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
-  /// current state, and the open session is compared with anything else; where none is open, a
-  /// light field opens as a new one.
+  /// current state, and the open session is compared with anything else; a mesh, and where no
+  /// session is open a light field, opens as a new one.
   void openFiles(const QStringList& files);
   /// True if there are no edits, or they are saved or not wanted any more.
   bool mayLeave();
@@ -49,6 +51,7 @@ class FileCommands : public QObject {
  private:
   template <class Action>
   bool guarded(Action action);
+  void openMesh(const QString& file);
   void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
@@ -60,6 +63,7 @@ class FileCommands : public QObject {
   SessionModel* m_model;
   QWidget* m_window;
   RecentFiles* m_recent;
+  Task* m_task;  ///< reads a mesh
   Autosave* m_autosave;
 };
 

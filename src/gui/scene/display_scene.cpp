@@ -33,6 +33,7 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
       m_widget(widget),
       m_panel(m_renderer),
       m_frusta(m_renderer),
+      m_mesh(m_renderer),
       m_picked(m_renderer),
       m_handles(m_renderer, widget.interactor(), nullptr),
       m_eyeTimer(new QTimer(this)) {
@@ -65,6 +66,7 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
                         std::size_t current) {
   m_display = display;
   m_panel.setDisplay(display);
+  m_mesh.setDisplay(display);
   m_frusta.show(display, states, current);
   const bool hasCurrent = current < states.size() && hasFrame(states[current].camera);
   if (hasCurrent)

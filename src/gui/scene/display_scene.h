@@ -10,6 +10,7 @@
 
 #include "core/optics/session.h"
 #include "gui/scene/frustum_actors.h"
+#include "gui/scene/mesh_actors.h"
 #include "gui/scene/panel_actors.h"
 #include "gui/scene/pick_actors.h"
 #include "gui/scene/scene_handles.h"
@@ -38,6 +39,7 @@ class DisplayScene : public QObject {
             std::size_t current);
   [[nodiscard]] FrustumActors& frusta() { return m_frusta; }
   [[nodiscard]] PanelActors& panel() { return m_panel; }
+  [[nodiscard]] MeshActors& mesh() { return m_mesh; }
   [[nodiscard]] PickActors& picked() { return m_picked; }
   [[nodiscard]] SceneHandles& handles() { return m_handles; }
   [[nodiscard]] vtkRenderer* renderer() const { return m_renderer; }
@@ -77,6 +79,7 @@ class DisplayScene : public QObject {
   vtkNew<vtkRenderer> m_renderer;
   PanelActors m_panel;
   FrustumActors m_frusta;
+  MeshActors m_mesh;
   PickActors m_picked;
   SceneHandles m_handles;
   vtkNew<vtkAxesActor> m_axes;

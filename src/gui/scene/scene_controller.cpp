@@ -73,6 +73,7 @@ void SceneController::connectActions() {
   on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
   on(m_form.scenePanelPictureAction, [this] { renderPanel(); });
   on(m_form.sceneStatePicturesAction, [this] { renderStates(); });
+  on(m_form.sceneMeshAction, [this] { showMesh(); });
 }
 
 void SceneController::connectModel() {
@@ -110,6 +111,11 @@ void SceneController::connectScene() {
     m_scene->frusta().setImage(std::size_t(index), image);
     m_scene->redraw();
   });
+  connect(m_worker, &SceneWorker::meshMade, this, [this](const VtkMesh& mesh) {
+    m_scene->mesh().setMesh(mesh);
+    m_scene->redraw();
+  });
+  connect(&m_scene->handles(), &SceneHandles::meshDragged, this, &SceneController::moveMesh);
   const auto moved = [this](Vec3 CameraParams::*point) {
     return [this, point](const Vec3& to) {
       CameraState state = m_model->current();
@@ -128,6 +134,7 @@ void SceneController::setScene(const std::optional<Scene>& scene) {
   if (!scene) {
     m_scene->panel().setImage(nullptr);
     m_scene->frusta().clearImages();
+    m_scene->mesh().setMesh(nullptr);
   }
   refresh();
 }
@@ -140,9 +147,32 @@ void SceneController::showPsnr(const std::vector<double>& dB) {
 /// The model changed.
 void SceneController::refresh() {
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
+  showMesh();
   renderPanel();
   renderStates();
   showText();
+}
+
+/// Content that says where it stands has a ball there.
+void SceneController::showMesh() {
+  const bool isShown = m_form.sceneMeshAction->isChecked();
+  m_scene->mesh().setVisible(isShown);
+  const auto* position =
+      m_model->session().lightField.content.find<std::vector<double>>("position");
+  std::optional<Vec3> origin;
+  if (isShown && position != nullptr && position->size() == 3)
+    origin = transformFromPose(m_display.position, m_display.orientation)
+                 .point({(*position)[0], (*position)[1], (*position)[2]});
+  m_scene->handles().showMeshAt(origin);
+  m_scene->redraw();
+}
+
+void SceneController::moveMesh(const Vec3& origin) {
+  const Vec3 place =
+      transformFromPose(m_display.position, m_display.orientation).inverse().point(origin);
+  m_model->edit(tr("Move the mesh"), [&](Session& session) {
+    session.lightField.content.set("position", std::vector<double>{place.x, place.y, place.z});
+  });
 }
 
 /// With a pixel for each of the screen's; with fewer where each costs more.

@@ -42,6 +42,8 @@ class SceneController : public QObject {
   void connectModel();
   void connectScene();
   void refresh();
+  void showMesh();
+  void moveMesh(const Vec3& origin);
   void forgetPicks();
   void removePicks();
   void pickAt(int x, int y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two balls in the 3-D scene that are dragged.
+// Balls in the 3-D scene that are dragged.
 #include "gui/scene/scene_handles.h"
 
 #include <vtkCommand.h>
@@ -31,10 +31,11 @@ SceneHandles::SceneHandles(vtkRenderer* renderer, vtkRenderWindowInteractor* int
     : QObject(parent), m_renderer(renderer), m_interactor(interactor) {
   setUp(m_eye, {1.00, 0.65, 0.15});
   setUp(m_lookat, {0.95, 0.90, 0.75});
+  setUp(m_mesh, {0.45, 0.85, 0.45});
 }
 
 SceneHandles::~SceneHandles() {
-  for (Handle* handle : {&m_eye, &m_lookat}) {
+  for (Handle* handle : {&m_eye, &m_lookat, &m_mesh}) {
     handle->widget->RemoveAllObservers();
     handle->widget->SetInteractor(nullptr);
   }
@@ -55,17 +56,24 @@ void SceneHandles::setUp(Handle& handle, const std::array<double, 3>& colour) {
 void SceneHandles::onDrag(vtkObject* widget, unsigned long, void*) {
   if (widget == m_eye.widget.Get()) Q_EMIT eyeDragged(positionOf(m_eye.ball));
   if (widget == m_lookat.widget.Get()) Q_EMIT lookatDragged(positionOf(m_lookat.ball));
+  if (widget == m_mesh.widget.Get()) Q_EMIT meshDragged(positionOf(m_mesh.ball));
 }
 
 void SceneHandles::showAt(const Vec3& eye, const Vec3& lookat) {
   move(m_eye.ball, eye);
   move(m_lookat.ball, lookat);
-  m_isPlaced = true;
+  m_eye.isPlaced = m_lookat.isPlaced = true;
+  update();
+}
+
+void SceneHandles::showMeshAt(const std::optional<Vec3>& origin) {
+  m_mesh.isPlaced = origin.has_value();
+  if (origin) move(m_mesh.ball, *origin);
   update();
 }
 
 void SceneHandles::hide() {
-  m_isPlaced = false;
+  m_eye.isPlaced = m_lookat.isPlaced = false;
   update();
 }
 
@@ -76,8 +84,8 @@ void SceneHandles::setSceneEye(const Vec3& sceneEye) {
 
 void SceneHandles::update() {
   const double near = 0.05 * length(positionOf(m_eye.ball) - positionOf(m_lookat.ball));
-  for (Handle* handle : {&m_eye, &m_lookat}) {
-    const bool isShown = m_isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
+  for (Handle* handle : {&m_eye, &m_lookat, &m_mesh}) {
+    const bool isShown = handle->isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
     handle->ball->Modified();  // else it keeps its size in metres, not in pixels
     if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
     if (isShown) handle->ball->BuildRepresentation();  // its bounds count when the scene is fitted

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two balls in the 3-D scene that are dragged to move a camera's eye and look-at point.
+// Balls in the 3-D scene that are dragged to move a camera's eye and look-at point, and a mesh.
 #pragma once
 
 #include <vtkNew.h>
 
 #include <QObject>
 #include <array>
+#include <optional>
 
 #include "core/base/geometry.h"
 
@@ -27,17 +28,21 @@ class SceneHandles : public QObject {
   /// In the world, metres. They are shown once placed.
   void showAt(const Vec3& eye, const Vec3& lookat);
   void hide();
+  /// Of the mesh's origin; none: it has no ball.
+  void showMeshAt(const std::optional<Vec3>& origin);
   /// Who looks through a ball, or nearly, would see nothing but that: it is not shown.
   void setSceneEye(const Vec3& sceneEye);
 
  Q_SIGNALS:
   void eyeDragged(const hogelscope::Vec3& eye);
   void lookatDragged(const hogelscope::Vec3& lookat);
+  void meshDragged(const hogelscope::Vec3& origin);
 
  private:
   struct Handle {
     vtkNew<vtkHandleWidget> widget;
     vtkNew<vtkSphereHandleRepresentation> ball;
+    bool isPlaced = false;
   };
   void setUp(Handle& handle, const std::array<double, 3>& colour);
   void update();
@@ -47,7 +52,7 @@ class SceneHandles : public QObject {
   vtkRenderWindowInteractor* m_interactor;
   Handle m_eye;
   Handle m_lookat;
-  bool m_isPlaced = false;
+  Handle m_mesh;
   Vec3 m_sceneEye;
 };
 

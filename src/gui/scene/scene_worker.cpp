@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders the 3-D scene's images on a thread of its own.
+// Makes what the 3-D scene shows on a thread of its own.
 #include "gui/scene/scene_worker.h"
 
 #include <vtkNew.h>
@@ -125,6 +125,7 @@ void SceneWorker::run() {
         m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
     lock.unlock();
     if (isNew) filter->SetJob({});  // it may hold the last reference to the old light field
+    if (isNew) makeMesh();
     if (!m_scene) continue;
     if (!panel) {
       renderNextState(*filter);
@@ -134,6 +135,19 @@ void SceneWorker::run() {
     if (image != nullptr)
       queueAnswer(this, m_asked, m_number, [this, image] { Q_EMIT panelRendered(image); });
   }
+}
+
+void SceneWorker::makeMesh() {
+  if (!m_scene) return;
+  if (m_meshOf.lock() != m_scene->lightField) {
+    m_meshOf = m_scene->lightField;
+    try {
+      m_mesh = toVtkMesh(m_scene->lightField->triangles());
+    } catch (const std::exception&) {
+      m_mesh = nullptr;  // a plugin's fault: there is still the simulated view
+    }
+  }
+  queueAnswer(this, m_asked, m_number, [this, mesh = m_mesh] { Q_EMIT meshMade(mesh); });
 }
 
 void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {

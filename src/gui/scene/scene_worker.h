@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders the 3-D scene's images on a thread of its own: the panel as the scene's eye sees it,
-// and small views of all states.
+// Makes what the 3-D scene shows on a thread of its own: the panel as the scene's eye sees it,
+// small views of all states, and the mesh of a live scene.
 #pragma once
 
 #include <vtkImageData.h>
@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "gui/scene/mesh_actors.h"
 #include "io/scene/scene.h"
 
 class vtkHogelViewFilter;
@@ -43,11 +44,14 @@ class SceneWorker : public QObject {
 
  Q_SIGNALS:
   void panelRendered(const hogelscope::VtkImage& image);
+  /// After each setScene(); null where the light field is no mesh.
+  void meshMade(const hogelscope::VtkMesh& mesh);
   void stateRendered(int index, const hogelscope::VtkImage& image);
 
  private:
   void run();
   bool switchScene();
+  void makeMesh();
   void renderNextState(vtkHogelViewFilter& filter);
   [[nodiscard]] std::optional<std::size_t> nextState() const;
   [[nodiscard]] bool hasWork() const;
@@ -66,6 +70,8 @@ class SceneWorker : public QObject {
 
   std::optional<Scene> m_scene;  ///< the thread's own, as the next
   int m_number = 0;              ///< of its setScene()
+  std::weak_ptr<const LightFieldSource> m_meshOf;
+  VtkMesh m_mesh;
   std::thread m_thread;
 };
 

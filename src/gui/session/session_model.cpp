@@ -66,8 +66,8 @@ void SessionModel::recover(const QString& copy, const QString& file) {
   Q_EMIT opened();
 }
 
-void SessionModel::openLightField(const QString& file) {
-  m_session = sessionAround(file.toStdString());
+void SessionModel::openNew(const Session& session) {
+  m_session = session;
   m_saved = {};
   m_file.clear();
   m_current = 0;
@@ -77,7 +77,7 @@ void SessionModel::openLightField(const QString& file) {
 
 void SessionModel::save(const QString& file) {
   check(m_session);
-  checkOutputs({file.toStdString()}, {m_session.lightField.file});
+  checkOutputs({file.toStdString()}, {contentName(m_session.lightField)});
   saveSession(file.toStdString(), m_session);
   m_saved = m_session;
   m_file = file;

@@ -31,8 +31,8 @@ class SessionModel : public QObject {
   /// Opens `copy`, which a crash left behind, as unsaved edits of `file`. Throws InputError; the
   /// session stays as it was.
   void recover(const QString& copy, const QString& file);
-  /// A new session around a light field (sessionAround). Throws InputError likewise.
-  void openLightField(const QString& file);
+  /// A new session, which has no file yet.
+  void openNew(const Session& session);
   /// Throws InputError; unsaved edits stay.
   void save(const QString& file);
   void setCurrentIndex(std::size_t index);

@@ -18,6 +18,7 @@ void Comparison::start(const Session& session, const QString& file) {
   m_task.start([=, this](const Progress& progress) {
     return [=, this, scene = loadScene(other, progress)] {
       m_other = scene;
+      m_isIdeal = false;
       m_name = QFileInfo(file).fileName();
       m_hasOwnDisplay = hasOwnDisplay;
       Q_EMIT changed();
@@ -25,14 +26,29 @@ void Comparison::start(const Session& session, const QString& file) {
   });
 }
 
+void Comparison::startIdeal() {
+  m_task.abandon();
+  m_other.reset();
+  m_isIdeal = true;
+  m_name = tr("ideal view");
+  Q_EMIT changed();
+}
+
 void Comparison::stop() {
   m_task.abandon();
+  m_isIdeal = false;
   m_other.reset();
   m_name.clear();
   Q_EMIT changed();
 }
 
 std::optional<Scene> Comparison::other(const Session& session) const {
+  if (m_isIdeal) {
+    std::optional<Scene> ideal = m_own;
+    if (session.lightField.layout != Layout::live) ideal.reset();
+    if (ideal) ideal->isIdeal = true;
+    return ideal;
+  }
   std::optional<Scene> scene = m_other;
   if (!scene) return scene;
   scene->sampling = session.sampling;

@@ -21,12 +21,16 @@ class Comparison : public QObject {
   /// Reads a light field (withLightField) for the session's states; an older reading stops, and
   /// until it is there nothing changes. Throws InputError.
   void start(const Session& session, const QString& file);
+  /// Compares with the ideal view of the session's own light field, as long as that is live.
+  void startIdeal();
   void stop();
+  /// The session's own light field; none while it is read.
+  void setScene(const std::optional<Scene>& own) { m_own = own; }
 
   /// With the session's sampling, and its display where the other light field has none of its own.
   /// None while nothing is compared.
   [[nodiscard]] std::optional<Scene> other(const Session& session) const;
-  /// Its file's name.
+  /// Its file's name, or what it is.
   [[nodiscard]] const QString& name() const { return m_name; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
   /// How much has been read, 0 … 1; to be polled (PolledBar).
@@ -38,7 +42,9 @@ class Comparison : public QObject {
   void failed(const QString& line);
 
  private:
+  std::optional<Scene> m_own;
   std::optional<Scene> m_other;
+  bool m_isIdeal = false;
   QString m_name;
   bool m_hasOwnDisplay = false;  ///< other()
   Task m_task;

@@ -17,6 +17,16 @@
 
 namespace hogelscope {
 
+namespace {
+
+/// Of a live scene its own file alone: to open it may take seconds.
+std::vector<std::filesystem::path> filesOf(const Session& session) {
+  if (session.lightField.layout == Layout::live) return {contentName(session.lightField)};
+  return openLightField(session.lightField, session.display)->files();
+}
+
+}  // namespace
+
 ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
     : QObject(parent),
       m_ui(ui),
@@ -30,6 +40,7 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
   };
   connectAction(m_ui.compareAction, &ImageCommands::askFile);
   connectAction(m_ui.compareFolderAction, &ImageCommands::askFolder);
+  connect(m_ui.compareIdealAction, &QAction::triggered, m_comparison, &Comparison::startIdeal);
   connectAction(m_ui.stopComparingAction, &ImageCommands::stopComparing);
   connectAction(m_ui.savePictureAction, &ImageCommands::askImage);
   connectAction(m_ui.copyPictureAction, &ImageCommands::copy);
@@ -58,6 +69,10 @@ void ImageCommands::addModes() {
     connect(action, &QAction::triggered, this, [this, m = mode] { m_ui.pictureView->setMode(m); });
   }
   m_ui.sideBySideAction->setChecked(true);
+}
+
+void ImageCommands::setScene(const std::optional<Scene>& own) {
+  m_comparison->setScene(own);
 }
 
 std::optional<Scene> ImageCommands::other() const {
@@ -94,11 +109,13 @@ void ImageCommands::showComparison() {
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasImage);
   m_ui.compareFolderAction->setEnabled(hasImage);
+  m_ui.compareIdealAction->setEnabled(hasImage &&
+                                      m_model->session().lightField.layout == Layout::live);
   for (QAction* action : {m_ui.fitViewAction, m_ui.oneToOneViewAction})
     action->setEnabled(hasImage);
   for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
     action->setEnabled(isRight());
-  const std::string& own = m_model->session().lightField.file;
+  const std::string own = contentName(m_model->session().lightField);
   m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
                               m_comparison->name());
 }
@@ -137,9 +154,7 @@ bool ImageCommands::saveImage(const QString& file) {
   for (int y = 0; y < image.height(); ++y)
     rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
   try {
-    const Session& session = m_model->session();
-    checkOutputs({file.toStdString()},
-                 openLightField(session.lightField, session.display)->files());
+    checkOutputs({file.toStdString()}, filesOf(m_model->session()));
     writeImage(file.toStdString(), image.width(), image.height(), rgb);
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

@@ -24,6 +24,8 @@ class ImageCommands : public QObject {
  public:
   ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
+  /// The session's own light field; none while it is read.
+  void setScene(const std::optional<Scene>& own);
   /// What is to be rendered beside the session's own light field.
   [[nodiscard]] std::optional<Scene> other() const;
   void show(const RenderedView& view);

@@ -50,7 +50,7 @@ QImage toMask(vtkImageData& output) {
 /// directions: what takes long there is to fetch them.
 RenderJob viewOf(const Scene& scene, const CameraState& state,
                  const std::optional<NamedMethod>& method, int scale) {
-  if (scale > 1 && !scene.lightField->isInMemory())
+  if (scale > 1 && !scene.isIdeal && !scene.lightField->isInMemory())
     return overview(viewOf(scene, state, method, 1));
   RenderJob view = method ? applyMethod(*method, scene.job(state)) : scene.job(state);
   view.method.scale = std::max(view.method.scale, scale);
@@ -171,7 +171,8 @@ void ViewWorker::loadNow(const Session& session) {
     return;
   }
   m_readShare = 1;
-  if (!m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
+  const bool isLive = session.lightField.layout == Layout::live;
+  if (!isLive && !m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
   send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }
 

@@ -134,11 +134,11 @@ void ParameterForm::group(std::string_view name, std::string_view help) {
 }
 
 /// The field's editor; `make` makes it where there is none yet. Fields of one name may have editors
-/// of several kinds.
+/// of several kinds, and other ranges in another group.
 template <class Make>
 auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
   using Editor = std::remove_pointer_t<decltype(make())>;
-  const QString key = toQString(field.name) + " " + typeid(Editor).name();
+  const QString key = m_heading->text() + " " + toQString(field.name) + " " + typeid(Editor).name();
   QWidget*& known = m_rows[key];
   if (known == nullptr) {
     known = make();

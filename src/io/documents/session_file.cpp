@@ -326,12 +326,17 @@ DisplayParams displayAround(const LightFieldParams& lightField) {
 
 }  // namespace
 
-Session sessionAround(const std::string& file, const std::vector<std::string>& overrides) {
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
+                      const Progress& progress) {
   Session session;
   session.lightField = lightFieldOf(file);
   addState(session, inFrontOf(session.display));
-  session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
-  session.display = displayAround(session.lightField);
+  if (session.lightField.layout == Layout::live) {
+    fitMesh(session.lightField, session.display, progress);
+  } else {
+    session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
+    session.display = displayAround(session.lightField);
+  }
   session.cameras = {inFrontOf(session.display)};
   return overridden(session, overrides);
 }

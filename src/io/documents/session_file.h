@@ -33,10 +33,12 @@ std::vector<CameraState> loadStates(const std::filesystem::path& file);
 /// file is replaced atomically. Throws InputError.
 void appendStates(const std::filesystem::path& file, const std::vector<CameraState>& states);
 
-/// Makes a session around a light field: an image, a quilt by its name, or a folder of views. The
-/// display has its shape; one state is in front of it. For a hogel image the hogels and directions
-/// remain to be given; a store has its display. `overrides` as above. Throws InputError.
-Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {});
+/// Makes a session around a light field: an image, a quilt by its name, a folder of views, or a
+/// mesh, which is read. The display has its shape; one state is in front of it. For a hogel image
+/// the hogels and directions remain to be given; a store has its display. `overrides` as above.
+/// Throws InputError, or Cancelled while a mesh is read.
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
+                      const Progress& progress = {});
 
 /// Whether the name is that of a session document.
 bool isSessionFile(const std::filesystem::path& file);

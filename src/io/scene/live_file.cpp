@@ -3,6 +3,8 @@
 #include "io/scene/live_file.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <limits>
 
 #include "core/base/error.h"
@@ -14,10 +16,16 @@ namespace hogelscope {
 
 namespace {
 
-/// Opening is not cancelled: it comes before there is anything to show.
-class NoProgress : public plugin::Progress {
+/// What content hears of a progress, from any thread.
+class Listener : public plugin::Progress {
  public:
-  [[nodiscard]] bool go(double /*done*/) const override { return true; }
+  explicit Listener(const hogelscope::Progress& progress) {
+    if (progress) m_progress = forThreads(progress);
+  }
+  [[nodiscard]] bool go(double done) const override { return !m_progress || m_progress(done); }
+
+ private:
+  hogelscope::Progress m_progress;
 };
 
 plugin::Panel panelOf(const DisplayParams& params) {
@@ -38,13 +46,94 @@ ContentParams contentOf(const std::string& source) {
   return ContentParams([library] { return library.makeContent(); });
 }
 
-LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display)
+bool isMeshFile(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".glb" || ending == ".gltf" || ending == ".obj" || ending == ".ply";
+}
+
+LightFieldParams lightFieldOfMesh(const std::string& file) {
+  LightFieldParams params;
+  params.layout = Layout::live;
+  params.source = "mesh";
+  try {
+    params.content = contentOf(params.source);
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
+  params.content.set("file", file);
+  return params;
+}
+
+namespace {
+
+/// The box around content, in the display frame.
+struct Box {
+  Vec3 least;
+  Vec3 most;
+};
+
+Box boxAround(const plugin::ContentSource& content) {
+  const std::vector<float> points = content.triangles().points;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Box box{{far, far, far}, {-far, -far, -far}};
+  for (std::size_t k = 0; k + 2 < points.size(); k += 3) {
+    const Vec3 p{points[k], points[k + 1], points[k + 2]};
+    box.least = {std::min(box.least.x, p.x), std::min(box.least.y, p.y),
+                 std::min(box.least.z, p.z)};
+    box.most = {std::max(box.most.x, p.x), std::max(box.most.y, p.y), std::max(box.most.z, p.z)};
+  }
+  return box;
+}
+
+/// A panel of a shape, with square hogels.
+void shapePanel(DisplayParams& display, double width, double height) {
+  constexpr int hogels = 256;  // along the longer side
+  constexpr double side = 0.5;
+  const double longer = std::max(width, height);
+  const auto count = [&](double extent) {
+    return std::max(1, int(std::lround(hogels * extent / longer)));
+  };
+  display.hogels = {count(width), count(height)};
+  display.size = {side * display.hogels[0] / hogels, side * display.hogels[1] / hogels};
+  display.directions = {100, 100};
+  display.fov = {60, 60};
+}
+
+}  // namespace
+
+void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& progress) {
+  shapePanel(display, 1, 1);
+  params.content.set("position", std::vector<double>{0, 0, 0});
+  params.content.set("scale", std::vector<double>{1});
+  const auto [least, most] = boxAround(LiveFile(params, display, progress).content());
+  const Vec3 extent = most - least;
+  const double longer = std::max(extent.x, extent.y);
+  const Vec3 middle = 0.5 * (least + most);
+  constexpr double filled = 0.9;
+  constexpr double mostSlender = 8;  // a line still gets some rows of hogels
+  const double scale = filled * 0.5 / longer;
+  if (!(longer > 0) || scale < 1e-6 || scale > 1e6 || !(scale * length(middle) < 1000))
+    throw InputError(contentName(params),
+                     "is no mesh that a panel fits: it is too small, too large, or farther from "
+                     "its origin than 2000 times its size");
+  shapePanel(display, std::max(extent.x, longer / mostSlender),
+             std::max(extent.y, longer / mostSlender));
+  params.content.set("scale", std::vector<double>{scale});
+  const Vec3 place = Vec3{} - scale * middle;  // 0, not −0
+  params.content.set("position", std::vector<double>{place.x, place.y, place.z});
+}
+
+LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
+                   const Progress& progress)
     : m_params(params), m_display(display) {
+  if (!params.content.isGiven())
+    throw InputError("lightField.source", "is missing: name what computes the content");
   if (display.hogels[0] <= 0 || display.directions[0] <= 0)
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");
   auto content = params.content.makeContent();
-  content->open(panelOf(display), {".", std::int32_t(threadCount())}, NoProgress());
+  content->open(panelOf(display), {".", std::int32_t(threadCount())}, Listener(progress));
   m_content = std::move(content);
 }
 

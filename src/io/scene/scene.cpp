@@ -29,6 +29,7 @@ std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
 }  // namespace
 
 LightFieldParams lightFieldOf(const std::string& file) {
+  if (!isFolder(file) && isMeshFile(file)) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
   if (isFolder(file))
@@ -41,7 +42,7 @@ LightFieldParams lightFieldOf(const std::string& file) {
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = params.layout == Layout::live ||
+  const bool isAnotherKind = params.layout == Layout::live || isMeshFile(file) ||
                              isFolder(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
   if (isAnotherKind) return lightFieldOf(file);
@@ -51,7 +52,8 @@ LightFieldParams withFile(const LightFieldParams& params, const std::string& fil
 }
 
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
-                                               const DisplayParams& display) {
+                                               const DisplayParams& display,
+                                               const Progress& progress) {
   switch (params.layout) {
     case Layout::views:
       return openViews(params, display);
@@ -60,7 +62,7 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
     case Layout::pack:
       return openStore(params, display);
     case Layout::live:
-      return std::make_unique<LiveFile>(params, display);
+      return std::make_unique<LiveFile>(params, display, progress);
     default:
       if (LightFieldStore::isStore(params.file))
         throw InputError(params.file, "lightField.layout",
@@ -70,8 +72,13 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
 }
 
 bool readTheSame(const Session& a, const Session& b) {
-  return a.lightField == b.lightField && a.display.hogels == b.display.hogels &&
-         a.display.directions == b.display.directions;
+  const DisplayParams& ours = a.display;
+  const DisplayParams& others = b.display;
+  const bool haveSameRays =
+      ours.size == others.size && ours.fov == others.fov && ours.lens == others.lens;
+  return a.lightField == b.lightField && ours.hogels == others.hogels &&
+         ours.directions == others.directions &&
+         (haveSameRays || a.lightField.layout != Layout::live);
 }
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
@@ -87,7 +94,8 @@ void requireScene(const Session& session) {
 }
 
 Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {
-  return loadScene(session, *openLightField(session.lightField, session.display), progress, use);
+  return loadScene(session, *openLightField(session.lightField, session.display, progress),
+                   progress, use);
 }
 
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,

@@ -12,8 +12,10 @@
 namespace hogelscope {
 
 /// Opens a light field. Throws InputError: missing, damaged, or not the display's size.
+/// A live scene's content is read here, and hears of `progress`, or throws Cancelled.
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
-                                               const DisplayParams& display);
+                                               const DisplayParams& display,
+                                               const Progress& progress = {});
 
 /// The common part of the views of a session's states, read once and shared.
 struct Scene {
@@ -39,14 +41,16 @@ void requireScene(const Session& session);
 /// view can be probed before the texels have been read.
 Scene unloadedScene(const Session& session, const LightFieldFile& file);
 
-/// Whether both sessions read the same light field; their displays may differ otherwise.
+/// Whether both sessions read the same light field; their displays may differ otherwise. A live one
+/// is traced along the display's own rays.
 bool readTheSame(const Session& a, const Session& b);
 
-/// Recognises a folder of views, a store, a quilt by its name, or a hogel image.
+/// Recognises a folder of views, a store, a quilt or a mesh by its name, or a hogel image. Throws
+/// InputError for a mesh where there is no plugin for it.
 LightFieldParams lightFieldOf(const std::string& file);
 
 /// Returns `params` with another file, of the same layout unless only one of them is a folder or a
-/// store.
+/// store, or one is live: as lightFieldOf() then.
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file);
 
 }  // namespace hogelscope

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives the real window over meshes: opening, parameters, the mesh in the 3-D scene, the ideal
+// view.
+#include <QLineEdit>
+
+#include "gui/docks/light_field_dock.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/view/image_widget.h"
+#include "tests/core/rendered.h"
+#include "tests/gui/scene_test.h"
+#include "tests/gui/shown_image.h"
+
+using namespace hogelscope;
+
+class TestLiveScenes : public SceneTest {
+  Q_OBJECT
+
+ private:
+  ImageWidget* view() const { return child<ImageWidget>("pictureView"); }
+  Scene sceneNow() const { return loadScene(m_model->session(), {}); }
+  bool showsWhatIsTrue() const {
+    return equals(view()->image(), rendered(sceneNow().job(m_model->current())));
+  }
+  QString text() const { return child<QLabel>("contentsLabel")->text(); }
+  double x() const {
+    return (*m_model->session().lightField.content.find<std::vector<double>>("position"))[0];
+  }
+  QDoubleSpinBox* position() const {
+    return child<QWidget>("meshForm")->findChild<QDoubleSpinBox*>("position.0");
+  }
+
+ private Q_SLOTS:
+  /// A small mesh with content behind and in front of the panel, and few directions.
+  void init() {
+    writeFile(m_folder.filePath("a.obj"),
+              "v -1 -1 -1 1 0 0\nv 1 -1 -1 1 0 0\nv 1 1 -1 0 1 0\nv -1 1 -1 0 1 0\n"
+              "v -0.3 -0.3 1 0 0 1\nv 0.3 -0.3 1 0 0 1\nv 0 0.3 1 0 0 1\nf 1 2 3 4\nf 5 6 7\n");
+    showWindow({1400, 800});
+    QVERIFY(files(*m_window).open(m_folder.filePath("a.obj")));
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->image().isNull(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().mesh().isShown(), patience);
+  }
+  void cleanup() { m_window.reset(); }
+
+  void opensAMesh() {
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    QVERIFY2(text().contains("traced as each view needs it"), qPrintable(text()));
+    QVERIFY(position() != nullptr && position()->suffix() == " m");
+    QVERIFY(child<QWidget>("liveForm") != nullptr);
+  }
+
+  void viewsFollowParameters() {
+    const QImage before = view()->image();
+    position()->setValue(0.05);
+    QCOMPARE(x(), 0.05);
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    QVERIFY(view()->image() != before);
+    QCOMPARE(m_model->undoStack()->undoText(), QString("Change position"));
+    child<QAction>("undoAction")->trigger();
+    QCOMPARE(x(), 0.0);
+    QTRY_COMPARE_WITH_TIMEOUT(view()->image(), before, patience);
+    QCOMPARE(position()->value(), 0.0);
+  }
+
+  void sourcesHaveTheirParameters() {
+    auto* source = child<QWidget>("lightFieldForm")->findChild<QLineEdit*>("source");
+    const Session before = m_model->session();
+    source->setText("nothing");
+    Q_EMIT source->editingFinished();
+    QVERIFY2(message().contains("plugin nothing: is not installed"), qPrintable(message()));
+    QVERIFY(m_model->session() == before);
+    QCOMPARE(source->text(), QString("mesh"));
+    source->setText("scene");
+    Q_EMIT source->editingFinished();
+    QVERIFY(m_model->session().lightField.content.find<std::string>("file") == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!scene().mesh().isShown(), patience);
+  }
+
+  void theMeshStandsInTheScene() {
+    const QImage with = drawn();
+    child<QAction>("sceneMeshAction")->trigger();
+    QTest::qWait(100);
+    QVERIFY(!scene().mesh().isShown());
+    QVERIFY(drawn() != with);
+    child<QAction>("sceneMeshAction")->trigger();
+    QVERIFY(scene().mesh().isShown());
+  }
+
+  void theMeshIsDragged() {
+    child<QAction>("sceneFrontAction")->trigger();
+    child<QAction>("sceneStatePicturesAction")->setChecked(false);
+    QTest::qWait(300);
+    const QPoint from = onScreen({0, 0, 0});
+    const int count = m_model->undoStack()->count();
+    Q_EMIT scene().handles().meshDragged({0.03, 0.01, 0});
+    Q_EMIT scene().handles().meshDragged({0.05, 0.01, 0});
+    QCOMPARE(x(), 0.05);
+    QCOMPARE(m_model->undoStack()->count(), count + 1);
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
+    QVERIFY(onScreen({0.05, 0.01, 0}) != from);
+  }
+
+  void theIdealView() {
+    auto* compare = child<QAction>("compareIdealAction");
+    QVERIFY(compare->isEnabled());
+    compare->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull(), patience);
+    const auto isIdeal = [this] {
+      Scene ideal = sceneNow();
+      ideal.isIdeal = true;
+      return equals(view()->otherImage(), rendered(ideal.job(m_model->current())));
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isIdeal(), patience);
+    QVERIFY(view()->otherImage() != view()->image());
+    position()->setValue(0.04);  // it follows edits
+    QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue() && isIdeal(), patience);
+    child<QAction>("stopComparingAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(view()->otherImage().isNull(), patience);
+    QVERIFY(files(*m_window).open(sampleFile));
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
+    QVERIFY(!compare->isEnabled());
+  }
+
+  void aDamagedMeshIsTold() {
+    writeFile(m_folder.filePath("bad.glb"), "glTF");
+    const Session before = m_model->session();
+    QVERIFY(files(*m_window).open(m_folder.filePath("bad.glb")));
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("bad.glb"), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(message().startsWith("Error"), patience);
+    QVERIFY(m_model->session() == before);
+  }
+};
+
+int main(int argc, char** argv) {
+  return runWindowTest<TestLiveScenes>(argc, argv);
+}
+#include "test_live_scenes.moc"
