@@ -31,6 +31,7 @@ template <class Number>
 MULTIVERSIONED void quantise(const Number* values, std::size_t count, std::uint8_t* to) {
   for (std::size_t k = 0; k < count; ++k) {
     const auto value = double(values[k]);
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): of positive numbers, half up
     to[k] = std::uint8_t(int((value > 0 ? std::min(value, 255.0) : 0) + 0.5));
   }
 }

@@ -44,6 +44,7 @@ Image hogelErrorImage(const LightFieldSource& lightField, int i, int j);
 inline std::uint8_t quantised(double codeValue) {
   if (!(codeValue > 0)) return 0;
   if (codeValue >= 255) return 255;
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): of positive numbers, half up as said
   return static_cast<std::uint8_t>(codeValue + 0.5);
 }
 
