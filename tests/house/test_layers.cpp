@@ -47,7 +47,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"gui/session", {"core", "io", "gui/keys", "gui/widgets"}},
       {"gui/files", {"core", "io", "gui/session", "gui/widgets"}},
       {"gui/view", {"core", "io", "vtk", "study", "gui/session", "gui/widgets"}},
-      {"gui/scene", {"core", "io", "vtk", "gui/session", "gui/widgets"}},
+      {"gui/scene", {"core", "io", "vtk", "sdk/hogelscope", "gui/session", "gui/widgets"}},
       {"gui/docks",
        {"core", "io", "study", "chart", "report", "gui/session", "gui/view", "gui/widgets"}},
       {"gui/app", {"core", "io", "vtk", "study", "chart", "report", "gui"}},
