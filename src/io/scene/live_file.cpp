@@ -3,7 +3,9 @@
 #include "io/scene/live_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -86,6 +88,17 @@ Box boxAround(const plugin::ContentSource& content) {
   return box;
 }
 
+/// Rounds to three digits, as people write such numbers.
+double threeDigits(double value) {
+  std::array<char, 32> text{};
+  char* const end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
+          .ptr;
+  double number = value;
+  std::from_chars(text.data(), end, number);
+  return number;
+}
+
 /// A panel of a shape, with square hogels.
 void shapePanel(DisplayParams& display, double width, double height) {
   constexpr int hogels = 256;  // along the longer side
@@ -119,9 +132,11 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
                      "its origin than 2000 times its size");
   shapePanel(display, std::max(extent.x, longer / mostSlender),
              std::max(extent.y, longer / mostSlender));
-  params.content.set("scale", std::vector<double>{scale});
-  const Vec3 place = Vec3{} - scale * middle;  // 0, not −0
-  params.content.set("position", std::vector<double>{place.x, place.y, place.z});
+  const double fitted = threeDigits(scale);
+  params.content.set("scale", std::vector<double>{fitted});
+  const auto place = [&](double of) { return threeDigits(-fitted * of) + 0.0; };  // 0, not −0
+  params.content.set("position",
+                     std::vector<double>{place(middle.x), place(middle.y), place(middle.z)});
 }
 
 LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
