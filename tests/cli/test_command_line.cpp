@@ -258,7 +258,7 @@ void TestCommandLine::infoOfAMesh() {
   const Outcome outcome = run({"--info", "a.obj"}, m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
   for (const char* line :
-       {"source      mesh\n", "  file        a.obj\n", "  position    (0, -0.113, 0) m\n",
+       {"source      mesh\n", "  file        a.obj\n", "  position    (0, -0.1125, 0) m\n",
         "  scale       0.225\n", "  samples     1\n", "triangles   1\n", "display     0.5×0.25 m, ",
         "hogels      256×128\n", "directions  100×100\n"})
     QVERIFY2(outcome.out.contains(line), outcome.out.constData());

@@ -129,7 +129,7 @@ class TestSessionAround : public QObject {
                                     -0.225F, -0.225F,  0.1125F, 0.225F};
     QCOMPARE(points.size(), wanted.size());
     for (std::size_t k = 0; k < points.size(); ++k)
-      QVERIFY(std::abs(points[k] - wanted[k]) < 1e-3F);  // scale and position have three digits
+      QVERIFY(std::abs(points[k] - wanted[k]) < 1e-3F);  // tenths of a millimetre
     saveSession(file("saved.json").toStdString(), session);
     QVERIFY((loadSession(file("saved.json").toStdString()).display == session.display));
   }

@@ -88,11 +88,11 @@ Box boxAround(const plugin::ContentSource& content) {
   return box;
 }
 
-/// Rounds to three digits, as people write such numbers.
-double threeDigits(double value) {
+/// Rounds to four digits, as people write such numbers.
+double fourDigits(double value) {
   std::array<char, 32> text{};
   char* const end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4)
           .ptr;
   double number = value;
   std::from_chars(text.data(), end, number);
@@ -132,9 +132,11 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
                      "its origin than 2000 times its size");
   shapePanel(display, std::max(extent.x, longer / mostSlender),
              std::max(extent.y, longer / mostSlender));
-  const double fitted = threeDigits(scale);
+  const double fitted = fourDigits(scale);
   params.content.set("scale", std::vector<double>{fitted});
-  const auto place = [&](double of) { return threeDigits(-fitted * of) + 0.0; };  // 0, not −0
+  const auto place = [&](double of) {
+    return std::round(-1e4 * fitted * of) / 1e4 + 0.0;
+  };  // 0, not −0
   params.content.set("position",
                      std::vector<double>{place(middle.x), place(middle.y), place(middle.z)});
 }
