@@ -104,7 +104,8 @@ const std::vector<Job>& jobs() {
                   "After a stop pack goes on where it was.",
        .examples = "  hogelscope --export hogels --session live.json --output hogels.png\n"
                    "  hogelscope --export pack --session live.json --output store.tif\n"
-                   "  hogelscope --export quilt --session live.json --output room_qs8x6a0.75.png\n",
+                   "  hogelscope --export quilt --session live.json --output room_qs8x6a1.png \\\n"
+                   "             --set display.directions=[48,1]\n",
        .run = runExport},
       {.command = Command::tradeoff,
        .name = "tradeoff",

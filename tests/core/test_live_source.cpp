@@ -141,6 +141,7 @@ class TestLiveSource : public QObject {
   void contentBehindTheEye();
   void idealHasTheMaskAndTheLens();
   void overviewIsCoarse();
+  void lightThatIsNoNumber();
   void memoryAndStop();
 };
 
@@ -356,6 +357,8 @@ void TestLiveSource::depthCuts() {
   QVERIFY(std::abs(seen(-1, 0.05) - 20) < 1e-3);
   QVERIFY(std::abs(seen(-1, -0.05) - 30) < 1e-3);
   QVERIFY(std::abs(seen(-0.05, -0.01)) < 1e-3);
+  QVERIFY(std::abs(seen(0.5, 1)) < 1e-3);    // all content is behind
+  QVERIFY(std::abs(seen(-1, -0.5)) < 1e-3);  // in front
 }
 
 /// A ray of the display meets content behind the eye; the eye does not.
@@ -415,6 +418,18 @@ void TestLiveSource::overviewIsCoarse() {
   coarse.directions = {16, 16};
   QVERIFY(source->overview()->texel({20, 40, 3, 9}) ==
           liveSource(openScene(coarse), coarse)->texel({20, 40, 3, 9}));
+}
+
+/// A plugin's mistake is no black pixel.
+void TestLiveSource::lightThatIsNoNumber() {
+  const DisplayParams display = displayOf(16, 8);
+  const auto bad = [](double x, double) { return x > 0.1 ? INFINITY : 9.0; };
+  RenderJob job =
+      jobOf(liveSource(std::make_shared<LivePlanes>(std::vector<LivePlane>{{0, bad}}), display),
+            display, cameraAt(0.6, {0, 0, 0.6}, 40, display));
+  QVERIFY_THROWS_EXCEPTION(InputError, (void)rendered(job));
+  job.isIdeal = true;
+  QVERIFY_THROWS_EXCEPTION(InputError, (void)rendered(job));
 }
 
 void TestLiveSource::memoryAndStop() {

@@ -92,6 +92,9 @@ void TestLiveFile::mistakes_data() {
   QTest::newRow("samples 0")
       << QByteArray(R"({"layout": "live", "source": "scene", "scene": {"samples": 0}})") << display
       << "lightField.scene.samples: ";
+  QTest::newRow("depth reversed")
+      << QByteArray(R"({"layout": "live", "source": "scene", "scene": {"depth": [1, -1]}})")
+      << display << "lightField.scene.depth: begins in front of its end";
   QTest::newRow("another's object")
       << QByteArray(R"({"layout": "live", "source": "scene", "mesh": {}})") << display
       << "lightField.mesh: ";

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/multiversioned.h"
-#include "core/base/text.h"
+#include "core/content/lattice.h"
 #include "core/optics/image.h"
 
 namespace hogelscope {
@@ -19,12 +19,6 @@ namespace {
 constexpr int tile = 4;
 /// Texels that are traced in one call.
 constexpr std::size_t mostInList = 512;
-
-/// Returns point k of n of the rank-1 lattice, -1/2 … 1/2 along each axis; the middle for n = 1.
-double latticeOffset(int k, int n, std::size_t axis) {
-  static constexpr std::array<int, 4> generator{1, 3, 5, 7};
-  return n == 1 ? 0 : (k * generator[axis] % n + 0.5) / n - 0.5;
-}
 
 /// Rounds as quantised() does; without branches, so that it is vectorised.
 template <class Number>
@@ -43,6 +37,13 @@ void store(const Number* values, std::size_t count, std::uint8_t* to) {
 template <class Number>
 void store(const Number* values, std::size_t count, float* to) {
   for (std::size_t k = 0; k < count; ++k) to[k] = float(double(values[k]) / 255);
+}
+
+void requireFinite(const std::vector<plugin::Colour>& colours) {
+  static_assert(sizeof(plugin::Colour) == 3 * sizeof(float));
+  const float* light = &colours.data()->r;
+  if (!std::all_of(light, light + 3 * colours.size(), [](float x) { return std::isfinite(x); }))
+    throw InputError("lightField.source", "its content sends light that is not a number");
 }
 
 }  // namespace
@@ -93,10 +94,8 @@ void LiveSource::traceTexels(Work& work, std::size_t texelCount, LightField& tex
   colours.resize(rayCount);
   depths.resize(rayCount);
   m_content->trace(std::span(rays).first(rayCount), colours, depths);
-  static_assert(sizeof(plugin::Colour) == 3 * sizeof(float));
+  requireFinite(colours);
   const float* light = &colours.data()->r;
-  if (!std::all_of(light, light + 3 * colours.size(), [](float x) { return std::isfinite(x); }))
-    throw InputError("lightField.source", "its content sends light that is not a number");
   const std::size_t count = 3 * texelCount;
   std::array<T, 3 * mostInList> stored;
   if (m_samples.size() == 1) {
@@ -137,7 +136,7 @@ void LiveSource::fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks
   const std::size_t most = std::max(mostInList / m_samples.size(), std::size_t{1});
   const std::uint8_t* const mark = marks.empty() ? nullptr : marks.data();
   const double z = m_front;  // not the panel's plane, where content is met or not by chance
-  const double reach = m_front - m_back;
+  const double reach = std::max(m_front - m_back, 0.0);  // below 0 where all content is cut
   work.addresses.resize(most);
   work.rays.resize(most * m_samples.size());
   std::size_t waiting = 0;
@@ -189,11 +188,7 @@ void LiveSource::fill(const std::vector<std::uint8_t>& marks, LightField& texels
 std::shared_ptr<const LightField> LiveSource::slice(const ViewReads& reads,
                                                     const Progress& progress) const {
   const Footprint footprint = reads.footprint();
-  if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_type) + 1);
-      bytes > double(m_memory))
-    throw InputError("memory", "a view needs " + bytesText(std::size_t(bytes)) +
-                                   " of the light field, " + bytesText(m_memory) +
-                                   " are allowed: allow more");
+  requireMemory(footprint, memoryBytes(m_type) + 1, m_memory);  // and a mark
   auto texels = std::make_shared<LightField>(size(), m_type, sliceLayout(footprint));
   std::vector<std::uint8_t> marks;
   if (reads.mark) {
@@ -212,7 +207,9 @@ std::shared_ptr<const LightField> LiveSource::overview() const {
     DisplayParams coarse = m_params;
     for (int& count : coarse.hogels) count = std::min(count, 64);
     for (int& count : coarse.directions) count = std::min(count, 16);
-    const LiveSource small(m_content, coarse, m_live, m_type, m_memory, m_rows);
+    LiveParams quick = m_live;
+    quick.samples = 1;
+    const LiveSource small(m_content, coarse, quick, m_type, m_memory, m_rows);
     const LightFieldSize size = small.size();
     m_overview =
         small.slice(readsOfRows(size, {0, size.ny - 1}, {0, size.du - 1}, {0, size.dv - 1}), {});
@@ -224,10 +221,12 @@ void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<
   std::vector<plugin::Ray> rays;
   const double z = std::min(m_front, eye.z);
   for (const auto& [a, b] : slopes)
-    rays.push_back({eye.x + a * (z - eye.z), eye.y + b * (z - eye.z), z, a, b, z - m_back});
+    rays.push_back(
+        {eye.x + a * (z - eye.z), eye.y + b * (z - eye.z), z, a, b, std::max(z - m_back, 0.0)});
   std::vector<plugin::Colour> colours(rays.size());
   std::vector<float> depths(rays.size());
   m_content->trace(rays, colours, depths);
+  requireFinite(colours);
   for (std::size_t k = 0; k < rays.size(); ++k)
     light[k] = {double(colours[k].r), double(colours[k].g), double(colours[k].b)};
 }

@@ -28,7 +28,7 @@ class LiveSource : public LightFieldSource {
   /// count and block of texels.
   [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
                                                         const Progress& progress) const override;
-  /// Traces at most 64×64 hogels of 16×16 directions of the same panel.
+  /// Traces at most 64×64 hogels of 16×16 directions of the same panel, by their middle rays.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
   [[nodiscard]] plugin::Triangles triangles() const override { return m_content->triangles(); }
   void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/content/lattice.h"
 #include "core/optics/image.h"
 
 namespace hogelscope {
@@ -143,15 +144,12 @@ std::array<double, 2> ScenePattern::depths() const {
 Rgb ScenePattern::texel(const TexelIndex& at) const {
   // A rank-1 lattice over the hogel's area and the pixel's angle: every point differs in all four.
   constexpr int points = 8;
-  static constexpr std::array<int, 4> generator{1, 3, 5, 7};
   const PanelRay middle = m_display.rayOf(at);
   const PanelRay next = m_display.rayOf({at.i, at.j, at.u + 1, at.v + 1});
   const Vec2 slopeStep{next.slopes.x - middle.slopes.x, next.slopes.y - middle.slopes.y};
   Rgb sum;
   for (int k = 0; k < points; ++k) {
-    const auto offset = [k](std::size_t axis) {
-      return (k * generator[axis] % points + 0.5) / points - 0.5;
-    };
+    const auto offset = [k](std::size_t axis) { return latticeOffset(k, points, axis); };
     const PanelRay ray{
         {middle.position.x + offset(0) * m_hogelPitch.x,
          middle.position.y + offset(1) * m_hogelPitch.y},

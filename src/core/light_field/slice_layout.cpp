@@ -7,6 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/error.h"
+#include "core/base/text.h"
+
 namespace hogelscope {
 
 namespace {
@@ -81,6 +84,14 @@ Places allAtOnce(const std::vector<CellRange>& v) {
 }
 
 }  // namespace
+
+void requireMemory(const Footprint& footprint, std::size_t bytesOfTexel, std::size_t memory) {
+  const double bytes = double(footprint.texels()) * double(bytesOfTexel);
+  if (bytes > double(memory))
+    throw InputError("memory", "a view needs " + bytesText(std::size_t(bytes)) +
+                                   " of the light field, " + bytesText(memory) +
+                                   " are allowed: allow more");
+}
 
 SliceLayout sliceLayout(const Footprint& footprint) {
   return layoutOf(footprint, allAtOnce(footprint.v));

@@ -28,6 +28,9 @@ struct SliceLayout {
   std::uint32_t texels = 0;
 };
 
+/// Throws InputError if the texels of a view take more than `memory` bytes.
+void requireMemory(const Footprint& footprint, std::size_t bytesOfTexel, std::size_t memory);
+
 /// Lays out the whole footprint at once. Throws std::length_error beyond 2^32 - 2 texels.
 SliceLayout sliceLayout(const Footprint& footprint);
 

@@ -54,6 +54,9 @@ void check(const Session& session) {
   if (isLive && !session.lightField.file.empty())
     throw InputError("lightField.file",
                      "is not of a live light field: its source has a file of its own");
+  if (const auto& [back, front] = session.lightField.live.depth; !(back < front))
+    throw InputError("lightField." + session.lightField.source + ".depth",
+                     "begins in front of its end: give the back first, then the front");
   if (!isLive && session.lightField.file.empty())
     throw InputError("lightField.file", "is missing: name the image or folder to show");
   for (const auto& [name, pair] : {std::pair("display.hogels", session.display.hogels),

@@ -135,8 +135,8 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
   const double fitted = fourDigits(scale);
   params.content.set("scale", std::vector<double>{fitted});
   const auto place = [&](double of) {
-    return std::round(-1e4 * fitted * of) / 1e4 + 0.0;
-  };  // 0, not −0
+    return std::round(-1e4 * fitted * of) / 1e4 + 0.0;  // tenths of a millimetre; 0, not −0
+  };
   params.content.set("position",
                      std::vector<double>{place(middle.x), place(middle.y), place(middle.z)});
 }

@@ -84,11 +84,7 @@ std::shared_ptr<const LightField> LightFieldStore::slice(const ViewReads& reads,
                                                          const Progress& progress) const {
   const Footprint footprint = reads.footprint();
   if (auto last = lastSlice(); last && last->covers(footprint)) return last;
-  if (const double bytes = double(footprint.texels()) * double(memoryBytes(m_header.type));
-      bytes > double(allowedMemory()))
-    throw InputError("memory", "a view needs " + bytesText(std::size_t(bytes)) +
-                                   " of the light field, " + bytesText(allowedMemory()) +
-                                   " are allowed: allow more");
+  requireMemory(footprint, memoryBytes(m_header.type), allowedMemory());
   auto target = std::make_shared<LightField>(m_header.size, m_header.type, sliceLayout(footprint));
   const Footprint inFile = stored(footprint);
   const std::vector<BlockIndex> wanted = blocksOf(m_header, inFile);
