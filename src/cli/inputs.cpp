@@ -51,7 +51,9 @@ Session loadSelected(const CommandLine& line) {
 }
 
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
+                                              const Session& session,
                                               const LightFieldFile& lightField) {
+  for (const std::string& file : session.display.lensParams.files()) others.emplace_back(file);
   for (const std::filesystem::path& file : lightField.files()) others.push_back(file);
   return others;
 }

@@ -17,8 +17,9 @@ namespace hogelscope {
 /// to stderr. Throws InputError.
 Session loadSelected(const CommandLine& line);
 
-/// The files of a light field, after the other ones that a job reads.
+/// The files of a session's light field and lens, after the other ones that a job reads.
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
+                                              const Session& session,
                                               const LightFieldFile& lightField);
 
 /// A new session around the light field that the job's own option names, read as --set says. Throws

@@ -49,6 +49,8 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
     const std::string hash = file.files().empty() ? "" : sha256(file.files(), progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
+    const std::vector<std::string> lens = of.display.lensParams.files();
+    if (!lens.empty()) all += sha256({lens.begin(), lens.end()}, progress);
   };
   if (!request.sessionFile.empty())
     line("Session", request.sessionFile + ", SHA-256 " +

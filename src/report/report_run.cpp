@@ -301,9 +301,11 @@ namespace {
 void checkFiles(const ReportRequest& request) {
   std::vector<fs::path> inputs{request.sessionFile};
   std::ranges::copy(request.file->files(), std::back_inserter(inputs));
+  std::ranges::copy(request.session.display.lensParams.files(), std::back_inserter(inputs));
   for (const ReportTest& test : request.tests) {
     inputs.emplace_back(test.name);
     std::ranges::copy(test.file->files(), std::back_inserter(inputs));
+    std::ranges::copy(test.session.display.lensParams.files(), std::back_inserter(inputs));
   }
   checkOutputs(filesOf(request), inputs);
 }

@@ -55,16 +55,18 @@ struct Geometry {
     const auto [du, dv] = display.directions;
     const Real i = ((eye.x - eye.z * a) / Real(w) + Real(0.5)) * Real(nx);
     const Real j = (Real(0.5) - (eye.y - eye.z * b) / Real(h)) * Real(ny);
-    const Real u = Real(du) * (Real(0.5) + part(a, display.fov[0]));
-    const Real v = Real(dv) * (Real(0.5) - part(b, display.fov[1]));
+    const Real u = Real(du) * (Real(0.5) + part(a, 0));
+    const Real v = Real(dv) * (Real(0.5) - part(b, 1));
     const auto isIn = [](Real at, int count) { return at >= 0 && at < Real(count); };
     if (!(isIn(i, nx) && isIn(j, ny) && isIn(u, du) && isIn(v, dv))) return std::nullopt;
     return TexelIndex{int(i), int(j), int(u), int(v)};
   }
 
   /// Returns the fraction of the angular field from its middle, -1/2 … 1/2.
-  [[nodiscard]] Real part(Real slope, double degrees) const {
-    const Real field = Real(degrees) * (std::numbers::pi_v<Real> / 180);
+  [[nodiscard]] Real part(Real slope, std::size_t axis) const {
+    if (display.lens == HogelLensModel::plugin)
+      return Real(lensOf(display, axis)->directionOf(double(slope)));
+    const Real field = Real(display.fov[axis]) * (std::numbers::pi_v<Real> / 180);
     if (display.lens == HogelLensModel::equiangular) return std::atan(slope) / field;
     return slope / (2 * std::tan(field / 2));
   }

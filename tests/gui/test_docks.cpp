@@ -117,6 +117,38 @@ class TestDocks : public DocksTest {
     QCOMPARE(editor<QDoubleSpinBox>("displayArea", "size.0")->value(), 0.5);
   }
 
+  void lensesOfPlugins() {
+    openSmall();
+    const QImage before = view().copy();
+    editor<QComboBox>("displayArea", "lens")->setCurrentText("plugin");
+    auto* file = editor<QLineEdit>("displayArea", "file");
+    QVERIFY(file != nullptr && file->isVisible());
+    const auto type = [file](const QString& name) {
+      file->setText(name);
+      Q_EMIT file->editingFinished();
+    };
+    const QString table = m_folder.filePath("lens.csv");
+    const Session plain = m_model->session();
+    type(table);
+    QVERIFY2(message().contains("lens.csv: cannot be read"), qPrintable(message()));
+    QVERIFY(m_model->session() == plain);
+    QCOMPARE(file->text(), QString());
+    writeFile(table, "direction,angle\n-0.5,-40\n0.1,0\n0.5,20\n");
+    type(table);
+    QTRY_VERIFY_WITH_TIMEOUT(view() != before, patience);
+    const Image image = expected();
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), image), patience);
+    QCOMPARE(m_model->undoStack()->undoText(), QString("Change file"));
+    auto* source = editor<QLineEdit>("displayArea", "lensSource");
+    source->setText("fish-eye");
+    Q_EMIT source->editingFinished();
+    QVERIFY2(message().contains("plugin fish-eye: is not installed"), qPrintable(message()));
+    QCOMPARE(source->text(), QString("measured-lens"));
+    editor<QComboBox>("displayArea", "lens")->setCurrentText("rectilinear");
+    QTRY_VERIFY_WITH_TIMEOUT(view() == before, patience);
+    QVERIFY(file->isHidden() || !file->isVisible());
+  }
+
   /// The same light field compared with itself stays the same image.
   void aComparisonFollowsTheDisplay() {
     openSmall();

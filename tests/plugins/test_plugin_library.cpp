@@ -176,7 +176,7 @@ void TestPluginLibrary::throwsInEachCall() {
       [&] { content->describe(visitor); }, [&] { content->open(panel, {}, Listener(true)); },
       [&] { (void)content->files(); },     [&] { content->depths(depth, depth); },
       [&] { content->trace({}, {}, {}); }, [&] { (void)content->triangles(); },
-      [&] { lens->describe(visitor); },    [&] { lens->open(60, {}); },
+      [&] { lens->describe(visitor); },    [&] { lens->open(0, 60, {}); },
       [&] { (void)lens->directionOf(0); }, [&] { (void)lens->slopeOf(0); },
       [&] { (void)metric->title(); },      [&] { (void)metric->unit(); },
       [&] { (void)metric->decimals(); },   [&] { (void)metric->compare({}, {}); }};

@@ -24,7 +24,7 @@ int runExport(const CommandLine& line) {
                      "\"" + line.subject + "\" is not one of hogels, views, quilt, pack");
   const std::filesystem::path output = line.text("output");
   const auto file = openLightField(session.lightField, session.display);
-  checkOutputs({output}, inputFiles({line.text("session")}, *file));
+  checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
   const QuiltTiles tiles = isQuilt ? quiltTilesFor(*file, output) : QuiltTiles{};
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));

@@ -45,7 +45,7 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   const std::string output = line.text("output");
   const bool isQuiet = line.has("quiet");
   const auto file = openLightField(session.lightField, session.display);
-  checkOutputs({output}, inputFiles({line.subject, line.text("session")}, *file));
+  checkOutputs({output}, inputFiles({line.subject, line.text("session")}, session, *file));
   const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // the reader's half
   const PackPlan plan =
       planPack(session.lightField, *file,

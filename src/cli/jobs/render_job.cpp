@@ -104,7 +104,7 @@ int runRender(const CommandLine& line) {
                             line.has("explain"), line.has("ideal")};
   if (output.isIdeal) requireScene(session);
   checkOutputs(output.allFiles(session.cameras),
-               inputFiles({line.text("session"), line.text("calibration")}, *file));
+               inputFiles({line.text("session"), line.text("calibration")}, session, *file));
   makeFolder(output.folder);
   const bool isPassing = mustPass(*file, allowedMemory());
   const bool isQuiet = line.has("quiet");

@@ -27,6 +27,7 @@ class Values : public ParameterVisitor {
   }
   explicit Values(Session session) {
     describe(*this, session.display);
+    if (session.display.lensParams.isGiven()) describe(*this, session.display.lensParams);
     describe(*this, session.lightField);
     if (session.lightField.content.isGiven()) describe(*this, session.lightField.content);
     describe(*this, session.lightField.live);

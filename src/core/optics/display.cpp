@@ -15,7 +15,7 @@ bool inside(double index, int count) {
 }  // namespace
 
 void describe(ParameterVisitor& v, DisplayParams& p) {
-  auto& [position, orientation, size, hogels, directions, fov, lens] = p;
+  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams] = p;
   v.group("display", "The panel: where it stands, its hogels and their directional pixels.");
   v.field("position", position, {-1e6, 1e6, 0.01}, "m", "The panel's centre in the world.");
   v.field("orientation", orientation, {-360, 360, 1}, "°",
@@ -28,15 +28,24 @@ void describe(ParameterVisitor& v, DisplayParams& p) {
   v.field("fov", fov, {0.01, 179.9, 1}, "°",
           "Full angles into which a hogel sends light, across and down.");
   v.field("lens", lens, hogelLensNames(),
-          "How a hogel's lens spreads its pixels: evenly in slope, or evenly in angle.");
+          "How a hogel's lens spreads its pixels: evenly in slope, evenly in angle, or as a plugin "
+          "says.");
+  if (lens == HogelLensModel::plugin)
+    v.field("lensSource", lensSource,
+            "The plugin, such as \"measured-lens\"; its parameters are an object of that name.");
+}
+
+std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t axis) {
+  const double fov = params.fov.at(axis);
+  return params.lens == HogelLensModel::plugin ? params.lensParams.lens(axis, fov)
+                                               : makeHogelLens(params.lens, fov);
 }
 
 Display::Display(const DisplayParams& params)
     : m_params(params),
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),
-      m_lenses{makeHogelLens(params.lens, params.fov[0]),
-               makeHogelLens(params.lens, params.fov[1])} {}
+      m_lenses{lensOf(params, 0), lensOf(params, 1)} {}
 
 std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction) const {
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;

@@ -9,6 +9,7 @@
 #include "core/base/parameters.h"
 #include "core/light_field/texel.h"
 #include "core/optics/hogel_lens.h"
+#include "core/optics/lens_params.h"
 
 namespace hogelscope {
 
@@ -21,10 +22,18 @@ struct DisplayParams {
   std::array<int, 2> directions{0, 0};  ///< 0: as the light field's file says
   std::array<double, 2> fov{60, 60};
   HogelLensModel lens = HogelLensModel::rectilinear;
+  std::string lensSource;  ///< name of the plugin whose lens it is
+  LensParams lensParams;   ///< of the plugin
   bool operator==(const DisplayParams&) const = default;
 };
 
+/// Visits `lensSource` for lens plugin alone; `lensParams` are an object of its own, named after
+/// it.
 void describe(ParameterVisitor& v, DisplayParams& p);
+
+/// Returns the hogels' lens across (axis 0, u) or down (axis 1, v). Throws InputError: a plugin's
+/// lens cannot be opened.
+std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t axis);
 
 /// A ray of light in the display frame: its point on the panel (metres) and its slopes dx/dz, dy/dz
 /// toward the viewer.
@@ -43,7 +52,7 @@ struct Hit {
 
 class Display {
  public:
-  /// `params.hogels` and `params.directions` must be given.
+  /// `params.hogels` and `params.directions` must be given. Throws what lensOf() throws.
   explicit Display(const DisplayParams& params);
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }

@@ -9,7 +9,8 @@
 
 namespace hogelscope {
 
-enum class HogelLensModel { rectilinear, equiangular };
+/// plugin: the lens of DisplayParams::lensSource.
+enum class HogelLensModel { rectilinear, equiangular, plugin };
 
 /// Returns the names used in documents, in the order of HogelLensModel.
 std::span<const std::string_view> hogelLensNames();
@@ -30,7 +31,7 @@ class HogelLens {
   [[nodiscard]] virtual bool isLinear() const { return false; }
 };
 
-/// `fov` is the full angle of the field in degrees.
+/// Makes a lens of the program's own; `fov` is the full angle of the field in degrees.
 std::shared_ptr<const HogelLens> makeHogelLens(HogelLensModel model, double fov);
 
 }  // namespace hogelscope

@@ -17,6 +17,7 @@
 #include "gui/app/messages.h"
 #include "gui/app/window_layout.h"
 #include "gui/docks/distortion_dock.h"
+#include "gui/docks/display_dock.h"
 #include "gui/docks/light_field_dock.h"
 #include "gui/docks/psf_dock.h"
 #include "gui/docks/state_dock.h"
@@ -69,7 +70,9 @@ MainWindow::~MainWindow() {
 
 void MainWindow::addDocks() {
   m_ui->lightFieldArea->setWidget(m_lightField = new LightFieldDock(m_model));
-  m_ui->displayArea->setWidget(stackWidgets({contentForm(m_model, &Session::display)}));
+  auto* display = new DisplayDock(m_model);
+  m_ui->displayArea->setWidget(display);
+  connect(display, &DisplayDock::failed, m_messages, &Messages::showError);
   m_ui->cameraArea->setWidget(stackWidgets(
       {stateForm(m_model, &CameraState::camera), stateForm(m_model, &CameraState::intrinsics)}));
   m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));

@@ -9,6 +9,7 @@
 #include "io/files/atomic_file.h"
 #include "io/images/image_file.h"
 #include "io/json/json_parameters.h"
+#include "io/plugins/display_json.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
@@ -84,7 +85,8 @@ Session readSession(const Json& document) {
   Session session;
   JsonReader reader(document, "");
   checkVersion(reader.section("hogelscope"));
-  readSection(reader, "display", session.display);
+  if (const Json* display = reader.section("display"); display != nullptr)
+    session.display = readDisplay(*display);
   if (const Json* lightField = reader.section("lightField"); lightField != nullptr)
     session.lightField = readLightField(*lightField);
   readSection(reader, "sampling", session.sampling);
@@ -196,6 +198,11 @@ std::string relativeTo(const fs::path& document, const std::string& file) {
   return relative.empty() ? target.string() : relative.string();
 }
 
+/// What is wrong with a plugin's lens is said when its document is read.
+void openLenses(const DisplayParams& display) {
+  for (const std::size_t axis : {0, 1}) (void)lensOf(display, axis);
+}
+
 std::optional<DisplayParams> displayOfStore(const LightFieldParams& params) {
   if (params.layout != Layout::pack) return std::nullopt;
   return LightFieldStore(params.file).header().display;
@@ -212,8 +219,10 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
     Session session = readSession(document);
     if (session.lightField.layout != Layout::live)
       session.lightField.file = besideDocument(file, session.lightField.file);
-    session.lightField.content.changeFile(
-        [&](const std::string& own) { return besideDocument(file, own); });
+    const auto moved = [&](const std::string& own) { return besideDocument(file, own); };
+    session.lightField.content.changeFiles(moved);
+    session.display.lensParams.changeFiles(moved);
+    openLenses(session.display);
     return session;
   } catch (const InputError& error) {
     throw error.in(file.string());
@@ -223,7 +232,7 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
 std::string textOf(const Session& session) {
   Json document = Json::object();
   document["hogelscope"] = documentVersion;
-  document["display"] = written(session.display);
+  document["display"] = writtenDisplay(session.display);
   document["lightField"] = writtenLightField(session.lightField);
   document["sampling"] = written(session.sampling);
   if (!session.metrics.empty()) document["metrics"] = session.metrics;
@@ -240,8 +249,9 @@ std::string textOf(const Session& session) {
 void saveSession(const fs::path& file, const Session& session) {
   Session moved = session;
   moved.lightField.file = relativeTo(file, session.lightField.file);
-  moved.lightField.content.changeFile(
-      [&](const std::string& own) { return relativeTo(file, own); });
+  const auto move = [&](const std::string& own) { return relativeTo(file, own); };
+  moved.lightField.content.changeFiles(move);
+  moved.display.lensParams.changeFiles(move);
   try {
     writeTextFile(file, textOf(moved));
   } catch (const InputError& error) {
@@ -298,7 +308,9 @@ Session overridden(const Session& session, const std::vector<std::string>& overr
   try {
     Json document = parseJson(textOf(session));
     for (const std::string& text : overrides) applyOverride(document, text);
-    return readSession(document);
+    Session changed = readSession(document);
+    openLenses(changed.display);
+    return changed;
   } catch (const InputError& error) {
     throw error.in(session.lightField.file);
   }

@@ -85,8 +85,8 @@ class GuardedLens final : public plugin::HogelLens {
   void describe(ParameterVisitor& v) override {
     guarded(m_name, [&] { m_lens->describe(v); });
   }
-  void open(double fov, const plugin::Place& place) override {
-    guarded(m_name, [&] { m_lens->open(fov, place); });
+  void open(std::int32_t axis, double fov, const plugin::Place& place) override {
+    guarded(m_name, [&] { m_lens->open(axis, fov, place); });
   }
   [[nodiscard]] double directionOf(double slope) const override {
     return guarded(m_name, [&] { return m_lens->directionOf(slope); });

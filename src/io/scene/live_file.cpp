@@ -149,7 +149,7 @@ LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
   if (display.hogels[0] <= 0 || display.directions[0] <= 0)
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");
-  auto content = params.content.makeContent();
+  auto content = params.content.make();
   content->open(panelOf(display), {".", std::int32_t(threadCount())}, Listener(progress));
   m_content = std::move(content);
 }

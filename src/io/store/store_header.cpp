@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/images/big_tiff.h"
 #include "io/json/json_parameters.h"
+#include "io/plugins/display_json.h"
 
 namespace hogelscope {
 
@@ -84,10 +85,7 @@ StoreHeader readHeader(const Json& object) {
   header.type = readType(object);
   header.source = object.at("source").get<std::string>();
   if (object.contains("display")) {
-    header.display.emplace();
-    JsonReader reader(object.at("display"), "display");
-    describe(reader, *header.display);
-    reader.refuseUnknown();
+    header.display = readDisplay(object.at("display"));
   }
   return header;
 }
@@ -134,13 +132,7 @@ std::string textOf(const StoreHeader& header) {
   object["block"] = listOf(header.block);
   object["overview"] = listOf(header.overview);
   object["source"] = header.source;
-  if (header.display) {
-    Json display = Json::object();
-    JsonWriter writer(display);
-    DisplayParams params = *header.display;
-    describe(writer, params);
-    object["display"] = display;
-  }
+  if (header.display) object["display"] = writtenDisplay(*header.display);
   return object.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

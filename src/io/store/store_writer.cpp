@@ -150,7 +150,11 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   header.type = file.type();
   header.overview = overviewSize(header.size, header.type);
   header.source = sourceOf(params, file);
-  if (display) header.display = resolved(*display, header.size);
+  if (display) {
+    header.display = resolved(*display, header.size);
+    header.display->lensParams.changeFiles(
+        [](const std::string& lens) { return fs::absolute(lens).string(); });
+  }
   const std::size_t rowBytes = header.size.width() * pixelBytes(header.type);
   const std::size_t hogelRowBytes = rowBytes * std::size_t(header.size.dv);
   const std::size_t fitting = memory / hogelRowBytes;

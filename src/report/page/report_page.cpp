@@ -22,7 +22,9 @@ std::string displayWords(const DisplayParams& d) {
   };
   return pair(d.size) + " m, " + pair(d.hogels) + " hogels of " + pair(d.directions) +
          " directions, field of view " + pair(d.fov) + "°, " +
-         std::string(hogelLensNames()[std::size_t(d.lens)]) + " hogel lenses";
+         (d.lens == HogelLensModel::plugin
+              ? "lenses of the plugin " + d.lensSource
+              : std::string(hogelLensNames()[std::size_t(d.lens)]) + " hogel lenses");
 }
 
 std::string whatWasTested(const ReportPage& page) {

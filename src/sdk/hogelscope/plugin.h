@@ -98,9 +98,11 @@ class HogelLens {
  public:
   virtual ~HogelLens() = default;
   virtual void describe(ParameterVisitor& v) = 0;
-  /// `fov` is the full angle of the field in degrees.
-  virtual void open(double fov, const Place& place) = 0;
-  /// Returns the coordinate in the angular field, −1/2 … 1/2, of light of a slope; 0 for 0.
+  /// Prepares the lens across (axis 0) or down (axis 1); `fov` is the full angle of the field in
+  /// degrees.
+  virtual void open(std::int32_t axis, double fov, const Place& place) = 0;
+  /// Returns the coordinate in the angular field, −1/2 … 1/2, of light of a slope (dx/dz to the
+  /// right, dy/dz up).
   [[nodiscard]] virtual double directionOf(double slope) const = 0;
   /// The inverse of directionOf().
   [[nodiscard]] virtual double slopeOf(double direction) const = 0;

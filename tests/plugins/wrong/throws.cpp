@@ -41,7 +41,7 @@ class Metric final : public plugin::Metric {
 class Lens final : public plugin::HogelLens {
  public:
   void describe(ParameterVisitor&) override { fail(); }
-  void open(double, const plugin::Place&) override { fail(); }
+  void open(std::int32_t, double, const plugin::Place&) override { fail(); }
   [[nodiscard]] double directionOf(double) const override { fail(); }
   [[nodiscard]] double slopeOf(double) const override { fail(); }
 };

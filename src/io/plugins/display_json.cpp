@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The display in documents.
+#include "io/plugins/display_json.h"
+
+#include "core/base/error.h"
+#include "io/plugins/plugin_library.h"
+
+namespace hogelscope {
+
+LensParams lensParamsOf(const std::string& source) {
+  const PluginLibrary library = loadPlugin(source, PluginKind::lens);
+  return LensParams([library] { return library.makeLens(); });
+}
+
+DisplayParams readDisplay(const Json& object) {
+  DisplayParams params;
+  JsonReader reader(object, "display");
+  describe(reader, params);
+  if (params.lens == HogelLensModel::plugin) {
+    if (params.lensSource.empty())
+      throw InputError("display.lensSource", "is missing: name the plugin of the lens");
+    params.lensParams = lensParamsOf(params.lensSource);
+    readSection(reader, params.lensSource.c_str(), params.lensParams);
+  }
+  reader.refuseUnknown();
+  return params;
+}
+
+Json writtenDisplay(const DisplayParams& params) {
+  const auto written = [](auto values) {
+    Json object = Json::object();
+    JsonWriter writer(object);
+    describe(writer, values);
+    return object;
+  };
+  Json object = written(params);
+  if (params.lensParams.isGiven()) object[params.lensSource] = written(params.lensParams);
+  return object;
+}
+
+}  // namespace hogelscope

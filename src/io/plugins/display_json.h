@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The display in documents, whose lens may be a plugin's.
+#pragma once
+
+#include "core/optics/display.h"
+#include "io/json/json_parameters.h"
+
+namespace hogelscope {
+
+/// Returns the parameters of a plugin's lens, at their defaults. Throws InputError: there is no
+/// such plugin, or it cannot be used.
+LensParams lensParamsOf(const std::string& source);
+
+/// Reads the object `display`. Throws InputError with the path of the field.
+DisplayParams readDisplay(const Json& object);
+
+Json writtenDisplay(const DisplayParams& params);
+
+}  // namespace hogelscope
