@@ -40,6 +40,7 @@ void store(const Number* values, std::size_t count, float* to) {
 }
 
 void requireFinite(const std::vector<plugin::Colour>& colours) {
+  if (colours.empty()) return;
   static_assert(sizeof(plugin::Colour) == 3 * sizeof(float));
   const float* light = &colours.data()->r;
   if (!std::all_of(light, light + 3 * colours.size(), [](float x) { return std::isfinite(x); }))
