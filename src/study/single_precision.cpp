@@ -55,8 +55,9 @@ struct Geometry {
     const auto [du, dv] = display.directions;
     const Real i = ((eye.x - eye.z * a) / Real(w) + Real(0.5)) * Real(nx);
     const Real j = (Real(0.5) - (eye.y - eye.z * b) / Real(h)) * Real(ny);
-    const Real u = Real(du) * (Real(0.5) + part(a, 0));
-    const Real v = Real(dv) * (Real(0.5) - part(b, 1));
+    const Real k = display.viewingDistance > 0 ? 1 / Real(display.viewingDistance) : 0;
+    const Real u = Real(du) * (Real(0.5) + part(a + k * (eye.x - eye.z * a), 0));
+    const Real v = Real(dv) * (Real(0.5) - part(b + k * (eye.y - eye.z * b), 1));
     const auto isIn = [](Real at, int count) { return at >= 0 && at < Real(count); };
     if (!(isIn(i, nx) && isIn(j, ny) && isIn(u, du) && isIn(v, dv))) return std::nullopt;
     return TexelIndex{int(i), int(j), int(u), int(v)};

@@ -106,8 +106,9 @@ private:
   hogelscope::Vec3 ToWorld(double s, double t) const
   {
     const auto [a, b] = this->Display.slopes(s * this->Size.du, t * this->Size.dv);
-    return this->WorldFromDisplay.point(
-      { this->Middle.x + this->Length * a, this->Middle.y + this->Length * b, this->Length });
+    const double kept = 1 - this->Length * this->Display.convergence();
+    return this->WorldFromDisplay.point({ kept * this->Middle.x + this->Length * a,
+      kept * this->Middle.y + this->Length * b, this->Length });
   }
   vtkIdType AtDirection(vtkPoints* points, double s, double t) const
   {

@@ -169,8 +169,12 @@ class Simulator {
     return code / 255 > 0.04045 ? std::pow((code / 255 + 0.055) / 1.055, 2.4) : code / 255 / 12.92;
   }
 
-  /// `slope` is that of the leaving light; 0 … 1 over the angular field.
-  [[nodiscard]] double acrossField(double slope, double fov) const {
+  /// `slope` is that of the light that leaves the panel at `place`; 0 … 1 over the angular field.
+  /// With a viewing distance the field is that of the centre's rays to the points of a second
+  /// plane.
+  [[nodiscard]] double acrossField(double slope, double place, double fov) const {
+    if (const double distance = m_job.display.viewingDistance; distance > 0)
+      slope = (place + distance * slope) / distance;
     if (m_job.display.lens == hogelscope::HogelLensModel::equiangular)
       return 0.5 + std::atan(slope) / (fov * degree);
     return 0.5 + slope / (2 * std::tan(fov * degree / 2));
@@ -192,8 +196,8 @@ class Simulator {
     const double y = o[1] + t * d[1];
     return met({(x + display.size[0] / 2) / display.size[0] * m_content.size.nx,
                 (display.size[1] / 2 - y) / display.size[1] * m_content.size.ny,
-                acrossField(d[0] / d[2], display.fov[0]) * m_content.size.du,
-                acrossField(-d[1] / d[2], display.fov[1]) * m_content.size.dv});
+                acrossField(d[0] / d[2], x, display.fov[0]) * m_content.size.du,
+                acrossField(-d[1] / d[2], -y, display.fov[1]) * m_content.size.dv});
   }
 
   [[nodiscard]] Ray met(const std::array<double, 4>& hit) const {

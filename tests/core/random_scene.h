@@ -53,6 +53,7 @@ inline hogelscope::DisplayParams randomDisplay(Random& random) {
   display.fov = {random.uniform(10, 170), random.uniform(10, 170)};
   display.lens = random.flip() ? hogelscope::HogelLensModel::rectilinear
                                : hogelscope::HogelLensModel::equiangular;
+  if (random.integer(0, 3) == 0) display.viewingDistance = random.uniform(0.2, 3);
   return display;
 }
 
@@ -66,8 +67,9 @@ inline hogelscope::CameraParams randomCamera(Random& random,
   const brute::Vector target{random.uniform(-0.3, 0.3) * width, random.uniform(-0.3, 0.3) * height,
                              random.uniform(-0.05, 0.05)};
   const double z = random.uniform(0.3, 3) * std::max(width, height) + 0.05;
-  const brute::Vector eye{target[0] + z * slope(display.fov[0]),
-                          target[1] + z * slope(display.fov[1]), z};
+  const double turn = display.viewingDistance > 0 ? 1 / display.viewingDistance : 0;
+  const brute::Vector eye{target[0] + z * (slope(display.fov[0]) - turn * target[0]),
+                          target[1] + z * (slope(display.fov[1]) - turn * target[1]), z};
   const brute::Matrix rotation = brute::rotation(display.orientation);
   const auto world = [&](const brute::Vector& p) {
     const brute::Vector turned = brute::times(rotation, p);

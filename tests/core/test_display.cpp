@@ -51,6 +51,7 @@ class TestDisplay : public QObject {
   void bordersBelongToTheNextCell();
   void rayOfIsTheInverse_data();
   void rayOfIsTheInverse();
+  void fieldsCoincide();
   void rayOfByHand();
   void standsAtItsPose();
 };
@@ -178,6 +179,7 @@ void TestDisplay::rayOfIsTheInverse() {
     params.hogels = {random.integer(1, 6), random.integer(1, 6)};
     params.directions = {random.integer(1, 6), random.integer(1, 6)};
     params.fov = {random.uniform(1, 170), random.uniform(1, 170)};
+    if (repeat % 2 == 0) params.viewingDistance = random.uniform(0.05, 5);
     const Display display(params);
     const auto [nx, ny, du, dv] = display.size();
     for (int k = 0; k < nx * ny * du * dv; ++k) {
@@ -188,6 +190,24 @@ void TestDisplay::rayOfIsTheInverse() {
       QVERIFY(found);
       QVERIFY(near(*found, {at.i + 0.5, at.j + 0.5, at.u + 0.5, at.v + 0.5}, 1e-9));
     }
+  }
+}
+
+/// All hogels send a direction's light to one point of the plane at the viewing distance.
+void TestDisplay::fieldsCoincide() {
+  DisplayParams params = smallDisplay(rectilinear);
+  params.viewingDistance = 0.7;
+  const Display display(params);
+  const auto pointOf = [&](const TexelIndex& at) {
+    const auto [p, s] = display.rayOf(at);
+    return Vec2{p.x + 0.7 * s.x, p.y + 0.7 * s.y};
+  };
+  const Vec2 point = pointOf({0, 0, 6, 1});
+  QVERIFY(std::abs(point.x - 0.7 * tanDegrees(30) * 5 / 8) < 1e-12);
+  QVERIFY(std::abs(point.y - 0.7 * tanDegrees(20) * 3 / 6) < 1e-12);
+  for (const TexelIndex& at : {TexelIndex{3, 0, 6, 1}, {1, 1, 6, 1}, {2, 1, 6, 1}}) {
+    QVERIFY(std::abs(pointOf(at).x - point.x) < 1e-12);
+    QVERIFY(std::abs(pointOf(at).y - point.y) < 1e-12);
   }
 }
 

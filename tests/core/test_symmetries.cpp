@@ -17,6 +17,7 @@ RenderJob scaled(RenderJob job, double factor) {
   for (Vec3* length : {&job.display.position, &camera.eye, &camera.lookat})
     *length = factor * *length;
   for (double& size : job.display.size) size *= factor;
+  job.display.viewingDistance *= factor;
   return job;
 }
 

@@ -59,6 +59,12 @@ class TestViewingZone : public QObject {
     QCOMPARE(shareSeenFrom(display, {0.375, 0, 0.25}), 0.25);
     QCOMPARE(shareSeenFrom(display, {0, 0, 0}), 0.0);
     QCOMPARE(shareSeenFrom(display, {0, 0, -1}), 0.0);
+    display.viewingDistance = 1;  // where the whole field sees the whole panel, and nothing else
+    QCOMPARE(shareSeenFrom(display, {0.99, 0, 1}), 1.0);
+    QCOMPARE(shareSeenFrom(display, {1.01, 0, 1}), 0.0);
+    QCOMPARE(shareSeenFrom(display, {0, 0, 0.5}), 1.0);
+    QCOMPARE(shareSeenFrom(display, {0.75, 0, 0.5}), 0.0);
+    QCOMPARE(shareSeenFrom(display, {2, 0, 2}), 0.5);
   }
 };
 

@@ -348,9 +348,14 @@ void TestStore::displayIsKept() {
   display.size = {0.3, 0.2};
   display.position = {1, 2, 3};
   display.lens = HogelLensModel::equiangular;
-  (void)packed(paramsOf("a.png"), display);
+  LightFieldParams converging = paramsOf("a.png");
+  converging.viewingDistance = 0.75;
+  (void)packed(converging, display);
+  const Session around = sessionAround("store.tif");
+  QVERIFY(around.display == display);
+  QCOMPARE(around.lightField.viewingDistance, 0.75);
+  display.viewingDistance = 0.75;
   QVERIFY(LightFieldStore("store.tif").header().display == display);
-  QVERIFY(sessionAround("store.tif").display == display);
   DisplayParams other;
   other.hogels = {10, 8};
   QVERIFY_EXCEPTION_THROWN((void)openLightField(paramsOf("store.tif", Layout::pack), other),

@@ -116,7 +116,7 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
 
 int runGenerate(const CommandLine& line) {
   const Session session = loadSession(line.text("session"), line.texts("set"));
-  const DisplayParams& display = session.display;
+  const DisplayParams display = displayOf(session);
   const auto pattern = makePattern(line.subject, display, patternParams(line.jobOverrides));
   Degradation degradation;
   if (line.has("degrade")) degradation = parseDegradation(line.text("degrade"));

@@ -150,10 +150,11 @@ Rgb ScenePattern::texel(const TexelIndex& at) const {
   Rgb sum;
   for (int k = 0; k < points; ++k) {
     const auto offset = [k](std::size_t axis) { return latticeOffset(k, points, axis); };
+    const Vec2 aside{offset(0) * m_hogelPitch.x, offset(1) * m_hogelPitch.y};
     const PanelRay ray{
-        {middle.position.x + offset(0) * m_hogelPitch.x,
-         middle.position.y + offset(1) * m_hogelPitch.y},
-        {middle.slopes.x + offset(2) * slopeStep.x, middle.slopes.y + offset(3) * slopeStep.y}};
+        {middle.position.x + aside.x, middle.position.y + aside.y},
+        {middle.slopes.x + offset(2) * slopeStep.x - m_display.convergence() * aside.x,
+         middle.slopes.y + offset(3) * slopeStep.y - m_display.convergence() * aside.y}};
     sum = sum + light(ray, -everywhere, everywhere)->light;
   }
   return (1.0 / points) * sum;

@@ -41,6 +41,7 @@ std::optional<std::array<double, 2>> slopesThat(const SpherePattern::Sphere& sph
 struct SpherePattern::Hogel {
   Vec3 origin;    ///< its middle
   double slopeY;  ///< the row's slope
+  double turn;    ///< subtracted from slopes across, since hogels converge
 };
 
 SpherePattern::SpherePattern(const DisplayParams& display, const PatternParams& params)
@@ -53,13 +54,14 @@ SpherePattern::SpherePattern(const DisplayParams& display, const PatternParams& 
               Sphere{{-0.45 * s, -0.45 * s, 0.35 * s}, 0.2 * s, {240, 160, 40}},
               Sphere{{0.1 * s, -0.05 * s, 0.6 * s}, 0.15 * s, {150, 110, 220}}};
   const LightFieldSize& size = m_display.size();
-  for (int u = 0; u < size.du; ++u) m_slopesX.push_back(m_display.rayOf({0, 0, u, 0}).slopes.x);
+  for (int u = 0; u < size.du; ++u) m_slopesX.push_back(m_display.slopes(u + 0.5, 0).x);
 }
 
-/// Returns the range of u whose slopes are from `from` to `to`.
-std::array<int, 2> SpherePattern::run(double from, double to) const {
-  const auto place = [this](double slope) {
-    return int(std::lower_bound(m_slopesX.begin(), m_slopesX.end(), slope) - m_slopesX.begin());
+/// Returns the range of u whose slopes are from `from` to `to` in a hogel.
+std::array<int, 2> SpherePattern::run(const Hogel& hogel, double from, double to) const {
+  const auto place = [&](double slope) {
+    return int(std::lower_bound(m_slopesX.begin(), m_slopesX.end(), slope + hogel.turn) -
+               m_slopesX.begin());
   };
   return {place(from), place(to)};
 }
@@ -83,9 +85,10 @@ Colour SpherePattern::colourOf(const Plane& plane, const Vec2& at) const {
 void SpherePattern::draw(const Sphere& sphere, const Hogel& hogel, std::uint8_t* rgb) const {
   const auto slopes = slopesThat(sphere, hogel.origin, hogel.slopeY);
   if (!slopes) return;
-  const auto [from, to] = run((*slopes)[0], (*slopes)[1]);
+  const auto [from, to] = run(hogel, (*slopes)[0], (*slopes)[1]);
   for (int u = from; u < to; ++u) {
-    const Colour colour = colourOf(sphere, hogel.origin, {m_slopesX[std::size_t(u)], hogel.slopeY});
+    const Colour colour =
+        colourOf(sphere, hogel.origin, {m_slopesX[std::size_t(u)] - hogel.turn, hogel.slopeY});
     std::copy_n(colour.begin(), 3, rgb + 3 * u);
   }
 }
@@ -97,9 +100,9 @@ void SpherePattern::draw(const Plane& plane, const Hogel& hogel, std::uint8_t* r
   const auto slopeTo = [&](double x) { return (plane.centre.x + x - hogel.origin.x) / z; };
   const double left = slopeTo(-plane.half.x);
   const double right = slopeTo(plane.half.x);
-  const auto [from, to] = run(std::min(left, right), std::max(left, right));
+  const auto [from, to] = run(hogel, std::min(left, right), std::max(left, right));
   for (int u = from; u < to; ++u) {
-    const double x = hogel.origin.x + z * m_slopesX[std::size_t(u)] - plane.centre.x;
+    const double x = hogel.origin.x + z * (m_slopesX[std::size_t(u)] - hogel.turn) - plane.centre.x;
     const Colour colour = colourOf(plane, {x, y});
     std::copy_n(colour.begin(), 3, rgb + 3 * u);
   }
@@ -110,7 +113,9 @@ void SpherePattern::row(int y, std::uint8_t* rgb) const {
   std::fill_n(rgb, 3 * size.width(), std::uint8_t{0});
   for (int i = 0; i < size.nx; ++i, rgb += 3 * size.du) {
     const PanelRay ray = m_display.rayOf({i, y / size.dv, 0, y % size.dv});
-    const Hogel hogel{{ray.position.x, ray.position.y, 0}, ray.slopes.y};
+    const Hogel hogel{{ray.position.x, ray.position.y, 0},
+                      ray.slopes.y,
+                      m_display.convergence() * ray.position.x};
     for (const auto& thing : m_things)
       std::visit([&](const auto& one) { draw(one, hogel, rgb); }, thing);
   }

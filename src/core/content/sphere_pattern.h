@@ -38,7 +38,7 @@ class SpherePattern : public Pattern {
 
   void draw(const Sphere& sphere, const Hogel& hogel, std::uint8_t* rgb) const;
   void draw(const Plane& plane, const Hogel& hogel, std::uint8_t* rgb) const;
-  [[nodiscard]] std::array<int, 2> run(double from, double to) const;
+  [[nodiscard]] std::array<int, 2> run(const Hogel& hogel, double from, double to) const;
   [[nodiscard]] std::array<std::uint8_t, 3> colourOf(const Sphere& sphere, const Vec3& origin,
                                                      const Vec2& slopes) const;
   [[nodiscard]] std::array<std::uint8_t, 3> colourOf(const Plane& plane, const Vec2& at) const;

@@ -22,13 +22,20 @@ HitMap hitMapOf(const RenderJob& job, const Display& display, const Camera& came
   map.down = list(displayFromCamera.yAxis);
   map.forward = list(displayFromCamera.zAxis);
   map.count = {nx, ny, du, dv};
-  map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny, 0, 0};
-  map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, 1, 1};
+  // A ray of slope a meets the panel at eye.x - eye.z·a, where its direction is that of the slope
+  // a + convergence·(eye.x - eye.z·a).
+  const double k = display.convergence();
+  const double turned = 1 - k * eye.z;
+  map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny, k * eye.x,
+                  k * eye.y};
+  map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};
   if (display.lens(0).isLinear() && display.lens(1).isLinear()) {
-    map.constant[2] = 0.5 * du;
-    map.constant[3] = 0.5 * dv;
-    map.slope[2] = du / display.lens(0).slopeOf(1);
-    map.slope[3] = -dv / display.lens(1).slopeOf(1);
+    const double across = du / display.lens(0).slopeOf(1);
+    const double down = dv / display.lens(1).slopeOf(1);
+    map.constant[2] = 0.5 * du + across * map.constant[2];
+    map.constant[3] = 0.5 * dv - down * map.constant[3];
+    map.slope[2] *= across;
+    map.slope[3] *= -down;
   }
   map.isSingle = job.method.isSingle;
   return map;

@@ -26,8 +26,8 @@ double codeValue(float stored) {
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
-  auto& [file, layout, incoming, rows, columns, pattern, shear, quiltColumns, quiltRows, source,
-         type, content, live] = p;
+  auto& [file, layout, incoming, rows, columns, pattern, shear, viewingDistance, quiltColumns,
+         quiltRows, source, type, content, live] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (layout != Layout::live)
     v.field("file", file,
@@ -50,6 +50,10 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
             "by whole pixels, rounded.");
   }
+  v.field(
+      "viewingDistance", viewingDistance, {0, 1e6, 0.01}, "m",
+      "Distance before the panel of the plane on which the views' cameras stood, each looking at "
+      "all of the panel; 0: every hogel has the same directions.");
   if (layout == Layout::live) {
     v.field(
         "source", source,

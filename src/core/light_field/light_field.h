@@ -14,8 +14,8 @@
 #include "core/base/huge_pages.h"
 #include "core/base/parameters.h"
 #include "core/light_field/block_layout.h"
-#include "core/light_field/live_params.h"
 #include "core/light_field/light_field_source.h"
+#include "core/light_field/live_params.h"
 #include "core/light_field/slice_layout.h"
 
 namespace hogelscope {
@@ -35,6 +35,7 @@ struct LightFieldParams {
   ColumnOrder columns = ColumnOrder::leftRight;
   std::string pattern;
   std::array<double, 2> shear{0, 0};
+  double viewingDistance = 0;  ///< where the hogels' fields coincide, metres; 0: nowhere
   int quiltColumns = 0;
   int quiltRows = 0;
   std::string source;  ///< name of a live scene's content

@@ -107,7 +107,7 @@ PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& displa
   figures.directionShare = halfShare(error.directions());
   figures.hogel = costliest(error.hogels(), error.size().nx);
   const auto [u, v] = costliest(error.directions(), error.size().du);
-  const Vec2 slopes = Display(display).rayOf({0, 0, u, v}).slopes;
+  const Vec2 slopes = Display(display).slopes(u + 0.5, v + 0.5);
   figures.direction = {degreesOf(slopes.x), degreesOf(slopes.y)};
   return figures;
 }

@@ -15,7 +15,8 @@ bool inside(double index, int count) {
 }  // namespace
 
 void describe(ParameterVisitor& v, DisplayParams& p) {
-  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams] = p;
+  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams,
+         viewingDistance] = p;
   v.group("display", "The panel: where it stands, its hogels and their directional pixels.");
   v.field("position", position, {-1e6, 1e6, 0.01}, "m", "The panel's centre in the world.");
   v.field("orientation", orientation, {-360, 360, 1}, "°",
@@ -45,7 +46,8 @@ Display::Display(const DisplayParams& params)
     : m_params(params),
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),
-      m_lenses{lensOf(params, 0), lensOf(params, 1)} {}
+      m_lenses{lensOf(params, 0), lensOf(params, 1)},
+      m_convergence(params.viewingDistance > 0 ? 1 / params.viewingDistance : 0) {}
 
 std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& direction) const {
   if (!(eye.z > 0 && direction.z < 0)) return std::nullopt;
@@ -56,8 +58,8 @@ std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& directio
   return Hit{
       (x / m_params.size[0] + 0.5) * m_size.nx,
       (0.5 - y / m_params.size[1]) * m_size.ny,
-      m_size.du * (0.5 + lens(0).directionOf(a)),
-      m_size.dv * (0.5 - lens(1).directionOf(b)),
+      m_size.du * (0.5 + lens(0).directionOf(a + m_convergence * x)),
+      m_size.dv * (0.5 - lens(1).directionOf(b + m_convergence * y)),
   };
 }
 
@@ -83,7 +85,9 @@ Vec2 Display::position(double i, double j) const {
 }
 
 PanelRay Display::rayOf(const TexelIndex& at) const {
-  return {position(at.i + 0.5, at.j + 0.5), slopes(at.u + 0.5, at.v + 0.5)};
+  const Vec2 place = position(at.i + 0.5, at.j + 0.5);
+  const Vec2 middle = slopes(at.u + 0.5, at.v + 0.5);
+  return {place, {middle.x - m_convergence * place.x, middle.y - m_convergence * place.y}};
 }
 
 }  // namespace hogelscope

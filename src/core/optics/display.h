@@ -24,6 +24,8 @@ struct DisplayParams {
   HogelLensModel lens = HogelLensModel::rectilinear;
   std::string lensSource;  ///< name of the plugin whose lens it is
   LensParams lensParams;   ///< of the plugin
+  /// The light field's (LightFieldParams), for which displayOf() of a session puts it here.
+  double viewingDistance = 0;
   bool operator==(const DisplayParams&) const = default;
 };
 
@@ -50,6 +52,8 @@ struct Hit {
   double v = 0;
 };
 
+/// Where the light field has a viewing distance, all hogels' fields coincide on that plane, and a
+/// direction (u, v) is a point of it: the slopes of a direction depend on the hogel's place.
 class Display {
  public:
   /// `params.hogels` and `params.directions` must be given. Throws what lensOf() throws.
@@ -71,8 +75,12 @@ class Display {
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
 
-  /// Returns the slopes dx/dz, dy/dz of a real-valued direction: u = 0 … du, v = 0 … dv.
+  /// Returns the slopes dx/dz, dy/dz of a real-valued direction, u = 0 … du, v = 0 … dv, in the
+  /// panel's centre.
   [[nodiscard]] Vec2 slopes(double u, double v) const;
+  /// The slopes of a direction at the point (x, y) of the panel are slopes() − convergence()·(x,
+  /// y): 1 / viewingDistance, or 0.
+  [[nodiscard]] double convergence() const { return m_convergence; }
   /// Returns a point of the panel's plane in metres: i = 0 … nx, j = 0 … ny.
   [[nodiscard]] Vec2 position(double i, double j) const;
 
@@ -85,6 +93,7 @@ class Display {
   LightFieldSize m_size;
   RigidTransform m_displayFromWorld;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;
+  double m_convergence;
 };
 
 }  // namespace hogelscope

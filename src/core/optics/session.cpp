@@ -105,6 +105,12 @@ std::vector<std::string> warnings(const Session& session) {
   return lines;
 }
 
+DisplayParams displayOf(const Session& session) {
+  DisplayParams display = session.display;
+  display.viewingDistance = session.lightField.viewingDistance;
+  return display;
+}
+
 DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile) {
   const auto agree = [](std::array<int, 2> given, std::array<int, 2> found, const char* what) {
     if (given[0] > 0 && given != found) {

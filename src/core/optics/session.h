@@ -46,4 +46,7 @@ std::vector<std::string> warnings(const Session& session);
 /// InputError where both give them and differ.
 DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile);
 
+/// Returns the session's display with the viewing distance of its light field.
+DisplayParams displayOf(const Session& session);
+
 }  // namespace hogelscope

@@ -16,8 +16,8 @@
 #include "gui/app/help_commands.h"
 #include "gui/app/messages.h"
 #include "gui/app/window_layout.h"
-#include "gui/docks/distortion_dock.h"
 #include "gui/docks/display_dock.h"
+#include "gui/docks/distortion_dock.h"
 #include "gui/docks/light_field_dock.h"
 #include "gui/docks/psf_dock.h"
 #include "gui/docks/state_dock.h"
@@ -376,7 +376,7 @@ void MainWindow::showContent() {
     offerViews();
     showCurrent();
   } else {
-    m_loaded->display = resolved(m_model->session().display, m_loaded->lightField->size());
+    m_loaded->display = resolved(displayOf(m_model->session()), m_loaded->lightField->size());
     m_loaded->sampling = m_model->session().sampling;
     showScene();
   }

@@ -129,7 +129,7 @@ void SceneController::connectScene() {
 
 void SceneController::setScene(const std::optional<Scene>& scene) {
   m_loaded = scene;
-  m_display = scene ? scene->display : m_model->session().display;
+  m_display = scene ? scene->display : displayOf(m_model->session());
   m_worker->setScene(scene);
   if (!scene) {
     m_scene->panel().setImage(nullptr);

@@ -53,7 +53,7 @@ std::optional<Scene> Comparison::other(const Session& session) const {
   if (!scene) return scene;
   scene->sampling = session.sampling;
   if (m_hasOwnDisplay) return scene;
-  scene->display = session.display;
+  scene->display = displayOf(session);
   scene->display.hogels = m_other->display.hogels;
   scene->display.directions = m_other->display.directions;
   return scene;

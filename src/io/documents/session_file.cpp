@@ -3,6 +3,7 @@
 #include "io/documents/session_file.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/cameras/state_list_edits.h"
@@ -348,6 +349,8 @@ Session sessionAround(const std::string& file, const std::vector<std::string>& o
   } else {
     session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
     session.display = displayAround(session.lightField);
+    if (const double distance = std::exchange(session.display.viewingDistance, 0); distance > 0)
+      session.lightField.viewingDistance = distance;
   }
   session.cameras = {inFrontOf(session.display)};
   return overridden(session, overrides);

@@ -144,6 +144,7 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
 LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
                    const Progress& progress)
     : m_params(params), m_display(display) {
+  m_display.viewingDistance = params.viewingDistance;
   if (!params.content.isGiven())
     throw InputError("lightField.source", "is missing: name what computes the content");
   if (display.hogels[0] <= 0 || display.directions[0] <= 0)

@@ -45,9 +45,9 @@ LightFieldParams withFile(const LightFieldParams& params, const std::string& fil
   const bool isAnotherKind = params.layout == Layout::live || isMeshFile(file) ||
                              isFolder(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
-  if (isAnotherKind) return lightFieldOf(file);
-  LightFieldParams result = params;
-  result.file = file;
+  LightFieldParams result = isAnotherKind ? lightFieldOf(file) : params;
+  if (!isAnotherKind) result.file = file;
+  result.viewingDistance = params.viewingDistance;
   return result;
 }
 
@@ -74,8 +74,9 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
 bool readTheSame(const Session& a, const Session& b) {
   const DisplayParams& ours = a.display;
   const DisplayParams& others = b.display;
-  const bool haveSameRays =
-      ours.size == others.size && ours.fov == others.fov && ours.lens == others.lens;
+  const bool haveSameRays = ours.size == others.size && ours.fov == others.fov &&
+                            ours.lens == others.lens && ours.lensSource == others.lensSource &&
+                            ours.lensParams == others.lensParams;
   return a.lightField == b.lightField && ours.hogels == others.hogels &&
          ours.directions == others.directions &&
          (haveSameRays || a.lightField.layout != Layout::live);
@@ -83,7 +84,7 @@ bool readTheSame(const Session& a, const Session& b) {
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
   Scene scene{std::make_shared<const StreamedLightField>(file.size(), file.type()),
-              resolved(session.display, file.size()), session.sampling, false};
+              resolved(displayOf(session), file.size()), session.sampling, false};
   scene.sampling.tolerance = 0;
   return scene;
 }
@@ -100,7 +101,7 @@ Scene loadScene(const Session& session, const Progress& progress, const SourceUs
 
 Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
                 const SourceUse& use) {
-  return {file.source(use, progress), resolved(session.display, file.size()), session.sampling,
+  return {file.source(use, progress), resolved(displayOf(session), file.size()), session.sampling,
           false};
 }
 

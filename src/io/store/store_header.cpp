@@ -65,6 +65,13 @@ Json documentOf(const std::string& text) {
   }
 }
 
+double readDistance(const Json& object) {
+  if (!object.contains("viewingDistance")) return 0;
+  const auto distance = object.at("viewingDistance").get<double>();
+  if (!(distance > 0 && distance <= 1e6)) throw InputError("viewingDistance", "is out of range");
+  return distance;
+}
+
 StoreHeader readHeader(const Json& object) {
   if (object.at(versionKey) != storeVersion)
     throw InputError(versionKey,
@@ -86,6 +93,7 @@ StoreHeader readHeader(const Json& object) {
   header.source = object.at("source").get<std::string>();
   if (object.contains("display")) {
     header.display = readDisplay(object.at("display"));
+    header.display->viewingDistance = readDistance(object);
   }
   return header;
 }
@@ -132,7 +140,11 @@ std::string textOf(const StoreHeader& header) {
   object["block"] = listOf(header.block);
   object["overview"] = listOf(header.overview);
   object["source"] = header.source;
-  if (header.display) object["display"] = writtenDisplay(*header.display);
+  if (header.display) {
+    object["display"] = writtenDisplay(*header.display);
+    if (const double distance = header.display->viewingDistance; distance > 0)
+      object["viewingDistance"] = distance;
+  }
   return object.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

@@ -152,6 +152,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   header.source = sourceOf(params, file);
   if (display) {
     header.display = resolved(*display, header.size);
+    header.display->viewingDistance = params.viewingDistance;
     header.display->lensParams.changeFiles(
         [](const std::string& lens) { return fs::absolute(lens).string(); });
   }

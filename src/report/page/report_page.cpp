@@ -24,7 +24,8 @@ std::string displayWords(const DisplayParams& d) {
          " directions, field of view " + pair(d.fov) + "°, " +
          (d.lens == HogelLensModel::plugin
               ? "lenses of the plugin " + d.lensSource
-              : std::string(hogelLensNames()[std::size_t(d.lens)]) + " hogel lenses");
+              : std::string(hogelLensNames()[std::size_t(d.lens)]) + " hogel lenses") +
+         (d.viewingDistance > 0 ? ", converging at " + numberText(d.viewingDistance) + " m" : "");
 }
 
 std::string whatWasTested(const ReportPage& page) {
