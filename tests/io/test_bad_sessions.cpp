@@ -80,7 +80,7 @@ void TestBadSessions::types_data() {
   refusedIn("choice in capitals", text({.sampling = R"({"mapping": "Exact"})"}),
             "sampling.mapping: \"Exact\" is not one of exact, direct");
   refusedIn("unknown lens", text({.display = R"({"lens": "fisheye"})"}),
-            "display.lens: \"fisheye\" is not one of rectilinear, equiangular");
+            "display.lens: \"fisheye\" is not one of rectilinear, equiangular, plugin");
   refusedIn("unknown layout", text({.lightField = R"({"file": "scene.png", "layout": "tiles"})"}),
             "lightField.layout: \"tiles\" is not one of hogels, views, quilt, pack, live");
   refusedIn("unknown border", state(R"("psf": {"border": "wrap"})"),

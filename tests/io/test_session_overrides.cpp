@@ -111,9 +111,9 @@ void TestSessionOverrides::badOverrides_data() {
   QTest::newRow("one name for all states")
       << "camera.name=c"
       << "s.json: cameras[1].name: \"c\" is also cameras[0]; every state has a name of its own";
-  QTest::newRow("another layout's field")
-      << "lightField.shear=[1,1]"
-      << "s.json: lightField.shear: is not known here; known are file, layout, incoming";
+  QTest::newRow("another layout's field") << "lightField.shear=[1,1]"
+                                          << "s.json: lightField.shear: is not known here; known "
+                                             "are file, layout, incoming, viewingDistance";
 }
 
 void TestSessionOverrides::badOverrides() {

@@ -51,9 +51,9 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
             "by whole pixels, rounded.");
   }
   v.field(
-      "viewingDistance", viewingDistance, {0, 1e6, 0.01}, "m",
+      "viewingDistance", viewingDistance, {1e-6, 1e6, 0.01, true}, "m",
       "Distance before the panel of the plane on which the views' cameras stood, each looking at "
-      "all of the panel; 0: every hogel has the same directions.");
+      "all of the panel; not given: every hogel has the same directions.");
   if (layout == Layout::live) {
     v.field(
         "source", source,

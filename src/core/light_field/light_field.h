@@ -35,7 +35,7 @@ struct LightFieldParams {
   ColumnOrder columns = ColumnOrder::leftRight;
   std::string pattern;
   std::array<double, 2> shear{0, 0};
-  double viewingDistance = 0;  ///< where the hogels' fields coincide, metres; 0: nowhere
+  double viewingDistance = notGiven;  ///< where the hogels' fields coincide, metres
   int quiltColumns = 0;
   int quiltRows = 0;
   std::string source;  ///< name of a live scene's content

@@ -25,7 +25,7 @@ struct DisplayParams {
   std::string lensSource;  ///< name of the plugin whose lens it is
   LensParams lensParams;   ///< of the plugin
   /// The light field's (LightFieldParams), for which displayOf() of a session puts it here.
-  double viewingDistance = 0;
+  double viewingDistance = notGiven;
   bool operator==(const DisplayParams&) const = default;
 };
 

@@ -349,7 +349,7 @@ Session sessionAround(const std::string& file, const std::vector<std::string>& o
   } else {
     session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
     session.display = displayAround(session.lightField);
-    if (const double distance = std::exchange(session.display.viewingDistance, 0); distance > 0)
+    if (const double distance = std::exchange(session.display.viewingDistance, notGiven); distance > 0)
       session.lightField.viewingDistance = distance;
   }
   session.cameras = {inFrontOf(session.display)};

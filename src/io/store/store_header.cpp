@@ -66,7 +66,7 @@ Json documentOf(const std::string& text) {
 }
 
 double readDistance(const Json& object) {
-  if (!object.contains("viewingDistance")) return 0;
+  if (!object.contains("viewingDistance")) return notGiven;
   const auto distance = object.at("viewingDistance").get<double>();
   if (!(distance > 0 && distance <= 1e6)) throw InputError("viewingDistance", "is out of range");
   return distance;
