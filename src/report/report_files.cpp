@@ -2,6 +2,9 @@
 // The files of a report.
 #include "report/report_files.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/metrics/difference.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
@@ -24,9 +27,28 @@ void writePng(const fs::path& file, const Image& image, const Progress& progress
   writeImage(file, image.width, image.height, image.rgb, progress);
 }
 
+/// With all bits that it has: 16 in the file for more than 8.
+void writeView(const fs::path& file, const Image& image, const Progress& progress) {
+  if (image.bits == 8) return writePng(file, image, progress);
+  ImageRowWriter writer(file, std::size_t(image.width), std::size_t(image.height),
+                        StoredType::uint16);
+  std::vector<double> values(3 * std::size_t(image.width));
+  std::vector<std::uint16_t> row(values.size());
+  for (int y = 0; y < image.height; ++y) {
+    reportProgress(progress, double(y) / image.height);
+    readCodeValues(image, std::size_t(y) * values.size(), values);
+    std::ranges::transform(values, row.begin(), [](double value) {
+      return static_cast<std::uint16_t>(std::lround(257 * value));
+    });
+    writer.write(row.data());
+  }
+  writer.finish();
+}
+
 void writeCells(const fs::path& file, int width, int height,
-                const std::vector<PanelError::Cell>& cells) {
-  writePlanes(file, width, height, {{"mse", meanSquares(cells)}, {"pixels", pixelCounts(cells)}});
+                const std::vector<PanelError::Cell>& cells, int perCode) {
+  writePlanes(file, width, height,
+              {{"mse", meanSquares(cells, perCode)}, {"pixels", pixelCounts(cells)}});
 }
 
 }  // namespace
@@ -68,8 +90,8 @@ void writeImages(const fs::path& folder, std::size_t test, const std::string& st
   const fs::path own = testImage(folder, test, state);
   makeFolder(reference.parent_path());
   makeFolder(own.parent_path());
-  if (test == 0) writePng(reference, pair.reference, progress);
-  writePng(own, pair.test, progress);
+  if (test == 0) writeView(reference, pair.reference, progress);
+  writeView(own, pair.test, progress);
 }
 
 ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std::string& name,
@@ -78,8 +100,10 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std:
   const LightFieldSize& size = error.size();
   const Image hogels = hogelErrorImage(error, display);
   const Image directions = directionErrorImage(error, display);
-  writeCells(panelFile(folder, test, "hogels.exr"), size.nx, size.ny, error.hogels());
-  writeCells(panelFile(folder, test, "directions.exr"), size.du, size.dv, error.directions());
+  writeCells(panelFile(folder, test, "hogels.exr"), size.nx, size.ny, error.hogels(),
+             error.perCode());
+  writeCells(panelFile(folder, test, "directions.exr"), size.du, size.dv, error.directions(),
+             error.perCode());
   writePng(panelFile(folder, test, "hogels.png"), hogels);
   writePng(panelFile(folder, test, "directions.png"), directions);
   return {name, pngOf(hogels), pngOf(directions), figuresOf(error, display)};

@@ -46,7 +46,7 @@ ReportPage pageOf(const std::vector<ReportRow>& rows) {
 ReportPage fullPage() {
   ReportPage page = pageOf({row("a", 650.25), row("b", 65.025), row("c", 0), blind("d")});
   page.facts = {{"command", "hogelscope --report <x> & \"y\""}};
-  page.comparisons = {{"A", "B", "mean_psnr", bdDelta({}, {})}};
+  page.comparisons = {{"A", "B", page.metrics.means()[meanPsnrSeen], bdDelta({}, {})}};
   page.lenses = {{"a", {}}};
   page.views = {{0, "worst", "PNG1", "PNG2", "PNG3", 8}};
   page.panels = {{"t.png", "PNG4", "PNG5", {2, 3, 0.25, 0.5, {1, 2}, {-10, 5}}}};
@@ -208,7 +208,7 @@ void TestReportPage::oneTestHasNoRowOfAllTests() {
 void TestReportPage::problemsInTheTable() {
   const std::string page = html(fullPage());
   QVERIFY(contains(page,
-                   "<tr><td>d</td><td>t.png</td><td colspan=\"8\" class=\"problem\">"
+                   "<tr><td>d</td><td>t.png</td><td colspan=\"9\" class=\"problem\">"
                    "sees &lt;nothing&gt;</td></tr>"));
   QVERIFY(contains(page, "<tr><td>c</td><td>t.png</td><td class=\"n\">identical</td>"));
   QVERIFY(contains(page, "<tr><td>a</td><td>t.png</td><td class=\"n\">20.00</td>"));

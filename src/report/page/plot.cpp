@@ -53,7 +53,7 @@ std::vector<PlotPoint> pointsOf(const std::vector<ReportRow>& rows, const std::s
   std::vector<PlotPoint> points;
   for (const ReportRow& row : rows) {
     if (row.test != test) continue;
-    PlotPoint point{&row, displayFromWorld.point(row.eye), row.values[psnrColumn]};
+    PlotPoint point{&row, displayFromWorld.point(row.eye), row.values[psnrSeenColumn]};
     if (!row.problem.empty() || std::isnan(point.psnr))
       point.kind = PlotKind::none;
     else if (std::isinf(point.psnr))
@@ -74,7 +74,8 @@ std::string titleOf(const PlotPoint& point) {
     text += row.problem.empty() ? "nothing to compare" : row.problem;
   } else {
     text += point.kind == PlotKind::identical ? "identical" : rounded(point.psnr, 2) + " dB";
-    if (!std::isnan(row.values[ssimColumn])) text += ", SSIM " + rounded(row.values[ssimColumn], 4);
+    const double ssim = row.values[ssimSeenColumn];
+    if (!std::isnan(ssim)) text += ", SSIM " + rounded(ssim, 4);
   }
   return "<title>" + escaped(text) + "; eye " + rounded(point.eye.x, 3) + ", " +
          rounded(point.eye.y, 3) + ", " + rounded(point.eye.z, 3) + " m</title>";

@@ -16,10 +16,10 @@ std::string captioned(const std::string& png, const std::string& caption) {
 }
 
 std::string viewFigure(const ReportView& view, const ReportRow& row) {
-  const double db = row.values[psnrColumn];
+  const double db = row.values[psnrSeenColumn];
   std::string caption = view.which + " view: " + row.state + ", " + row.test + ": PSNR " +
                         rounded(db, 2) + (db < 1e6 ? " dB" : "") + ", SSIM " +
-                        rounded(row.values[ssimColumn], 4);
+                        rounded(row.values[ssimSeenColumn], 4);
   if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
   const std::string difference =
       view.gain == 1 ? "absolute difference"
