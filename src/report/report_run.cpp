@@ -262,6 +262,7 @@ void ReportRun::writeAll() {
                   m_report.rows,
                   m_report.summaries,
                   m_report.comparisons,
+                  m_request.groups,
                   certifyAll(m_request.session, m_progress.within()),
                   std::move(m_views),
                   {}};

@@ -201,7 +201,9 @@ void TestReportMetrics::bdRates() {
   }
   QVERIFY2(outcome.out.contains("Half, as much against JPEG, mean_psnr_seen: BD-rate -50.00 %"),
            outcome.out);
-  QVERIFY(contentOf("bd/report.html").contains("mean_psnr_yuv_seen: BD-rate -50.00 %"));
+  QVERIFY(contentOf("bd/report.html")
+              .contains("<td>Half, as much</td><td>JPEG</td><td>mean PSNR\u2011YUV in dB</td>"
+                        "<td>seen</td><td class=\"n\">-50.00 %</td>"));
 }
 
 void TestReportMetrics::ratesFromFileSizes() {

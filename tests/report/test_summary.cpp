@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "report/page/latex.h"
 #include "report/page/report_tables.h"
 #include "report/page/summary_page.h"
 #include "tests/core/random.h"
@@ -73,6 +74,7 @@ class TestSummaries : public QObject {
   void bdRates();
   void bdProblems();
   void page();
+  void latex();
 };
 
 void TestSummaries::means() {
@@ -227,7 +229,7 @@ void TestSummaries::anotherMetric() {
   QVERIFY(lines[1].endsWith(",99,1,") && lines[2].endsWith(",0,1,"));
   const auto summaries = summariseTests(rows, more);
   QCOMPARE(cells(linesOf(summaryCsv(summaries, more)), "t,mean_largest")[2], QString("49.5"));
-  QVERIFY(summaryTables(summaries, more, {}).find("<th class=\"n\">mean largest</th>") !=
+  QVERIFY(summaryTables(summaries, more).find("<th class=\"n\">mean largest</th>") !=
           std::string::npos);
   const std::string table = statesTable(rows, more);
   QVERIFY(table.find("<th class=\"n\">Largest cv</th>") != std::string::npos);
@@ -270,8 +272,15 @@ void TestSummaries::bdRates() {
   QVERIFY(ssim[10].toDouble() > 0);
   QVERIFY(bdText(comparisons)
               .starts_with("B against A, mean_psnr_seen: BD-rate -50.00 %, at equal rate "));
-  const std::string page = summaryTables(summariesOf(rows, groups), metrics, comparisons);
-  QVERIFY(page.find("B against A, mean_psnr_y: BD-rate -50.00 %") != std::string::npos);
+  const std::string page = bdTable(comparisons);
+  QVERIFY(page.find("<td>B</td><td>A</td><td>mean PSNR\u2011Y in dB</td><td>seen</td>"
+                    "<td class=\"n\">-50.00 %</td>") != std::string::npos);
+  QVERIFY(page.find("B &amp; A &amp; mean PSNR-Y in dB &amp; seen &amp; -50.00 \\% &amp; ") !=
+          std::string::npos);
+  const std::string means = summaryTables(summariesOf(rows, groups), metrics);
+  QVERIFY(means.find("<td>b1</td><td class=\"n\">0.1000</td>") != std::string::npos);
+  QVERIFY(means.find("\\begin{tabular}{lrrrrrr}\n\\hline\ntest &amp; bpp &amp; mean PSNR in dB") !=
+          std::string::npos);
 }
 
 void TestSummaries::bdProblems() {
@@ -285,14 +294,26 @@ void TestSummaries::bdProblems() {
 }
 
 void TestSummaries::page() {
-  const std::string plain = summaryTables(summariesOf({row("<s>", "<t>", 1)}), metrics, {});
+  const std::string plain = summaryTables(summariesOf({row("<s>", "<t>", 1)}), metrics);
   QVERIFY(plain.find("<td>&lt;t&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("<td>&lt;s&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("weighted") == std::string::npos);
   QVERIFY(plain.find("Bjøntegaard") == std::string::npos);
   const std::string weighted =
-      summaryTables(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics, {});
+      summaryTables(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics);
   QVERIFY(weighted.find("<td>t, weighted</td><td class=\"n\">22.50 <small>(") != std::string::npos);
+}
+
+/// A name of LaTeX's own characters; columns of numbers are to the right.
+void TestSummaries::latex() {
+  QCOMPARE(
+      QString::fromStdString(latexTable({"test", "a_b", "note"},
+                                        {{"x\\y{z}&%$#^~.png", "-1.5", "–"}, {"<q>", "–", "w"}})),
+      QString("<details><summary>As LaTeX</summary><pre>\\begin{tabular}{lrl}\n\\hline\n"
+              "test &amp; a\\_b &amp; note \\\\\n\\hline\n"
+              "x\\textbackslash{}y\\{z\\}\\&amp;\\%\\$\\#\\textasciicircum{}\\textasciitilde{}.png"
+              " &amp; -1.5 &amp; -- \\\\\n\\textless{}q\\textgreater{} &amp; -- &amp; w \\\\\n"
+              "\\hline\n\\end{tabular}\n</pre></details>\n"));
 }
 
 QTEST_APPLESS_MAIN(TestSummaries)

@@ -36,7 +36,7 @@ void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, std::size_
     const int red = a[3 * k] - b[3 * k];
     const int green = a[3 * k + 1] - b[3 * k + 1];
     const int blue = a[3 * k + 2] - b[3 * k + 2];
-    squares[k] = static_cast<std::uint64_t>(red * red + green * green + blue * blue);
+    squares[k] = static_cast<std::uint32_t>(red * red + green * green + blue * blue);
   }
 }
 

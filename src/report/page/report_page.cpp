@@ -85,8 +85,15 @@ std::string html(const ReportPage& page) {
       "\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
       title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
-      "<h1>Perceived views of " + title + "</h1>\n" + whatWasTested(page) +
-      summaryTables(page.summaries, page.metrics, page.comparisons);
+      "<h1>Perceived views of " + title + "</h1>\n" + summaryTables(page.summaries, page.metrics);
+  if (!page.groups.empty())
+    text +=
+        "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals; over "
+        "the pixels seen, but for metrics of plugins. The pointer over a point shows its "
+        "figures.</p>\n" +
+        ratePlots(page.summaries, page.metrics, page.groups);
+  if (!page.comparisons.empty())
+    text += "<h2>Bjøntegaard deltas</h2>\n" + bdTable(page.comparisons);
   if (!page.rows.empty()) text += overPosition(page);
   if (!page.views.empty())
     text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page.views, page.rows);
@@ -94,7 +101,8 @@ std::string html(const ReportPage& page) {
   if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows, page.metrics);
   if (!page.lenses.empty())
     text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
-  return text + definitions + "<script>" + reportScript + "</script>\n</body></html>\n";
+  return text + definitions + whatWasTested(page) + "<script>" + reportScript +
+         "</script>\n</body></html>\n";
 }
 
 }  // namespace hogelscope

@@ -2,10 +2,12 @@
 // The summary in words.
 #include "report/page/summary_page.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text.h"
 #include "report/page/html.h"
+#include "report/page/latex.h"
 
 namespace hogelscope {
 
@@ -42,12 +44,18 @@ struct MeansTable {
   const MetricSet& metrics;
   bool isSeen;
   bool hasBlind;
+  bool hasRates;
 };
+
+std::string rateText(const TestSummary& test) {
+  return test.rate ? rounded(*test.rate, 4) : std::string("–");
+}
 
 std::string tableRow(const TestSummary& test, const MeansTable& table, bool isWeighted) {
   const std::vector<double>& means = isWeighted ? test.summary.weighted : test.summary.means;
   const Interval* intervals = &test.intervals[isWeighted ? means.size() : 0];
   std::string text = "<tr><td>" + escaped(test.test) + (isWeighted ? ", weighted" : "") + "</td>";
+  if (table.hasRates) text += cell(rateText(test));
   for (std::size_t k = 0; k < means.size(); ++k)
     if (table.metrics.means()[k].isSeen == table.isSeen)
       text += withInterval(means[k], intervals[k], table.metrics.means()[k].decimals);
@@ -64,6 +72,7 @@ bool hasWeights(const TestSummary& test) {
 
 std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable& table) {
   std::string text = "<div class=\"scroll\"><table class=\"means\"><thead><tr><th>test</th>";
+  if (table.hasRates) text += "<th class=\"n\">bits a directional pixel</th>";
   for (const MetricMean& mean : table.metrics.means())
     if (mean.isSeen == table.isSeen) text += "<th class=\"n\">" + escaped(titleOf(mean)) + "</th>";
   if (table.isSeen) {
@@ -78,6 +87,29 @@ std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable&
     if (hasWeights(summaries[k])) text += tableRow(summaries[k], table, true);
   }
   return text + "</tbody></table></div>\n";
+}
+
+/// The same table for a paper: tests, rates and means with their intervals.
+std::string latexOf(const std::vector<TestSummary>& summaries, const MeansTable& table) {
+  std::vector<std::string> heads{"test"};
+  if (table.hasRates) heads.emplace_back("bpp");
+  for (const MetricMean& mean : table.metrics.means())
+    if (mean.isSeen == table.isSeen) heads.push_back(titleOf(mean));
+  std::vector<std::vector<std::string>> rows;
+  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();
+  for (std::size_t test = 0; test < shown; ++test) {
+    rows.push_back({summaries[test].test});
+    if (table.hasRates) rows.back().push_back(rateText(summaries[test]));
+    for (std::size_t k = 0; k < table.metrics.means().size(); ++k) {
+      const MetricMean& mean = table.metrics.means()[k];
+      if (mean.isSeen != table.isSeen) continue;
+      const auto number = [&](double value) { return rounded(value, mean.decimals); };
+      const Interval& interval = summaries[test].intervals[k];
+      rows.back().push_back(number(summaries[test].summary.means[k]) + " (" + number(interval.low) +
+                            "–" + number(interval.high) + ")");
+    }
+  }
+  return latexTable(heads, rows);
 }
 
 }  // namespace
@@ -119,18 +151,44 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
   return text + "nothing to compare        " + std::to_string(summary.withoutView) + of;
 }
 
-std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
-                          const std::vector<BdRow>& comparisons) {
+std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
   if (summaries.empty()) return {};
   const bool hasBlind = summaries.back().summary.withoutView > 0;
-  std::string text =
-      "<h2>Means over the states</h2>\n<p>Over the pixels seen in both pictures. In brackets 95 % "
-      "bootstrap intervals. Means are of the finite PSNRs.</p>\n" +
-      tableOf(summaries, {metrics, true, hasBlind}) +
-      "<h3>The same over the whole frame, black surroundings included</h3>\n" +
-      tableOf(summaries, {metrics, false, hasBlind});
-  if (comparisons.empty()) return text;
-  return text + "<h2>Bjøntegaard deltas</h2>\n<pre>" + escaped(bdText(comparisons)) + "</pre>\n";
+  const bool hasRates =
+      std::ranges::any_of(summaries, [](const TestSummary& test) { return test.rate.has_value(); });
+  const MeansTable seen{metrics, true, hasBlind, hasRates};
+  const MeansTable frame{metrics, false, hasBlind, hasRates};
+  return "<h2>Means over the states</h2>\n<p>Over the pixels seen in both pictures. In brackets 95 "
+         "% "
+         "bootstrap intervals. Means are of the finite PSNRs.</p>\n" +
+         tableOf(summaries, seen) + latexOf(summaries, seen) +
+         "<h3>The same over the whole frame, black surroundings included</h3>\n" +
+         tableOf(summaries, frame) + latexOf(summaries, frame);
+}
+
+std::string bdTable(const std::vector<BdRow>& rows) {
+  const std::vector<std::string> heads{"group",   "against",       "quality", "over",
+                                       "BD-rate", "at equal rate", "from",    "to"};
+  std::string table = "<div class=\"scroll\"><table class=\"means\"><thead><tr>";
+  for (const std::string& head : heads) table += "<th>" + head + "</th>";
+  table += "</tr></thead>\n<tbody>\n";
+  std::vector<std::vector<std::string>> cells;
+  for (const auto& [anchor, group, quality, delta] : rows) {
+    cells.push_back({group, anchor, titleOf(quality), quality.isSeen ? "seen" : "frame"});
+    table += "<tr>";
+    for (const std::string& text : cells.back()) table += "<td>" + escaped(text) + "</td>";
+    for (const std::string& number :
+         {rounded(delta.rate, 2) + (std::isnan(delta.rate) ? "" : " %"),
+          rounded(delta.quality, quality.decimals), rounded(delta.from, quality.decimals),
+          rounded(delta.to, quality.decimals)}) {
+      cells.back().push_back(number);
+      table += cell(number);
+    }
+    table += "</tr>\n";
+    if (!delta.problem.empty())
+      table += "<tr><td colspan=\"8\" class=\"problem\">" + escaped(delta.problem) + "</td></tr>\n";
+  }
+  return table + "</tbody></table></div>\n" + latexTable(heads, cells);
 }
 
 }  // namespace hogelscope
