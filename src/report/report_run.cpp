@@ -185,8 +185,10 @@ void ReportRun::showViews(std::size_t test) {
                    [&](std::size_t a, std::size_t b) { return error(a) > error(b); });
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
-    m_views.push_back(
-        m_writing.of([&] { return viewOf(rowOf(test, state), which, pair, m_progress.within()); }));
+    m_views.push_back(m_writing.of([&] {
+      return writeView(m_folder, {rowOf(test, state), test, which}, m_request.tests.size(), pair,
+                       m_progress.within());
+    }));
   };
   if (!order.empty()) show("worst", order.front());
   if (order.size() > 2) show("median", order[order.size() / 2]);
@@ -267,8 +269,8 @@ void ReportRun::writeAll() {
                   std::move(m_views),
                   {}};
   for (std::size_t test = 0; test < m_projections.size(); ++test)
-    page.panels.push_back(writePanelError(m_folder, test, m_request.tests[test].name,
-                                          m_projections[test]->error(), display));
+    page.panels.push_back(
+        writePanelError(m_folder, test, m_request, m_projections[test]->error(), display));
   writeTextFile(m_folder / "report.html", html(page));
   m_journal.remove();
   for (const auto& projection : m_projections) projection->remove();

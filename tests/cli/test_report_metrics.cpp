@@ -57,6 +57,7 @@ class TestReportMetrics : public QObject {
   void summaryIsOfTheRows();
   void bdRates();
   void ratesFromFileSizes();
+  void picturesOfThePageAreSmall();
   void badGroups_data();
   void badGroups();
 
@@ -216,6 +217,36 @@ void TestReportMetrics::ratesFromFileSizes() {
   for (const QStringList& row : tableOf("sizes/summary.csv"))
     if (row[1] == "rate_bpp")
       QCOMPARE(row[2].toDouble(), 8.0 * double(QFileInfo(row[0]).size()) / (2560 * 2560));
+}
+
+/// The page's pictures have 3 MB, however many tests there are; all pixels are in files.
+void TestReportMetrics::picturesOfThePageAreSmall() {
+  const Outcome outcome = run(QStringList{"--report", "--session", sampleSession, "--set",
+                                          "camera.res=[600,560]", "--output", "large"} +
+                                  m_tests,
+                              m_folder.path());
+  QCOMPARE(outcome.status, 0);
+  const QByteArray page = contentOf("large/report.html");
+  qsizetype bytes = 0;
+  int pictures = 0;
+  for (qsizetype at = page.indexOf("base64,"); at >= 0; at = page.indexOf("base64,", at + 1)) {
+    bytes += page.indexOf('"', at) - at - 7;
+    ++pictures;
+  }
+  QCOMPARE(pictures, 4 * (9 + 2));
+  QVERIFY2(bytes < 3000000 && bytes > 500000, qPrintable(QString::number(bytes)));
+  QVERIFY(page.contains(" of the size of the files in views</h3>"));
+  qint64 files = 0;
+  for (int k = 0; k < 36; ++k) {
+    const QString file = QString("large/views/test%1_%2_%3.png")
+                             .arg(k / 9 + 1)
+                             .arg(QStringList{"worst", "median", "best"}[k / 3 % 3],
+                                  QStringList{"reference", "test", "difference"}[k % 3]);
+    QCOMPARE(specOf(file).width, 600);
+    files += QFileInfo(file).size();
+  }
+  QVERIFY2(4 * files / 3 > 3000000,
+           qPrintable(QString::number(files)));  // they would not have fitted
 }
 
 void TestReportMetrics::badGroups_data() {

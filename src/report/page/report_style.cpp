@@ -77,6 +77,8 @@ dd { margin-left: 1.2em; }
   .facts, .facts tbody, .facts tr, .facts th, .facts td { display: block; }
   .facts th { white-space: normal; border-bottom: 0; padding-bottom: 0; }
   .legend { padding: 0; }
+  figure { overflow-x: auto; }
+  svg.wide { width: 640px; }
 }
 @page { size: A4; margin: 14mm; }
 @media print {
@@ -139,7 +141,7 @@ for (const table of document.querySelectorAll('table.sorts')) {
 // wants after a change.
 const char* const reportPolicy =
     "default-src 'none'; img-src data:; "
-    "style-src 'sha256-fOKUh9qTZxWNicyKy/rDj/NG3u0ADkK83CucnHTPuFc='; "
+    "style-src 'sha256-7LeUO1huCndHKGEQLE6gSvdYm6qSAuVzg8XjeZ63mog='; "
     "script-src 'sha256-lmUoGecNZ58PNl/B9kNeqhFLMVy4O+TalemMY/rrKcI='; "
     "base-uri 'none'; form-action 'none'";
 
