@@ -103,6 +103,7 @@ std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& d
   if (area.hasIdentical) text += svgText(56, 28, "end", "identical");
   for (std::size_t k = 0; k < all.size(); ++k) text += drawn(area, all[k], k);
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Series& series : all) names.push_back(series.test);
   return text + "</svg>\n" + plotLegend(names) + "</figure>\n";
 }

@@ -107,11 +107,13 @@ std::string ratePlots(const std::vector<TestSummary>& summaries, const MetricSet
     const bool isOfPlugin = mean > meanPsnrYuvSeen;
     if (!metrics.means()[mean].isQuality || !(metrics.means()[mean].isSeen || isOfPlugin)) continue;
     std::vector<Curve> curves;
+    curves.reserve(groups.size());
     for (const RateGroup& group : groups) curves.push_back(curveOf(group, summaries, mean));
     if (std::ranges::any_of(curves, [](const Curve& curve) { return !curve.empty(); }))
       plots += plot(curves, metrics.means()[mean]);
   }
   std::vector<std::string> names;
+  names.reserve(groups.size());
   for (const RateGroup& group : groups) names.push_back(group.name);
   return "<figure><div class=\"plots\">\n" + plots + "</div>" + plotLegend(names) + "</figure>\n";
 }
