@@ -115,7 +115,7 @@ FlagGroup comparison() {
         .value = "DB",
         .jobs = {report},
         .range = NumberRange{},
-        .help = "Exit status 1 if any PSNR is below."},
+        .help = "Exit status 1 if any PSNR over the pixels seen is below."},
        {.name = "group",
         .value = "NAME=LF,LF,…",
         .jobs = {report},

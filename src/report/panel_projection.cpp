@@ -7,9 +7,9 @@
 namespace hogelscope {
 
 PanelProjection::PanelProjection(std::filesystem::path file, std::string key,
-                                 const LightFieldSize& size)
-    : m_file(std::move(file)), m_key(std::move(key)), m_error(size) {
-  if (auto saved = loadPanelError(m_file, m_key, size)) {
+                                 const LightFieldSize& size, bool isDeep)
+    : m_file(std::move(file)), m_key(std::move(key)), m_error(size, isDeep) {
+  if (auto saved = loadPanelError(m_file, m_key, size, isDeep)) {
     m_states = std::move(saved->states);
     m_error = std::move(saved->error);
   }

@@ -15,7 +15,8 @@ namespace hogelscope {
 class PanelProjection {
  public:
   /// Takes up what an earlier run with the same `key` left in `file`.
-  PanelProjection(std::filesystem::path file, std::string key, const LightFieldSize& size);
+  PanelProjection(std::filesystem::path file, std::string key, const LightFieldSize& size,
+                  bool isDeep);
 
   [[nodiscard]] bool has(std::size_t state) const { return m_states.contains(state); }
   [[nodiscard]] const PanelError& error() const { return m_error; }

@@ -2,6 +2,10 @@
 // The files of a report.
 #include "report/report_files.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "core/metrics/difference.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
@@ -16,17 +20,90 @@ fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& 
   return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
 }
 
+fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* ending) {
+  return folder / "views" /
+         ("test" + std::to_string(view.test + 1) + "_" + view.which + "_" + ending + ".png");
+}
+
 std::string pngOf(const Image& image, const Progress& progress = {}) {
   return encodedPng(image.width, image.height, image.rgb, progress);
+}
+
+/// Bytes of PNG for each of the figures of a kind, whose share of the page is `share`: base64
+/// writes four characters for three bytes.
+std::size_t roomFor(double share, std::size_t figures) {
+  return std::size_t(share * 0.75 * double(mostPictureBytes) / double(figures));
+}
+
+constexpr double shareOfPanels = 0.25;
+
+/// Means of scale × scale pixels; of fewer at the right and at the bottom.
+Image reduced(const Image& image, int scale) {
+  Image small((image.width + scale - 1) / scale, (image.height + scale - 1) / scale);
+  auto to = small.rgb.begin();
+  for (int y = 0; y < image.height; y += scale)
+    for (int x = 0; x < image.width; x += scale) {
+      const int right = std::min(x + scale, image.width);
+      const int bottom = std::min(y + scale, image.height);
+      std::array<int, 3> sum{};
+      for (int row = y; row < bottom; ++row)
+        for (int k = 3 * x; k < 3 * right; ++k)
+          sum[std::size_t(k % 3)] +=
+              image.rgb[std::size_t(3 * row) * std::size_t(image.width) + std::size_t(k)];
+      const int count = (right - x) * (bottom - y);
+      for (const int one : sum) *to++ = static_cast<std::uint8_t>((one + count / 2) / count);
+    }
+  return small;
+}
+
+/// Pictures of one size, shrunk together until they have at most `room` bytes.
+struct Shrunk {
+  std::vector<std::string> pngs;
+  int scale = 1;
+};
+
+Shrunk shrunk(const std::vector<const Image*>& images, std::size_t room,
+              const Progress& progress = {}) {
+  constexpr int least = 32;  // pixels: smaller, nothing can be seen
+  Shrunk result;
+  for (;; ++result.scale) {
+    result.pngs.clear();
+    std::size_t bytes = 0;
+    for (const Image* image : images) {
+      result.pngs.push_back(pngOf(reduced(*image, result.scale), progress));
+      bytes += result.pngs.back().size();
+    }
+    if (bytes <= room || std::max(images[0]->width, images[0]->height) <= least * result.scale)
+      return result;
+  }
 }
 
 void writePng(const fs::path& file, const Image& image, const Progress& progress = {}) {
   writeImage(file, image.width, image.height, image.rgb, progress);
 }
 
+/// With all bits that it has: 16 in the file for more than 8.
+void writeImage(const fs::path& file, const Image& image, const Progress& progress) {
+  if (image.bits == 8) return writePng(file, image, progress);
+  ImageRowWriter writer(file, std::size_t(image.width), std::size_t(image.height),
+                        StoredType::uint16);
+  std::vector<double> values(3 * std::size_t(image.width));
+  std::vector<std::uint16_t> row(values.size());
+  for (int y = 0; y < image.height; ++y) {
+    reportProgress(progress, double(y) / image.height);
+    readCodeValues(image, std::size_t(y) * values.size(), values);
+    std::ranges::transform(values, row.begin(), [](double value) {
+      return static_cast<std::uint16_t>(std::lround(257 * value));
+    });
+    writer.write(row.data());
+  }
+  writer.finish();
+}
+
 void writeCells(const fs::path& file, int width, int height,
-                const std::vector<PanelError::Cell>& cells) {
-  writePlanes(file, width, height, {{"mse", meanSquares(cells)}, {"pixels", pixelCounts(cells)}});
+                const std::vector<PanelError::Cell>& cells, int perCode) {
+  writePlanes(file, width, height,
+              {{"mse", meanSquares(cells, perCode)}, {"pixels", pixelCounts(cells)}});
 }
 
 }  // namespace
@@ -46,6 +123,9 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
   for (std::size_t test = 0; test < request.tests.size(); ++test) {
     for (const char* ending : {"hogels.exr", "directions.exr", "hogels.png", "directions.png"})
       files.push_back(panelFile(folder, test, ending));
+    for (const char* which : {"worst", "median", "best"})
+      for (const char* ending : {"reference", "test", "difference"})
+        files.push_back(viewFile(folder, {0, test, which}, ending));
     if (!request.images) continue;
     for (const CameraState& state : request.session.cameras) {
       files.push_back(referenceImage(folder, state.camera.name));
@@ -68,32 +148,43 @@ void writeImages(const fs::path& folder, std::size_t test, const std::string& st
   const fs::path own = testImage(folder, test, state);
   makeFolder(reference.parent_path());
   makeFolder(own.parent_path());
-  if (test == 0) writePng(reference, pair.reference, progress);
-  writePng(own, pair.test, progress);
+  if (test == 0) writeImage(reference, pair.reference, progress);
+  writeImage(own, pair.test, progress);
 }
 
-ReportPanel writePanelError(const fs::path& folder, std::size_t test, const std::string& name,
+ReportPanel writePanelError(const fs::path& folder, std::size_t test, const ReportRequest& request,
                             const PanelError& error, const DisplayParams& display) {
   makeFolder(folder / "panel_error");
   const LightFieldSize& size = error.size();
   const Image hogels = hogelErrorImage(error, display);
   const Image directions = directionErrorImage(error, display);
-  writeCells(panelFile(folder, test, "hogels.exr"), size.nx, size.ny, error.hogels());
-  writeCells(panelFile(folder, test, "directions.exr"), size.du, size.dv, error.directions());
+  writeCells(panelFile(folder, test, "hogels.exr"), size.nx, size.ny, error.hogels(),
+             error.perCode());
+  writeCells(panelFile(folder, test, "directions.exr"), size.du, size.dv, error.directions(),
+             error.perCode());
   writePng(panelFile(folder, test, "hogels.png"), hogels);
   writePng(panelFile(folder, test, "directions.png"), directions);
-  return {name, pngOf(hogels), pngOf(directions), figuresOf(error, display)};
+  const std::size_t room = roomFor(shareOfPanels, 2 * request.tests.size());
+  return {request.tests[test].name, shrunk({&hogels}, room).pngs[0],
+          shrunk({&directions}, room).pngs[0], figuresOf(error, display)};
 }
 
-ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair,
-                  const Progress& progress) {
+ReportView writeView(const fs::path& folder, const ChosenView& view, std::size_t tests,
+                     const ViewPair& pair, const Progress& progress) {
+  makeFolder(folder / "views");
   const DifferenceImage difference = differenceImage(pair.reference, pair.test);
-  return {row,
-          which,
-          pngOf(pair.reference, progress),
-          pngOf(pair.test, progress),
-          pngOf(difference.image, progress),
-          difference.gain};
+  writeImage(viewFile(folder, view, "reference"), pair.reference, progress);
+  writeImage(viewFile(folder, view, "test"), pair.test, progress);
+  writePng(viewFile(folder, view, "difference"), difference.image, progress);
+  Shrunk page = shrunk({&pair.reference, &pair.test, &difference.image},
+                       roomFor(1 - shareOfPanels, 3 * tests), progress);
+  return {view.row,
+          view.which,
+          std::move(page.pngs[0]),
+          std::move(page.pngs[1]),
+          std::move(page.pngs[2]),
+          difference.gain,
+          page.scale};
 }
 
 }  // namespace hogelscope

@@ -30,13 +30,21 @@ void writeImages(const std::filesystem::path& folder, std::size_t test, const st
                  const ViewPair& pair, const Progress& progress);
 
 /// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png; the images for
-/// the page.
+/// the page, shrunk as those of views are.
 ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t test,
-                            const std::string& name, const PanelError& error,
+                            const ReportRequest& request, const PanelError& error,
                             const DisplayParams& display);
 
-/// What the page shows of one pair.
-ReportView viewOf(std::size_t row, const std::string& which, const ViewPair& pair,
-                  const Progress& progress);
+/// A view that the page shows: its row, its test and "worst", "median" or "best".
+struct ChosenView {
+  std::size_t row = 0;
+  std::size_t test = 0;
+  std::string which;
+};
+
+/// FOLDER/views/testN_WHICH_reference.png, …_test.png, …_difference.png; the same for the page,
+/// where the pictures of `tests` tests have to stay within mostPictureBytes.
+ReportView writeView(const std::filesystem::path& folder, const ChosenView& view, std::size_t tests,
+                     const ViewPair& pair, const Progress& progress);
 
 }  // namespace hogelscope

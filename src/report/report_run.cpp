@@ -132,9 +132,9 @@ void ReportRun::takeUp() {
     if (m_listener.finished) m_listener.finished(index, m_report.rows[index]);
   }
   for (std::size_t test = 0; test < tests.size(); ++test)
-    m_projections.push_back(
-        std::make_unique<PanelProjection>(m_folder / ("report.panel" + std::to_string(test + 1)),
-                                          m_facts.key, m_request.file->size()));
+    m_projections.push_back(std::make_unique<PanelProjection>(
+        m_folder / ("report.panel" + std::to_string(test + 1)), m_facts.key, m_request.file->size(),
+        std::max(m_request.file->bits(), tests[test].file->bits()) > 8));
 }
 
 void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t worker,
@@ -177,14 +177,18 @@ void ReportRun::showViews(std::size_t test) {
   std::vector<std::size_t> order;
   for (std::size_t state = 0; state < states(); ++state)
     if (m_report.rows[rowOf(test, state)].problem.empty()) order.push_back(state);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return m_report.rows[rowOf(test, a)].values[mseColumn] >
-           m_report.rows[rowOf(test, b)].values[mseColumn];
-  });
+  const auto error = [&](std::size_t state) {
+    const double mse = m_report.rows[rowOf(test, state)].values[mseSeenColumn];
+    return std::isnan(mse) ? std::numeric_limits<double>::infinity() : mse;  // nothing seen in both
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return error(a) > error(b); });
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
-    m_views.push_back(
-        m_writing.of([&] { return viewOf(rowOf(test, state), which, pair, m_progress.within()); }));
+    m_views.push_back(m_writing.of([&] {
+      return writeView(m_folder, {rowOf(test, state), test, which}, m_request.tests.size(), pair,
+                       m_progress.within());
+    }));
   };
   if (!order.empty()) show("worst", order.front());
   if (order.size() > 2) show("median", order[order.size() / 2]);
@@ -260,12 +264,13 @@ void ReportRun::writeAll() {
                   m_report.rows,
                   m_report.summaries,
                   m_report.comparisons,
+                  m_request.groups,
                   certifyAll(m_request.session, m_progress.within()),
                   std::move(m_views),
                   {}};
   for (std::size_t test = 0; test < m_projections.size(); ++test)
-    page.panels.push_back(writePanelError(m_folder, test, m_request.tests[test].name,
-                                          m_projections[test]->error(), display));
+    page.panels.push_back(
+        writePanelError(m_folder, test, m_request, m_projections[test]->error(), display));
   writeTextFile(m_folder / "report.html", html(page));
   m_journal.remove();
   for (const auto& projection : m_projections) projection->remove();

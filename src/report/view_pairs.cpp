@@ -26,11 +26,15 @@ bool ViewPairs::streams(const LightFieldFile& file) const {
 
 ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& file,
                                         const Progress& progress) const {
-  if (!streams(file))
-    return {loadScene(session, file, progress,
-                      {m_memory, 0, m_renderers.size() > 1 ? 1 : threadCount()}),
-            {}};
-  Source source{unloadedScene(session, file), {}};
+  Source source;
+  if (!streams(file)) {
+    source.scene = loadScene(session, file, progress,
+                             {m_memory, 0, m_renderers.size() > 1 ? 1 : threadCount()});
+    source.scene.bits = file.bits();
+    return source;
+  }
+  source.scene = unloadedScene(session, file);
+  source.scene.bits = file.bits();
   std::vector<RenderJob> views;
   for (const CameraState& state : m_session.cameras) views.push_back(source.scene.job(state));
   source.pictures = renderStreamed(file, views, m_memory, serialRows, progress);

@@ -13,7 +13,7 @@
 
 namespace hogelscope {
 
-/// Of one state, or why there are none.
+/// Of one state, with the bits that its light fields have, or why there are none.
 struct ViewPair {
   Image reference;
   Image test;
@@ -31,6 +31,7 @@ class ViewPairs {
   void setReference(const Scene& scene) {
     m_reference.emplace().scene = scene;
     m_reference->scene.isIdeal = m_isAgainstIdeal;
+    m_reference->scene.bits = m_file.bits();
   }
   /// Reads the session's light field, the first time, and a test's, side by side where both pass
   /// by. The last test's memory is free before the next one is read.

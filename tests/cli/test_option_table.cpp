@@ -214,7 +214,8 @@ void TestOptionTable::helpOnAJob() {
 
 void TestOptionTable::helpSaysWhoseOptionsAre() {
   const QString help = QString::fromStdString(helpText("")).simplified();
-  QVERIFY(help.contains("--fail-below DB --report: exit status 1 if any PSNR is below."));
+  QVERIFY(help.contains(
+      "--fail-below DB --report: exit status 1 if any PSNR over the pixels seen is below."));
   QVERIFY(help.contains("--format png|exr|tif --render: of the pictures: EXR holds"));
   QVERIFY(help.contains("--quiet Prints nothing but errors. Not for --info, --plugins."));
 }

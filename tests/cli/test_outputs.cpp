@@ -255,7 +255,7 @@ void TestOutputs::everyLineIsHeard() {
         job({"--report", "--session", "s.json", "--test", "t.tif", "--output", "out", "--memory",
              "1", "--fail-below", "90", "--set", "display.directions=[80,80]"});
     QCOMPARE(outcome.status, 1);
-    QVERIFY2(outcome.err.contains(" dB is below 90\n"), outcome.err);
+    QVERIFY2(outcome.err.contains(" dB over what is seen is below 90\n"), outcome.err);
   }
 }
 

@@ -66,6 +66,9 @@ class TestReport : public QObject {
   void lightFieldsThatPassBy();
   void gate_data();
   void gate();
+  void gateIsOverWhatIsSeen();
+  void tenBitsAgainstTheirCopy();
+  void sixteenBitsThatPassBy();
   void badTestsAreToldFirst_data();
   void badTestsAreToldFirst();
 
@@ -89,8 +92,8 @@ void TestReport::table() {
   const Outcome outcome = report({"--test", "b.png", "--test", "a.png"});
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
-  QCOMPARE(namesIn("out"),
-           (QStringList{"metrics.csv", "panel_error", "report.csv", "report.html", "summary.csv"}));
+  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "report.csv", "report.html",
+                                        "summary.csv", "views"}));
   const Session session = loadSession("s.json");
   const auto noise = metricsOf(session, loadSession("s.json", {"lightField.file=b.png"}));
   const auto same = metricsOf(session, session);
@@ -177,7 +180,7 @@ void TestReport::pictures() {
   QCOMPARE(report({"--test", "b.png", "--test", "a.png", "--images", "--states", "[!a]*"}).status,
            0);
   QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "reference", "report.csv",
-                                        "report.html", "summary.csv", "test1", "test2"}));
+                                        "report.html", "summary.csv", "test1", "test2", "views"}));
   Session session = loadSession("s.json");
   session.cameras.erase(session.cameras.begin());
   const std::vector<Image> references = simulated(session);
@@ -204,7 +207,7 @@ void TestReport::page() {
   QVERIFY(page.contains("<td>a, &quot;b&quot;</td><td>b.png</td>"));
   QVERIFY(!page.contains("<i>"));
   const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
-  QVERIFY(page.contains(">" + QString::number(cells[3].toDouble(), 'f', 2) + "</td>"));
+  QVERIFY(page.contains(">" + QString::number(cells[5].toDouble(), 'f', 2) + "</td>"));
   QVERIFY(page.contains("s.json"));
 }
 
@@ -212,14 +215,20 @@ void TestReport::summary() {
   const Outcome outcome = report({"--test", "b.png"});
   const QString out = QString::fromUtf8(outcome.out);
   const QList<QByteArray> lines = contentOf("out/report.csv").split('\n');
-  const double first = cellsOf(lines[1])[3].toDouble();
-  const double second = cellsOf(lines[2])[3].toDouble();
-  const double mean = (cellsOf(lines[1])[2].toDouble() + cellsOf(lines[2])[2].toDouble()) / 2;
-  QVERIFY2(out.contains(
-               QString("mean of the finite PSNRs  %1 dB\n").arg((first + second) / 2, 0, 'f', 2)),
-           outcome.out);
-  QVERIFY2(out.contains(QString("PSNR of the mean MSE      %1 dB\n")
-                            .arg(10 * std::log10(255.0 * 255 / mean), 0, 'f', 2)),
+  const auto cell = [&](int line, int column) { return cellsOf(lines[line])[column].toDouble(); };
+  const double first = cell(1, 5);
+  const double second = cell(2, 5);
+  const auto ofMean = [&](int column) {
+    return 10 * std::log10(255.0 * 255 / ((cell(1, column) + cell(2, column)) / 2));
+  };
+  const QString both = "%1 dB over what is seen, %2 dB over the whole frame\n";
+  QVERIFY2(
+      out.contains(
+          "mean of the finite PSNRs  " +
+          both.arg((first + second) / 2, 0, 'f', 2).arg((cell(1, 3) + cell(2, 3)) / 2, 0, 'f', 2)),
+      outcome.out);
+  QVERIFY2(out.contains("PSNR of the mean MSE      " +
+                        both.arg(ofMean(4), 0, 'f', 2).arg(ofMean(2), 0, 'f', 2)),
            outcome.out);
   const QString worst = first < second ? "a, \"b\"" : "<i>&";
   QVERIFY2(out.contains(QString("worst view                %1 dB: %2, b.png\n")
@@ -282,9 +291,71 @@ void TestReport::gate() {
       report({"--test", test, "--fail-below", below, "--states", "<i>&", "--quiet"});
   QCOMPARE(outcome.status, status);
   const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
-  const QString line =
-      QString("hogelscope: <i>&: %1: %2 dB is below %3\n").arg(test, cells[3], below);
+  const QString line = QString("hogelscope: <i>&: %1: PSNR %2 dB over what is seen is below %3\n")
+                           .arg(test, cells[5], below);
   QCOMPARE(QString::fromUtf8(outcome.err), status == 1 ? line : QString());
+}
+
+/// Black surroundings would let it pass.
+void TestReport::gateIsOverWhatIsSeen() {
+  QCOMPARE(report({"--test", "b.png", "--states", "a*"}).status, 0);
+  const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
+  const double seen = cells[5].toDouble(), frame = cells[3].toDouble();
+  QVERIFY(frame > seen + 0.5);
+  const QString between = QString::number((seen + frame) / 2);
+  QCOMPARE(report({"--test", "b.png", "--states", "a*", "--fail-below", between}).status, 1);
+}
+
+/// A PPM of 10 bits, as JPEG Pleno has them.
+void TestReport::tenBitsAgainstTheirCopy() {
+  const auto value = [](int x, int y, int c) { return (x * 37 + y * 11 + c * 300) % 1024; };
+  QByteArray ppm = "P6\n# 10 bits\n128 128\n1023\n";
+  for (int k = 0; k < 3 * 128 * 128; ++k) {
+    const int v = value(k / 3 % 128, k / 3 / 128, k % 3);
+    ppm.append(char(v >> 8)).append(char(v & 255));
+  }
+  writeFile("ten.ppm", ppm);
+  const auto rounded = [&](int x, int y, int c) {
+    return int(value(x, y, c) * 255 / 1023.0 + 0.5);
+  };
+  writeImageFile("eight.png", 128, 128,
+                 [&](int x, int y, int c) { return float(rounded(x, y, c)) / 255; });
+  const QStringList tests{"--test", "eight.png", "--test", "ten.ppm"};
+  const QStringList ten{"--set", "lightField.file=ten.ppm", "--images", "--states", "a*"};
+  const Outcome outcome = report(tests + ten);
+  QCOMPARE(outcome.err, QByteArray());
+  // The written pictures have all bits, and the 8-bit one only its own.
+  const auto a = valuesOf<std::uint16_t>("out/reference/a, \"b\".png");
+  const auto b = valuesOf<std::uint16_t>("out/test1/a, \"b\".png");
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double stored = std::round(a[k] * 1023 / 65535.0);  // the 10-bit value itself
+    QCOMPARE(int(a[k]), int(std::lround(stored * 65535 / 1023)));
+    QCOMPARE(b[k] % 257, 0);
+    QCOMPARE(b[k] / 257, int(stored * 255 / 1023 + 0.5));
+    sum += std::pow(stored * 255 / 1023 - b[k] / 257, 2);
+  }
+  const QStringList cells = cellsOf(contentOf("out/report.csv").split('\n')[1]);
+  QVERIFY(std::abs(cells[2].toDouble() - sum / double(a.size())) < 1e-12);
+  QVERIFY(sum > 0 && cells[3].toDouble() > 55 && cells[3].toDouble() < 70);
+  QVERIFY(contentOf("out/report.csv").split('\n')[2].contains(",ten.ppm,0,inf,0,inf,1,"));
+  QVERIFY(contentOf("out/metrics.csv").split('\n')[1].contains(",10,"));
+  QCOMPARE(contentOf("out/report.html").count("No pixel seen in both pictures differs."), 1);
+}
+
+/// The same bytes where both are read from the top once.
+void TestReport::sixteenBitsThatPassBy() {
+  const PictureKind sixteen{OIIO::TypeDesc::UINT16};
+  writeImageFile("a.png", 128, 128, content, sixteen);
+  writeImageFile("b.png", 128, 128, noisy, sixteen);
+  QCOMPARE(report({"--test", "b.png", "--images"}).status, 0);
+  QVERIFY(QDir().rename("out", "loaded"));
+  const Outcome outcome = report({"--test", "b.png", "--images", "--memory", "0.2"});
+  QVERIFY2(outcome.err.contains("read from the top"), outcome.err);
+  for (const char* file : {"/report.csv", "/metrics.csv", "/summary.csv", "/reference/<i>&.png",
+                           "/test1/<i>&.png", "/panel_error/test1_hogels.exr"})
+    QVERIFY2(contentOf(QString("loaded") + file) == contentOf(QString("out") + file), file);
+  QCOMPARE(specOf("out/test1/<i>&.png").format, OIIO::TypeDesc(OIIO::TypeDesc::UINT16));
 }
 
 void TestReport::badTestsAreToldFirst_data() {

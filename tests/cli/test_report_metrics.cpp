@@ -57,6 +57,7 @@ class TestReportMetrics : public QObject {
   void summaryIsOfTheRows();
   void bdRates();
   void ratesFromFileSizes();
+  void picturesOfThePageAreSmall();
   void badGroups_data();
   void badGroups();
 
@@ -89,8 +90,11 @@ void TestReportMetrics::initTestCase() {
 void TestReportMetrics::csvIsAsBefore() {
   QVERIFY(contentOf("out/report.csv")
               .startsWith("state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x,eye_y,eye_z\n"));
-  QVERIFY(contentOf("out/metrics.csv")
-              .startsWith("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight"));
+  QVERIFY(
+      contentOf("out/metrics.csv")
+          .startsWith("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,"
+                      "mse_y_seen,mse_cb_seen,mse_cr_seen,psnr_y_seen,psnr_cb_seen,"
+                      "psnr_cr_seen,psnr_yuv_seen,ssim_seen,bits,mse_of_bits,weight,problem\n"));
   QVERIFY(!QFileInfo::exists("out/bd.csv"));
 }
 
@@ -154,10 +158,10 @@ void TestReportMetrics::jpegLadder() {
 
 void TestReportMetrics::summaryIsOfTheRows() {
   double sum = 0;
-  for (int k = 1; k < 24; k += 4) sum += tableOf("out/report.csv").mid(1)[k][3].toDouble() / 6;
+  for (int k = 1; k < 24; k += 4) sum += tableOf("out/report.csv").mid(1)[k][5].toDouble() / 6;
   bool isFound = false;
   for (const QStringList& row : tableOf("out/summary.csv")) {
-    if (row.mid(0, 2) != QStringList{"q30.jpg", "mean_psnr"}) continue;
+    if (row.mid(0, 2) != QStringList{"q30.jpg", "mean_psnr_seen"}) continue;
     isFound = true;
     QVERIFY(std::abs(row[2].toDouble() - sum) < 1e-12);
     QVERIFY(row[3].toDouble() < sum && row[4].toDouble() > sum);
@@ -188,16 +192,19 @@ void TestReportMetrics::bdRates() {
   const Outcome outcome = report(arguments, "bd");
   QCOMPARE(outcome.err, QByteArray());
   const auto table = tableOf("bd/bd.csv");
-  QCOMPARE(table.size(), 4);
-  for (int row = 1; row < 4; ++row) {
+  QCOMPARE(table.size(), 9);
+  for (int row = 1; row < 9; ++row) {
     QCOMPARE(table[row].mid(0, 2), (QStringList{"JPEG", "Half, as much"}));
     QVERIFY(std::abs(table[row][3].toDouble() + 50) < 1e-9);
-    QVERIFY(table[row][4].toDouble() > 0);
+    QVERIFY(table[row][10].toDouble() > 0);
+    QCOMPARE(table[row][8], QString(row <= 4 ? "seen" : "frame"));
     QCOMPARE(table[row][7], QString());
   }
-  QVERIFY2(outcome.out.contains("Half, as much against JPEG, mean_psnr: BD-rate -50.00 %"),
+  QVERIFY2(outcome.out.contains("Half, as much against JPEG, mean_psnr_seen: BD-rate -50.00 %"),
            outcome.out);
-  QVERIFY(contentOf("bd/report.html").contains("mean_psnr_yuv: BD-rate -50.00 %"));
+  QVERIFY(contentOf("bd/report.html")
+              .contains("<td>Half, as much</td><td>JPEG</td><td>mean PSNR\u2011YUV in dB</td>"
+                        "<td>seen</td><td class=\"n\">-50.00 %</td>"));
 }
 
 void TestReportMetrics::ratesFromFileSizes() {
@@ -210,6 +217,36 @@ void TestReportMetrics::ratesFromFileSizes() {
   for (const QStringList& row : tableOf("sizes/summary.csv"))
     if (row[1] == "rate_bpp")
       QCOMPARE(row[2].toDouble(), 8.0 * double(QFileInfo(row[0]).size()) / (2560 * 2560));
+}
+
+/// The page's pictures have 3 MB, however many tests there are; all pixels are in files.
+void TestReportMetrics::picturesOfThePageAreSmall() {
+  const Outcome outcome = run(QStringList{"--report", "--session", sampleSession, "--set",
+                                          "camera.res=[600,560]", "--output", "large"} +
+                                  m_tests,
+                              m_folder.path());
+  QCOMPARE(outcome.status, 0);
+  const QByteArray page = contentOf("large/report.html");
+  qsizetype bytes = 0;
+  int pictures = 0;
+  for (qsizetype at = page.indexOf("base64,"); at >= 0; at = page.indexOf("base64,", at + 1)) {
+    bytes += page.indexOf('"', at) - at - 7;
+    ++pictures;
+  }
+  QCOMPARE(pictures, 4 * (9 + 2));
+  QVERIFY2(bytes < 3000000 && bytes > 500000, qPrintable(QString::number(bytes)));
+  QVERIFY(page.contains(" of the size of the files in views</h3>"));
+  qint64 files = 0;
+  for (int k = 0; k < 36; ++k) {
+    const QString file = QString("large/views/test%1_%2_%3.png")
+                             .arg(k / 9 + 1)
+                             .arg(QStringList{"worst", "median", "best"}[k / 3 % 3],
+                                  QStringList{"reference", "test", "difference"}[k % 3]);
+    QCOMPARE(specOf(file).width, 600);
+    files += QFileInfo(file).size();
+  }
+  QVERIFY2(4 * files / 3 > 3000000,
+           qPrintable(QString::number(files)));  // they would not have fitted
 }
 
 void TestReportMetrics::badGroups_data() {

@@ -16,7 +16,7 @@ const Points curve{{0.05, 28.1}, {0.1, 30.9}, {0.25, 34.2}, {0.5, 36.4}, {1.0, 3
 const Points other{{0.04, 28.0}, {0.09, 31.2}, {0.2, 34.0}, {0.55, 37.1}};
 
 Points changed(Points points, double rateFactor, double decibels) {
-  for (RatePoint& point : points) point = {point.rate * rateFactor, point.psnr + decibels};
+  for (RatePoint& point : points) point = {point.rate * rateFactor, point.quality + decibels};
   return points;
 }
 
@@ -25,8 +25,8 @@ Points randomCurve(Random& random) {
   Points points{{random.uniform(0.01, 0.1), random.uniform(20, 30)}};
   const int count = random.integer(4, 9);
   while (int(points.size()) < count)
-    points.push_back(
-        {points.back().rate * random.uniform(1.2, 3), points.back().psnr + random.uniform(1, 5)});
+    points.push_back({points.back().rate * random.uniform(1.2, 3),
+                      points.back().quality + random.uniform(1, 5)});
   return points;
 }
 
@@ -44,6 +44,8 @@ class TestBdRate : public QObject {
   void orderOfPointsDoesNotMatter();
   void swapped();
   void asSciPy();
+  void asTheSpreadsheet();
+  void overSsim();
   void integralsAsSciPy();
   void problems_data();
   void problems();
@@ -53,9 +55,9 @@ class TestBdRate : public QObject {
 void TestBdRate::itself() {
   const BdDelta delta = bdDelta(curve, curve);
   QCOMPARE(delta.rate, 0.0);
-  QCOMPARE(delta.psnr, 0.0);
-  QCOMPARE(delta.psnrFrom, 28.1);
-  QCOMPARE(delta.psnrTo, 38.3);
+  QCOMPARE(delta.quality, 0.0);
+  QCOMPARE(delta.from, 28.1);
+  QCOMPARE(delta.to, 38.3);
   QVERIFY(delta.problem.empty());
 }
 
@@ -74,8 +76,8 @@ void TestBdRate::rateScaled() {
 }
 
 void TestBdRate::betterByDecibels() {
-  QVERIFY(std::abs(bdDelta(curve, changed(curve, 1, 0.75)).psnr - 0.75) < 1e-10);
-  QVERIFY(std::abs(bdDelta(curve, changed(curve, 1, -2)).psnr + 2) < 1e-10);
+  QVERIFY(std::abs(bdDelta(curve, changed(curve, 1, 0.75)).quality - 0.75) < 1e-10);
+  QVERIFY(std::abs(bdDelta(curve, changed(curve, 1, -2)).quality + 2) < 1e-10);
 }
 
 /// PSNR = 30 + 10 log10(rate): a decade of rate is 10 dB.
@@ -87,14 +89,14 @@ void TestBdRate::straightLines() {
     test.push_back({rate, 33 + 10 * std::log10(rate)});
   const BdDelta delta = bdDelta(anchor, test);
   QVERIFY(std::abs(delta.rate - 100 * (std::pow(10, -0.3) - 1)) < 1e-10);
-  QVERIFY(std::abs(delta.psnr - 3) < 1e-10);
+  QVERIFY(std::abs(delta.quality - 3) < 1e-10);
 }
 
 void TestBdRate::orderOfPointsDoesNotMatter() {
   Points mixed = other;
   std::swap(mixed[0], mixed[2]);
   QCOMPARE(bdDelta(curve, mixed).rate, bdDelta(curve, other).rate);
-  QCOMPARE(bdDelta(mixed, curve).psnr, bdDelta(other, curve).psnr);
+  QCOMPARE(bdDelta(mixed, curve).quality, bdDelta(other, curve).quality);
 }
 
 /// BD-PSNR changes its sign, and the ratios of the rates are each other's inverse.
@@ -110,7 +112,7 @@ void TestBdRate::swapped() {
     if (!there.problem.empty()) continue;
     ++compared;
     QVERIFY(std::abs((1 + there.rate / 100) * (1 + back.rate / 100) - 1) < 1e-9);
-    QVERIFY(std::abs(there.psnr + back.psnr) < 1e-9);
+    QVERIFY(std::abs(there.quality + back.quality) < 1e-9);
   }
   QVERIFY(compared > 500);
 }
@@ -119,9 +121,36 @@ void TestBdRate::swapped() {
 void TestBdRate::asSciPy() {
   const BdDelta delta = bdDelta(curve, other);
   QVERIFY(std::abs(delta.rate + 15.86227634542543) < 1e-9);
-  QVERIFY(std::abs(delta.psnr - 0.6026006460872128) < 1e-9);
-  QCOMPARE(delta.psnrFrom, 28.1);
-  QCOMPARE(delta.psnrTo, 37.1);
+  QVERIFY(std::abs(delta.quality - 0.6026006460872128) < 1e-9);
+  QCOMPARE(delta.from, 28.1);
+  QCOMPARE(delta.to, 37.1);
+}
+
+/// The data of JCTVC-E137, which brought the spreadsheet to piecewise cubics, and the BD-rates that
+/// the tests of Netflix's VMAF have for them.
+void TestBdRate::asTheSpreadsheet() {
+  const Points anchor{
+      {108048.8736, 43.6471}, {61279.976, 40.3953}, {33905.6656, 37.247}, {18883.6928, 34.2911}};
+  const Points test{
+      {108061.2784, 43.6768}, {61299.9936, 40.4232}, {33928.7472, 37.2761}, {18910.912, 34.3147}};
+  QVERIFY(std::abs(bdDelta(anchor, test).rate + 0.465215420752807) < 1e-9);
+  const Points anchor2{
+      {40433.8848, 37.5761}, {7622.7456, 35.3756}, {2394.488, 33.8977}, {1017.6184, 32.0603}};
+  const Points test2{
+      {40370.12, 37.5982}, {7587.0024, 35.4025}, {2390.0944, 33.9194}, {1017.0984, 32.0822}};
+  QVERIFY(std::abs(bdDelta(anchor2, test2).rate + 1.8779823450567612) < 1e-9);
+}
+
+/// A quality between 0 and 1 is one as any other: SSIM = 0.5 + 0.1 log10(rate).
+void TestBdRate::overSsim() {
+  Points anchor, test;
+  for (const double rate : {0.1, 0.3, 1.0, 4.0}) {
+    anchor.push_back({rate, 0.5 + 0.1 * std::log10(rate)});
+    test.push_back({rate / 2, 0.5 + 0.1 * std::log10(rate)});
+  }
+  const BdDelta delta = bdDelta(anchor, test);
+  QVERIFY(std::abs(delta.rate + 50) < 1e-9);
+  QVERIFY(std::abs(delta.quality - 0.1 * std::log10(2)) < 1e-12);
 }
 
 void TestBdRate::integralsAsSciPy() {
@@ -146,18 +175,18 @@ void TestBdRate::problems_data() {
                                 << "the test has 3 points, but four are needed";
   QTest::newRow("none") << Points() << other << "the anchor has 0 points, but four are needed";
   QTest::newRow("apart") << curve << changed(other, 1, 20)
-                         << "the PSNRs do not overlap: 28.1 to 38.3 dB, and 48 to 57.1 dB";
+                         << "the qualities do not overlap: 28.1 to 38.3, and 48 to 57.1";
   QTest::newRow("touching") << Points{{1, 1}, {2, 2}, {3, 3}, {4, 4}}
                             << Points{{5, 4}, {6, 5}, {7, 6}, {8, 7}}
-                            << "the PSNRs do not overlap: 1 to 4 dB, and 4 to 7 dB";
+                            << "the qualities do not overlap: 1 to 4, and 4 to 7";
   QTest::newRow("falling") << curve << Points{{1, 30}, {2, 31}, {3, 30.5}, {4, 35}}
-                           << "the test's PSNR does not rise from a rate of 2 to 3";
+                           << "the test's quality does not rise from a rate of 2 to 3";
   QTest::newRow("one rate twice") << Points{{1, 30}, {2, 31}, {2, 32}, {4, 35}} << curve
-                                  << "the anchor's PSNR does not rise from a rate of 2 to 2";
+                                  << "the anchor's quality does not rise from a rate of 2 to 2";
   QTest::newRow("no bits") << Points{{0, 30}, {2, 31}, {3, 32}, {4, 35}} << curve
                            << "the anchor has a rate of 0, not a positive number";
   QTest::newRow("lossless") << curve << Points{{1, 30}, {2, 31}, {3, 32}, {4, nan}}
-                            << "the test has no finite PSNR at a rate of 4";
+                            << "the test has no finite quality at a rate of 4";
 }
 
 void TestBdRate::problems() {
@@ -166,14 +195,14 @@ void TestBdRate::problems() {
   QFETCH(const QString, problem);
   const BdDelta delta = bdDelta(anchor, test);
   QCOMPARE(QString::fromStdString(delta.problem), problem);
-  QVERIFY(std::isnan(delta.rate) && std::isnan(delta.psnr));
+  QVERIFY(std::isnan(delta.rate) && std::isnan(delta.quality));
 }
 
 void TestBdRate::ratesThatDoNotOverlap() {
   const BdDelta delta = bdDelta(curve, changed(curve, 100, 0));
   QVERIFY(std::abs(delta.rate - 9900) < 1e-8);
-  QVERIFY(std::isnan(delta.psnr));
-  QCOMPARE(delta.problem, std::string("the rates do not overlap: no BD-PSNR"));
+  QVERIFY(std::isnan(delta.quality));
+  QCOMPARE(delta.problem, std::string("the rates do not overlap: no difference of quality"));
 }
 
 QTEST_APPLESS_MAIN(TestBdRate)

@@ -30,6 +30,7 @@ class TestDifference : public QObject {
   void outliers();
   void bothSigns();
   void sizes();
+  void deep();
 };
 
 void TestDifference::gain_data() {
@@ -74,6 +75,21 @@ void TestDifference::bothSigns() {
 
 void TestDifference::sizes() {
   QVERIFY_EXCEPTION_THROWN(differenceImage(Image(2, 1), Image(1, 2)), std::invalid_argument);
+}
+
+/// A difference below one 8-bit step shows.
+void TestDifference::deep() {
+  Image a(2, 1, 10), b(2, 1, 10);
+  a.deep = {500, 0, 0, 0, 0, 0};
+  b.deep = {499, 0, 0, 0, 0, 1023};
+  const DifferenceImage both = differenceImage(a, b);
+  QCOMPARE(both.gain, 1);
+  QCOMPARE(int(both.image.rgb[5]), 255);
+  b.deep[5] = 0;
+  const DifferenceImage one = differenceImage(a, b);
+  QCOMPARE(one.gain, 1023 / 2 + 1);  // 512 · 255/1023 = 127.6
+  QCOMPARE(int(one.image.rgb[0]), 128);
+  QCOMPARE(differenceImage(a, a).gain, 1);
 }
 
 QTEST_APPLESS_MAIN(TestDifference)

@@ -11,6 +11,7 @@
 #include "core/base/colour_map.h"
 #include "core/metrics/panel_error_figures.h"
 #include "tests/core/random_scene.h"
+#include "tests/core/sample_view.h"
 
 using namespace hogelscope;
 
@@ -101,6 +102,7 @@ class TestPanelError : public QObject {
   void figures();
   void directionsAreThoseOfTheLens();
   void noError();
+  void deepImages();
   void outliersDoNotHideTheRest();
   void planes();
   void pictures();
@@ -266,6 +268,31 @@ void TestPanelError::noError() {
   QVERIFY(colourAt(image, 0, 0) == falseColour(0));
   QVERIFY(colourAt(image, image.width - 1, 0) == falseColour(std::nan("")));
   QVERIFY(panelErrorText(figuresOf(PanelError(sizeOf(display)), display)) == panelErrorText(f));
+}
+
+/// Images of 10 bits that round to the same 8-bit one.
+void TestPanelError::deepImages() {
+  const RenderJob job = sampleView();
+  const auto [width, height] = job.state.camera.res;
+  const LightFieldSize size = job.lightField->size();
+  Image a(width, height, 10), b(width, height, 10);
+  std::fill(a.seen.begin(), a.seen.end(), std::uint8_t{255});
+  b.seen = a.seen;
+  std::fill(b.deep.begin(), b.deep.end(), std::uint16_t{1});  // 65535/1023 rounded: 64
+  LensTables tables;
+  PanelError error(size, true);
+  error.add(job, tables, serialRows, a, b);
+  std::uint64_t pixels = 0;
+  for (const PanelError::Cell& one : error.hogels()) {
+    QCOMPARE(one.squares, one.pixels * 3 * 64 * 64);
+    pixels += one.pixels;
+  }
+  QVERIFY(pixels > 100);
+  const PanelErrorFigures figures = figuresOf(error, job.display);
+  QVERIFY(std::abs(figures.hogelScale - std::pow(64 / 257.0, 2)) < 1e-12);
+  PanelError rounded(size);
+  rounded.add(job, tables, serialRows, a, b);
+  QCOMPARE(figuresOf(rounded, job.display).hogelScale, 0.0);
 }
 
 void TestPanelError::outliersDoNotHideTheRest() {

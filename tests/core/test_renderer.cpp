@@ -54,6 +54,29 @@ class TestRenderer : public QObject {
     QVERIFY(Renderer(serialRows).render(job) == Renderer().render(job));
   }
 
+  /// Each texel's own value where nothing is summed, and the 8-bit image beside it.
+  void sixteenBitsAreKept() {
+    RenderJob job = sampleView();
+    const LightFieldSize size = job.lightField->size();
+    std::vector<std::uint16_t> values(3 * size.width() * size.height());
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = static_cast<std::uint16_t>(k * 40503 % 65536);
+    job.lightField = std::make_shared<const LightField>(size, values);
+    const Image plain = Renderer().render(job);
+    QVERIFY(plain.bits == 8 && plain.deep.empty());
+    job.bits = 16;
+    const Image deep = Renderer().render(job);
+    QVERIFY(deep.rgb == plain.rgb && deep.seen == plain.seen);
+    const Simulation simulation(job);
+    for (int y = 0; y < deep.height; ++y)
+      for (int x = 0; x < deep.width; ++x) {
+        const std::size_t at = 3 * (std::size_t(y) * std::size_t(deep.width) + std::size_t(x));
+        const Rgb light = simulation.pixel(x, y).value_or(Rgb{});
+        QCOMPARE(int(deep.deep[at]), int(std::lround(257 * light.r)));
+        QCOMPARE(int(deep.deep[at + 2]), int(std::lround(257 * light.b)));
+      }
+  }
+
   void toleranceIsTheChoices() {
     RenderJob job = sampleView();
     job.state.camera.res = {300, 220};

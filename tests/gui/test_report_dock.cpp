@@ -154,6 +154,8 @@ void TestReportDock::makesAReport() {
   for (const char* file : {"report.csv", "report.html", "summary.csv", "reference/s0.png"})
     QVERIFY2(QFileInfo::exists(QString("s-report/") + file), file);
   const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
+  const QList<QByteArray> more = contentOf("s-report/metrics.csv").split('\n');
+  const qsizetype ssim = cellsOf(more[0]).indexOf("ssim_seen");
   QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
   for (int row = 0; row < 2 * stateCount; ++row) {
     const QStringList cells = cellsOf(lines[row + 1]);
@@ -161,9 +163,10 @@ void TestReportDock::makesAReport() {
     QCOMPARE(cell(row, 0), cells[1]);
     const bool isBlind = row / 2 == stateCount - 1;
     QCOMPARE(cell(row, 1), isBlind ? QString("sees nothing of the display")
-                                   : QString::number(cells[3].toDouble(), 'f', 2));
-    QCOMPARE(cell(row, 3), isBlind ? QString("–") : QString::number(cells[6].toDouble(), 'f', 4));
-    QCOMPARE(cell(row, 4), QString::number(100 * cells[7].toDouble(), 'f', 1));
+                                   : QString::number(cells[5].toDouble(), 'f', 2));
+    QCOMPARE(cell(row, 3), QString::number(100 * cells[7].toDouble(), 'f', 1));
+    const double similarity = cellsOf(more[row + 1])[ssim].toDouble();
+    QCOMPARE(cell(row, 4), isBlind ? QString("–") : QString::number(similarity, 'f', 4));
   }
   QVERIFY(child<QPushButton>("openPageButton")->isEnabled());
   m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_dock.png");
@@ -237,7 +240,7 @@ void TestReportDock::theSceneIsTold() {
   make();
   const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
   const auto psnrOf = [&](int state, int test) {
-    return cellsOf(lines[1 + 2 * state + test])[3].toDouble();
+    return cellsOf(lines[1 + 2 * state + test])[5].toDouble();  // psnr_seen
   };
   const auto last = [&] { return told.last()[0].value<std::vector<double>>(); };
   QCOMPARE(last().size(), std::size_t(stateCount));

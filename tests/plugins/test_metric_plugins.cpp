@@ -77,6 +77,7 @@ void TestMetricPlugins::columnsOfTheSet() {
   QCOMPARE(column.decimals, 4);
   QVERIFY(column.where == MetricColumn::Where::window);
   QCOMPARE(metrics.means().back().name, std::string("mean_ms_ssim"));
+  QVERIFY(metrics.means().back().isQuality);  // bd.csv has it
   QCOMPARE(metrics.means().back().column, metrics.columns().size() - 1);
   QCOMPARE(metricsOf({}).columns().size(), standard.columns().size());
   QCOMPARE(errorOf([] { (void)metricsOf({"example"}); }),

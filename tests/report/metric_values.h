@@ -13,19 +13,12 @@ inline std::vector<double> metricValues(double mse, double ssim,
                                         const std::array<double, 3>& mseYuv) {
   using hogelscope::psnr;
   const auto& [y, cb, cr] = mseYuv;
-  return {psnr(mse),
-          psnr(mse),
-          mse,
-          mse,
-          ssim,
-          1,
-          y,
-          cb,
-          cr,
-          psnr(y),
-          psnr(cb),
-          psnr(cr),
-          hogelscope::psnrYuv(mseYuv)};
+  std::vector<double> values{psnr(mse), psnr(mse), mse, mse, ssim, 1};
+  for (int region = 0; region < 2; ++region)
+    values.insert(values.end(),
+                  {y, cb, cr, psnr(y), psnr(cb), psnr(cr), hogelscope::psnrYuv(mseYuv)});
+  values.insert(values.end(), {ssim, 8, mse});
+  return values;
 }
 
 inline std::vector<double> metricValues(double mse) {

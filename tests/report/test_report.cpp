@@ -236,8 +236,10 @@ void TestReport::summaryInWords() {
   const std::vector<ReportRow> rows{row("a", 6.5025), row("b", 650.25), row("c", 0)};
   const QString text = QString::fromStdString(summaryText(summarise(rows), rows));
   const QStringList lines = text.split('\n');
-  QVERIFY(lines[0].startsWith("mean of the finite PSNRs") && lines[0].endsWith(" 30.00 dB"));
-  QVERIFY(lines[1].startsWith("PSNR of the mean MSE") && lines[1].endsWith(" 24.73 dB"));
+  QVERIFY(lines[0].startsWith("mean of the finite PSNRs") &&
+          lines[0].endsWith(" 30.00 dB over what is seen, 30.00 dB over the whole frame"));
+  QVERIFY(lines[1].startsWith("PSNR of the mean MSE") &&
+          lines[1].endsWith(" 24.73 dB over what is seen, 24.73 dB over the whole frame"));
   QVERIFY(lines[2].startsWith("worst view") && lines[2].endsWith(" 20.00 dB: b, a.png"));
   QVERIFY(lines[3].startsWith("identical views") && lines[3].endsWith(" 1 of 3"));
 }

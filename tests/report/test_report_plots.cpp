@@ -109,6 +109,8 @@ class TestReportPlots : public QObject {
   void seriesDiffer();
   void nothingToPlot();
   void namesAreEscaped();
+  void curvesFollowRates();
+  void ratesOfIdenticalTests();
 };
 
 /// From above x goes right and z down, from the front y goes up, at one scale; the panel too.
@@ -268,6 +270,52 @@ void TestReportPlots::namesAreEscaped() {
   const std::string html = cameraMaps(rows, displayOf()) + anglePlot(rows, displayOf());
   QVERIFY(pointOf(drawingsOf(html)[0], "<b>&\" ").title.contains("30.00 dB"));
   QVERIFY(html.find("<i>") == std::string::npos && html.find("<b>") == std::string::npos);
+}
+
+/// Four tests at doubling rates lie evenly apart, and PSNR goes up evenly; the interval of one
+/// state is its point.
+void TestReportPlots::curvesFollowRates() {
+  std::vector<ReportRow> rows;
+  RateGroup a{"A", {}}, b{"<B>", {}};
+  for (int k = 0; k < 4; ++k) {
+    const std::string name = "t" + std::to_string(k);
+    rows.push_back(row("s", {0, 0, 1}, 30 + 2 * k, name));
+    a.tests.push_back({name, 0.1 * (1 << k)});
+  }
+  rows.push_back(row("s", {0, 0, 1}, 33, "u"));
+  b.tests = {{"u", 0.4}};
+  const MetricSet metrics;
+  const std::vector<RateGroup> groups{a, b};
+  const std::string text = ratePlots(summariseTests(rows, metrics, groups), metrics, groups);
+  const auto plots = drawingsOf(text);
+  QVERIFY(plots.size() >= 4);
+  const auto points = named(plots[0], "circle");
+  QCOMPARE(points.size(), 4);
+  const double step = points[1].number("cx") - points[0].number("cx");
+  QVERIFY(step > 60);
+  for (int k = 1; k < 4; ++k) {
+    QVERIFY(std::abs(points[k].number("cx") - points[k - 1].number("cx") - step) < 0.03);
+    QVERIFY(std::abs(points[k].number("cy") - points[k - 1].number("cy") -
+                     (points[1].number("cy") - points[0].number("cy"))) < 0.03);
+    QVERIFY(points[k].number("cy") < points[k - 1].number("cy"));
+  }
+  QCOMPARE(points[2].title, QString("t2: 0.4 bits, 34.00 (34.00 … 34.00)"));
+  const auto curves = named(plots[0], "polyline");
+  QCOMPARE(curves.size(), 2);
+  QVERIFY(curves[0].attributes.value("points").toString().startsWith(
+      points[0].attributes.value("cx").toString() + "," +
+      points[0].attributes.value("cy").toString()));
+  QVERIFY(text.find("&lt;B&gt;") != std::string::npos);
+  QVERIFY(ratePlots({}, metrics, {}).empty());
+}
+
+/// A mean that is not finite is no point.
+void TestReportPlots::ratesOfIdenticalTests() {
+  const std::vector<ReportRow> rows{row("s", {0, 0, 1}, std::numeric_limits<double>::infinity())};
+  const std::vector<RateGroup> groups{{"A", {{"t.png", 1}}}, {"B", {{"t.png", 1}}}};
+  const MetricSet metrics;
+  const std::string text = ratePlots(summariseTests(rows, metrics, groups), metrics, groups);
+  QVERIFY(text.find("nan") == std::string::npos && text.find("inf") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestReportPlots)

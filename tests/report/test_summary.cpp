@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "report/page/latex.h"
 #include "report/page/report_tables.h"
 #include "report/page/summary_page.h"
 #include "tests/core/random.h"
@@ -73,6 +74,7 @@ class TestSummaries : public QObject {
   void bdRates();
   void bdProblems();
   void page();
+  void latex();
 };
 
 void TestSummaries::means() {
@@ -132,16 +134,19 @@ void TestSummaries::csvFigures() {
       {row("a", "x", 4, 1), row("b, c", "x", 0, 3), identical("d", "x")}, {{"g", {{"x", 0.25}}}});
   const QStringList lines = linesOf(summaryCsv(summaries, metrics));
   QCOMPARE(lines[0],
-           QString("test,figure,value,low,high,weighted,weighted_low,weighted_high,state"));
+           QString("test,figure,value,low,high,weighted,weighted_low,weighted_high,state,over"));
   QCOMPARE(cells(lines, "x,views")[2], QString("3"));
   QCOMPARE(cells(lines, "x,identical_views")[2], QString("1"));
   QCOMPARE(cells(lines, "x,views_without_comparison")[2], QString("0"));
   QCOMPARE(cells(lines, "x,rate_bpp")[2], QString("0.25"));
-  QVERIFY(lines.contains("x,worst_psnr,20,,,,,,\"b, c\""));
-  for (const char* figure :
-       {"mean_psnr", "psnr_of_mean_mse", "mean_ssim", "mean_psnr_y", "mean_psnr_yuv"}) {
-    const QStringList row = cells(lines, QString("x,") + figure);
-    QCOMPARE(row.size(), 9);
+  QVERIFY(lines.contains("x,worst_psnr,20,,,,,,\"b, c\",frame"));
+  QVERIFY(lines.contains("x,worst_psnr_seen,20,,,,,,\"b, c\",seen"));
+  for (const QString figure : {"mean_psnr", "psnr_of_mean_mse", "mean_ssim", "mean_psnr_y",
+                               "mean_psnr_yuv", "mean_psnr_seen", "psnr_of_mean_mse_seen",
+                               "mean_ssim_seen", "mean_psnr_y_seen", "mean_psnr_yuv_seen"}) {
+    const QStringList row = cells(lines, "x," + figure);
+    QCOMPARE(row.size(), 10);
+    QCOMPARE(row[9], QString(figure.endsWith("_seen") ? "seen" : "frame"));
     QVERIFY(row[3].toDouble() <= row[2].toDouble() && row[2].toDouble() <= row[4].toDouble());
     QVERIFY(row[6].toDouble() <= row[5].toDouble() && row[5].toDouble() <= row[7].toDouble());
   }
@@ -181,9 +186,9 @@ void TestSummaries::allResamplesStates() {
 void TestSummaries::identicalOnly() {
   const auto summaries = summariesOf({identical("a", "x"), identical("b", "x")});
   const QStringList lines = linesOf(summaryCsv(summaries, metrics));
-  QVERIFY(lines.contains("x,mean_psnr,nan,nan,nan,nan,nan,nan,"));
-  QVERIFY(lines.contains("x,psnr_of_mean_mse,inf,inf,inf,inf,inf,inf,"));
-  QVERIFY(lines.contains("x,mean_ssim,1,1,1,1,1,1,"));
+  QVERIFY(lines.contains("x,mean_psnr,nan,nan,nan,nan,nan,nan,,frame"));
+  QVERIFY(lines.contains("x,psnr_of_mean_mse,inf,inf,inf,inf,inf,inf,,frame"));
+  QVERIFY(lines.contains("x,mean_ssim_seen,1,1,1,1,1,1,,seen"));
   QVERIFY(cells(lines, "x,worst_psnr").isEmpty());
 }
 
@@ -191,8 +196,11 @@ void TestSummaries::metricsTable() {
   ReportRow one = row("a, b", "t", 0, 0.5);
   one.values = metricValues(650.25, 0.5, {650.25, 65.025, 0});
   QCOMPARE(QString::fromStdString(metricsCsv({one}, metrics)),
-           QString("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,weight,problem\n"
-                   "\"a, b\",t,650.25,65.025,0,20,30,inf,inf,0.5,\n"));
+           QString("state,test,mse_y,mse_cb,mse_cr,psnr_y,psnr_cb,psnr_cr,psnr_yuv,mse_y_seen,"
+                   "mse_cb_seen,mse_cr_seen,psnr_y_seen,psnr_cb_seen,psnr_cr_seen,psnr_yuv_seen,"
+                   "ssim_seen,bits,mse_of_bits,weight,problem\n"
+                   "\"a, b\",t,650.25,65.025,0,20,30,inf,inf,650.25,65.025,0,20,30,inf,inf,0.5,"
+                   "8,650.25,0.5,\n"));
   one.problem = "no frame, sorry";
   QVERIFY(metricsCsv({one}, metrics).ends_with(",0.5,\"no frame, sorry\"\n"));
 }
@@ -217,17 +225,17 @@ void TestSummaries::anotherMetric() {
   QVERIFY(
       reportCsv(rows, more).starts_with("state,test,mse,psnr,mse_seen,psnr_seen,ssim,seen,eye_x"));
   const QStringList lines = linesOf(metricsCsv(rows, more));
-  QVERIFY(lines[0].endsWith(",psnr_yuv,largest,weight,problem"));
+  QVERIFY(lines[0].endsWith(",mse_of_bits,largest,weight,problem"));
   QVERIFY(lines[1].endsWith(",99,1,") && lines[2].endsWith(",0,1,"));
   const auto summaries = summariseTests(rows, more);
   QCOMPARE(cells(linesOf(summaryCsv(summaries, more)), "t,mean_largest")[2], QString("49.5"));
-  QVERIFY(summaryTables(summaries, more, {}).find("<th class=\"n\">mean largest</th>") !=
+  QVERIFY(summaryTables(summaries, more).find("<th class=\"n\">mean largest</th>") !=
           std::string::npos);
   const std::string table = statesTable(rows, more);
   QVERIFY(table.find("<th class=\"n\">Largest cv</th>") != std::string::npos);
   QVERIFY(table.find("<td class=\"n\">99.0</td>") != std::string::npos);
   const std::vector<RateGroup> groups{{"A", {{"t", 1}}}, {"B", {{"t", 2}}}};
-  QCOMPARE(bdRows(summaries, more, groups).back().quality, std::string("mean_largest"));
+  QCOMPARE(bdRows(summaries, more, groups).back().quality.name, std::string("mean_largest"));
 }
 
 void TestSummaries::bdRates() {
@@ -242,35 +250,70 @@ void TestSummaries::bdRates() {
   }
   const std::vector<RateGroup> groups{anchor, half};
   const auto comparisons = bdRows(summariesOf(rows, groups), metrics, groups);
-  QCOMPARE(comparisons.size(), std::size_t(3));
-  for (const BdRow& one : comparisons) QVERIFY(std::abs(one.delta.rate + 50) < 1e-9);
-  QVERIFY(near(comparisons[1].delta.psnrFrom, 30));
+  QStringList qualities;
+  for (const BdRow& one : comparisons) {
+    qualities << QString::fromStdString(one.quality.name);
+    QVERIFY(std::abs(one.delta.rate + 50) < 1e-9);
+  }
+  QCOMPARE(qualities, (QStringList{"mean_psnr_seen", "mean_ssim_seen", "mean_psnr_y_seen",
+                                   "mean_psnr_yuv_seen", "mean_psnr", "mean_ssim", "mean_psnr_y",
+                                   "mean_psnr_yuv"}));
+  QVERIFY(near(comparisons[2].delta.from, 30));
   const QStringList lines = linesOf(bdCsv(comparisons));
-  QCOMPARE(lines.size(), 5);
-  QVERIFY(lines[3].startsWith("A,B,mean_psnr_yuv,-"));
-  QVERIFY(bdText(comparisons).starts_with("B against A, mean_psnr: BD-rate -50.00 %, BD-PSNR "));
-  const std::string page = summaryTables(summariesOf(rows, groups), metrics, comparisons);
-  QVERIFY(page.find("B against A, mean_psnr_y: BD-rate -50.00 %") != std::string::npos);
+  QCOMPARE(lines[0], QString("anchor,group,quality,bd_rate_percent,bd_psnr_db,psnr_from,psnr_to,"
+                             "problem,over,unit,bd_quality,quality_from,quality_to"));
+  QCOMPARE(lines.size(), 10);
+  QVERIFY(lines[8].startsWith("A,B,mean_psnr_yuv,-"));
+  const QStringList psnr = lines[1].split(','), ssim = lines[2].split(',');
+  QCOMPARE(psnr.mid(8, 2), (QStringList{"seen", "dB"}));
+  QCOMPARE(psnr.mid(10), psnr.mid(4, 3));
+  QCOMPARE(ssim.mid(4, 6), (QStringList{"", "", "", "", "seen", ""}));
+  QVERIFY(near(ssim[11].toDouble(), 0.5) && near(ssim[12].toDouble(), 0.56));
+  QVERIFY(ssim[10].toDouble() > 0);
+  QVERIFY(bdText(comparisons)
+              .starts_with("B against A, mean_psnr_seen: BD-rate -50.00 %, at equal rate "));
+  const std::string page = bdTable(comparisons);
+  QVERIFY(page.find("<td>B</td><td>A</td><td>mean PSNR\u2011Y in dB</td><td>seen</td>"
+                    "<td class=\"n\">-50.00 %</td>") != std::string::npos);
+  QVERIFY(page.find("B &amp; A &amp; mean PSNR-Y in dB &amp; seen &amp; -50.00 \\% &amp; ") !=
+          std::string::npos);
+  const std::string means = summaryTables(summariesOf(rows, groups), metrics);
+  QVERIFY(means.find("<td>b1</td><td class=\"n\">0.1000</td>") != std::string::npos);
+  QVERIFY(means.find("\\begin{tabular}{lrrrrrr}\n\\hline\ntest &amp; bpp &amp; mean PSNR in dB") !=
+          std::string::npos);
 }
 
 void TestSummaries::bdProblems() {
-  const BdRow none{"A", "B", "mean_psnr", bdDelta({}, {})};
+  const BdRow none{"A", "B", metrics.means()[meanPsnr], bdDelta({}, {})};
   QCOMPARE(bdText({none}),
            std::string("B against A, mean_psnr: no BD-rate: the anchor has 0 points, "
                        "but four are needed\n"));
   QVERIFY(bdCsv({none}).ends_with(
-      "A,B,mean_psnr,nan,nan,nan,nan,\"the anchor has 0 points, but four are needed\"\n"));
+      "A,B,mean_psnr,nan,nan,nan,nan,\"the anchor has 0 points, but four are needed\",frame,dB,nan,"
+      "nan,nan\n"));
 }
 
 void TestSummaries::page() {
-  const std::string plain = summaryTables(summariesOf({row("<s>", "<t>", 1)}), metrics, {});
+  const std::string plain = summaryTables(summariesOf({row("<s>", "<t>", 1)}), metrics);
   QVERIFY(plain.find("<td>&lt;t&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("<td>&lt;s&gt;</td>") != std::string::npos);
   QVERIFY(plain.find("weighted") == std::string::npos);
   QVERIFY(plain.find("Bjøntegaard") == std::string::npos);
   const std::string weighted =
-      summaryTables(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics, {});
+      summaryTables(summariesOf({row("a", "t", 0, 3), row("b", "t", 10)}), metrics);
   QVERIFY(weighted.find("<td>t, weighted</td><td class=\"n\">22.50 <small>(") != std::string::npos);
+}
+
+/// A name of LaTeX's own characters; columns of numbers are to the right.
+void TestSummaries::latex() {
+  QCOMPARE(
+      QString::fromStdString(latexTable({"test", "a_b", "note"},
+                                        {{"x\\y{z}&%$#^~.png", "-1.5", "–"}, {"<q>", "–", "w"}})),
+      QString("<details><summary>As LaTeX</summary><pre>\\begin{tabular}{lrl}\n\\hline\n"
+              "test &amp; a\\_b &amp; note \\\\\n\\hline\n"
+              "x\\textbackslash{}y\\{z\\}\\&amp;\\%\\$\\#\\textasciicircum{}\\textasciitilde{}.png"
+              " &amp; -1.5 &amp; -- \\\\\n\\textless{}q\\textgreater{} &amp; -- &amp; w \\\\\n"
+              "\\hline\n\\end{tabular}\n</pre></details>\n"));
 }
 
 QTEST_APPLESS_MAIN(TestSummaries)

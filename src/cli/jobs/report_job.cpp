@@ -22,16 +22,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The exit status. A view that sees nothing does not fail; one that could not be rendered does.
+/// The exit status, by the PSNRs over what is seen. A view that sees nothing does not fail; one
+/// that could not be rendered, or of which nothing is seen in both images, does.
 int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
   if (!least) return 0;
   int status = 0;
   for (const ReportRow& row : rows) {
-    const double db = row.values[psnrColumn];
+    const double db = row.values[psnrSeenColumn];
     if (db >= *least || row.problem == seesNothing) continue;
     std::cerr << "hogelscope: " << row.state << ": " << row.test << ": "
-              << (row.problem.empty() ? numberText(db) + " dB is below " + numberText(*least)
-                                      : row.problem)
+              << (!row.problem.empty() ? row.problem
+                  : std::isnan(db)     ? "no pixel is seen in both pictures"
+                                   : "PSNR " + numberText(db) + " dB over what is seen is below " +
+                                         numberText(*least))
               << "\n";
     status = 1;
   }

@@ -105,12 +105,4 @@ FloatImage renderIdeal(const RenderJob& job, LensTables& tables, const ParallelR
   return image;
 }
 
-Image rounded(const FloatImage& image) {
-  Image result(image.width, image.height);
-  result.seen = image.seen;
-  std::ranges::transform(image.rgb, result.rgb.begin(),
-                         [](float value) { return quantised(double(value)); });
-  return result;
-}
-
 }  // namespace hogelscope

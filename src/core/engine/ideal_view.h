@@ -14,7 +14,4 @@ namespace hogelscope {
 FloatImage renderIdeal(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                        const Progress& progress = {});
 
-/// Returns the image of 8-bit values.
-Image rounded(const FloatImage& image);
-
 }  // namespace hogelscope

@@ -32,7 +32,7 @@ AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress)
 }
 
 Image Renderer::render(const RenderJob& job, const Progress& progress) {
-  if (job.isIdeal) return rounded(renderIdeal(job, m_tables, m_rows, progress));
+  if (job.isIdeal || job.bits > 8) return rounded(renderFloat(job, progress), job.bits);
   const Progress heard = forThreads(progress);
   const RenderJob chosen = chooseMethod(job, heard).job;
   Image image = renderReduced<Image>(chosen, heard);

@@ -3,6 +3,7 @@
 #include "core/engine/streaming_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <utility>
 
@@ -60,13 +61,19 @@ void StreamingRenderer::begin(LensTables& tables, const ParallelRows& parallelRo
   RenderJob job = m_job;
   job.lightField = m_texels;
   m_simulation.emplace(job, tables, parallelRows, m_progress);
-  m_image = Image(m_job.state.camera.res[0], m_job.state.camera.res[1]);
+  m_image = Image(m_job.state.camera.res[0], m_job.state.camera.res[1], m_job.bits);
 }
 
 void StreamingRenderer::finish(int j) {
   for (const auto& [y, x0, x1] : m_due[std::size_t(j)]) {
     const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
-    m_simulation->row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+    if (m_job.bits == 8) {
+      m_simulation->row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
+      continue;
+    }
+    std::array<float, std::size_t{3} * batchSize> values{};
+    m_simulation->row(y, x0, x1, values.data(), &m_image.seen[at]);
+    setValues(m_image, 3 * at, std::span(values).first(3 * std::size_t(x1 - x0)));
   }
 }
 

@@ -55,11 +55,11 @@ double meanDifference(const Curve& anchor, const Curve& test) {
          (to - from);
 }
 
-Curve columns(const std::vector<RatePoint>& points, bool isOverPsnr) {
+Curve columns(const std::vector<RatePoint>& points, bool isOverQuality) {
   Curve curve;
   for (const RatePoint& point : points) {
-    curve.x.push_back(isOverPsnr ? point.psnr : std::log10(point.rate));
-    curve.y.push_back(isOverPsnr ? std::log10(point.rate) : point.psnr);
+    curve.x.push_back(isOverQuality ? point.quality : std::log10(point.rate));
+    curve.y.push_back(isOverQuality ? std::log10(point.rate) : point.quality);
   }
   return curve;
 }
@@ -71,14 +71,14 @@ std::string problemOf(std::vector<RatePoint>& points, const std::string& name) {
   for (const RatePoint& point : points) {
     if (!(point.rate > 0) || !std::isfinite(point.rate))
       return name + " has a rate of " + numberText(point.rate) + ", not a positive number";
-    if (!std::isfinite(point.psnr))
-      return name + " has no finite PSNR at a rate of " + numberText(point.rate);
+    if (!std::isfinite(point.quality))
+      return name + " has no finite quality at a rate of " + numberText(point.rate);
   }
   std::sort(points.begin(), points.end(),
             [](const RatePoint& a, const RatePoint& b) { return a.rate < b.rate; });
   for (std::size_t k = 1; k < points.size(); ++k)
-    if (points[k].rate == points[k - 1].rate || !(points[k].psnr > points[k - 1].psnr))
-      return name + "'s PSNR does not rise from a rate of " + numberText(points[k - 1].rate) +
+    if (points[k].rate == points[k - 1].rate || !(points[k].quality > points[k - 1].quality))
+      return name + "'s quality does not rise from a rate of " + numberText(points[k - 1].rate) +
              " to " + numberText(points[k].rate);
   return {};
 }
@@ -110,20 +110,21 @@ BdDelta bdDelta(std::vector<RatePoint> anchor, std::vector<RatePoint> test) {
   BdDelta delta{nothing, nothing, nothing, nothing, problemOf(anchor, "the anchor")};
   if (delta.problem.empty()) delta.problem = problemOf(test, "the test");
   if (!delta.problem.empty()) return delta;
-  const double from = std::max(anchor.front().psnr, test.front().psnr);
-  const double to = std::min(anchor.back().psnr, test.back().psnr);
+  const double from = std::max(anchor.front().quality, test.front().quality);
+  const double to = std::min(anchor.back().quality, test.back().quality);
   if (!(from < to)) {
-    delta.problem = "the PSNRs do not overlap: " + numberText(anchor.front().psnr) + " to " +
-                    numberText(anchor.back().psnr) + " dB, and " + numberText(test.front().psnr) +
-                    " to " + numberText(test.back().psnr) + " dB";
+    delta.problem = "the qualities do not overlap: " + numberText(anchor.front().quality) + " to " +
+                    numberText(anchor.back().quality) + ", and " +
+                    numberText(test.front().quality) + " to " + numberText(test.back().quality);
     return delta;
   }
   const double logRate = meanDifference(columns(anchor, true), columns(test, true));
   delta.rate = 100 * (std::pow(10, logRate) - 1);
-  delta.psnr = meanDifference(columns(anchor, false), columns(test, false));
-  delta.psnrFrom = from;
-  delta.psnrTo = to;
-  if (std::isnan(delta.psnr)) delta.problem = "the rates do not overlap: no BD-PSNR";
+  delta.quality = meanDifference(columns(anchor, false), columns(test, false));
+  delta.from = from;
+  delta.to = to;
+  if (std::isnan(delta.quality))
+    delta.problem = "the rates do not overlap: no difference of quality";
   return delta;
 }
 

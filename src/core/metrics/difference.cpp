@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
 
 namespace hogelscope {
 
@@ -23,6 +26,27 @@ int gainFor(const std::array<std::size_t, 256>& counts) {
   return gain;
 }
 
+/// |a − b| in code values with fractions, in `rgb` times `gain` and rounded.
+int writeDeepDifference(const Image& a, const Image& b, std::span<std::uint8_t> rgb) {
+  std::vector<double> differences(rgb.size());
+  std::vector<double> others(rgb.size());
+  readCodeValues(a, 0, differences);
+  readCodeValues(b, 0, others);
+  std::ranges::transform(differences, others, differences.begin(),
+                         [](double p, double q) { return std::abs(p - q); });
+  std::vector<double> sorted;
+  std::ranges::copy_if(differences, std::back_inserter(sorted), [](double d) { return d > 0; });
+  std::ranges::sort(sorted);
+  int gain = 1;
+  if (!sorted.empty()) {
+    const double largest = sorted[sorted.size() - 1 - sorted.size() / 1000];
+    while (gain < 65536 && 2 * gain * largest <= 255) gain *= 2;
+  }
+  std::ranges::transform(differences, rgb.begin(),
+                         [gain](double d) { return quantised(gain * d); });
+  return gain;
+}
+
 }  // namespace
 
 void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, int gain,
@@ -36,13 +60,17 @@ DifferenceImage differenceImage(const Image& reference, const Image& test) {
     throw std::invalid_argument("differenceImage: pictures of different sizes");
   DifferenceImage result{Image(reference.width, reference.height)};
   Image& image = result.image;
+  for (std::size_t k = 0; k < image.seen.size(); ++k)
+    image.seen[k] = std::min(reference.seen[k], test.seen[k]);
+  if (reference.bits > 8 || test.bits > 8) {
+    result.gain = writeDeepDifference(reference, test, image.rgb);
+    return result;
+  }
   writeDifference(reference.rgb, test.rgb, 1, image.rgb);
   std::array<std::size_t, 256> counts{};
   for (const std::uint8_t value : image.rgb) ++counts[value];
   result.gain = gainFor(counts);
   writeDifference(reference.rgb, test.rgb, result.gain, image.rgb);
-  for (std::size_t k = 0; k < image.seen.size(); ++k)
-    image.seen[k] = std::min(reference.seen[k], test.seen[k]);
   return result;
 }
 

@@ -16,7 +16,8 @@ void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8
 struct DifferenceImage {
   Image image;   ///< gain · |reference − test|, each channel; seen where both are
   int gain = 1;  ///< the largest power of two that cuts off at most a thousandth of the values
-                 ///< that differ, so that one outlier does not hide the rest; 1 for none
+                 ///< that differ, so that one outlier does not hide the rest; 1 for none, 65536 at
+                 ///< most
 };
 
 /// Throws std::invalid_argument where the sizes differ.

@@ -37,7 +37,9 @@ struct MetricMean {
   std::size_t column = 0;  ///< of the metric's columns
   int decimals = 2;
   double (*ofMean)(double mean) = nullptr;  ///< what is shown of the mean; null: the mean itself
-  bool isQuality = false;                   ///< whether BD-rates use it: a PSNR in dB
+  bool isQuality = false;                   ///< whether BD-rates use it
+  std::string unit{};                       ///< "dB"
+  bool isSeen = false;  ///< over the pixels seen in both, not over the whole frame
 };
 
 /// The value of each column, of images of one size.
@@ -51,21 +53,51 @@ struct Metric {
   CompareImages compare;
 };
 
-/// The columns of the standard metrics, which begin every MetricSet.
+/// The columns of the standard metrics, which begin every MetricSet. Without "seen" they are over
+/// the whole frame. The headlines of a report are over what is seen: black surroundings, which
+/// every codec gets right, raise the others.
 enum MetricIndex : std::size_t {
-  psnrColumn,
   psnrSeenColumn,
-  mseColumn,
+  psnrColumn,
   mseSeenColumn,
+  mseColumn,
   ssimColumn,
-  seenColumn
+  seenColumn,
+  mseYColumn,
+  mseCbColumn,
+  mseCrColumn,
+  psnrYColumn,
+  psnrCbColumn,
+  psnrCrColumn,
+  psnrYuvColumn,
+  mseYSeenColumn,
+  mseCbSeenColumn,
+  mseCrSeenColumn,
+  psnrYSeenColumn,
+  psnrCbSeenColumn,
+  psnrCrSeenColumn,
+  psnrYuvSeenColumn,
+  ssimSeenColumn,
+  bitsColumn,
+  mseOfBitsColumn
 };
 
 /// The means of the standard metrics, which begin every MetricSet.
-enum MeanIndex : std::size_t { meanPsnr, psnrOfMeanMse, meanSsim, meanPsnrY, meanPsnrYuv };
+enum MeanIndex : std::size_t {
+  meanPsnr,
+  psnrOfMeanMse,
+  meanSsim,
+  meanPsnrY,
+  meanPsnrYuv,
+  meanPsnrSeen,
+  psnrOfMeanMseSeen,
+  meanSsimSeen,
+  meanPsnrYSeen,
+  meanPsnrYuvSeen
+};
 
 /// The standard metrics (MSE and PSNR of RGB, SSIM, the share of seen pixels, MSE and PSNR of
-/// YCbCr), then others.
+/// YCbCr, the bits compared), then others.
 class MetricSet {
  public:
   explicit MetricSet(std::vector<Metric> others = {});

@@ -3,6 +3,7 @@
 #include "core/metrics/panel_error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -30,12 +31,26 @@ RenderJob raysThroughCentres(RenderJob job) {
 
 MULTIVERSIONED
 void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, std::size_t count,
-                        std::uint32_t* __restrict squares) {
+                        std::uint64_t* __restrict squares) {
   for (std::size_t k = 0; k < count; ++k) {
     const int red = a[3 * k] - b[3 * k];
     const int green = a[3 * k + 1] - b[3 * k + 1];
     const int blue = a[3 * k + 2] - b[3 * k + 2];
     squares[k] = static_cast<std::uint32_t>(red * red + green * green + blue * blue);
+  }
+}
+
+/// Of 16-bit values.
+void squaredDifferences(const Image& a, const Image& b, std::size_t from, std::size_t count,
+                        std::uint64_t* squares) {
+  std::vector<double> valuesA(3 * count);
+  std::vector<double> valuesB(3 * count);
+  readCodeValues(a, 3 * from, valuesA);
+  readCodeValues(b, 3 * from, valuesB);
+  std::fill_n(squares, count, 0U);
+  for (std::size_t k = 0; k < valuesA.size(); ++k) {
+    const std::int64_t difference = std::llround(257 * valuesA[k]) - std::llround(257 * valuesB[k]);
+    squares[k / 3] += static_cast<std::uint64_t>(difference * difference);
   }
 }
 
@@ -55,7 +70,7 @@ void cellIndices(const CellBatch& batch, std::size_t axis, int columns, const st
 
 /// Neighbours often meet one cell, so it is written once for all of them.
 void addTo(std::vector<PanelError::Cell>& cells, const std::vector<std::uint32_t>& at,
-           const std::vector<std::uint32_t>& squares) {
+           const std::vector<std::uint64_t>& squares) {
   for (std::size_t k = 0; k < at.size();) {
     const std::uint32_t index = at[k];
     PanelError::Cell sum;
@@ -81,19 +96,26 @@ void checkSizes(const RenderJob& job, const LightFieldSize& size, const Image& r
 
 }  // namespace
 
-PanelError::PanelError(const LightFieldSize& size)
-    : m_size(size), m_hogels(product(size.nx, size.ny)), m_directions(product(size.du, size.dv)) {}
+PanelError::PanelError(const LightFieldSize& size, bool isDeep)
+    : m_size(size),
+      m_isDeep(isDeep),
+      m_hogels(product(size.nx, size.ny)),
+      m_directions(product(size.du, size.dv)) {}
 
 PanelError::PanelError(const LightFieldSize& size, std::vector<Cell> hogels,
-                       std::vector<Cell> directions)
-    : m_size(size), m_hogels(std::move(hogels)), m_directions(std::move(directions)) {
+                       std::vector<Cell> directions, bool isDeep)
+    : m_size(size),
+      m_isDeep(isDeep),
+      m_hogels(std::move(hogels)),
+      m_directions(std::move(directions)) {
   if (m_hogels.size() != product(size.nx, size.ny) ||
       m_directions.size() != product(size.du, size.dv))
     throw std::invalid_argument("PanelError: sums of another size");
 }
 
 void PanelError::resize(std::size_t pixels) {
-  for (auto* list : {&m_pixels.hogel, &m_pixels.direction, &m_pixels.squares}) list->resize(pixels);
+  for (auto* list : {&m_pixels.hogel, &m_pixels.direction}) list->resize(pixels);
+  m_pixels.squares.resize(pixels);
 }
 
 void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
@@ -109,8 +131,11 @@ void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRow
     const std::uint8_t* seenB = &test.seen[at];
     cellIndices(batch, 0, m_size.nx, seenA, seenB, count, &m_pixels.hogel[at]);
     cellIndices(batch, 2, m_size.du, seenA, seenB, count, &m_pixels.direction[at]);
-    squaredDifferences(&reference.rgb[3 * at], &test.rgb[3 * at], std::size_t(count),
-                       &m_pixels.squares[at]);
+    if (m_isDeep)
+      squaredDifferences(reference, test, at, std::size_t(count), &m_pixels.squares[at]);
+    else
+      squaredDifferences(&reference.rgb[3 * at], &test.rgb[3 * at], std::size_t(count),
+                         &m_pixels.squares[at]);
   };
   parallelRows(reference.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)

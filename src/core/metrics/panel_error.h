@@ -19,14 +19,16 @@ namespace hogelscope {
 class PanelError {
  public:
   struct Cell {
-    std::uint64_t squares = 0;  ///< Σ Δr² + Δg² + Δb² of 8-bit values
+    std::uint64_t squares = 0;  ///< Σ Δr² + Δg² + Δb² of 8-bit values, or of 16-bit ones
     std::uint64_t pixels = 0;
     bool operator==(const Cell&) const = default;
   };
 
-  explicit PanelError(const LightFieldSize& size);
+  /// `isDeep`: of 16-bit values, as images of more than 8 bits need.
+  explicit PanelError(const LightFieldSize& size, bool isDeep = false);
   /// From sums that were kept. Throws std::invalid_argument where they are not of this size.
-  PanelError(const LightFieldSize& size, std::vector<Cell> hogels, std::vector<Cell> directions);
+  PanelError(const LightFieldSize& size, std::vector<Cell> hogels, std::vector<Cell> directions,
+             bool isDeep = false);
 
   /// Adds the images of one state. Rays are the fast engine's. Throws InputError as Simulation
   /// does, std::invalid_argument where a size is another, Cancelled: then nothing is added.
@@ -34,6 +36,8 @@ class PanelError {
            const Image& reference, const Image& test, const Progress& progress = {});
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  /// The values in a code value: 1, or 257 of 16 bits.
+  [[nodiscard]] int perCode() const { return m_isDeep ? 257 : 1; }
   /// ny rows of nx, row 0 the top.
   [[nodiscard]] const std::vector<Cell>& hogels() const { return m_hogels; }
   /// dv rows of du, row 0 the light that leaves upwards, column 0 the light that leaves to the
@@ -46,12 +50,13 @@ class PanelError {
   struct Pixels {
     std::vector<std::uint32_t> hogel;
     std::vector<std::uint32_t> direction;
-    std::vector<std::uint32_t> squares;
+    std::vector<std::uint64_t> squares;
   };
 
   void resize(std::size_t pixels);
 
   LightFieldSize m_size;
+  bool m_isDeep;
   std::vector<Cell> m_hogels;
   std::vector<Cell> m_directions;
   Pixels m_pixels;

@@ -16,8 +16,9 @@ namespace {
 
 using Cells = std::vector<PanelError::Cell>;
 
-double meanOf(const PanelError::Cell& cell) {
-  return double(cell.squares) / (3 * double(cell.pixels));  // 0/0 is not a number
+double meanOf(const PanelError::Cell& cell, int perCode) {
+  const double each = 3 * double(perCode) * perCode;
+  return double(cell.squares) / (each * double(cell.pixels));  // 0/0 is not a number
 }
 
 bool isCheaper(const PanelError::Cell& a, const PanelError::Cell& b) {
@@ -69,9 +70,9 @@ std::array<int, 2> blockOf(const std::array<int, 2>& cells, const std::array<dou
   return block;
 }
 
-Image picture(const Cells& cells, const std::array<int, 2>& count,
+Image picture(const Cells& cells, int perCode, const std::array<int, 2>& count,
               const std::array<double, 2>& shape) {
-  const double end = scaleEnd(cells);
+  const double end = scaleEnd(cells, perCode);
   const auto [blockWidth, blockHeight] = blockOf(count, shape);
   Image image(count[0] * blockWidth, count[1] * blockHeight);
   std::fill(image.seen.begin(), image.seen.end(), std::uint8_t{255});
@@ -80,7 +81,7 @@ Image picture(const Cells& cells, const std::array<int, 2>& count,
     for (int x = 0; x < image.width; ++x) {
       const PanelError::Cell& cell =
           cells[std::size_t(y / blockHeight) * std::size_t(count[0]) + std::size_t(x / blockWidth)];
-      const double mean = meanOf(cell);
+      const double mean = meanOf(cell, perCode);
       for (const std::uint8_t value : falseColour(end > 0 ? mean / end : mean))
         image.rgb[at++] = value;
     }
@@ -89,10 +90,10 @@ Image picture(const Cells& cells, const std::array<int, 2>& count,
 
 }  // namespace
 
-double scaleEnd(const Cells& cells) {
+double scaleEnd(const Cells& cells, int perCode) {
   std::vector<double> means;
   for (const PanelError::Cell& cell : cells)
-    if (cell.pixels > 0) means.push_back(meanOf(cell));
+    if (cell.pixels > 0) means.push_back(meanOf(cell, perCode));
   if (means.empty()) return 0;
   std::sort(means.begin(), means.end());
   const double end = means[std::size_t(std::ceil(0.99 * double(means.size()))) - 1];
@@ -101,8 +102,8 @@ double scaleEnd(const Cells& cells) {
 
 PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display) {
   PanelErrorFigures figures;
-  figures.hogelScale = scaleEnd(error.hogels());
-  figures.directionScale = scaleEnd(error.directions());
+  figures.hogelScale = scaleEnd(error.hogels(), error.perCode());
+  figures.directionScale = scaleEnd(error.directions(), error.perCode());
   figures.hogelShare = halfShare(error.hogels());
   figures.directionShare = halfShare(error.directions());
   figures.hogel = costliest(error.hogels(), error.size().nx);
@@ -122,9 +123,10 @@ std::string panelErrorText(const PanelErrorFigures& figures) {
          angleText(figures.direction.y, "down", "up") + ".";
 }
 
-std::vector<float> meanSquares(const Cells& cells) {
+std::vector<float> meanSquares(const Cells& cells, int perCode) {
   std::vector<float> plane;
-  for (const PanelError::Cell& cell : cells) plane.push_back(static_cast<float>(meanOf(cell)));
+  for (const PanelError::Cell& cell : cells)
+    plane.push_back(static_cast<float>(meanOf(cell, perCode)));
   return plane;
 }
 
@@ -135,11 +137,11 @@ std::vector<float> pixelCounts(const Cells& cells) {
 }
 
 Image hogelErrorImage(const PanelError& error, const DisplayParams& display) {
-  return picture(error.hogels(), display.hogels, display.size);
+  return picture(error.hogels(), error.perCode(), display.hogels, display.size);
 }
 
 Image directionErrorImage(const PanelError& error, const DisplayParams& display) {
-  return picture(error.directions(), display.directions, display.fov);
+  return picture(error.directions(), error.perCode(), display.directions, display.fov);
 }
 
 }  // namespace hogelscope

@@ -29,15 +29,15 @@ PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& displa
 /// One sentence.
 std::string panelErrorText(const PanelErrorFigures& figures);
 
-/// Mean squared error of each cell, per channel: squares / (3·pixels). Not a number where no pixel
-/// fell.
-std::vector<float> meanSquares(const std::vector<PanelError::Cell>& cells);
+/// Mean squared error of each cell in code values, per channel: squares / (3·pixels·perCode²). Not
+/// a number where no pixel fell.
+std::vector<float> meanSquares(const std::vector<PanelError::Cell>& cells, int perCode = 1);
 /// Pixels of each cell.
 std::vector<float> pixelCounts(const std::vector<PanelError::Cell>& cells);
 
 /// The 99th percentile of the cells' mean squared errors, so that one outlier does not hide the
 /// rest; the largest where that is 0.
-double scaleEnd(const std::vector<PanelError::Cell>& cells);
+double scaleEnd(const std::vector<PanelError::Cell>& cells, int perCode = 1);
 
 /// False colours of the mean squared errors from 0 to the figures' scales, grey where no pixel
 /// fell. Each cell is a block of pixels, so that small panels are 256 or more along their longer

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums of squared differences, exact in whole numbers.
+// Sums of squared differences, exact in whole numbers for images of 8 bits.
 #include "core/metrics/squared_error.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "core/base/multiversioned.h"
 
@@ -15,13 +15,12 @@ namespace {
 /// Pixels whose sums of squares and products stay within 32 bits: 255² · 3 · 8192 < 2³¹.
 constexpr std::size_t pieceSize = 8192;
 
-/// Exact sums of squared differences of R, G and B, over all pixels and over those seen in both,
-/// and of Y, Cb and Cr in units that make BT.709's coefficients whole numbers.
+/// Sums of squared differences over some pixels: of R, G and B, and of Y, Cb and Cr in units that
+/// make BT.709's coefficients whole numbers. Whole numbers too for images of 8 bits.
 struct Squares {
-  std::int64_t all = 0;
-  std::int64_t inSeen = 0;
-  std::int64_t seenCount = 0;
-  std::array<double, 3> yuv{};  // whole numbers too, but they outgrow 64 bits
+  double rgb = 0;
+  std::array<double, 3> yuv{};
+  double pixels = 0;
 };
 
 /// Σ (r·red + g·green + b·blue)² from the sums of r², g², b², rg, rb, gb.
@@ -33,31 +32,85 @@ double quadratic(const std::array<std::int64_t, 3>& c, const std::array<std::int
   return double(sum);
 }
 
-/// Of at most `pieceSize` pixels.
+/// Of those of at most `pieceSize` pixels that `counts` has a 1 for.
 MULTIVERSIONED
-void addSquares(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* seenA,
-                const std::uint8_t* seenB, std::size_t count, Squares& sums) {
-  std::int32_t rr = 0, gg = 0, bb = 0, rg = 0, rb = 0, gb = 0, inSeen = 0, seenCount = 0;
+void addSquares(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* counts,
+                std::size_t count, Squares& sums) {
+  std::int32_t rr = 0, gg = 0, bb = 0, rg = 0, rb = 0, gb = 0, pixels = 0;
   for (std::size_t p = 0; p < count; ++p) {
-    const std::int32_t red = a[3 * p] - b[3 * p];
-    const std::int32_t green = a[3 * p + 1] - b[3 * p + 1];
-    const std::int32_t blue = a[3 * p + 2] - b[3 * p + 2];
-    const std::int32_t isSeen = std::int32_t(seenA[p] != 0) & std::int32_t(seenB[p] != 0);
+    const std::int32_t one = counts[p];
+    const std::int32_t red = one * (a[3 * p] - b[3 * p]);
+    const std::int32_t green = one * (a[3 * p + 1] - b[3 * p + 1]);
+    const std::int32_t blue = one * (a[3 * p + 2] - b[3 * p + 2]);
     rr += red * red;
     gg += green * green;
     bb += blue * blue;
     rg += red * green;
     rb += red * blue;
     gb += green * blue;
-    inSeen += isSeen * (red * red + green * green + blue * blue);
-    seenCount += isSeen;
+    pixels += one;
   }
-  sums.all += rr + gg + bb;
-  sums.inSeen += inSeen;
-  sums.seenCount += seenCount;
+  sums.rgb += rr + gg + bb;
+  sums.pixels += pixels;
   sums.yuv[0] += quadratic({2126, 7152, 722}, {rr, gg, bb, rg, rb, gb});
   sums.yuv[1] += quadratic({-2126, -7152, 9278}, {rr, gg, bb, rg, rb, gb});  // B − Y
   sums.yuv[2] += quadratic({7874, -7152, -722}, {rr, gg, bb, rg, rb, gb});   // R − Y
+}
+
+/// The same of code values with fractions. Written with differences of differences, so that grey
+/// that differs has no error of its colour, to the last bit.
+MULTIVERSIONED
+void addSquares(const double* a, const double* b, const std::uint8_t* counts, std::size_t count,
+                Squares& sums) {
+  for (std::size_t p = 0; p < count; ++p) {
+    const double one = counts[p];
+    const double red = one * (a[3 * p] - b[3 * p]);
+    const double green = one * (a[3 * p + 1] - b[3 * p + 1]);
+    const double blue = one * (a[3 * p + 2] - b[3 * p + 2]);
+    const double y = 2126 * red + 7152 * green + 722 * blue;
+    const double cb = 2126 * (blue - red) + 7152 * (blue - green);
+    const double cr = 7152 * (red - green) + 722 * (red - blue);
+    sums.rgb += red * red + green * green + blue * blue;
+    sums.yuv[0] += y * y;
+    sums.yuv[1] += cb * cb;
+    sums.yuv[2] += cr * cr;
+    sums.pixels += one;
+  }
+}
+
+/// Over all pixels and over those seen in both.
+struct BothSquares {
+  Squares all;
+  Squares seen;
+};
+
+template <class T>
+void addPiece(const T* a, const T* b, const std::vector<std::uint8_t>& seen, BothSquares& sums) {
+  static const std::vector<std::uint8_t> everything(pieceSize, 1);
+  addSquares(a, b, everything.data(), seen.size(), sums.all);
+  addSquares(a, b, seen.data(), seen.size(), sums.seen);
+}
+
+void addPiece(const Image& reference, const Image& test, std::size_t from, std::size_t count,
+              BothSquares& sums) {
+  std::vector<std::uint8_t> seen(count);
+  for (std::size_t p = 0; p < count; ++p)
+    seen[p] = reference.seen[from + p] != 0 && test.seen[from + p] != 0 ? 1 : 0;
+  if (reference.bits == 8 && test.bits == 8)
+    return addPiece(&reference.rgb[3 * from], &test.rgb[3 * from], seen, sums);
+  std::vector<double> a(3 * count);
+  std::vector<double> b(a.size());
+  readCodeValues(reference, 3 * from, a);
+  readCodeValues(test, 3 * from, b);
+  addPiece(a.data(), b.data(), seen, sums);
+}
+
+/// Cb = (B − Y) / 1.8556, Cr = (R − Y) / 1.5748: both span 255 as R, G and B do.
+std::array<double, 3> meanYuv(const Squares& sums) {
+  constexpr std::array<double, 3> unit{1e4, 1.8556e4, 1.5748e4};
+  std::array<double, 3> means{};
+  for (std::size_t c = 0; c < 3; ++c) means[c] = sums.yuv[c] / (sums.pixels * unit[c] * unit[c]);
+  return means;
 }
 
 }  // namespace
@@ -71,20 +124,14 @@ double psnrYuv(const std::array<double, 3>& mseYuv) {
 }
 
 SquaredError squaredError(const Image& reference, const Image& test, const Progress& progress) {
-  Squares sums;
+  BothSquares sums;
   for (std::size_t from = 0; from < reference.pixelCount(); from += pieceSize) {
     hearStop(progress);
-    addSquares(&reference.rgb[3 * from], &test.rgb[3 * from], &reference.seen[from],
-               &test.seen[from], std::min(pieceSize, reference.pixelCount() - from), sums);
+    addPiece(reference, test, from, std::min(pieceSize, reference.pixelCount() - from), sums);
   }
-  const auto pixels = double(reference.pixelCount());
-  // Cb = (B − Y) / 1.8556, Cr = (R − Y) / 1.5748: both span 255 as R, G and B do.
-  constexpr std::array<double, 3> unit{1e4, 1.8556e4, 1.5748e4};
-  for (std::size_t c = 0; c < 3; ++c) sums.yuv[c] /= pixels * unit[c] * unit[c];
-  return {double(sums.all) / (3 * pixels),
-          sums.seenCount == 0 ? std::numeric_limits<double>::quiet_NaN()
-                              : double(sums.inSeen) / (3 * double(sums.seenCount)),
-          double(sums.seenCount) / pixels, sums.yuv};
+  const auto& [all, seen] = sums;
+  return {all.rgb / (3 * all.pixels), seen.rgb / (3 * seen.pixels), seen.pixels / all.pixels,
+          meanYuv(all), meanYuv(seen)};
 }
 
 }  // namespace hogelscope

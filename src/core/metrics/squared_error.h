@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MSE and PSNR of two images of 8-bit RGB (docs/formulas.md, Metrics).
+// MSE and PSNR of two images (docs/formulas.md, Metrics).
 #pragma once
 
 #include <array>
@@ -9,13 +9,15 @@
 
 namespace hogelscope {
 
-/// Means of squared differences; NaN over no pixel.
+/// Means of squared differences of code values, 0 … 255 whatever the images' bits; NaN over no
+/// pixel.
 struct SquaredError {
   double mse = 0;      ///< over all pixels and channels
   double mseSeen = 0;  ///< over the pixels that see the display in both images
   double seen = 0;     ///< the fraction of these pixels
-  /// Over all pixels of Y, Cb and Cr: BT.709, full range (all three span 255), not rounded.
+  /// Of Y, Cb and Cr: BT.709, full range (all three span 255), not rounded.
   std::array<double, 3> mseYuv{};
+  std::array<double, 3> mseYuvSeen{};
 };
 
 /// The images have one size. Throws Cancelled.

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "core/base/multiversioned.h"
@@ -91,38 +90,112 @@ void luma(const std::uint8_t* rgb, std::size_t count, double* __restrict y) {
     y[p] = 0.299 * rgb[3 * p] + 0.587 * rgb[3 * p + 1] + 0.114 * rgb[3 * p + 2];
 }
 
+MULTIVERSIONED
+void luma(const double* rgb, std::size_t count, double* __restrict y) {
+  for (std::size_t p = 0; p < count; ++p)
+    y[p] = 0.299 * rgb[3 * p] + 0.587 * rgb[3 * p + 1] + 0.114 * rgb[3 * p + 2];
+}
+
+void luma(const Image& image, std::size_t from, std::size_t count, double* y) {
+  if (image.bits == 8) return luma(&image.rgb[3 * from], count, y);
+  std::vector<double> values(3 * count);
+  readCodeValues(image, 3 * from, values);
+  luma(values.data(), count, y);
+}
+
+/// Sets 1 for each place of a row whose window holds only pixels seen in both, of the counts of its
+/// last row.
+void wholeWindows(const std::uint8_t* seenAbove, std::size_t width,
+                  std::vector<std::uint8_t>& whole) {
+  int run = 0;  // columns up to here that are seen as far up as the window reaches
+  for (std::size_t x = 0; x < width; ++x) {
+    run = seenAbove[x] < windowSize ? 0 : run + 1;
+    if (x + 1 >= windowSize) whole[x + 1 - windowSize] = run >= windowSize ? 1 : 0;
+  }
+}
+
+/// SSIM of the places of some rows of windows: sums over all of them and over the whole windows.
+struct RowSums {
+  double all = 0;
+  double inSeen = 0;
+  std::size_t seenCount = 0;
+};
+
+RowSums sumsOf(const std::vector<double>& row, const std::vector<std::uint8_t>& whole) {
+  RowSums sums;
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    sums.all += row[x];
+    if (whole[x] == 0) continue;
+    sums.inSeen += row[x];
+    ++sums.seenCount;
+  }
+  return sums;
+}
+
+constexpr std::size_t strip = 32;  // rows whose luma stays in the second-level cache
+
+/// What the rows of windows need of some rows of pixels.
+struct Strip {
+  std::size_t width;
+  std::vector<double> a, b;
+  /// How many pixels from here upwards both images see, within the strip.
+  std::vector<std::uint8_t> seenAbove;
+  explicit Strip(std::size_t imageWidth)
+      : width(imageWidth), a((strip + windowSize - 1) * width), b(a), seenAbove(a.size()) {}
+
+  void read(const Image& reference, const Image& test, std::size_t from, std::size_t count) {
+    luma(reference, from, count, a.data());
+    luma(test, from, count, b.data());
+    for (std::size_t p = 0; p < count; ++p) {
+      const bool isSeen = reference.seen[from + p] != 0 && test.seen[from + p] != 0;
+      const int above = p < width ? 0 : seenAbove[p - width];
+      seenAbove[p] = static_cast<std::uint8_t>(isSeen ? above + 1 : 0);
+    }
+  }
+};
+
+/// Added up in one order for any threads.
+Ssim meanOf(const std::vector<RowSums>& rows, std::size_t places) {
+  RowSums sums;
+  for (const RowSums& row : rows) {
+    sums.all += row.all;
+    sums.inSeen += row.inSeen;
+    sums.seenCount += row.seenCount;
+  }
+  return {sums.all / (double(places) * double(rows.size())), sums.inSeen / double(sums.seenCount)};
+}
+
 }  // namespace
 
-double ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows,
-            const Progress& progress) {
+Ssim ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows,
+          const Progress& progress) {
   static const Window w = gaussian(1.5);
-  if (reference.width < windowSize || reference.height < windowSize)
-    return std::numeric_limits<double>::quiet_NaN();
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (reference.width < windowSize || reference.height < windowSize) return {nothing, nothing};
   const auto width = std::size_t(reference.width);
   const std::size_t places = width - windowSize + 1;
   const std::size_t rowCount = std::size_t(reference.height) - windowSize + 1;
-  constexpr std::size_t strip = 32;          // rows whose luma stays in the second-level cache
-  std::vector<double> rowSums(rowCount, 0);  // added up in one order for any threads
+  std::vector<RowSums> rowSums(rowCount);
   const Progress heard = forThreads(progress);
   parallelRows(int((rowCount + strip - 1) / strip), [&](int begin, int end) {
     Moments moments(width);
     std::vector<double> row(places);
-    std::vector<double> a((strip + windowSize - 1) * width);
-    std::vector<double> b(a.size());
+    std::vector<std::uint8_t> whole(places);
+    Strip pixels(width);
     for (std::size_t first = strip * std::size_t(begin);
          first < std::min(strip * std::size_t(end), rowCount); first += strip) {
       hearStop(heard);
       const std::size_t count = std::min(strip, rowCount - first);
-      luma(&reference.rgb[3 * first * width], (count + windowSize - 1) * width, a.data());
-      luma(&test.rgb[3 * first * width], (count + windowSize - 1) * width, b.data());
+      pixels.read(reference, test, first * width, (count + windowSize - 1) * width);
       for (std::size_t y = 0; y < count; ++y) {
-        alongColumns(w, &a[y * width], &b[y * width], width, moments);
+        alongColumns(w, &pixels.a[y * width], &pixels.b[y * width], width, moments);
         alongRow(w, moments, places, row.data());
-        rowSums[first + y] = std::accumulate(row.begin(), row.end(), 0.0);
+        wholeWindows(&pixels.seenAbove[(y + windowSize - 1) * width], width, whole);
+        rowSums[first + y] = sumsOf(row, whole);
       }
     }
   });
-  return std::accumulate(rowSums.begin(), rowSums.end(), 0.0) / (double(places) * double(rowCount));
+  return meanOf(rowSums, places);
 }
 
 }  // namespace hogelscope

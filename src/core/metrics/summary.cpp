@@ -15,6 +15,12 @@ namespace hogelscope {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// In files: what a figure is taken over.
+const char* regionOf(bool isSeen) {
+  return isSeen ? "seen" : "frame";
+}
+
 /// The sums from which the means follow: for each mean Σ weight · value, Σ weight.
 std::vector<double> meanSums(const ReportRow& row, double weight, const MetricSet& metrics) {
   std::vector<double> sums(2 * metrics.means().size(), 0);
@@ -74,11 +80,19 @@ TestSummary summaryOf(const std::string& test, std::vector<ReportRow> rows,
 }
 
 std::string figureRow(const TestSummary& summary, const std::string& figure,
-                      const std::vector<double>& values, const std::string& state = {}) {
+                      const std::vector<double>& values, const std::string& region = {},
+                      const std::string& state = {}) {
   std::string text = csvCell(summary.test) + "," + figure;
   for (std::size_t k = 0; k < 6; ++k)
     text += "," + (k < values.size() ? numberText(values[k]) : std::string());
-  return text + "," + csvCell(state) + "\n";
+  return text + "," + csvCell(state) + "," + region + "\n";
+}
+
+std::string worstRow(const TestSummary& summary, std::optional<std::size_t> worst, bool isSeen) {
+  if (!worst) return {};
+  const ReportRow& row = summary.rows[*worst];
+  return figureRow(summary, isSeen ? "worst_psnr_seen" : "worst_psnr",
+                   {row.values[isSeen ? psnrSeenColumn : psnrColumn]}, regionOf(isSeen), row.state);
 }
 
 std::string block(const TestSummary& summary, const MetricSet& metrics) {
@@ -92,12 +106,11 @@ std::string block(const TestSummary& summary, const MetricSet& metrics) {
     const Interval& interval = summary.intervals[k];
     const Interval& other = summary.intervals[k + plain.size()];
     text += figureRow(summary, metrics.means()[k].name,
-                      {plain[k], interval.low, interval.high, weighted[k], other.low, other.high});
+                      {plain[k], interval.low, interval.high, weighted[k], other.low, other.high},
+                      regionOf(metrics.means()[k].isSeen));
   }
-  if (summary.summary.worst) {
-    const ReportRow& row = summary.rows[*summary.summary.worst];
-    text += figureRow(summary, "worst_psnr", {row.values[psnrColumn]}, row.state);
-  }
+  text += worstRow(summary, summary.summary.worstFrame, false) +
+          worstRow(summary, summary.summary.worst, true);
   if (summary.rate) text += figureRow(summary, "rate_bpp", {*summary.rate});
   return text;
 }
@@ -120,10 +133,13 @@ ReportSummary summariseRows(const std::vector<ReportRow>& rows, const MetricSet&
       ++summary.withoutView;
       continue;
     }
-    const double mse = rows[index].values[mseColumn];
-    if (mse == 0) ++summary.identical;
-    if (mse > 0 && (!summary.worst || mse > rows[*summary.worst].values[mseColumn]))
-      summary.worst = index;
+    const auto take = [&](std::optional<std::size_t>& worst, MetricIndex column) {
+      const double mse = rows[index].values[column];
+      if (mse > 0 && (!worst || mse > rows[*worst].values[column])) worst = index;
+    };
+    if (rows[index].values[mseColumn] == 0) ++summary.identical;
+    take(summary.worst, mseSeenColumn);
+    take(summary.worstFrame, mseColumn);
   }
   const std::vector<double> means = meansOfSums(sums, metrics);
   const auto middle = means.begin() + std::ptrdiff_t(metrics.means().size());
@@ -166,27 +182,31 @@ std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const Metri
   };
   std::vector<BdRow> rows;
   for (std::size_t k = 1; k < groups.size(); ++k)
-    for (std::size_t mean = 0; mean < metrics.means().size(); ++mean)
-      if (metrics.means()[mean].isQuality)
-        rows.push_back({groups[0].name, groups[k].name, metrics.means()[mean].name,
-                        bdDelta(curve(groups[0], mean), curve(groups[k], mean))});
+    for (const bool isSeen : {true, false})
+      for (std::size_t mean = 0; mean < metrics.means().size(); ++mean)
+        if (metrics.means()[mean].isQuality && metrics.means()[mean].isSeen == isSeen)
+          rows.push_back({groups[0].name, groups[k].name, metrics.means()[mean],
+                          bdDelta(curve(groups[0], mean), curve(groups[k], mean))});
   return rows;
 }
 
 std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSet& metrics) {
-  std::string text = "test,figure,value,low,high,weighted,weighted_low,weighted_high,state\n";
+  std::string text = "test,figure,value,low,high,weighted,weighted_low,weighted_high,state,over\n";
   for (const TestSummary& summary : summaries) text += block(summary, metrics);
   return text;
 }
 
 std::string bdCsv(const std::vector<BdRow>& rows) {
-  std::string text = "anchor,group,quality,bd_rate_percent,bd_psnr_db,psnr_from,psnr_to,problem\n";
-  for (const BdRow& row : rows) {
-    text += csvCell(row.anchor) + "," + csvCell(row.group) + "," + row.quality;
-    for (const double value :
-         {row.delta.rate, row.delta.psnr, row.delta.psnrFrom, row.delta.psnrTo})
-      text += "," + numberText(value);
-    text += "," + csvCell(row.delta.problem) + "\n";
+  std::string text =
+      "anchor,group,quality,bd_rate_percent,bd_psnr_db,psnr_from,psnr_to,problem,over,unit,"
+      "bd_quality,quality_from,quality_to\n";
+  for (const auto& [anchor, group, quality, delta] : rows) {
+    const std::string values =
+        numberText(delta.quality) + "," + numberText(delta.from) + "," + numberText(delta.to);
+    text += csvCell(anchor) + "," + csvCell(group) + "," + csvCell(quality.name) + "," +
+            numberText(delta.rate) + "," + (quality.unit == "dB" ? values : ",,") + "," +
+            csvCell(delta.problem) + "," + regionOf(quality.isSeen) + "," + csvCell(quality.unit) +
+            "," + values + "\n";
   }
   return text;
 }

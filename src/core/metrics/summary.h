@@ -15,9 +15,11 @@ namespace hogelscope {
 /// Means are named, never mixed (docs/formulas.md, Metrics). A row with a problem counts in none,
 /// and the mean of nothing is NaN.
 struct ReportSummary {
-  std::vector<double> means;         ///< of MetricSet::means()
-  std::vector<double> weighted;      ///< the same, with each row's weight
-  std::optional<std::size_t> worst;  ///< the row of the lowest PSNR that is not infinite
+  std::vector<double> means;     ///< of MetricSet::means()
+  std::vector<double> weighted;  ///< the same, with each row's weight
+  /// The rows of the lowest PSNRs that are not infinite: over what is seen, over the whole frame.
+  std::optional<std::size_t> worst;
+  std::optional<std::size_t> worstFrame;
   std::size_t identical = 0;
   std::size_t withoutView = 0;  ///< rows with a problem
 };
@@ -46,11 +48,11 @@ struct RateGroup {
   std::vector<TestRate> tests;
 };
 
-/// A group against the first one, in one of the mean PSNRs.
+/// A group against the first one, in one of the means that are qualities.
 struct BdRow {
   std::string anchor;
   std::string group;
-  std::string quality;
+  MetricMean quality;
   BdDelta delta;
 };
 
@@ -63,7 +65,8 @@ std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
                                         const MetricSet& metrics,
                                         const std::vector<RateGroup>& groups = {});
 
-/// Compares every later group with the first, in each mean that is a quality.
+/// Compares every later group with the first, in each mean that is a quality, those over what is
+/// seen first.
 std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<RateGroup>& groups);
 

@@ -2,7 +2,7 @@
 // Images: rounding, and the image of a hogel.
 #include "core/optics/image.h"
 
-#include <cmath>
+#include <utility>
 
 namespace hogelscope {
 
@@ -18,6 +18,39 @@ Image hogelErrorImage(const LightFieldSource& lightField, int i, int j) {
   }
   image.seen.assign(image.pixelCount(), 255);
   return image;
+}
+
+namespace {
+
+std::uint16_t deepValue(double codeValue, int bits) {
+  const int most = largestValue(bits);
+  if (!(codeValue > 0)) return 0;
+  if (codeValue >= 255) return static_cast<std::uint16_t>(most);
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): of positive numbers, half up as said
+  return static_cast<std::uint16_t>(codeValue * most / 255 + 0.5);
+}
+
+}  // namespace
+
+void setValues(Image& image, std::size_t at, std::span<const float> codeValues) {
+  for (std::size_t k = 0; k < codeValues.size(); ++k) {
+    const auto value = double(codeValues[k]);
+    image.rgb[at + k] = quantised(value);
+    if (image.bits > 8) image.deep[at + k] = deepValue(value, image.bits);
+  }
+}
+
+Image rounded(FloatImage image, int bits) {
+  Image result(image.width, image.height, bits);
+  setValues(result, 0, image.rgb);
+  result.seen = std::move(image.seen);
+  return result;
+}
+
+void readCodeValues(const Image& image, std::size_t at, std::span<double> result) {
+  const double unit = 255.0 / largestValue(image.bits);
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = image.bits > 8 ? unit * image.deep[at + k] : image.rgb[at + k];
 }
 
 }  // namespace hogelscope

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The image of a camera state: 8-bit RGB and the mask of the pixels seen.
+// The image of a camera state: RGB and the mask of the pixels seen.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/light_field/light_field_source.h"
@@ -14,13 +15,21 @@ namespace hogelscope {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgb;   ///< 3·width·height
-  std::vector<std::uint8_t> seen;  ///< width·height
+  std::vector<std::uint8_t> rgb;    ///< 3·width·height
+  std::vector<std::uint8_t> seen;   ///< width·height
+  int bits = 8;                     ///< of the light field's values, 8 … 16
+  std::vector<std::uint16_t> deep;  ///< rgb with this many bits; empty for 8
   static constexpr std::size_t bytesPerPixel = 4;
+  static constexpr std::size_t deepBytesPerPixel = 10;
 
   Image() = default;
-  Image(int w, int h)
-      : width(w), height(h), rgb(3 * std::size_t(w) * std::size_t(h)), seen(rgb.size() / 3) {}
+  Image(int w, int h, int bitsOfValues = 8)
+      : width(w),
+        height(h),
+        rgb(3 * std::size_t(w) * std::size_t(h)),
+        seen(rgb.size() / 3),
+        bits(bitsOfValues),
+        deep(bits > 8 ? rgb.size() : 0) {}
   [[nodiscard]] std::size_t pixelCount() const { return seen.size(); }
   bool operator==(const Image&) const = default;
 };
@@ -39,6 +48,21 @@ struct FloatImage {
 
 /// Returns the image of hogel (i, j), one pixel for each direction: column u, row v, all seen.
 Image hogelErrorImage(const LightFieldSource& lightField, int i, int j);
+
+/// Returns the largest value of so many bits, which code value 255 stands for.
+constexpr int largestValue(int bits) {
+  return (1 << bits) - 1;
+}
+
+/// Rounds code values half up to image.bits bits, as the values of a row from value `at` on; rounds
+/// them to 8 bits too.
+void setValues(Image& image, std::size_t at, std::span<const float> codeValues);
+
+/// Returns the image rounded to so many bits.
+Image rounded(FloatImage image, int bits = 8);
+
+/// Writes values [at, at + result.size()) of the image as code values.
+void readCodeValues(const Image& image, std::size_t at, std::span<double> result);
 
 /// Rounds a code value half up to 8 bits, limited to 0 … 255.
 inline std::uint8_t quantised(double codeValue) {

@@ -20,6 +20,7 @@ struct RenderJob {
   CameraState state;
   Method method{};       ///< for the fast engine; the reference engine ignores it
   bool isIdeal = false;  ///< Renderer then makes the ideal view, see ideal_view.h
+  int bits = 8;          ///< of the image's values, see Image; for Renderer and StreamingRenderer
   bool operator==(const RenderJob&) const = default;
 };
 

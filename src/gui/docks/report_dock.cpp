@@ -331,7 +331,7 @@ void ReportDock::emitPsnr() {
     dB.assign(m_request.session.cameras.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t state = 0; state < dB.size(); ++state)
       if (const auto& row = m_table->row(order().row(state, m_test)); row)
-        dB[state] = row->values[psnrColumn];
+        dB[state] = row->values[psnrSeenColumn];
   }
   if (std::ranges::all_of(dB, [](double value) { return std::isnan(value); })) dB.clear();
   Q_EMIT psnrChanged(dB);

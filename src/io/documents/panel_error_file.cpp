@@ -59,7 +59,7 @@ void savePanelError(const fs::path& file, const std::string& key, const SavedPan
 }
 
 std::optional<SavedPanelError> loadPanelError(const fs::path& file, const std::string& key,
-                                              const LightFieldSize& size) {
+                                              const LightFieldSize& size, bool isDeep) {
   requireOurs(file, headOfAny);
   Cells hogels(std::size_t(size.nx) * std::size_t(size.ny));
   Cells directions(std::size_t(size.du) * std::size_t(size.dv));
@@ -74,7 +74,7 @@ std::optional<SavedPanelError> loadPanelError(const fs::path& file, const std::s
   if (!states || !readCells(in, hogels) || !readCells(in, directions) ||
       in.peek() != std::char_traits<char>::eof())
     return std::nullopt;
-  return SavedPanelError{*states, {size, std::move(hogels), std::move(directions)}};
+  return SavedPanelError{*states, {size, std::move(hogels), std::move(directions), isDeep}};
 }
 
 }  // namespace hogelscope

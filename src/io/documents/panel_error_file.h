@@ -23,6 +23,7 @@ void savePanelError(const std::filesystem::path& file, const std::string& key,
 /// Reads it; none if there is no complete file with this key and size. Throws InputError if there
 /// is a file that is not a panel error, since it would be replaced.
 std::optional<SavedPanelError> loadPanelError(const std::filesystem::path& file,
-                                              const std::string& key, const LightFieldSize& size);
+                                              const std::string& key, const LightFieldSize& size,
+                                              bool isDeep = false);
 
 }  // namespace hogelscope

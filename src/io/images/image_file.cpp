@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/optics/image.h"
 #include "io/images/big_tiff.h"
 #include "io/images/exr_header.h"
 #include "io/images/open_image_io.h"
@@ -67,6 +69,29 @@ StoredType typeOf(const OIIO::ImageSpec& spec) {
   }
 }
 
+/// The largest value of a PNM file, by its header: its third number. 0 where there is none.
+int largestPnmValue(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  in.ignore(2);  // "P6"
+  int value = 0;
+  for (int number = 0; number < 3; ++number) {
+    while (in >> std::ws && in.peek() == '#')
+      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    if (!(in >> value)) return 0;
+  }
+  return value;
+}
+
+/// The bits of 16-bit values: readers spread fewer bits over all 16, and OpenImageIO 2.4's of PNM
+/// does not say so.
+int bitsOf(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& file) {
+  if (format != "pnm") return std::clamp(spec.get_int_attribute("oiio:BitsPerSample", 16), 8, 16);
+  const int largest = largestPnmValue(file);
+  for (int bits = 9; bits < 16; ++bits)
+    if (largest == largestValue(bits)) return bits;
+  return 16;
+}
+
 }  // namespace
 
 struct ImageFile::Input {
@@ -87,7 +112,8 @@ ImageFile::ImageFile(ImageFile&&) noexcept = default;
 
 void ImageFile::openPng() {
   const PngRows png(m_file);
-  m_facts = {png.width(), png.height(), png.channels(), png.type(), "png"};
+  const int bits = png.type() == StoredType::uint8 ? 8 : 16;
+  m_facts = {png.width(), png.height(), png.channels(), png.type(), bits, "png"};
 }
 
 void ImageFile::openOther() {
@@ -102,8 +128,12 @@ void ImageFile::openOther() {
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
     throw InputError(m_file.string(), "", "is not a flat picture with pixels");
   checkSize(spec, m_file);
-  m_facts = {std::size_t(spec.width), std::size_t(spec.height), spec.nchannels, typeOf(spec),
-             m_input->image->format_name()};
+  const StoredType type = typeOf(spec);
+  const std::string format = m_input->image->format_name();
+  const int bits = type == StoredType::uint8    ? 8
+                   : type == StoredType::uint16 ? bitsOf(spec, format, m_file)
+                                                : 16;
+  m_facts = {std::size_t(spec.width), std::size_t(spec.height), spec.nchannels, type, bits, format};
 }
 
 template <class T>

@@ -29,6 +29,9 @@ class ImageFile {
   [[nodiscard]] std::size_t height() const { return m_facts.height; }
   [[nodiscard]] int channels() const { return m_facts.channels; }
   [[nodiscard]] StoredType type() const { return m_facts.type; }
+  /// The bits of a value as the file has them, 8 … 16: 10 for a PPM whose largest value is 1023. 16
+  /// for floats.
+  [[nodiscard]] int bits() const { return m_facts.bits; }
   [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
 
   /// Called with rows [first, first + rows), three values per pixel, valid only during the call.
@@ -52,6 +55,7 @@ class ImageFile {
     std::size_t height = 0;
     int channels = 0;
     StoredType type = StoredType::uint8;
+    int bits = 8;
     std::string format;
   };
   struct Input;

@@ -43,6 +43,7 @@ class HogelImage : public LightFieldFile {
   }
 
   [[nodiscard]] StoredType type() const override { return m_image.type(); }
+  [[nodiscard]] int bits() const override { return m_image.bits(); }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 

@@ -32,6 +32,8 @@ class LightFieldFile {
   [[nodiscard]] virtual LightFieldSize size() const = 0;
   [[nodiscard]] virtual std::vector<std::filesystem::path> files() const = 0;
   [[nodiscard]] virtual StoredType type() const = 0;
+  /// The bits of a value of the content, 8 … 16; by default all of its type, 16 of floats.
+  [[nodiscard]] virtual int bits() const { return type() == StoredType::uint8 ? 8 : 16; }
   /// Reads it into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 

@@ -64,10 +64,12 @@ class ViewsFolder : public ScatteredFile {
       : m_params(params), m_views(findViews(params, display.directions)) {
     const ImageFile first(m_views.files.front());
     m_type = first.type();
+    m_bits = first.bits();
     m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
   }
 
   [[nodiscard]] StoredType type() const override { return m_type; }
+  [[nodiscard]] int bits() const override { return m_bits; }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override { return m_views.files; }
 
@@ -109,6 +111,7 @@ class ViewsFolder : public ScatteredFile {
   LightFieldParams m_params;
   ViewFiles m_views;
   StoredType m_type{};
+  int m_bits = 8;
   LightFieldSize m_size;
 };
 
@@ -133,6 +136,7 @@ class QuiltImage : public ScatteredFile {
   }
 
   [[nodiscard]] StoredType type() const override { return m_image.type(); }
+  [[nodiscard]] int bits() const override { return m_image.bits(); }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override { return {m_image.file()}; }
 

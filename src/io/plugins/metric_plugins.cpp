@@ -30,7 +30,9 @@ Metric metricOf(const std::string& name) {
                        .where = MetricColumn::Where::window}},
           .means = {{.name = "mean_" + column,
                      .title = std::string("mean ") + metric->title(),
-                     .decimals = decimals}},
+                     .decimals = decimals,
+                     .isQuality = true,
+                     .unit = metric->unit()}},
           .compare = [metric](const Image& reference, const Image& test, const ParallelRows&,
                               const Progress& progress) -> std::vector<double> {
             hearStop(progress);

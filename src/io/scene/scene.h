@@ -23,9 +23,10 @@ struct Scene {
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
   bool isIdeal = false;  ///< its views are ideal views
+  int bits = 8;          ///< of its views' values
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
-    return {lightField, display, sampling, state, {}, isIdeal};
+    return {lightField, display, sampling, state, {}, isIdeal, bits};
   }
 };
 

@@ -3,12 +3,26 @@
 #include "report/page/plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/text.h"
 #include "report/page/html.h"
 
 namespace hogelscope {
+
+namespace {
+
+/// Okabe and Ito's colours for all kinds of colour vision, without the yellow, which paper loses.
+constexpr std::array<const char*, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                             "#e69f00", "#56b4e9", "#000000"};
+/// Corners of the markers other than the circle, in radii.
+constexpr std::array<std::array<double, 8>, 4> corners{{{-1, -1, 1, -1, 1, 1, -1, 1},
+                                                        {0, -1.2, 1.2, 1, 0, 1, -1.2, 1},
+                                                        {0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0},
+                                                        {0, 1.2, 1.2, -1, 0, -1, -1.2, -1}}};
+
+}  // namespace
 
 std::string coordinate(double value) {
   return rounded(value, 2);
@@ -25,15 +39,17 @@ std::string svgLine(double x1, double y1, double x2, double y2, std::string_view
 }
 
 std::string plotFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
-                      const std::string& titleUp) {
+                      const std::string& titleUp, std::vector<Tick> ticksAcross) {
   const double left = std::min(across.from, across.to);
   const double right = std::max(across.from, across.to);
   const double top = std::min(up.from, up.to);
   const double bottom = std::max(up.from, up.to);
   std::string text;
-  for (const Tick& tick : linearTicks(across, std::max(2, int((right - left) / 50)))) {
+  if (ticksAcross.empty()) ticksAcross = linearTicks(across, std::max(2, int((right - left) / 50)));
+  for (const Tick& tick : ticksAcross) {
     const double x = across.at(tick.value);
-    text += svgLine(x, top, x, bottom, "grid") + svgText(x, bottom + 17, "middle", tick.text);
+    text += svgLine(x, top, x, bottom, "grid");
+    if (!tick.text.empty()) text += svgText(x, bottom + 17, "middle", tick.text);
   }
   for (const Tick& tick : linearTicks(up, std::max(2, int((bottom - top) / 30)))) {
     const double y = up.at(tick.value);
@@ -47,13 +63,40 @@ std::string plotFrame(const Axis& across, const Axis& up, const std::string& tit
          ") rotate(-90)\">" + svgText(0, 0, "middle", titleUp) + "</g>\n";
 }
 
+const char* seriesColour(std::size_t series) {
+  return colours[series % colours.size()];
+}
+
+std::string seriesMark(std::size_t series, double x, double y, double radius,
+                       const std::string& attributes, const std::string& content) {
+  const std::size_t kind = series % (corners.size() + 1);
+  const std::string more = (attributes.empty() ? "" : " " + attributes) + ">" + content;
+  if (kind == 0)
+    return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
+           coordinate(radius) + "\"" + more + "</circle>";
+  std::string points;
+  for (std::size_t k = 0; k < 8; k += 2)
+    points += (k == 0 ? "" : " ") + coordinate(x + radius * corners[kind - 1][k]) + "," +
+              coordinate(y + radius * corners[kind - 1][k + 1]);
+  return "<polygon points=\"" + points + "\"" + more + "</polygon>";
+}
+
+std::string plotLegend(const std::vector<std::string>& names) {
+  std::string text = "<ul class=\"legend\">";
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += std::string("<li><svg viewBox=\"-8 -8 16 16\" width=\"14\" height=\"14\" fill=\"") +
+            seriesColour(k) + "\" aria-hidden=\"true\">" + seriesMark(k, 0, 0, 5, "", "") +
+            "</svg> " + escaped(names[k]) + "</li>";
+  return text + "</ul>\n";
+}
+
 std::vector<PlotPoint> pointsOf(const std::vector<ReportRow>& rows, const std::string& test,
                                 const DisplayParams& display) {
   const RigidTransform displayFromWorld = Display(display).displayFromWorld();
   std::vector<PlotPoint> points;
   for (const ReportRow& row : rows) {
     if (row.test != test) continue;
-    PlotPoint point{&row, displayFromWorld.point(row.eye), row.values[psnrColumn]};
+    PlotPoint point{&row, displayFromWorld.point(row.eye), row.values[psnrSeenColumn]};
     if (!row.problem.empty() || std::isnan(point.psnr))
       point.kind = PlotKind::none;
     else if (std::isinf(point.psnr))
@@ -74,7 +117,8 @@ std::string titleOf(const PlotPoint& point) {
     text += row.problem.empty() ? "nothing to compare" : row.problem;
   } else {
     text += point.kind == PlotKind::identical ? "identical" : rounded(point.psnr, 2) + " dB";
-    if (!std::isnan(row.values[ssimColumn])) text += ", SSIM " + rounded(row.values[ssimColumn], 4);
+    const double ssim = row.values[ssimSeenColumn];
+    if (!std::isnan(ssim)) text += ", SSIM " + rounded(ssim, 4);
   }
   return "<title>" + escaped(text) + "; eye " + rounded(point.eye.x, 3) + ", " +
          rounded(point.eye.y, 3) + ", " + rounded(point.eye.z, 3) + " m</title>";

@@ -17,9 +17,18 @@ std::string coordinate(double value);
 /// `anchor`: start, middle, end.
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
 std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
-/// Grid, ticks, frame and titles around the area of the two axes.
+/// Grid, ticks, frame and titles around the area of the two axes; linear ticks where none are
+/// given.
 std::string plotFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
-                      const std::string& titleUp);
+                      const std::string& titleUp, std::vector<Tick> ticksAcross = {});
+
+/// The colour of the k-th of several series; it is repeated after seven.
+const char* seriesColour(std::size_t series);
+/// A mark of that series: an element with its `attributes` and `content`.
+std::string seriesMark(std::size_t series, double x, double y, double radius,
+                       const std::string& attributes, const std::string& content);
+/// The names of all series beside their marks.
+std::string plotLegend(const std::vector<std::string>& names);
 
 /// What there is to say of a view at its place in a plot.
 enum class PlotKind { identical, none, compared };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PSNR over the horizontal viewing angle, one series for each test.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,31 +14,10 @@ namespace hogelscope {
 
 namespace {
 
-/// Okabe and Ito's colours for all kinds of colour vision, without the yellow, which paper loses.
-constexpr std::array<const char*, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                             "#e69f00", "#56b4e9", "#000000"};
-/// Corners of the markers other than the circle, in radii.
-constexpr std::array<std::array<double, 8>, 4> corners{{{-1, -1, 1, -1, 1, 1, -1, 1},
-                                                        {0, -1.2, 1.2, 1, 0, 1, -1.2, 1},
-                                                        {0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0},
-                                                        {0, 1.2, 1.2, -1, 0, -1, -1.2, -1}}};
-
 struct Series {
   std::string test;
   std::vector<PlotPoint> points;  ///< without those that compare nothing
 };
-
-std::string shape(std::size_t series, double x, double y, double radius) {
-  const std::size_t kind = series % (corners.size() + 1);
-  if (kind == 0)
-    return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
-           coordinate(radius) + "\"";
-  std::string points;
-  for (std::size_t k = 0; k < 8; k += 2)
-    points += (k == 0 ? "" : " ") + coordinate(x + radius * corners[kind - 1][k]) + "," +
-              coordinate(y + radius * corners[kind - 1][k + 1]);
-  return "<polygon points=\"" + points + "\"";
-}
 
 double angleOf(const Vec3& eye) {
   return std::atan2(eye.x, eye.z) * 180 / std::numbers::pi;
@@ -98,27 +76,17 @@ struct Area {
 };
 
 std::string drawn(const Area& area, const Series& series, std::size_t index) {
-  const std::string colour = colours[index % colours.size()];
+  const std::string colour = seriesColour(index);
   std::string text = "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">\n";
   for (const PlotPoint& point : series.points) {
     const bool isIdentical = point.kind == PlotKind::identical;
-    text += shape(index, area.across.at(angleOf(point.eye)),
-                  isIdentical ? area.stripOf(index) : area.up.at(point.psnr),
-                  0.8 * radiusFor(series.points.size()));
-    if (isIdentical) text += " class=\"hollow\"";
-    text += ">" + titleOf(point) + (shape(index, 0, 0, 1)[1] == 'c' ? "</circle>" : "</polygon>") +
+    text += seriesMark(index, area.across.at(angleOf(point.eye)),
+                       isIdentical ? area.stripOf(index) : area.up.at(point.psnr),
+                       0.8 * radiusFor(series.points.size()), isIdentical ? "class=\"hollow\"" : "",
+                       titleOf(point)) +
             "\n";
   }
   return text + "</g>\n";
-}
-
-std::string legend(const std::vector<Series>& all) {
-  std::string text = "<ul class=\"legend\">";
-  for (std::size_t k = 0; k < all.size(); ++k)
-    text += std::string("<li><svg viewBox=\"-8 -8 16 16\" width=\"14\" height=\"14\" fill=\"") +
-            colours[k % colours.size()] + "\" aria-hidden=\"true\">" + shape(k, 0, 0, 5) +
-            "/></svg> " + escaped(all[k].test) + "</li>";
-  return text + "</ul>\n";
 }
 
 }  // namespace
@@ -134,7 +102,10 @@ std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& d
                 "PSNR in dB");
   if (area.hasIdentical) text += svgText(56, 28, "end", "identical");
   for (std::size_t k = 0; k < all.size(); ++k) text += drawn(area, all[k], k);
-  return text + "</svg>\n" + legend(all) + "</figure>\n";
+  std::vector<std::string> names;
+  names.reserve(all.size());
+  for (const Series& series : all) names.push_back(series.test);
+  return text + "</svg>\n" + plotLegend(names) + "</figure>\n";
 }
 
 }  // namespace hogelscope

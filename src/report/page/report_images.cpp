@@ -16,11 +16,13 @@ std::string captioned(const std::string& png, const std::string& caption) {
 }
 
 std::string viewFigure(const ReportView& view, const ReportRow& row) {
-  const double db = row.values[psnrColumn];
+  const double db = row.values[psnrSeenColumn];
   std::string caption = view.which + " view: " + row.state + ", " + row.test + ": PSNR " +
                         rounded(db, 2) + (db < 1e6 ? " dB" : "") + ", SSIM " +
-                        rounded(row.values[ssimColumn], 4);
+                        rounded(row.values[ssimSeenColumn], 4);
   if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
+  if (view.scale > 1)
+    caption += ", 1/" + std::to_string(view.scale) + " of the size of the files in views";
   const std::string difference =
       view.gain == 1 ? "absolute difference"
                      : "absolute difference, " + std::to_string(view.gain) + " times as bright";

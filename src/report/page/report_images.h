@@ -2,6 +2,7 @@
 // The images of the report's page: chosen views beside each other, the error on the panel.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 
 namespace hogelscope {
 
+/// The pictures in a page are shrunk until their bytes, as base64, stay within this.
+constexpr std::size_t mostPictureBytes = 3000000;
+
 /// Three images of a row, whole PNG files' bytes.
 struct ReportView {
   std::size_t row = 0;  ///< of the report's rows
@@ -17,7 +21,8 @@ struct ReportView {
   std::string reference;
   std::string test;
   std::string difference;
-  int gain = 1;  ///< of the difference image
+  int gain = 1;   ///< of the difference image
+  int scale = 1;  ///< each pixel is the mean of scale × scale pixels of the files
 };
 
 /// A test's error over the hogels and over the directions, whole PNG files' bytes.

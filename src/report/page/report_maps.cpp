@@ -45,7 +45,7 @@ std::string colourOf(double share) {
 Span psnrSpan(const std::vector<ReportRow>& rows) {
   Span range;
   for (const ReportRow& row : rows) {
-    const double db = row.values[psnrColumn];
+    const double db = row.values[psnrSeenColumn];
     if (row.problem.empty() && std::isfinite(db)) range.add(db);
   }
   if (!(range.low <= range.high)) return range;

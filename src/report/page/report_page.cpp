@@ -37,7 +37,7 @@ std::string whatWasTested(const ReportPage& page) {
 std::string overPosition(const ReportPage& page) {
   return "<h2>PSNR over camera position</h2>\n<p>In the display's frame, in metres: the panel's "
          "middle is at 0. Filled: coloured by PSNR; hollow: identical; cross: nothing to compare; "
-         "one scale for all tests. "
+         "one scale for all tests; PSNR of the pixels seen. "
          "The pointer over a point shows its name and figures.</p>\n" +
          cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
 }
@@ -54,9 +54,12 @@ std::string errorOnPanel(const ReportPage& page) {
 constexpr const char* definitions =
     R"html(<h2>How to read the figures</h2>
 <dl>
-<dt>MSE, PSNR</dt><dd>Mean of the squared differences of 8-bit RGB values over all pixels and
-channels of the picture; PSNR = 10 log10(255²/MSE) in dB. “Seen” are the same over the pixels alone
-that both pictures see; “seen %” is their share of the picture.</dd>
+<dt>MSE, PSNR</dt><dd>Mean of the squared differences of RGB, in code values from 0 to 255, with the
+fractions of light fields of more than 8 bits; PSNR = 10 log10(255²/MSE) in dB, which is that of the
+peak of any other number of bits.</dd>
+<dt>Seen, frame</dt><dd>“Seen” is over the pixels that both pictures see, and so is all that is not called
+“frame”, which is over the whole picture: black surroundings, which no light field gets wrong, raise its
+PSNR. “Seen %” is the share of the pixels seen.</dd>
 <dt>Identical</dt><dd>MSE is 0, so that PSNR is infinite. Identical views are counted, and are in no mean
 of PSNRs.</dd>
 <dt>Mean PSNR, PSNR of mean MSE</dt><dd>The first is the mean of the finite PSNRs; the second is the PSNR
@@ -64,7 +67,7 @@ of the mean MSE, identical views included. They differ, and bad views weigh more
 <dt>PSNR-Y, PSNR-YUV</dt><dd>PSNR of the luma of BT.709 in full range; and
 (6 PSNR-Y + PSNR-Cb + PSNR-Cr)/8.</dd>
 <dt>SSIM</dt><dd>Structural similarity as Wang et al. 2004 have it, on luma, with an 11×11 Gaussian window
-of σ 1.5; 1 is identical.</dd>
+of σ 1.5; 1 is identical. “Seen” is the mean over the windows that hold only pixels seen.</dd>
 <dt>Intervals</dt><dd>95 % percentile bootstrap over the states, 10 000 resamples: how a mean would vary with
 other camera positions of the same kind, not with other scenes.</dd>
 <dt>Weighted</dt><dd>The same mean with each view counted by its state's weight.</dd>
@@ -82,8 +85,15 @@ std::string html(const ReportPage& page) {
       "\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
       title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
-      "<h1>Perceived views of " + title + "</h1>\n" + whatWasTested(page) +
-      summaryTables(page.summaries, page.metrics, page.comparisons);
+      "<h1>Perceived views of " + title + "</h1>\n" + summaryTables(page.summaries, page.metrics);
+  if (!page.groups.empty())
+    text +=
+        "<h2>Quality over rate</h2>\n<p>Means over the states with 95 % bootstrap intervals; over "
+        "the pixels seen, but for metrics of plugins. The pointer over a point shows its "
+        "figures.</p>\n" +
+        ratePlots(page.summaries, page.metrics, page.groups);
+  if (!page.comparisons.empty())
+    text += "<h2>Bjøntegaard deltas</h2>\n" + bdTable(page.comparisons);
   if (!page.rows.empty()) text += overPosition(page);
   if (!page.views.empty())
     text += "<h2>Worst, median and best views</h2>\n" + viewFigures(page.views, page.rows);
@@ -91,7 +101,8 @@ std::string html(const ReportPage& page) {
   if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows, page.metrics);
   if (!page.lenses.empty())
     text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
-  return text + definitions + "<script>" + reportScript + "</script>\n</body></html>\n";
+  return text + definitions + whatWasTested(page) + "<script>" + reportScript +
+         "</script>\n</body></html>\n";
 }
 
 }  // namespace hogelscope

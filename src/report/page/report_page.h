@@ -26,6 +26,7 @@ struct ReportPage {
   std::vector<ReportRow> rows;
   std::vector<TestSummary> summaries;
   std::vector<BdRow> comparisons;
+  std::vector<RateGroup> groups;
   std::vector<ReportLens> lenses;
   std::vector<ReportView> views;
   std::vector<ReportPanel> panels;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/metrics/report_rows.h"
+#include "core/metrics/summary.h"
 #include "core/optics/display.h"
 
 namespace hogelscope {
@@ -17,6 +17,11 @@ std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& 
 /// PSNR over the eye's horizontal angle, atan2(x, z) in the display frame, one series for each
 /// test. Empty where no PSNR is finite.
 std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& display);
+
+/// Rate–distortion: each headline quality over bits per directional pixel, a curve for each group,
+/// with the 95 % intervals of the means. Empty without groups.
+std::string ratePlots(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
+                      const std::vector<RateGroup>& groups);
 
 /// The false colours upright with their values, [low, high]; `unit` stands above.
 std::string colourBar(double low, double high, const std::string& unit);

@@ -40,6 +40,8 @@ svg .frame { fill: none; stroke: #888; }
 svg .bar { fill: #444; }
 svg .panel { fill: #00000010; stroke: #444; stroke-width: 1.5; }
 svg .points > * { stroke: #222; stroke-width: .6; }
+svg .points > .curve { fill: none; stroke: currentColor; stroke-width: 1.5; }
+svg .points > .interval { stroke: currentColor; stroke-width: 1.2; }
 svg .points > .hollow { fill: #fff; stroke-width: 1.6; }
 svg .points > .none { fill: none; stroke: #555; stroke-width: 1.5; }
 svg.map { max-width: 430px; }
@@ -47,6 +49,10 @@ svg.wide { display: block; width: 100%; max-width: 900px; }
 .wide .points > :not(.hollow) { stroke: #fff; }
 .wide .points > .hollow { stroke: currentColor; }
 .row > svg.colours { flex: 0 0 clamp(56px, 9.5%, 84px); }
+.plots { display: grid; gap: .6em 1.2em;
+  grid-template-columns: repeat(auto-fill, minmax(min(340px, 100%), 1fr)); }
+summary { cursor: pointer; color: #444; font-size: .93em; }
+details pre { overflow-x: auto; background: #f4f4f4; padding: .6em; font-size: .85em; }
 .legend { list-style: none; margin: .3em 0 0; padding: 0 0 0 4em; display: flex;
   flex-wrap: wrap; gap: .2em 1.6em; }
 .legend svg { vertical-align: -2px; }
@@ -63,6 +69,17 @@ svg.wide { display: block; width: 100%; max-width: 900px; }
 .row > .cells { flex: 0 1 28em; }
 dt { font-weight: bold; margin-top: .5em; }
 dd { margin-left: 1.2em; }
+@media (max-width: 40em) {
+  body { margin: 1em auto; padding: 0 .7em; }
+  .row { flex-wrap: wrap; }
+  .row.views > *, .row > svg.map, .row > .cells { flex: 1 1 100%; max-width: none; }
+  .row > figure:not(:only-child) { flex: 1 1 100%; }
+  .facts, .facts tbody, .facts tr, .facts th, .facts td { display: block; }
+  .facts th { white-space: normal; border-bottom: 0; padding-bottom: 0; }
+  .legend { padding: 0; }
+  figure { overflow-x: auto; }
+  svg.wide { width: 640px; }
+}
 @page { size: A4; margin: 14mm; }
 @media print {
   body { font-size: 9.5pt; margin: 0; padding: 0; max-width: none; color: #000; }
@@ -71,6 +88,7 @@ dd { margin-left: 1.2em; }
   dt, h2 + p { break-after: avoid; }
   thead { display: table-header-group; break-inside: avoid; }
   .scroll { overflow: visible; }
+  details { display: none; }
   td, th { padding: .2em .45em; }
   .sorts, .means { font-size: 8pt; }
   .sorts [role=button]::after { content: none; }
@@ -123,7 +141,7 @@ for (const table of document.querySelectorAll('table.sorts')) {
 // wants after a change.
 const char* const reportPolicy =
     "default-src 'none'; img-src data:; "
-    "style-src 'sha256-SipA1e9kjVUmuIHfZEBjfqAf/SG4GOpJMrU3ustHF8s='; "
+    "style-src 'sha256-7LeUO1huCndHKGEQLE6gSvdYm6qSAuVzg8XjeZ63mog='; "
     "script-src 'sha256-lmUoGecNZ58PNl/B9kNeqhFLMVy4O+TalemMY/rrKcI='; "
     "base-uri 'none'; form-action 'none'";
 

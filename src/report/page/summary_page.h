@@ -15,9 +15,10 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
 /// BD-rates, a line each.
 std::string bdText(const std::vector<BdRow>& rows);
 
-/// The figures of every test, and the BD-rates if there are any, as HTML. The last summary is that
-/// over all.
-std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
-                          const std::vector<BdRow>& comparisons);
+/// The figures of every test as HTML. The last summary is that over all.
+std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
+
+/// BD-rates as HTML.
+std::string bdTable(const std::vector<BdRow>& rows);
 
 }  // namespace hogelscope
