@@ -106,6 +106,7 @@ int runReport(const CommandLine& line) {
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
+  keepSession(line, request.session);
   announcePassing(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests)
     announcePassing(*test.file, request.memory / 2, isQuiet);
