@@ -117,14 +117,20 @@ class Judgement {
     if (names != seen) m_sureness = std::min(m_sureness, Sureness::likely);
   }
 
+  /// Motion alone allows an order and its opposite. One of them is said, or is the usual one.
   void withoutEvidence(const Order& seen) {
-    if (!fitsMotion(m_order, m_measured.correlation)) m_order = seen;
-    if (m_measured.places == 0)
+    const double correlation = m_measured.correlation;
+    if (m_measured.places == 0) {
       m_reason = "nothing in the views has enough structure to follow";
-    else if (std::abs(m_measured.correlation) >= clearCorrelation)
-      m_reason = evidence() + ": too little to tell near from far";
-    else
+    } else if (std::abs(correlation) < clearCorrelation) {
       m_reason = "the views do not show what is near and what is far";
+    } else if (fitsMotion(m_order, correlation)) {
+      m_sureness = Sureness::likely;
+      m_reason = evidence() + ": columns and rows fit each other, but little tells near from far";
+    } else {
+      m_order = seen;
+      m_reason = evidence() + ": columns or rows are reversed, but little tells which";
+    }
   }
 
   [[nodiscard]] std::string evidence() const {

@@ -37,7 +37,7 @@ class Views {
   cv::Mat1b scaled(const GreyPicture& picture) {
     constexpr double mostSide = 512;
     constexpr double leastSide = 160;
-    const double side = std::max(picture.width, picture.height);
+    const double side = std::max({picture.width, picture.height, 1});
     if (side > mostSide) m_scale = mostSide / side;
     if (side < leastSide) m_scale = std::ceil(leastSide / side);
     const cv::Mat1b whole(picture.height, picture.width,
@@ -266,7 +266,7 @@ void decideAlone(ViewOrder& order, const Occlusions& votes, bool& isReversed) {
 /// Depths move along columns as they do along rows, which leaves two orders, each the other
 /// backwards; what hides what chooses.
 void decideTogether(ViewOrder& order, bool& isUp, bool& isLeft) {
-  constexpr int forSure = 20;
+  constexpr int forSure = 30;
   constexpr double partForSure = 0.85;
   constexpr double correlationForSure = 0.7;
   const bool areAlike = order.correlation > 0;
@@ -279,25 +279,28 @@ void decideTogether(ViewOrder& order, bool& isUp, bool& isLeft) {
                          agrees(order.alongColumns, isLeft) && agrees(order.alongRows, isUp);
   if (order.sureness == Sureness::sure && !isCertain) order.sureness = Sureness::likely;
   if (order.sureness != Sureness::unknown) return;
-  // Cameras are seldom numbered backwards both ways.
-  isLeft = false;
+  isLeft = false;  // cameras are seldom numbered backwards both ways
   isUp = !areAlike;
-  if (areAlike && order.correlation >= correlationForSure && votes.reversed <= votes.ordered)
-    order.sureness = Sureness::likely;
 }
 
-/// Whether two rows of the grid say the opposite of each other.
+/// Whether one row of the grid says the opposite of another, or its neighbours do not continue it
+/// though they do elsewhere.
 bool isToAndFro(const std::vector<std::vector<PlaceMotion>>& places) {
   constexpr double clear = 0.5;
+  constexpr std::size_t many = 60;
   bool isThere = false;
   bool isReversed = false;
+  std::size_t fewest = places.front().size();
+  std::size_t most = 0;
   for (const auto& list : places) {
-    if (list.size() < 20) continue;
+    fewest = std::min(fewest, list.size());
+    most = std::max(most, list.size());
+    if (list.size() < many / 3) continue;
     const double correlation = correlationOf(all({list}, columnsX), all({list}, rowsY));
     isThere = isThere || correlation > clear;
     isReversed = isReversed || correlation < -clear;
   }
-  return isThere && isReversed;
+  return (isThere && isReversed) || (most >= many && 10 * fewest < most);
 }
 
 /// Whether different depths move differently enough to be compared.
@@ -320,10 +323,10 @@ namespace {
 /// Measures the grid, and decides.
 class Finder {
  public:
-  Finder(const GreyGrid& grid, const Progress& progress)
+  Finder(const GreyGrid& grid, Views views, const Progress& progress)
       : m_progress(progress),
         m_grid(grid),
-        m_views(grid),
+        m_views(std::move(views)),
         m_columns(m_views, grid, true),
         m_rows(m_views, grid, false) {}
 
@@ -449,8 +452,12 @@ class Finder {
 }  // namespace
 
 ViewOrder findViewOrder(const GreyGrid& grid, const Progress& progress) {
+  constexpr int leastSide = 32;  // of what the flow looks at
   if (grid.rows * grid.columns < 2) return {};
-  return Finder(grid, progress).find();
+  Views views(grid);
+  const cv::Size size = views.at(grid.rows / 2, grid.columns / 2).size();
+  if (std::min(size.width, size.height) < leastSide) return {};
+  return Finder(grid, std::move(views), progress).find();
 }
 
 }  // namespace hogelscope
