@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds by their content alone how views lie in a grid: which end of a row was taken from the left,
-// which end of a column from the top, and by how much the middle depth moves. docs/formulas.md,
-// "Order of views".
+// which end of a column from the top, and by how much the middle depth moves.
+// docs/formulas.md, Order of views.
 #pragma once
 
 #include <array>
