@@ -24,6 +24,7 @@ std::vector<int> shownOf(int count) {
   constexpr int most = 5;
   const int shown = std::min(count, most);
   std::vector<int> indices;
+  indices.reserve(std::size_t(shown));
   for (int k = 0; k < shown; ++k)
     indices.push_back(shown == 1 ? 0 : int(std::lround(double(k) * (count - 1) / (shown - 1))));
   return indices;

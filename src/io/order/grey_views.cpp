@@ -3,6 +3,7 @@
 #include "io/order/grey_views.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -20,7 +21,7 @@ template <class T>
 std::uint8_t greyOf(const T* rgb) {
   constexpr double full = std::is_floating_point_v<T> ? 1.0 : double(std::numeric_limits<T>::max());
   const double luma = 0.299 * double(rgb[0]) + 0.587 * double(rgb[1]) + 0.114 * double(rgb[2]);
-  return std::uint8_t(std::clamp(luma / full, 0.0, 1.0) * 255 + 0.5);
+  return std::uint8_t(std::lround(std::clamp(luma / full, 0.0, 1.0) * 255));
 }
 
 GreyPicture readGrey(const std::filesystem::path& file, const Progress& progress = {}) {
