@@ -79,12 +79,16 @@ Session checkedSession(const CommandLine& line, const std::optional<Calibration>
 
 }  // namespace
 
+bool isSessionDocument(const std::string& file) {
+  return isSessionFile(file) && !isFolder(file);
+}
+
 Session loadSessionOf(const CommandLine& line) {
   const std::string file = line.text("session");
   std::optional<Calibration> calibration;
   if (line.mayHave("calibration") && line.has("calibration"))
     calibration = loadCalibration(line.text("calibration"));
-  const bool isAround = isFolder(file) || !isSessionFile(file);
+  const bool isAround = !isSessionDocument(file);
   Session session = isAround ? sessionAroundFile(line) : checkedSession(line, calibration);
   if (isAround && calibration)
     for (CameraState& state : session.cameras) apply(*calibration, state);

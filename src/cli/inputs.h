@@ -14,6 +14,9 @@
 
 namespace hogelscope {
 
+/// Whether a file is a session, not a light field that a session is made around.
+bool isSessionDocument(const std::string& file);
+
 /// The session that --session names, or a new one around a folder, a picture or a mesh, with --set,
 /// and with --calibration if the job has it. What its pictures say against the order of its views
 /// goes to stderr. Throws InputError, or Cancelled.

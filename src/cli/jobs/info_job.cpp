@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/folders.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_file.h"
 #include "io/layouts/view_files.h"
@@ -184,7 +183,7 @@ struct Subject {
 
 Subject subjectOf(const CommandLine& line) {
   const std::string& file = line.subject;
-  if (isFolder(file) || !isSessionFile(file)) {
+  if (!isSessionDocument(file)) {
     OrderedSession around = sessionAroundSubject(line);
     return {std::move(around.session), std::move(around.order), false};
   }
@@ -256,7 +255,7 @@ void writeSheet(const CommandLine& line, const Subject& subject, const AssumedOr
     throw InputError(line.subject, "display.hogels",
                      "and display.directions are needed for a contact sheet");
   const auto lightField = openLightField(subject.session.lightField, subject.session.display);
-  checkOutputs({file}, inputFiles({line.subject}, *lightField));
+  checkOutputs({file}, inputFiles({line.subject}, subject.session, *lightField));
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);
   writeContactSheet(file, subject.order, assumed, subject.session.display, bar.progress());

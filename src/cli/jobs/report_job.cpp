@@ -91,7 +91,7 @@ int runReport(const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
   ReportRequest request;
   request.name = line.text("session");
-  request.sessionFile = line.text("session");
+  if (isSessionDocument(request.name)) request.sessionFile = request.name;
   request.session = loadSelected(line);
   request.file = openLightField(request.session.lightField, request.session.display);
   request.isAgainstIdeal = line.has("against");

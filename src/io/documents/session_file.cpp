@@ -363,7 +363,8 @@ OrderedSession orderedSessionAround(const std::string& file,
       session.lightField = result.order.found;
     }
     session.display = displayAround(session.lightField, said.display);
-    if (const double distance = std::exchange(session.display.viewingDistance, notGiven); distance > 0)
+    if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
+        distance > 0)
       session.lightField.viewingDistance = distance;
   }
   session.cameras = {inFrontOf(session.display)};

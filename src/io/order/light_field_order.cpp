@@ -157,8 +157,10 @@ double roundedShear(double pixels) {
   return std::round(100 * pixels) / 100 + 0.0;  // 0, not −0
 }
 
-/// What moves the middle depth's motion away, in the order of the parameters.
+/// What takes the middle depth's motion away, in the order of the parameters; cameras at a given
+/// distance keep their own geometry.
 std::array<double, 2> shearOf(const LightFieldParams& params, const ViewOrder& measured) {
+  if (params.viewingDistance > 0) return params.shear;
   const auto [x, y] = measured.middleMotion;
   return {roundedShear(params.columns == ColumnOrder::leftRight ? -x : x),
           roundedShear(params.rows == RowOrder::topDown ? -y : y)};
@@ -276,9 +278,9 @@ std::vector<std::string> mendingOf(const LightFieldParams& used, const LightFiel
 }
 
 std::string contradictionOf(const LightFieldParams& used, const LightFieldOrder& order) {
-  LightFieldParams other = order.found;
-  other.shear = used.shear;
-  if (other == used) return {};
+  LightFieldOrder ofShear = order;  // another shear is a choice
+  ofShear.found.shear = used.shear;
+  if (mendingOf(used, ofShear).empty()) return {};
   const bool isCertain = order.sureness == Sureness::sure;
   std::string text =
       "lightField: the order of views contradicts their pictures, so depth is "
