@@ -35,7 +35,8 @@ FlagGroup inputs() {
         .value = "FILE",
         .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff},
         .neededBy = {render, report, makeCameras, generate, exportAs, tradeoff},
-        .help = "The session document: display, light field and camera states."},
+        .help = "The session document: display, light field and camera states. A folder of views, "
+                "a picture or a mesh makes one around it."},
        {.name = "set",
         .value = "S.F=VALUE",
         .jobs = {render, report, makeCameras, generate, pack, exportAs, tradeoff, info},
@@ -66,13 +67,23 @@ FlagGroup inputs() {
 }
 
 FlagGroup outputs() {
+  std::vector<Command> andInfo = writing;
+  andInfo.push_back(info);
   return {"What is written",
           {{.name = "output",
             .value = "PATH",
-            .jobs = writing,
+            .jobs = andInfo,
             .neededBy = writing,
             .help = "The folder for the results; for --make-cameras, --generate, --pack and "
                     "--export the file (views: the folder). Folders are made if missing."},
+           {.name = "save-session",
+            .value = "FILE",
+            .jobs = {render, report, tradeoff, exportAs},
+            .help = "Also writes the session as it is used, with --set applied: with a folder or a "
+                    "picture as --session, the session that was made around it."},
+           {.name = "json",
+            .jobs = {info},
+            .help = "Prints order, shear and size of a light field for programs."},
            {.name = "format",
             .value = "png|exr|tif",
             .jobs = {render},

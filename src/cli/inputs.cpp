@@ -7,9 +7,12 @@
 #include <cmath>
 #include <iostream>
 
+#include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
+#include "io/files/folders.h"
+#include "io/files/output_folder.h"
 #include "report/streamed_images.h"
 
 namespace hogelscope {
@@ -38,15 +41,75 @@ std::size_t pixelBytes(const LightFieldFile& file) {
 
 }  // namespace
 
-Session loadSelected(const CommandLine& line) {
+namespace {
+
+void warn(const CommandLine& line, const std::string& warning) {
+  if (!line.has("quiet") && !warning.empty())
+    std::cerr << "hogelscope: " << line.text("session") << ": warning: " << warning << "\n";
+}
+
+/// A new session around a folder, a picture or a mesh, and a line on what is assumed of it.
+Session sessionAroundFile(const CommandLine& line) {
+  ProgressBar bar("looking at the views", line.has("quiet"));
+  const OrderedSession around =
+      orderedSessionAround(line.text("session"), line.texts("set"), bar.progress());
+  bar.done();
+  const LightFieldParams& used = around.session.lightField;
+  for (const std::string& warning : around.order.warnings) warn(line, warning);
+  warn(line, contradictionOf(used, around.order));
+  if (!line.has("quiet") && used.layout == Layout::views)
+    std::cerr << "hogelscope: " << line.text("session") << ": rows " << nameOf(used.rows)
+              << ", columns " << nameOf(used.columns) << " (" << nameOf(around.order.sureness)
+              << "), shear " << numberText(used.shear[0]) << ", " << numberText(used.shear[1])
+              << "\n";
+  return around.session;
+}
+
+/// The session of a document, and a warning if its views are in another order.
+Session checkedSession(const CommandLine& line, const std::optional<Calibration>& calibration) {
+  Session session = loadSession(line.text("session"), line.texts("set"), calibration);
+  if (line.has("quiet") || session.lightField.layout != Layout::views) return session;
+  ProgressBar bar("looking at the views", false);
+  warn(line,
+       contradictionOf(session.lightField,
+                       findLightFieldOrder(session.lightField, session.display, bar.progress())));
+  bar.done();
+  return session;
+}
+
+}  // namespace
+
+bool isSessionDocument(const std::string& file) {
+  return isSessionFile(file) && !isFolder(file);
+}
+
+Session loadSessionOf(const CommandLine& line) {
   const std::string file = line.text("session");
   std::optional<Calibration> calibration;
-  if (line.has("calibration")) calibration = loadCalibration(line.text("calibration"));
-  Session session = loadSession(file, line.texts("set"), calibration);
+  if (line.mayHave("calibration") && line.has("calibration"))
+    calibration = loadCalibration(line.text("calibration"));
+  const bool isAround = !isSessionDocument(file);
+  Session session = isAround ? sessionAroundFile(line) : checkedSession(line, calibration);
+  if (isAround && calibration)
+    for (CameraState& state : session.cameras) apply(*calibration, state);
+  return session;
+}
+
+void keepSession(const CommandLine& line, const Session& session) {
+  if (!line.has("save-session")) return;
+  const std::string file = line.text("save-session");
+  if (!isSessionFile(file))
+    throw InputError("--save-session " + file, "cannot be written: a session's name ends in .json");
+  checkOutputs({file}, {contentName(session.lightField)});
+  makeFolderOf(file);
+  saveSession(file, session);
+}
+
+Session loadSelected(const CommandLine& line) {
+  const std::string file = line.text("session");
+  Session session = loadSessionOf(line);
   session.cameras = selected(session, line.text("states", "*"), file);
-  if (!line.has("quiet"))
-    for (const std::string& warning : warnings(session))
-      std::cerr << "hogelscope: " << file << ": warning: " << warning << "\n";
+  for (const std::string& warning : warnings(session)) warn(line, warning);
   return session;
 }
 
@@ -58,12 +121,15 @@ std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path>
   return others;
 }
 
-Session sessionAroundSubject(const CommandLine& line) {
+OrderedSession sessionAroundSubject(const CommandLine& line) {
   for (const std::string& text : line.texts("set"))
     if (!text.starts_with("lightField.") && !text.starts_with("display."))
       throw InputError("--set " + text,
                        "does not apply to a light field; lightField and display do");
-  return sessionAround(line.subject, line.texts("set"));
+  ProgressBar bar("looking at the views", line.mayHave("quiet") && line.has("quiet"));
+  OrderedSession around = orderedSessionAround(line.subject, line.texts("set"), bar.progress());
+  bar.done();
+  return around;
 }
 
 std::string readingTimeText(const LightFieldFile& file) {

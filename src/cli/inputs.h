@@ -9,12 +9,24 @@
 
 #include "cli/command_line.h"
 #include "core/optics/session.h"
+#include "io/documents/session_file.h"
 #include "io/layouts/light_field_file.h"
 
 namespace hogelscope {
 
-/// The session with --calibration, --set and only the states that --states selects; its warnings go
-/// to stderr. Throws InputError.
+/// Whether a file is a session, not a light field that a session is made around.
+bool isSessionDocument(const std::string& file);
+
+/// The session that --session names, or a new one around a folder, a picture or a mesh, with --set,
+/// and with --calibration if the job has it. What its pictures say against the order of its views
+/// goes to stderr. Throws InputError, or Cancelled.
+Session loadSessionOf(const CommandLine& line);
+
+/// Writes the session to --save-session, if that is given. Throws InputError.
+void keepSession(const CommandLine& line, const Session& session);
+
+/// The same session with only the states that --states selects; its other warnings go to stderr,
+/// too. Throws InputError, or Cancelled.
 Session loadSelected(const CommandLine& line);
 
 /// The files of a session's light field and lens, after the other ones that a job reads.
@@ -25,7 +37,7 @@ std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path>
 /// A new session around the light field that the job's own option names, read as --set says. Throws
 /// InputError, also for a --set of what such a session does not have: camera states and their
 /// sampling.
-Session sessionAroundSubject(const CommandLine& line);
+OrderedSession sessionAroundSubject(const CommandLine& line);
 
 /// ", about 4 min" for reading a plain PNG, or another file of so many pixels, on one core; "" for
 /// some seconds.

@@ -127,8 +127,13 @@ const std::vector<Job>& jobs() {
       {.command = Command::info,
        .name = "info",
        .value = "FILE",
-       .help = "Says what a session, a light field's image, a folder of views or a store is.",
+       .help = "Says what a session, a light field's image, a folder of views or a store is, in "
+               "which order its views are, and how sure that is.",
+       .details = "--output DIR writes DIR/views.png, a contact sheet: the views as their cameras "
+                  "stand, with arrows.",
        .examples = "  hogelscope --info data/table1.json\n"
+                   "  hogelscope --info views --json\n"
+                   "  hogelscope --info views --output sheet\n"
                    "  hogelscope --info views --set lightField.pattern=view_RR_CC.png\n"
                    "  hogelscope --info large.png --set display.hogels=[512,512] \\\n"
                    "             --set display.directions=[600,600]\n",

@@ -21,6 +21,11 @@ const QStringList designedFlags{
     "stability", "tradeoff", "states",     "threads",     "memory",       "set",         "quiet",
     "version",   "help",     "fail-below", "calibration", "calibrations", "make-cameras"};
 
+/// Of pictures of one colour.
+const char* const noOrder =
+    "order       rows top-down, columns left-right: unknown\n"
+    "found by    nothing in the views has enough structure to follow\n";
+
 std::vector<std::string> listOf(const QStringList& arguments) {
   std::vector<std::string> list;
   for (const QString& argument : arguments) list.push_back(argument.toStdString());
@@ -249,7 +254,8 @@ void TestCommandLine::infoOfTheSample() {
                                    "directions  5×6\n"
                                    "hogel image 20×18 px\n"
                                    "state       é: eye (0.1, -2, 3) m, fov 45.5°, 64×48 px, psf "
-                                   "sigma 0.67 in 1 px\n"));
+                                   "sigma 0.67 in 1 px\n") +
+                            noOrder);
   QCOMPARE(outcome.status, 0);
 }
 
@@ -288,7 +294,8 @@ void TestCommandLine::infoOfPictures() {
                       "layout      quilt of 4×3 views\n"
                       "hogels      5×6\n"
                       "directions  12×1\n"
-                      "hogel image 60×6 px\n"));
+                      "hogel image 60×6 px\n") +
+               noOrder);
 }
 
 void TestCommandLine::infoOfAFolder() {
@@ -299,7 +306,8 @@ void TestCommandLine::infoOfAFolder() {
                                                                   "last        003_005.png\n"
                                                                   "hogels      8×6\n"
                                                                   "directions  2×2\n"
-                                                                  "hogel image 16×12 px\n"));
+                                                                  "hogel image 16×12 px\n") +
+                                                           noOrder + "shear       0, 0 px/view\n");
 }
 
 void TestCommandLine::infoHearsSettings_data() {

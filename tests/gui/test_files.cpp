@@ -5,12 +5,15 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QProgressBar>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
+#include "io/documents/session_file.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"
+#include "tests/io/layered_views.h"
 
 using namespace hogelscope;
 
@@ -104,6 +107,30 @@ class TestFiles : public HabitsTest {
     const DialogAnswer next({});
     action("openLightFieldAction")->trigger();
     QCOMPARE(next.folder, far);
+  }
+
+  /// Of a folder whose rows run upwards; a session that says otherwise is told so.
+  void viewsGetTheirOrder() {
+    QVERIFY(QDir(m_folder->path()).mkpath("v"));
+    const GreyGrid grid = gridOf(randomScene(7, 1, 6), 3, 5, {true, false, false});
+    for (int k = 0; k < 15; ++k) {
+      const GreyPicture view = grid.view(k / 5, k % 5);
+      const QImage image(view.values.data(), view.width, view.height, view.width,
+                         QImage::Format_Grayscale8);
+      QVERIFY(image.save(m_folder->filePath(QString("v/00%1_00%2.png").arg(k / 5).arg(k % 5))));
+    }
+    const auto& lightField = model().session().lightField;
+    QVERIFY(files(*m_window).open(m_folder->filePath("v")));
+    QTRY_VERIFY_WITH_TIMEOUT(lightField.layout == Layout::views, patience);
+    QVERIFY(lightField.rows == RowOrder::bottomUp && lightField.shear[1] > 0.5);
+    Session wrong = model().session();
+    wrong.lightField.rows = RowOrder::topDown;
+    saveSession(m_folder->filePath("wrong.json").toStdString(), wrong);
+    QSignalSpy errors(&files(*m_window), &FileCommands::failed);
+    QVERIFY(files(*m_window).open(m_folder->filePath("wrong.json")));
+    QTRY_COMPARE_WITH_TIMEOUT(errors.size(), 1, patience);
+    QVERIFY(errors[0][0].toString().contains("mend it with lightField.rows=bottom-up"));
+    QVERIFY(lightField.rows == RowOrder::topDown);
   }
 
   void dropsOpenImportAndCompare() {

@@ -34,6 +34,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"io/store", {"core", "io/files", "io/json", "io/images", "io/layouts", "io/plugins"}},
       {"io/scene",
        {"core", "io/files", "io/images", "io/layouts", "io/plugins", "io/store", "sdk/hogelscope"}},
+      {"io/order", {"core", "io/files", "io/json", "io/images", "io/layouts", "io/scene"}},
       {"io/documents", {"core", "io"}},
       {"vtk", {"core"}},
       {"study", {"core"}},

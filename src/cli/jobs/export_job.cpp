@@ -15,7 +15,8 @@
 namespace hogelscope {
 
 int runExport(const CommandLine& line) {
-  const Session session = loadSession(line.text("session"), line.texts("set"));
+  const Session session = loadSessionOf(line);
+  keepSession(line, session);
   if (line.subject == "pack") return packContent(session, true, line);
   const bool isHogels = line.subject == "hogels";
   const bool isQuilt = line.subject == "quilt";

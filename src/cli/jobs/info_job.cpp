@@ -6,12 +6,16 @@
 
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
+#include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
 #include "io/images/image_file.h"
 #include "io/layouts/view_files.h"
 #include "io/layouts/view_layouts.h"
+#include "io/order/contact_sheet.h"
+#include "io/order/order_document.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
@@ -170,24 +174,108 @@ void printSession(std::ostream& out, const Session& session) {
   }
 }
 
+/// A light field, and what was found out about the order of its views.
+struct Subject {
+  Session session;
+  LightFieldOrder order;
+  bool isDocument = false;
+};
+
+Subject subjectOf(const CommandLine& line) {
+  const std::string& file = line.subject;
+  if (!isSessionDocument(file)) {
+    OrderedSession around = sessionAroundSubject(line);
+    return {std::move(around.session), std::move(around.order), false};
+  }
+  Subject subject{loadSession(file, line.texts("set")), {}, true};
+  ProgressBar bar("looking at the views", false);
+  subject.order =
+      findLightFieldOrder(subject.session.lightField, subject.session.display, bar.progress());
+  bar.done();
+  return subject;
+}
+
+/// Whether the size of an image of hogels is known.
+bool isWhole(const Session& session) {
+  return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
+}
+
+AssumedOrder assumedOf(const Subject& subject) {
+  const auto& [session, order, isDocument] = subject;
+  if (!isWhole(session))
+    return {
+        session.lightField,
+        {},
+        {},
+        {},
+        Sureness::unknown,
+        {"display.hogels and display.directions are not given, and the file does not say them"}};
+  const LightFieldSize size = session.lightField.layout == Layout::live
+                                  ? Display(session.display).size()
+                                  : openLightField(session.lightField, session.display)->size();
+  return assumedOrder(session.lightField, size, order);
+}
+
+void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& assumed) {
+  const LightFieldParams& params = assumed.used;
+  if (params.layout == Layout::live || !isWhole(subject.session)) return;
+  out << "order       rows " << nameOf(assumed.rows) << ", columns " << nameOf(assumed.columns)
+      << ": " << nameOf(assumed.sureness) << "\n"
+      << "found by    " << subject.order.reason << "\n";
+  const bool isFound = params.shear == subject.order.found.shear &&
+                       subject.order.measured.middleMotion != std::array{0.0, 0.0};
+  if (params.layout == Layout::views)
+    out << "shear       " << numberText(params.shear[0]) << ", " << numberText(params.shear[1])
+        << " px/view" << (isFound ? ", which puts the middle depth on the panel" : "") << "\n";
+  for (const std::string& warning : assumed.warnings) out << "warning     " << warning << "\n";
+  const std::vector<std::string> mending = mendingOf(params, subject.order);
+  if (mending.empty() || contradictionOf(params, subject.order).empty()) return;
+  out << "mend it     ";
+  for (const std::string& change : mending)
+    out << (change == mending.front() ? "" : " ") << "--set " << change;
+  out << "\n";
+}
+
+void printWords(std::ostream& out, const Subject& subject, const AssumedOrder& assumed) {
+  if (subject.isDocument) {
+    printSession(out, subject.session);
+  } else {
+    const Layout layout = subject.session.lightField.layout;
+    (layout == Layout::views  ? printFolder
+     : layout == Layout::pack ? printStore
+     : layout == Layout::live ? printMesh
+                              : printImage)(out, subject.session);
+  }
+  printOrder(out, subject, assumed);
+}
+
+void writeSheet(const CommandLine& line, const Subject& subject, const AssumedOrder& assumed) {
+  const fs::path file = fs::path(line.text("output")) / "views.png";
+  if (!isWhole(subject.session))
+    throw InputError(line.subject, "display.hogels",
+                     "and display.directions are needed for a contact sheet");
+  const auto lightField = openLightField(subject.session.lightField, subject.session.display);
+  checkOutputs({file}, inputFiles({line.subject}, subject.session, *lightField));
+  makeFolderOf(file);
+  ProgressBar bar("drawing the views", false);
+  writeContactSheet(file, subject.order, assumed, subject.session.display, bar.progress());
+  bar.done();
+}
+
 }  // namespace
 
 int runInfo(const CommandLine& line) {
-  const std::string& file = line.subject;
   std::ostringstream out;
   try {
-    if (isSessionFile(file)) {
-      printSession(out, loadSession(file, line.texts("set")));
-    } else {
-      const Session around = sessionAroundSubject(line);
-      const Layout layout = around.lightField.layout;
-      (layout == Layout::views  ? printFolder
-       : layout == Layout::pack ? printStore
-       : layout == Layout::live ? printMesh
-                                : printImage)(out, around);
-    }
+    const Subject subject = subjectOf(line);
+    const AssumedOrder assumed = assumedOf(subject);
+    if (line.has("json"))
+      out << orderDocument(assumed);
+    else
+      printWords(out, subject, assumed);
+    if (line.has("output")) writeSheet(line, subject, assumed);
   } catch (const InputError& error) {
-    throw error.in(file);
+    throw error.in(line.subject);
   }
   std::cout << out.str();
   return 0;

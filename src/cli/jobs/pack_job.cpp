@@ -29,7 +29,7 @@ Content loadContent(const CommandLine& line) {
   if (line.has("session"))
     return {withLightField(loadSession(line.text("session"), overrides), line.subject), true};
   if (isSessionFile(line.subject)) return {loadSession(line.subject, overrides), true};
-  return {sessionAroundSubject(line), false};
+  return {sessionAroundSubject(line).session, false};
 }
 
 std::string shapeText(const StoreHeader& header) {

@@ -105,6 +105,7 @@ int runRender(const CommandLine& line) {
   if (output.isIdeal) requireScene(session);
   checkOutputs(output.allFiles(session.cameras),
                inputFiles({line.text("session"), line.text("calibration")}, session, *file));
+  keepSession(line, session);
   makeFolder(output.folder);
   const bool isPassing = mustPass(*file, allowedMemory());
   const bool isQuiet = line.has("quiet");

@@ -91,7 +91,7 @@ int runReport(const CommandLine& line) {
   const bool isQuiet = line.has("quiet");
   ReportRequest request;
   request.name = line.text("session");
-  request.sessionFile = line.text("session");
+  if (isSessionDocument(request.name)) request.sessionFile = request.name;
   request.session = loadSelected(line);
   request.file = openLightField(request.session.lightField, request.session.display);
   request.isAgainstIdeal = line.has("against");
@@ -106,6 +106,7 @@ int runReport(const CommandLine& line) {
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
+  keepSession(line, request.session);
   announcePassing(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests)
     announcePassing(*test.file, request.memory / 2, isQuiet);

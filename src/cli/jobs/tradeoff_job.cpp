@@ -24,6 +24,7 @@ int runTradeoff(const CommandLine& line) {
   const std::filesystem::path folder = line.text("output");
   checkOutputs({folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"},
                inputFiles({line.text("session"), line.text("calibration")}, session, *file));
+  keepSession(line, session);
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));

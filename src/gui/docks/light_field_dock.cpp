@@ -127,7 +127,19 @@ void LightFieldDock::choose(const QString& file) {
   if (isMeshFile(file.toStdString())) return chooseMesh(file);
   Session content = m_model->session();
   content.lightField = withFile(content.lightField, file.toStdString());
+  if (content.lightField.layout == Layout::views) return chooseViews(content.lightField);
   m_model->setContent(content);
+}
+
+/// Later, when the order of the views has been found.
+void LightFieldDock::chooseViews(const LightFieldParams& views) {
+  m_task->start([this, views, display = m_model->session().display](const Progress& progress) {
+    return [this, found = findLightFieldOrder(views, display, progress).found] {
+      Session content = m_model->session();
+      content.lightField = found;
+      m_model->setContent(content);
+    };
+  });
 }
 
 /// Later, when it has been read: with a display that fits it, where the display stands.

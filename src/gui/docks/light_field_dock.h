@@ -39,6 +39,7 @@ class LightFieldDock : public QWidget {
   ParameterForm* form(const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit);
   void showForms();
   void chooseMesh(const QString& file);
+  void chooseViews(const LightFieldParams& views);
   void askFile();
   void askFolder();
 

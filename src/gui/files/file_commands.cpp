@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "gui/files/autosave.h"
 #include "gui/files/file_drop.h"
 #include "gui/files/recent_files.h"
@@ -15,6 +16,7 @@
 #include "gui/widgets/task.h"
 #include "io/documents/calibration_file.h"
 #include "io/documents/session_file.h"
+#include "io/layouts/view_layouts.h"
 #include "io/scene/live_file.h"
 #include "ui_main_window.h"
 
@@ -54,9 +56,19 @@ bool FileCommands::guarded(Action action) {
   }
 }
 
+namespace {
+
+/// Whether the file has to be read before a session can be made around it.
+bool mustBeRead(const QString& file) {
+  const std::string name = file.toStdString();
+  return QFileInfo(file).isDir() || isMeshFile(name) || quiltTilesFromName(name)[0] > 0;
+}
+
+}  // namespace
+
 bool FileCommands::open(const QString& file) {
-  if (isMeshFile(file.toStdString()) && !QFileInfo(file).isDir()) {
-    openMesh(file);
+  if (mustBeRead(file)) {
+    openLater(file);
     return true;
   }
   m_task->abandon();
@@ -64,6 +76,7 @@ bool FileCommands::open(const QString& file) {
     if (isSessionFile(file.toStdString())) {
       m_model->open(file);
       m_recent->add(file);
+      checkOrder(file);
     } else {
       m_model->openNew(sessionAround(file.toStdString()));
     }
@@ -71,15 +84,40 @@ bool FileCommands::open(const QString& file) {
   });
 }
 
-/// On another thread: it has to be read to know which display fits it.
-void FileCommands::openMesh(const QString& file) {
+/// On another thread: it has to be read to know which display fits it, or in which order its views
+/// are.
+void FileCommands::openLater(const QString& file) {
   m_task->start([this, file](const Progress& progress) {
-    return [this, file, session = sessionAround(file.toStdString(), {}, progress)] {
-      m_model->openNew(session);
+    return [this, file, around = orderedSessionAround(file.toStdString(), {}, progress)] {
+      m_model->openNew(around.session);
       rememberFolderOf(file);
+      const LightFieldParams& used = around.session.lightField;
+      for (const std::string& warning : around.order.warnings)
+        Q_EMIT failed(file + ": " + QString::fromStdString(warning));
+      if (used.layout == Layout::views)
+        Q_EMIT done(
+            tr("%1: rows %2, columns %3 (%4)")
+                .arg(file, nameOf(used.rows), nameOf(used.columns), nameOf(around.order.sureness)));
     };
   });
   Q_EMIT done(tr("Reading %1 …").arg(file));
+}
+
+/// Later, an error if the pictures say that the session's views are in another order.
+void FileCommands::checkOrder(const QString& file) {
+  const Session& session = m_model->session();
+  if (session.lightField.layout != Layout::views) return;
+  m_task->start([this, file, lightField = session.lightField,
+                 display = session.display](const Progress& progress) -> Task::Answer {
+    std::string line;
+    try {
+      line = contradictionOf(lightField, findLightFieldOrder(lightField, display, progress));
+    } catch (const InputError&) {  // the view says it
+    }
+    return [this, file, line] {
+      if (!line.empty()) Q_EMIT failed(file + ": " + QString::fromStdString(line));
+    };
+  });
 }
 
 bool FileCommands::save(const QString& file) {

@@ -27,7 +27,7 @@ class FileCommands : public QObject {
 
   /// These do not ask, and report errors through failed(). True if it is done. A session document
   /// opens, or a light field (an image, a folder or a mesh), which a new session is made around; of
-  /// a mesh it does so later, when that has been read.
+  /// a mesh, a folder or a quilt it does so later, when that has been looked at.
   bool open(const QString& file);
   bool save(const QString& file);
   /// Into the current state.
@@ -51,7 +51,8 @@ class FileCommands : public QObject {
  private:
   template <class Action>
   bool guarded(Action action);
-  void openMesh(const QString& file);
+  void openLater(const QString& file);
+  void checkOrder(const QString& file);
   void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
@@ -63,7 +64,7 @@ class FileCommands : public QObject {
   SessionModel* m_model;
   QWidget* m_window;
   RecentFiles* m_recent;
-  Task* m_task;  ///< reads a mesh
+  Task* m_task;  ///< reads a mesh, looks at views
   Autosave* m_autosave;
 };
 

@@ -323,7 +323,14 @@ std::array<double, 2> sizeOfShape(double width, double height) {
   return {width / longest, height / longest};
 }
 
-DisplayParams displayAround(const LightFieldParams& lightField) {
+/// Whether it is known how many hogels and directions there are, in the file or in the display.
+bool canBeOpened(const Session& session) {
+  return session.lightField.layout != Layout::hogels ||
+         (session.display.hogels[0] > 0 && session.display.directions[0] > 0);
+}
+
+/// `given` may say how many directions the views of one running number have.
+DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
   DisplayParams display;
   if (lightField.layout == Layout::hogels) {
     const ImageFile image{fs::path(lightField.file)};
@@ -331,7 +338,7 @@ DisplayParams displayAround(const LightFieldParams& lightField) {
   } else if (const auto known = displayOfStore(lightField)) {
     display = *known;
   } else {
-    const LightFieldSize size = openLightField(lightField, {})->size();
+    const LightFieldSize size = openLightField(lightField, given)->size();
     display.size = sizeOfShape(size.nx, size.ny);
   }
   return display;
@@ -339,21 +346,41 @@ DisplayParams displayAround(const LightFieldParams& lightField) {
 
 }  // namespace
 
-Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
-                      const Progress& progress) {
-  Session session;
+OrderedSession orderedSessionAround(const std::string& file,
+                                    const std::vector<std::string>& overrides,
+                                    const Progress& progress) {
+  OrderedSession result;
+  Session& session = result.session;
   session.lightField = lightFieldOf(file);
   addState(session, inFrontOf(session.display));
   if (session.lightField.layout == Layout::live) {
     fitMesh(session.lightField, session.display, progress);
   } else {
-    session.lightField = overridden(session, overrides).lightField;  // which may say how to read it
-    session.display = displayAround(session.lightField);
-    if (const double distance = std::exchange(session.display.viewingDistance, notGiven); distance > 0)
+    const Session said = overridden(session, overrides);  // which may say how to read it
+    session.lightField = said.lightField;
+    if (canBeOpened(said)) {
+      result.order = findLightFieldOrder(said.lightField, said.display, progress);
+      session.lightField = result.order.found;
+    }
+    session.display = displayAround(session.lightField, said.display);
+    if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
+        distance > 0)
       session.lightField.viewingDistance = distance;
   }
   session.cameras = {inFrontOf(session.display)};
-  return overridden(session, overrides);
+  session = overridden(session, overrides);
+  const bool isOrderGiven = session.lightField.rows != result.order.found.rows ||
+                            session.lightField.columns != result.order.found.columns;
+  if (session.lightField.layout == Layout::views && isOrderGiven) {
+    session.lightField = withOrderOf(session.lightField, result.order);
+    session = overridden(session, overrides);
+  }
+  return result;
+}
+
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
+                      const Progress& progress) {
+  return orderedSessionAround(file, overrides, progress).session;
 }
 
 Session withLightField(const Session& session, const std::string& file) {

@@ -8,6 +8,7 @@
 
 #include "core/optics/session.h"
 #include "io/documents/calibration_file.h"
+#include "io/order/light_field_order.h"
 
 namespace hogelscope {
 
@@ -34,11 +35,23 @@ std::vector<CameraState> loadStates(const std::filesystem::path& file);
 void appendStates(const std::filesystem::path& file, const std::vector<CameraState>& states);
 
 /// Makes a session around a light field: an image, a quilt by its name, a folder of views, or a
-/// mesh, which is read. The display has its shape; one state is in front of it. For a hogel image
-/// the hogels and directions remain to be given; a store has its display. `overrides` as above.
-/// Throws InputError, or Cancelled while a mesh is read.
+/// mesh, which is read. The display has its shape; one state is in front of it. Views get the order
+/// and shear that their pictures say, unless the overrides do. For a hogel image the hogels and
+/// directions remain to be given; a store has its display. `overrides` as above. Throws InputError,
+/// or Cancelled while a mesh is read or views are looked at.
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
                       const Progress& progress = {});
+
+/// A session around a light field, and what was found out about the order of its views.
+struct OrderedSession {
+  Session session;
+  LightFieldOrder order;
+};
+
+/// The same, for those who tell the user about the order.
+OrderedSession orderedSessionAround(const std::string& file,
+                                    const std::vector<std::string>& overrides = {},
+                                    const Progress& progress = {});
 
 /// Whether the name is that of a session document.
 bool isSessionFile(const std::filesystem::path& file);

@@ -98,10 +98,10 @@ class NameMatch {
   NameMatch(const NamePattern& pattern, const std::string& name)
       : m_tokens(pattern.tokens), m_name(name), m_failed(m_tokens.size() * (name.size() + 1)) {}
 
-  /// Returns the numbers in the order of the pattern; none if the name does not match.
-  std::optional<std::vector<std::string>> numbers() {
+  /// Returns the numbers and coordinates by their letters, the first of each; none if the name does
+  /// not match.
+  std::optional<std::map<char, std::string>> numbers() {
     if (!fits(0, 0)) return std::nullopt;
-    std::reverse(m_numbers.begin(), m_numbers.end());
     return m_numbers;
   }
 
@@ -114,8 +114,9 @@ class NameMatch {
     const auto [least, most] = lengths(m_tokens[token], at);
     for (std::size_t length = most + 1; length-- > least;) {
       if (!fits(token + 1, at + length)) continue;
-      if (m_tokens[token].kind == Token::Kind::number)
-        m_numbers.push_back(m_name.substr(at, length));
+      if (m_tokens[token].kind == Token::Kind::number ||
+          m_tokens[token].kind == Token::Kind::coordinate)
+        m_numbers[m_tokens[token].letter] = m_name.substr(at, length);
       return true;
     }
     m_failed[state] = true;
@@ -146,7 +147,7 @@ class NameMatch {
   const std::vector<Token>& m_tokens;
   const std::string& m_name;
   std::vector<bool> m_failed;
-  std::vector<std::string> m_numbers;  ///< the last one first
+  std::map<char, std::string> m_numbers;
 };
 
 void checkMeaning(const NamePattern& pattern) {
@@ -158,7 +159,14 @@ void checkMeaning(const NamePattern& pattern) {
                                                "nor one running number (NNN)");
 }
 
-using Found = std::map<std::pair<int, int>, fs::path>;  // (row, column), running number as (0, n)
+/// A view's file, and the coordinates in its name.
+struct FoundView {
+  fs::path file;
+  std::optional<double> x;
+  std::optional<double> y;
+};
+
+using Found = std::map<std::pair<int, int>, FoundView>;  // (row, column), running number as (0, n)
 
 int number(const std::string& digits) {
   int value = 0;
@@ -166,20 +174,33 @@ int number(const std::string& digits) {
   return value;
 }
 
+std::optional<double> coordinate(const std::map<char, std::string>& numbers, char letter) {
+  const auto found = numbers.find(letter);
+  if (found == numbers.end()) return std::nullopt;
+  const std::string& text = found->second;
+  const char* const begin = text.data() + (text.front() == '+' ? 1 : 0);
+  double value = 0;
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+  const bool isNumber = error == std::errc() && end == text.data() + text.size();
+  return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 Found matches(const fs::path& folder, const NamePattern& pattern) {
-  const std::string meaning = pattern.meaning();
   Found found;
   for (const fs::path& file : entriesOf(folder)) {
     const std::string name = file.filename().string();
     const auto numbers = NameMatch(pattern, name).numbers();
     if (!numbers) continue;
     std::pair<int, int> key{0, 0};
-    for (std::size_t g = 0; g < meaning.size(); ++g)
-      (meaning[g] == 'R' ? key.first : key.second) = number((*numbers)[g]);
-    const auto [first, isNew] = found.emplace(key, file);
+    for (const auto& [letter, digits] : *numbers)
+      if (letter == 'R' || letter == 'C' || letter == 'N')
+        (letter == 'R' ? key.first : key.second) = number(digits);
+    const FoundView view{file, coordinate(*numbers, 'x'), coordinate(*numbers, 'y')};
+    const auto [first, isNew] = found.emplace(key, view);
     if (!isNew)
-      throw InputError(folder.string(), "views",
-                       name + " and " + first->second.filename().string() + " are the same view");
+      throw InputError(
+          folder.string(), "views",
+          name + " and " + first->second.file.filename().string() + " are the same view");
   }
   return found;
 }
@@ -191,7 +212,7 @@ ViewFiles gridOf(const Found& found, const fs::path& folder) {
     rows.insert(key.first);
     columns.insert(key.second);
   }
-  ViewFiles grid{int(rows.size()), int(columns.size()), {}};
+  ViewFiles grid{int(rows.size()), int(columns.size()), {}, {}, {}, {}};
   for (const int row : rows) {
     for (const int column : columns) {
       const auto at = found.find({row, column});
@@ -200,10 +221,35 @@ ViewFiles gridOf(const Found& found, const fs::path& folder) {
                          "row " + std::to_string(row) + ", column " + std::to_string(column) +
                              " is missing (" + std::to_string(rows.size()) + " rows and " +
                              std::to_string(columns.size()) + " columns were found)");
-      grid.files.push_back(at->second);
+      grid.files.push_back(at->second.file);
     }
   }
   return grid;
+}
+
+/// The mean coordinate of the first and of the last column (or row) of several.
+std::optional<std::array<double, 2>> fromTo(const Found& found, int std::pair<int, int>::*number,
+                                            std::optional<double> FoundView::*coordinate) {
+  const auto less = [number](const auto& a, const auto& b) {
+    return a.first.*number < b.first.*number;
+  };
+  const auto [least, most] = std::minmax_element(found.begin(), found.end(), less);
+  if (least->first.*number == most->first.*number) return std::nullopt;
+  const auto meanOf = [&](int which) -> std::optional<double> {
+    double sum = 0;
+    int count = 0;
+    for (const auto& [key, view] : found) {
+      if (key.*number != which) continue;
+      if (!(view.*coordinate)) return std::nullopt;
+      sum += *(view.*coordinate);
+      ++count;
+    }
+    return sum / count;
+  };
+  const auto first = meanOf(least->first.*number);
+  const auto last = meanOf(most->first.*number);
+  if (!first || !last) return std::nullopt;
+  return std::array{*first, *last};
 }
 
 /// One running number: row by row, a square grid unless the display says otherwise.
@@ -222,12 +268,30 @@ ViewFiles runningGrid(const Found& found, std::array<int, 2> directions, const f
         std::to_string(count) + " views do not make a grid of " + std::to_string(columns) + "×" +
             std::to_string(rows) +
             (directions[0] > 0 ? "; mend display.directions" : "; give display.directions"));
-  ViewFiles grid{rows, columns, {}};
-  for (const auto& [key, file] : found) grid.files.push_back(file);
+  ViewFiles grid{rows, columns, {}, {}, {}, {}};
+  for (const auto& [key, view] : found) grid.files.push_back(view.file);
   return grid;
 }
 
 }  // namespace
+
+std::string transposedPattern(const std::string& pattern) {
+  if (pattern.find('%') != std::string::npos) return {};
+  const NamePattern tokens = fromTokens(pattern);
+  std::string text = pattern;
+  std::size_t at = 0;
+  for (const Token& token : tokens.tokens) {
+    if (at >= text.size()) break;  // an extension that the pattern does not name
+    if (token.kind != Token::Kind::number) {
+      ++at;
+      continue;
+    }
+    if (token.letter == 'N') return {};
+    for (; at < text.size() && pattern[at] == token.letter; ++at)
+      text[at] = token.letter == 'R' ? 'C' : 'R';
+  }
+  return text;
+}
 
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions) {
   fs::path folder = params.file;
@@ -240,8 +304,9 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
   } else if (!params.pattern.empty()) {
     patterns.push_back(fromTokens(params.pattern));
   } else {
+    // Stanford with and without the last stroke, HCI, JPEG Pleno, light-field-renderer.
     for (const char* known :
-         {"out_RR_CC_y_x", "input_CamNNN", "RRR_CCC"})  // Stanford, HCI, JPEG Pleno
+         {"out_RR_CC_y_x", "out_RR_CC_y_x_", "input_CamNNN", "RRR_CCC", "*_RR_CC_y_x_*"})
       patterns.push_back(fromTokens(known));
   }
   const fs::file_type type = fs::status(folder, error).type();
@@ -256,8 +321,13 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
     checkMeaning(pattern);
     const Found found = matches(folder, pattern);
     if (found.empty()) continue;
-    return pattern.meaning() == "N" ? runningGrid(found, directions, folder)
-                                    : gridOf(found, folder);
+    const bool isRunning = pattern.meaning() == "N";
+    ViewFiles views = isRunning ? runningGrid(found, directions, folder) : gridOf(found, folder);
+    views.pattern = pattern.text;
+    if (isRunning) return views;
+    views.columnsFromTo = fromTo(found, &std::pair<int, int>::second, &FoundView::x);
+    views.rowsFromTo = fromTo(found, &std::pair<int, int>::first, &FoundView::y);
+    return views;
   }
   std::string tried;
   for (const NamePattern& pattern : patterns) tried += (tried.empty() ? "" : ", ") + pattern.text;

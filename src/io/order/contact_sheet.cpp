@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture of a light field's views as they are put on the display, with arrows.
+#include "io/order/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/images/image_writer.h"
+#include "io/order/grey_views.h"
+
+namespace hogelscope {
+
+namespace {
+
+const cv::Scalar white(255, 255, 255);
+const cv::Scalar yellow(255, 210, 0);
+const cv::Scalar blue(80, 190, 255);
+
+/// Which of `count` views are shown: the first, the last, and some evenly between.
+std::vector<int> shownOf(int count) {
+  constexpr int most = 5;
+  const int shown = std::min(count, most);
+  std::vector<int> indices;
+  indices.reserve(std::size_t(shown));
+  for (int k = 0; k < shown; ++k)
+    indices.push_back(shown == 1 ? 0 : int(std::lround(double(k) * (count - 1) / (shown - 1))));
+  return indices;
+}
+
+class Sheet {
+ public:
+  Sheet(const GreyViews& views, const LightFieldOrder& order, const AssumedOrder& assumed)
+      : m_views(views), m_order(order), m_assumed(assumed) {
+    const bool isTransposed =
+        order.measured.isTransposed && assumed.used.pattern != order.found.pattern;
+    m_isUp = assumed.rows == RowOrder::bottomUp;
+    m_isLeft = assumed.columns == ColumnOrder::rightLeft;
+    m_isAsMeasured = !isTransposed;
+    m_rows = shownOf(views.grid.rows);
+    m_columns = shownOf(views.grid.columns);
+    if (m_isUp) std::reverse(m_rows.begin(), m_rows.end());
+    if (m_isLeft) std::reverse(m_columns.begin(), m_columns.end());
+  }
+
+  cv::Mat3b draw(const Progress& progress) {
+    const GreyPicture first = m_views.grid.view(m_rows.front(), m_columns.front());
+    m_scale = double(tileSide) / std::max(first.width, first.height);
+    m_tile = {std::max(1, cvRound(first.width * m_scale)),
+              std::max(1, cvRound(first.height * m_scale))};
+    m_sheet.create(border + int(m_rows.size()) * (m_tile.height + gap),
+                   std::max(leastWidth, border + int(m_columns.size()) * (m_tile.width + gap)));
+    m_sheet.setTo(cv::Scalar(32, 34, 38));
+    for (std::size_t y = 0; y < m_rows.size(); ++y)
+      for (std::size_t x = 0; x < m_columns.size(); ++x) {
+        reportProgress(progress,
+                       double(y * m_columns.size() + x) / double(m_rows.size() * m_columns.size()));
+        putView(int(x), int(y));
+      }
+    putWords();
+    return m_sheet;
+  }
+
+ private:
+  static constexpr int tileSide = 240;
+  static constexpr int gap = 6;
+  static constexpr int border = 78;  // for the words above and on the left
+  static constexpr int leastWidth = 640;
+
+  void putView(int x, int y) {
+    const int row = m_rows[std::size_t(y)];
+    const int column = m_columns[std::size_t(x)];
+    const GreyPicture grey = m_views.grid.view(row, column);
+    const cv::Mat1b whole(grey.height, grey.width, const_cast<std::uint8_t*>(grey.values.data()));
+    cv::Mat1b small;
+    cv::resize(whole, small, m_tile, 0, 0, m_scale < 1 ? cv::INTER_AREA : cv::INTER_NEAREST);
+    const cv::Rect place(
+        cv::Point(border + x * (m_tile.width + gap), border + y * (m_tile.height + gap)), m_tile);
+    cv::Mat3b colour;
+    cv::cvtColor(small, colour, cv::COLOR_GRAY2RGB);
+    colour.copyTo(m_sheet(place));
+    write("row " + std::to_string(row) + ", column " + std::to_string(column),
+          place.tl() + cv::Point(4, 14), white);
+    const bool isMiddle = row == m_views.grid.rows / 2 && column == m_views.grid.columns / 2;
+    if (isMiddle && m_isAsMeasured) putArrows(place);
+  }
+
+  /// As long as the motion over some views, so that it can be seen.
+  void putArrows(const cv::Rect& place) {
+    const std::vector<PlaceMotion>& motions = m_order.measured.motions;
+    double longest = 0;
+    for (const PlaceMotion& motion : motions)
+      longest =
+          std::max({longest, std::abs(motion.alongColumns[0]), std::abs(motion.alongRows[1])});
+    if (!(longest > 0)) return;
+    const double factor = 24 / longest;
+    const std::size_t every = motions.size() / 60 + 1;
+    for (std::size_t k = 0; k < motions.size(); k += every) {
+      const auto& [at, alongColumns, alongRows] = motions[k];
+      const cv::Point2d from(place.x + at[0] * m_scale, place.y + at[1] * m_scale);
+      const auto arrow = [&](const std::array<double, 2>& motion, double sign,
+                             const cv::Scalar& colour) {
+        const cv::Point2d to = from + sign * factor * cv::Point2d(motion[0], motion[1]);
+        cv::arrowedLine(m_sheet, from, to, colour, 1, cv::LINE_AA, 0, 0.3);
+      };
+      if (m_views.grid.columns > 1) arrow(alongColumns, m_isLeft ? -1 : 1, yellow);
+      if (m_views.grid.rows > 1) arrow(alongRows, m_isUp ? -1 : 1, blue);
+    }
+  }
+
+  void putWords() {
+    write(std::string("rows ") + nameOf(m_assumed.rows) + ", columns " + nameOf(m_assumed.columns) +
+              ": " + nameOf(m_assumed.sureness),
+          {8, 18}, white);
+    write("from here to the right the camera goes right", {border, 62}, white);
+    cv::arrowedLine(m_sheet, {border, 70}, {border + 300, 70}, white, 1, cv::LINE_AA, 0, 0.03);
+    write("down", {30, border + 14}, white);
+    cv::arrowedLine(m_sheet, {48, border + 22}, {48, m_sheet.rows - 12}, white, 1, cv::LINE_AA, 0,
+                    0.03);
+    write("yellow: how content moves to the view on the right", {8, 36}, yellow);
+    write("blue: to the view below", {430, 36}, blue);
+  }
+
+  void write(const std::string& text, const cv::Point& at, const cv::Scalar& colour) {
+    constexpr double size = 0.42;
+    cv::putText(m_sheet, text, at, cv::FONT_HERSHEY_SIMPLEX, size, cv::Scalar(0, 0, 0), 3,
+                cv::LINE_AA);
+    cv::putText(m_sheet, text, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
+  }
+
+  const GreyViews& m_views;
+  const LightFieldOrder& m_order;
+  const AssumedOrder& m_assumed;
+  bool m_isUp = false;
+  bool m_isLeft = false;
+  bool m_isAsMeasured = true;
+  std::vector<int> m_rows;
+  std::vector<int> m_columns;
+  double m_scale = 1;
+  cv::Size m_tile;
+  cv::Mat3b m_sheet;
+};
+
+}  // namespace
+
+void writeContactSheet(const std::filesystem::path& file, const LightFieldOrder& order,
+                       const AssumedOrder& assumed, const DisplayParams& display,
+                       const Progress& progress) {
+  const auto views = greyViewsOf(assumed.used, display, part(progress, 0, 0.3));
+  if (!views)
+    throw InputError(contentName(assumed.used), "",
+                     "has no views that a contact sheet could show: it is computed, or too large");
+  const cv::Mat3b sheet = Sheet(*views, order, assumed).draw(part(progress, 0.3, 1));
+  writeImage(file, sheet.cols, sheet.rows,
+             std::span<const std::uint8_t>(sheet.data, 3 * sheet.total()), progress);
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture of a light field's views as they are put on the display, with arrows.
+#pragma once
+
+#include <filesystem>
+
+#include "core/optics/display.h"
+#include "io/order/order_document.h"
+
+namespace hogelscope {
+
+/// Writes up to 5×5 views where their cameras stand: the left column was taken from the left, the
+/// top row from the top, as `assumed` has it. Arrows in the view in the middle show how its content
+/// moves to the view on the right (yellow) and to the one below (blue). Throws InputError, or
+/// Cancelled.
+void writeContactSheet(const std::filesystem::path& file, const LightFieldOrder& order,
+                       const AssumedOrder& assumed, const DisplayParams& display,
+                       const Progress& progress = {});
+
+}  // namespace hogelscope

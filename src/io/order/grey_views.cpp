@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads views of a light field as grey pictures.
+#include "io/order/grey_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "core/base/error.h"
+#include "io/files/system_limits.h"
+#include "io/images/image_file.h"
+#include "io/layouts/view_files.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+namespace {
+
+template <class T>
+std::uint8_t greyOf(const T* rgb) {
+  constexpr double full = std::is_floating_point_v<T> ? 1.0 : double(std::numeric_limits<T>::max());
+  const double luma = 0.299 * double(rgb[0]) + 0.587 * double(rgb[1]) + 0.114 * double(rgb[2]);
+  return std::uint8_t(std::lround(std::clamp(luma / full, 0.0, 1.0) * 255));
+}
+
+GreyPicture readGrey(const std::filesystem::path& file, const Progress& progress = {}) {
+  ImageFile image(file);
+  GreyPicture picture{int(image.width()), int(image.height()), {}};
+  checkFits(image.width() * image.height(), file, {});
+  picture.values.reserve(image.width() * image.height());
+  image.read(
+      image.type(),
+      [&](std::size_t, std::size_t rows, const StoredRows& values) {
+        std::visit(
+            [&](const auto* rgb) {
+              for (std::size_t k = 0; k < rows * image.width(); ++k)
+                picture.values.push_back(greyOf(rgb + 3 * k));
+            },
+            values);
+      },
+      progress);
+  return picture;
+}
+
+/// A file that is not like the first one is an error when all are read.
+GreyPicture fitted(GreyPicture picture, const GreyPicture& like) {
+  if (picture.width != like.width || picture.height != like.height) return like;
+  return picture;
+}
+
+GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& display) {
+  const auto files = std::make_shared<const ViewFiles>(findViews(params, display.directions));
+  GreyViews views;
+  for (const auto& file : files->files) views.names.push_back(file.filename().string());
+  views.columnsFromTo = files->columnsFromTo;
+  views.rowsFromTo = files->rowsFromTo;
+  const auto first = std::make_shared<const GreyPicture>(readGrey(files->files.front()));
+  views.pattern = files->pattern;
+  views.grid = {files->rows, files->columns, [files, first](int row, int column) {
+                  const auto at =
+                      std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
+                  return fitted(readGrey(files->files[at]), *first);
+                }};
+  return views;
+}
+
+GreyPicture tileOf(const GreyPicture& image, int width, int height, int column, int row) {
+  GreyPicture tile{width, height, {}};
+  tile.values.reserve(std::size_t(width) * std::size_t(height));
+  for (int y = 0; y < height; ++y) {
+    const auto from = image.values.begin() + (std::ptrdiff_t(row) * height + y) * image.width +
+                      std::ptrdiff_t(column) * width;
+    tile.values.insert(tile.values.end(), from, from + width);
+  }
+  return tile;
+}
+
+/// One row of views, from the bottom left tile on.
+GreyViews viewsOfQuilt(const LightFieldParams& params, const LightFieldSize& size,
+                       const Progress& progress) {
+  const auto image = std::make_shared<const GreyPicture>(readGrey(params.file, progress));
+  const int columns = image->width / size.nx;
+  const int rows = image->height / size.ny;
+  return {{1, size.du,
+           [=](int, int view) {
+             return tileOf(*image, size.nx, size.ny, view % columns, rows - 1 - view / columns);
+           }},
+          {},
+          {},
+          {},
+          {}};
+}
+
+/// Of a light field that is read whole.
+GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
+  const auto lightField = std::make_shared<const LightField>(file.read(progress));
+  const LightFieldSize size = lightField->size();
+  return {{size.dv, size.du,
+           [lightField, size](int v, int u) {
+             GreyPicture picture{size.nx, size.ny, {}};
+             for (int j = 0; j < size.ny; ++j)
+               for (int i = 0; i < size.nx; ++i) {
+                 const Rgb colour = lightField->texel({i, j, u, v});
+                 const std::array rgb{float(colour.r / 255), float(colour.g / 255),
+                                      float(colour.b / 255)};
+                 picture.values.push_back(greyOf(rgb.data()));
+               }
+             return picture;
+           }},
+          {},
+          {},
+          {},
+          {}};
+}
+
+}  // namespace
+
+std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const DisplayParams& display,
+                                     const Progress& progress) {
+  if (params.layout == Layout::live) return std::nullopt;
+  if (params.layout == Layout::views) return viewsOfFolder(params, display);
+  LightFieldParams asStored = params;
+  asStored.incoming = false;
+  const auto file = openLightField(asStored, display);
+  const LightFieldSize size = file->size();
+  constexpr double mostPixels = 3e8;  // a few seconds
+  if (double(size.width()) * double(size.height()) > mostPixels) return std::nullopt;
+  if (params.layout == Layout::quilt) return viewsOfQuilt(params, size, progress);
+  if (!fitsInMemory(*file, allowedMemory())) return std::nullopt;
+  return viewsInMemory(*file, progress);
+}
+
+}  // namespace hogelscope

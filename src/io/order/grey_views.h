@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads views of a light field as grey pictures, in the order of its files.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/optics/display.h"
+#include "io/order/view_order.h"
+
+namespace hogelscope {
+
+/// The views of a light field's files as they lie there: `rows`, `columns`, `shear` and `incoming`
+/// are not applied.
+struct GreyViews {
+  GreyGrid grid;
+  std::vector<std::string> names;  ///< of the files, row by row; empty unless views have files
+  std::string pattern;             ///< of the names
+  /// Where the first and the last column (x) and row (y) were taken from, as the file names have
+  /// it.
+  std::optional<std::array<double, 2>> columnsFromTo;
+  std::optional<std::array<double, 2>> rowsFromTo;
+};
+
+/// None for a light field without files, or of more pixels than are looked at on the way. Throws
+/// InputError as openLightField() does.
+std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const DisplayParams& display,
+                                     const Progress& progress);
+
+}  // namespace hogelscope

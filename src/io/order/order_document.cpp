@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The order of a light field's views for programs.
+#include "io/order/order_document.h"
+
+#include "io/json/json_parameters.h"
+
+namespace hogelscope {
+
+namespace {
+
+const char* nameOf(Layout layout) {
+  switch (layout) {
+    case Layout::views:
+      return "views";
+    case Layout::quilt:
+      return "quilt";
+    case Layout::pack:
+      return "pack";
+    case Layout::live:
+      return "live";
+    default:
+      return "hogels";
+  }
+}
+
+}  // namespace
+
+AssumedOrder assumedOrder(const LightFieldParams& used, const LightFieldSize& size,
+                          const LightFieldOrder& order) {
+  AssumedOrder assumed{used, size, order.rows, order.columns, order.sureness, order.warnings};
+  if (used.layout == Layout::views) {
+    assumed.rows = used.rows;
+    assumed.columns = used.columns;
+  }
+  const std::string contradiction = contradictionOf(used, order);
+  if (contradiction.empty()) return assumed;
+  assumed.sureness = Sureness::unknown;
+  if (used.layout != Layout::views && used.incoming != order.found.incoming) {
+    if (size.dv > 1) assumed.rows = reversed(assumed.rows);
+    if (size.du > 1) assumed.columns = reversed(assumed.columns);
+  }
+  assumed.warnings.push_back(contradiction);
+  return assumed;
+}
+
+std::string orderDocument(const AssumedOrder& assumed) {
+  Json document = Json::object();
+  document["layout"] = nameOf(assumed.used.layout);
+  document["hogels"] = {assumed.size.nx, assumed.size.ny};
+  document["directions"] = {assumed.size.du, assumed.size.dv};
+  document["rows"] = nameOf(assumed.rows);
+  document["columns"] = nameOf(assumed.columns);
+  document["shear"] = assumed.used.shear;
+  document["confidence"] = nameOf(assumed.sureness);
+  document["warnings"] = assumed.warnings;
+  return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hogelscope

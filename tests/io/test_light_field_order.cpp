@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests the order of light fields' views: found for a folder, said against a session, mended.
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "io/documents/session_file.h"
+#include "io/order/order_document.h"
+#include "io/scene/scene.h"
+#include "tests/io/documents.h"
+#include "tests/io/images.h"
+#include "tests/io/layered_views.h"
+
+using namespace hogelscope;
+
+namespace {
+
+const QString data = HOGELSCOPE_SOURCE_DIR "/../shared/data/";
+
+void writeGreyPicture(const QString& file, const GreyPicture& picture) {
+  writeImageFile(file, picture.width, picture.height, [&](int x, int y, int) {
+    return float(picture.values[std::size_t(y * picture.width + x)]) / 255;
+  });
+}
+
+/// `names` is a printf format of row and column.
+void writeGrid(const QString& folder, const GreyGrid& grid, const char* names = "%03d_%03d.png") {
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      writeGreyPicture(folder + "/" + QString::asprintf(names, row, column),
+                       grid.view(row, column));
+}
+
+LightFieldParams viewsIn(const QString& folder) {
+  LightFieldParams params;
+  params.file = folder.toStdString();
+  params.layout = Layout::views;
+  return params;
+}
+
+}  // namespace
+
+class TestLightFieldOrder : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(QDir::setCurrent(m_folder->path()));
+  }
+
+  void aFolderGetsOrderAndShear_data() {
+    QTest::addColumn<bool>("isUp");
+    QTest::addColumn<bool>("isLeft");
+    QTest::addColumn<bool>("isTransposed");
+    for (const bool isUp : {false, true})
+      for (const bool isLeft : {false, true})
+        for (const bool isTransposed : {false, true})
+          QTest::addRow("%d%d%d", isUp, isLeft, isTransposed) << isUp << isLeft << isTransposed;
+  }
+
+  /// And once they are used, nothing is left to find; used the other way round, it is said.
+  void aFolderGetsOrderAndShear() {
+    QFETCH(bool, isUp);
+    QFETCH(bool, isLeft);
+    QFETCH(bool, isTransposed);
+    writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 5, {isUp, isLeft, isTransposed}));
+    const auto [session, order] = orderedSessionAround("v");
+    QCOMPARE(order.sureness, Sureness::sure);
+    const LightFieldParams& used = session.lightField;
+    QCOMPARE(used.rows == RowOrder::bottomUp, isUp);
+    QCOMPARE(used.columns == ColumnOrder::rightLeft, isLeft);
+    QCOMPARE(QString::fromStdString(used.pattern), QString(isTransposed ? "CCC_RRR" : ""));
+    for (const double shear : used.shear)
+      QVERIFY(shear > 0.95 && shear < 6);  // half is background, at 1
+    QVERIFY((openLightField(used, {})->size() == LightFieldSize{240, 180, 5, 3}));
+    QCOMPARE(contradictionOf(used, order), std::string());
+    const LightFieldOrder again = findLightFieldOrder(used, {});
+    QVERIFY(mendingOf(used, again).empty());
+    LightFieldParams wrong = used;
+    wrong.rows = reversed(wrong.rows);
+    const std::string line = contradictionOf(wrong, findLightFieldOrder(wrong, {}));
+    const std::string mending = std::string("mend it with lightField.rows=") + nameOf(used.rows);
+    QVERIFY2(line.find(mending) != std::string::npos, line.c_str());
+  }
+
+  /// With another row order its shear goes the other way, so that the middle depth stays.
+  void whatTheUserSaysStays() {
+    writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 5));
+    const auto [session, order] = orderedSessionAround("v", {"lightField.rows=bottom-up"});
+    QVERIFY(session.lightField.rows == RowOrder::bottomUp);
+    QVERIFY(session.lightField.shear[0] > 0.95 && session.lightField.shear[1] < -0.95);
+    QVERIFY(!contradictionOf(session.lightField, order).empty());
+    const auto given = orderedSessionAround("v", {"lightField.shear=[0.5,0]"});
+    QVERIFY((given.session.lightField.shear == std::array{0.5, 0.0}));
+  }
+
+  void incomingTurnsTheOrderRound() {
+    writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 5));
+    LightFieldParams params = viewsIn("v");
+    params.incoming = true;
+    const LightFieldOrder order = findLightFieldOrder(params, {});
+    QVERIFY(order.found.rows == RowOrder::bottomUp && order.found.incoming);
+    QVERIFY(order.found.columns == ColumnOrder::rightLeft);
+    QVERIFY(order.found.shear[0] < -0.95);  // of u as it is before it is flipped
+    QVERIFY(mendingOf(order.found, findLightFieldOrder(order.found, {})).empty());
+  }
+
+  /// Stanford's names: y downwards, x to the right. The pictures hardly tell.
+  void positionsInNames() {
+    ViewScene scene = randomScene(7, -0.02, 0.02);
+    const GreyGrid grid = gridOf(scene, 3, 3, {true, true, false});
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        writeGreyPicture(QString("v/out_0%1_0%2_%3_%4_.png")
+                             .arg(row)
+                             .arg(column)
+                             .arg(380.5 - 10 * row)
+                             .arg(-1.5 - 9.0 * column),
+                         grid.view(row, column));
+    const LightFieldOrder order = findLightFieldOrder(viewsIn("v"), {});
+    QVERIFY(order.found.rows == RowOrder::bottomUp);
+    QVERIFY(order.found.columns == ColumnOrder::rightLeft);
+    QCOMPARE(order.sureness, Sureness::likely);
+    QVERIFY2(order.reason.starts_with("positions in the file names"), order.reason.c_str());
+  }
+
+  /// The pictures are believed, but they are not called sure.
+  void positionsThatContradictThePictures() {
+    const GreyGrid grid = gridOf(randomScene(7, 1, 6), 3, 5);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 5; ++column)
+        writeGreyPicture(
+            QString("v/out_0%1_0%2_%3_%4.png").arg(row).arg(column).arg(-row).arg(column),
+            grid.view(row, column));
+    const LightFieldOrder order = findLightFieldOrder(viewsIn("v"), {});
+    QVERIFY(order.found.rows == RowOrder::topDown);
+    QCOMPARE(order.sureness, Sureness::likely);
+    QVERIFY2(order.reason.find("say the opposite") != std::string::npos, order.reason.c_str());
+  }
+
+  void aRunningNumberCannotSayColumns() {
+    const GreyGrid grid = gridOf(randomScene(7, 1, 6), 4, 4, {false, false, true});
+    for (int k = 0; k < 16; ++k)
+      writeGreyPicture(QString("v/input_Cam%1.png").arg(k, 3, 10, QChar('0')),
+                       grid.view(k / 4, k % 4));
+    const LightFieldOrder order = findLightFieldOrder(viewsIn("v"), {});
+    QCOMPARE(order.sureness, Sureness::unknown);
+    QCOMPARE(order.warnings.size(), std::size_t(1));
+    QVERIFY(order.warnings[0].find("column by column") != std::string::npos);
+  }
+
+  /// A hogel image has both directions reversed, or one, which nothing mends.
+  void directionsOfHogels() {
+    const ViewScene scene = randomScene(7, 1, 6);
+    for (const bool isBoth : {false, true}) {
+      const GreyGrid grid = gridOf(scene, 3, 5, {true, isBoth, false});
+      std::vector<GreyPicture> views;
+      for (int k = 0; k < 15; ++k) views.push_back(grid.view(k / 5, k % 5));
+      writeImageFile("h.png", 240 * 5, 180 * 3, [&](int x, int y, int) {
+        const GreyPicture& view = views[std::size_t(y % 3 * 5 + x % 5)];
+        return float(view.values[std::size_t(y / 3 * 240 + x / 5)]) / 255;
+      });
+      LightFieldParams params;
+      params.file = "h.png";
+      DisplayParams display;
+      display.hogels = {240, 180};
+      display.directions = {5, 3};
+      const LightFieldOrder order = findLightFieldOrder(params, display);
+      QCOMPARE(order.sureness, Sureness::sure);
+      QCOMPARE(order.found.incoming, isBoth);
+      QCOMPARE(order.warnings.empty(), isBoth);
+      params.incoming = isBoth;
+      QCOMPARE(contradictionOf(params, order), std::string());
+    }
+  }
+
+  void aQuilt() {
+    const GreyGrid grid = gridOf(randomScene(4, -2.5, 2.5), 1, 12, {false, true, false});
+    std::vector<GreyPicture> views;
+    for (int k = 0; k < 12; ++k) views.push_back(grid.view(0, k));
+    writeImageFile("q_qs4x3a1.png", 960, 540, [&](int x, int y, int) {
+      const GreyPicture& view = views[std::size_t((2 - y / 180) * 4 + x / 240)];
+      return float(view.values[std::size_t(y % 180 * 240 + x % 240)]) / 255;
+    });
+    const auto [session, order] = orderedSessionAround("q_qs4x3a1.png");
+    QCOMPARE(order.sureness, Sureness::sure);
+    QVERIFY(order.columns == ColumnOrder::rightLeft);
+    QVERIFY(session.lightField.incoming);
+  }
+
+  void documentForPrograms() {
+    LightFieldOrder order;
+    order.found.layout = Layout::views;
+    order.found.rows = RowOrder::bottomUp;
+    order.sureness = Sureness::likely;
+    LightFieldParams used = order.found;
+    used.shear = {1.5, -2};
+    QCOMPARE(QByteArray::fromStdString(orderDocument(assumedOrder(used, {9, 8, 3, 2}, order))),
+             QByteArray(R"({"layout":"views","hogels":[9,8],"directions":[3,2],)"
+                        R"("rows":"bottom-up","columns":"left-right","shear":[1.5,-2.0],)"
+                        R"("confidence":"likely","warnings":[]})"
+                        "\n"));
+    used.rows = RowOrder::topDown;
+    const AssumedOrder wrong = assumedOrder(used, {9, 8, 3, 2}, order);
+    QVERIFY(wrong.rows == RowOrder::topDown && wrong.sureness == Sureness::unknown);
+    QCOMPARE(wrong.warnings.size(), std::size_t(1));
+  }
+
+  void realGrid_data() { aFolderGetsOrderAndShear_data(); }
+
+  /// Every order of a set made by others: its files are linked under other names.
+  void realGrid() {
+    QFETCH(bool, isUp);
+    QFETCH(bool, isLeft);
+    QFETCH(bool, isTransposed);
+    if (!QFileInfo::exists(data + "shop_13x13")) QSKIP("no ../shared/data/shop_13x13 here");
+    QVERIFY(QDir().mkdir("v"));
+    const QDir folder(data + "shop_13x13");
+    for (const QString& name : folder.entryList({"Original Camera_*.jpg"})) {
+      // 1, 3 … 25 from the bottom right
+      int row = 12 - (name.section('_', 1, 1).toInt() - 1) / 2;
+      int column = 12 - (name.section('_', 2, 2).toInt() - 1) / 2;
+      if (isUp) row = 12 - row;
+      if (isLeft) column = 12 - column;
+      if (isTransposed) std::swap(row, column);
+      QVERIFY(
+          QFile::link(folder.filePath(name), QString::asprintf("v/%03d_%03d.jpg", row, column)));
+    }
+    const auto [session, order] = orderedSessionAround("v");
+    QCOMPARE(order.sureness, Sureness::sure);
+    QCOMPARE(session.lightField.rows == RowOrder::bottomUp, isUp);
+    QCOMPARE(session.lightField.columns == ColumnOrder::rightLeft, isLeft);
+    QCOMPARE(!session.lightField.pattern.empty(), isTransposed);
+    for (const double shear : session.lightField.shear)
+      QVERIFY2(std::abs(shear - 5.6) < 0.4, qPrintable(QString::number(shear)));
+  }
+
+  /// 4×8 tiles from the bottom left, taken from the left.
+  void realQuilts() {
+    if (!QFileInfo::exists(data + "quilt_kirurobo")) QSKIP("no ../shared/data/quilt_kirurobo here");
+    for (const char* name : {"example01.png", "example02.png", "startup.png"}) {
+      const LightFieldOrder order =
+          orderedSessionAround(
+              (data + "quilt_kirurobo/" + name).toStdString(),
+              {"lightField.layout=quilt", "lightField.columns=4", "lightField.rows=8"})
+              .order;
+      QVERIFY(order.sureness == Sureness::unknown || !order.found.incoming);
+      QCOMPARE(order.sureness != Sureness::unknown, QByteArray(name) != "startup.png");
+    }
+  }
+
+  void realTinyGrid() {
+    if (!QFileInfo::exists(data + "jplm_small_greek_3x3")) QSKIP("no jplm_small_greek_3x3 here");
+    const LightFieldOrder order = findLightFieldOrder(viewsIn(data + "jplm_small_greek_3x3"), {});
+    QVERIFY(order.sureness != Sureness::sure);
+  }
+
+ private:
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestLightFieldOrder)
+#include "test_light_field_order.moc"
