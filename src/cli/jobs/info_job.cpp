@@ -227,6 +227,10 @@ void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& a
   if (params.layout == Layout::views)
     out << "shear       " << numberText(params.shear[0]) << ", " << numberText(params.shear[1])
         << " px/view" << (isFound ? ", which puts the middle depth on the panel" : "") << "\n";
+  if (const DisplayParams& display = subject.session.display; params.viewingDistance > 0)
+    out << "display     " << numberText(display.size[0]) << "×" << numberText(display.size[1])
+        << " m, fov " << numberText(display.fov[0]) << "×" << numberText(display.fov[1])
+        << "°, its views' cameras " << numberText(params.viewingDistance) << " m before it\n";
   for (const std::string& warning : assumed.warnings) out << "warning     " << warning << "\n";
   const std::vector<std::string> mending = mendingOf(params, subject.order);
   if (mending.empty() || contradictionOf(params, subject.order).empty()) return;

@@ -3,6 +3,8 @@
 #include "core/cameras/state_list_edits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/base/error.h"
@@ -30,14 +32,21 @@ std::string freeName(const Session& session, const std::string& wanted) {
 }
 
 CameraState inFrontOf(const DisplayParams& display) {
-  // As far away as the paper's camera is from its panel, in units of the panel.
-  const double distance = 1.118 * std::max(display.size[0], display.size[1]);
+  // As far away as the paper's camera is from its panel, in units of the panel, or where the views'
+  // cameras stood.
+  const double longer = std::max(display.size[0], display.size[1]);
+  const bool isConverging = display.viewingDistance > 0;
+  const double distance = isConverging ? display.viewingDistance : 1.118 * longer;
   const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
   CameraState state;
   state.camera.name = "View";
   state.camera.eye = worldFromDisplay.point({0, 0, distance});
   state.camera.lookat = display.position;
   state.camera.up = worldFromDisplay.yAxis;
+  if (isConverging) {
+    const double angle = 360 / std::numbers::pi * std::atan(longer / (2 * distance));
+    state.camera.fov = std::clamp(std::ceil(100 * angle) / 100, 0.01, 170.0);
+  }
   return state;
 }
 

@@ -47,7 +47,7 @@ void StateCommands::addListEntries() {
        Qt::CTRL | Qt::Key_N},
       [this] {
         change(tr("Add state"), [](Session& session, std::size_t) {
-          return addState(session, inFrontOf(session.display));
+          return addState(session, inFrontOf(displayOf(session)));
         });
       });
   add({"duplicateAction", tr("&Duplicate"), tr("Duplicate"),

@@ -8,8 +8,10 @@
 #include "core/base/error.h"
 #include "core/cameras/state_list_edits.h"
 #include "io/files/atomic_file.h"
+#include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/json/json_parameters.h"
+#include "io/layouts/capture_geometry.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
@@ -344,6 +346,21 @@ DisplayParams displayAround(const LightFieldParams& lightField, const DisplayPar
   return display;
 }
 
+/// Views whose capture says where its cameras stood are put on a panel where they were in focus.
+void takeGeometry(Session& session, const DisplayParams& given) {
+  LightFieldParams& lightField = session.lightField;
+  if (lightField.layout != Layout::views || !isFolder(lightField.file)) return;
+  const ViewFiles views = findViews(lightField, given.directions);
+  const ImageFile first(views.files.front());
+  const auto [width, height] = std::pair(int(first.width()), int(first.height()));
+  const auto geometry = captureGeometry(lightField.file, views, width, height);
+  if (!geometry) return;
+  session.display.size = geometry->panel;
+  session.display.fov = geometry->fovOf(views.columns, views.rows);
+  lightField.viewingDistance = geometry->distance;
+  lightField.shear = geometry->shearOf(width, height);
+}
+
 }  // namespace
 
 OrderedSession orderedSessionAround(const std::string& file,
@@ -366,13 +383,15 @@ OrderedSession orderedSessionAround(const std::string& file,
     if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
         distance > 0)
       session.lightField.viewingDistance = distance;
+    takeGeometry(session, said.display);
   }
-  session.cameras = {inFrontOf(session.display)};
+  session.cameras = {inFrontOf(displayOf(session))};
   session = overridden(session, overrides);
   const bool isOrderGiven = session.lightField.rows != result.order.found.rows ||
                             session.lightField.columns != result.order.found.columns;
   if (session.lightField.layout == Layout::views && isOrderGiven) {
     session.lightField = withOrderOf(session.lightField, result.order);
+    takeGeometry(session, session.display);
     session = overridden(session, overrides);
   }
   return result;

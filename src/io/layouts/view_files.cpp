@@ -112,7 +112,10 @@ class NameMatch {
     const std::size_t state = token * (m_name.size() + 1) + at;
     if (m_failed[state]) return false;
     const auto [least, most] = lengths(m_tokens[token], at);
-    for (std::size_t length = most + 1; length-- > least;) {
+    // A star takes as little as it can, so that the numbers after it are the first ones.
+    const bool isStar = m_tokens[token].kind == Token::Kind::anything;
+    for (std::size_t k = least; k <= most; ++k) {
+      const std::size_t length = isStar ? k : most + least - k;
       if (!fits(token + 1, at + length)) continue;
       if (m_tokens[token].kind == Token::Kind::number ||
           m_tokens[token].kind == Token::Kind::coordinate)
