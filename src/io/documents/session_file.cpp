@@ -3,6 +3,7 @@
 #include "io/documents/session_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
@@ -355,10 +356,14 @@ void takeGeometry(Session& session, const DisplayParams& given) {
   const auto [width, height] = std::pair(int(first.width()), int(first.height()));
   const auto geometry = captureGeometry(lightField.file, views, width, height);
   if (!geometry) return;
-  session.display.size = geometry->panel;
-  session.display.fov = geometry->fovOf(views.columns, views.rows);
+  const auto rounded = [](std::array<double, 2> pair) {  // for readers of the session
+    for (double& value : pair) value = std::round(value * 1e6) / 1e6;
+    return pair;
+  };
+  session.display.size = rounded(geometry->panel);
+  session.display.fov = rounded(geometry->fovOf(views.columns, views.rows));
   lightField.viewingDistance = geometry->distance;
-  lightField.shear = geometry->shearOf(width, height);
+  lightField.shear = rounded(geometry->shearOf(width, height));
 }
 
 }  // namespace
