@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "io/documents/session_file.h"
 #include "io/layouts/view_layouts.h"
 #include "io/scene/scene.h"
 #include "tests/io/images.h"
@@ -84,6 +85,7 @@ class TestLightFieldFile : public QObject {
   void quilts();
   void tilesFromName_data();
   void tilesFromName();
+  void aspectFromName();
   void displayTakesTheFilesSize();
   void canBeStopped();
 
@@ -242,6 +244,16 @@ void TestLightFieldFile::tilesFromName() {
   const auto [c, r] = quiltTilesFromName(file.toStdString());
   QCOMPARE(c, columns);
   QCOMPARE(r, rows);
+}
+
+/// Tiles need not have the display's shape.
+void TestLightFieldFile::aspectFromName() {
+  QCOMPARE(quiltAspectFromName("folder.d/name_qs8x6a0.75.png"), 0.75);
+  QCOMPARE(quiltAspectFromName("n_qs5x9a1.jpg"), 1.0);
+  QCOMPARE(quiltAspectFromName("n_qs5x9a1.2.3.jpg"), 0.0);
+  QCOMPARE(quiltAspectFromName("n_qs8x6.png"), 0.0);
+  writeImageFile("n_qs2x1a0.8.png", 2 * 10, 10, [](int, int, int) { return 0.5F; });
+  QCOMPARE(sessionAround("n_qs2x1a0.8.png").display.size, (std::array<double, 2>{0.4, 0.5}));
 }
 
 void TestLightFieldFile::displayTakesTheFilesSize() {

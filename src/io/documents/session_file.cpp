@@ -13,6 +13,7 @@
 #include "io/images/image_file.h"
 #include "io/json/json_parameters.h"
 #include "io/layouts/capture_geometry.h"
+#include "io/layouts/view_layouts.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
@@ -342,7 +343,9 @@ DisplayParams displayAround(const LightFieldParams& lightField, const DisplayPar
     display = *known;
   } else {
     const LightFieldSize size = openLightField(lightField, given)->size();
-    display.size = sizeOfShape(size.nx, size.ny);
+    const double aspect =
+        lightField.layout == Layout::quilt ? quiltAspectFromName(lightField.file) : 0;
+    display.size = aspect > 0 ? sizeOfShape(aspect, 1) : sizeOfShape(size.nx, size.ny);
   }
   return display;
 }

@@ -172,12 +172,29 @@ std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params) {
   return std::make_unique<QuiltImage>(params);
 }
 
-std::array<int, 2> quiltTilesFromName(const std::string& file) {
-  static const std::regex suffix(R"(.*_qs(\d{1,4})x(\d{1,4})a[0-9.]+)");
+namespace {
+
+/// Returns columns, rows and aspect of a quilt's name; none if it has no such ending.
+std::optional<std::smatch> quiltSuffix(const std::string& stem) {
+  static const std::regex suffix(R"(.*_qs(\d{1,4})x(\d{1,4})a(\d{0,3}(?:\.\d{0,9})?))");
   std::smatch groups;
+  if (!std::regex_match(stem, groups, suffix)) return std::nullopt;
+  return groups;
+}
+
+}  // namespace
+
+std::array<int, 2> quiltTilesFromName(const std::string& file) {
   const std::string stem = fs::path(file).stem().string();
-  if (!std::regex_match(stem, groups, suffix)) return {0, 0};
-  return {std::stoi(groups[1]), std::stoi(groups[2])};
+  const auto groups = quiltSuffix(stem);
+  if (!groups) return {0, 0};
+  return {std::stoi((*groups)[1]), std::stoi((*groups)[2])};
+}
+
+double quiltAspectFromName(const std::string& file) {
+  const std::string stem = fs::path(file).stem().string();
+  const auto groups = quiltSuffix(stem);
+  return groups ? std::atof((*groups)[3].str().c_str()) : 0;
 }
 
 }  // namespace hogelscope

@@ -21,4 +21,7 @@ std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params);
 /// Returns the columns and rows in a quilt's name (…_qs8x6a0.75.png); 0 if there are none.
 std::array<int, 2> quiltTilesFromName(const std::string& file);
 
+/// Returns the width of the display in heights in a quilt's name, 0.75 there; 0 if there is none.
+double quiltAspectFromName(const std::string& file);
+
 }  // namespace hogelscope
