@@ -132,7 +132,7 @@ FlagGroup comparison() {
         .jobs = {report},
         .mayRepeat = true,
         .help = "Tests that make one rate-distortion curve, four or more. Each further group is "
-                "compared with the first: BD-rate and BD-PSNR in DIR/bd.csv."},
+                "compared with the first: BD-rates and BD-qualities in DIR/bd.csv."},
        {.name = "rate",
         .value = "LF=BITS",
         .jobs = {report},

@@ -57,6 +57,7 @@ class TestReportMetrics : public QObject {
   void summaryIsOfTheRows();
   void bdRates();
   void ratesFromFileSizes();
+  void oneGroupIsACurve();
   void picturesOfThePageAreSmall();
   void badGroups_data();
   void badGroups();
@@ -219,6 +220,16 @@ void TestReportMetrics::ratesFromFileSizes() {
       QCOMPARE(row[2].toDouble(), 8.0 * double(QFileInfo(row[0]).size()) / (2560 * 2560));
 }
 
+/// One group is a curve, of which nothing is compared.
+void TestReportMetrics::oneGroupIsACurve() {
+  const Outcome outcome =
+      report(m_tests + QStringList{"--group", "a=q15.jpg,q30.jpg,q60.jpg,q90.jpg"}, "one");
+  QCOMPARE(outcome.err, QByteArray());
+  QVERIFY(!QFileInfo::exists("one/bd.csv"));
+  const QByteArray page = contentOf("one/report.html");
+  QVERIFY(page.contains("Quality over rate") && !page.contains("Bjøntegaard deltas"));
+}
+
 /// The page's pictures have 3 MB, however many tests there are; all pixels are in files.
 void TestReportMetrics::picturesOfThePageAreSmall() {
   const Outcome outcome = run(QStringList{"--report", "--session", sampleSession, "--set",
@@ -256,12 +267,10 @@ void TestReportMetrics::badGroups_data() {
   const auto row = [](const char* name, const QStringList& arguments, const QByteArray& line) {
     QTest::newRow(name) << arguments << line;
   };
-  row("one group", {"--group", "a" + all},
-      "--group: is given once, but a BD-rate compares two groups or more");
   row("unknown test", {"--group", "a=q15.jpg,q31.jpg", "--group", "b" + all},
       "--group a: \"q31.jpg\" is not given as --test; did you mean q30.jpg?");
   row("three tests", {"--group", "a" + all, "--group", "b=q15.jpg,q30.jpg,q60.jpg"},
-      "--group b: has 3 light field(s), but a BD-rate needs four or more");
+      "--group b: has 3 light field(s), but a rate-distortion curve needs four or more");
   row("twice the same test", {"--group", "a=q15.jpg,q15.jpg", "--group", "b" + all},
       "--group a: has q15.jpg twice");
   row("twice the same name", {"--group", "a" + all, "--group", "a=q90.jpg,q60.jpg,q30.jpg,q15.jpg"},

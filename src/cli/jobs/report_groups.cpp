@@ -99,7 +99,7 @@ RateGroup parseGroup(const std::string& text, const std::vector<TestSize>& tests
   if (group.tests.size() < 4)
     throw InputError("command line", "--group " + group.name,
                      "has " + std::to_string(group.tests.size()) +
-                         " light field(s), but a BD-rate needs four or more");
+                         " light field(s), but a rate-distortion curve needs four or more");
   return group;
 }
 
@@ -109,9 +109,6 @@ std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<Tes
   if (!line.has("group") && line.has("rate"))
     throw InputError("command line", "--rate",
                      "is for --group NAME=FILE,FILE,…, of which there is none");
-  if (line.texts("group").size() == 1)
-    throw InputError("command line", "--group",
-                     "is given once, but a BD-rate compares two groups or more");
   const std::vector<TestRate> rates = parseRates(line.texts("rate"), tests);
   std::vector<RateGroup> groups;
   for (const std::string& text : line.texts("group")) {
