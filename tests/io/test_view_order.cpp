@@ -137,8 +137,15 @@ class TestViewOrder : public QObject {
         for (std::size_t k = 1; k < layers.size(); ++k) layers[k].opacity = 0.5;
       if (kind == 9)
         for (ViewLayer& layer : layers) layer.period = 5;
+      if (kind == 12) {
+        scene = randomScene(8 * 31 + 1, -4, 4);
+        layers[0].period = 9;
+        layers[3].period = 7;
+        layers[5].period = 8;
+      }
       GreyGrid grid = kind == 10   ? gridOf(scene, 1, 1)
                       : kind == 11 ? gridOf(scene, 1, 2, {false, truth.isLeft, false})
+                      : kind == 12 ? gridOf(scene, 1, 15, {false, truth.isLeft, false})
                                    : gridOf(scene, 5, 5, truth);
       if (kind == 3)
         grid.view = [](int row, int column) {

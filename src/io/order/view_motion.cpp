@@ -76,6 +76,32 @@ DenseMotion motionBetween(const cv::Mat1b& from, const cv::Mat1b& to) {
   return motion;
 }
 
+cv::Mat1b repetitions(const cv::Mat1b& picture, int axis) {
+  constexpr int nearest = 4;
+  constexpr int farthest = 28;
+  constexpr float mostOfContrast = 0.4F;  // of a window's standard deviation; chance has 1.1
+  const cv::Size window(17, 17);
+  const cv::Mat1f values = smoothed(picture);
+  cv::Mat1f mean;
+  cv::Mat1f contrast;
+  cv::boxFilter(values, mean, -1, window);
+  cv::sqrBoxFilter(values, contrast, CV_32F, window);
+  contrast -= mean.mul(mean);
+  cv::sqrt(cv::max(contrast, 0), contrast);
+  cv::Mat1b result = cv::Mat1b::zeros(picture.size());
+  for (int way = nearest; way <= farthest; ++way)
+    for (const int by : {-way, way}) {
+      const cv::Matx23f moved(1, 0, axis == 0 ? float(by) : 0, 0, 1, axis == 0 ? 0 : float(by));
+      cv::Mat1f other;
+      cv::warpAffine(values, other, moved, picture.size(), cv::INTER_NEAREST,
+                     cv::BORDER_REFLECT_101);
+      cv::absdiff(other, values, other);
+      cv::boxFilter(other, other, -1, window);
+      result |= other < mostOfContrast * contrast;
+    }
+  return result;
+}
+
 DenseMotion motionPerView(const Neighbours& neighbours) {
   const auto& [view, step, before, after] = neighbours;
   if (!neighbours.hasBefore() && !neighbours.hasAfter()) return {};
@@ -185,13 +211,15 @@ Occlusions occlusionsIn(const Neighbours& neighbours, int axis, int before, int 
                         const std::function<cv::Mat1b(int)>& target) {
   constexpr double wanted = 48;  // pixels that the nearest and the farthest content move apart
   Occlusions votes;
+  const cv::Mat1b isUnique = ~repetitions(neighbours.view, axis);
   const double spread = spreadOf(motionPerView(neighbours), axis);
   if (!(spread > 0)) return votes;
   const cv::Mat1f view = smoothed(neighbours.view);
   const auto judge = [&](const DenseMotion& motion, int stepOfMotion, int t) {
     if (motion.shift.empty() || t == 0) return;
+    const DenseMotion certain{motion.shift, motion.isSure & isUnique};
     votes += votesOf(view, smoothed(target(t)),
-                     arrivalsOf(motion, double(t) / stepOfMotion, t, axis), t);
+                     arrivalsOf(certain, double(t) / stepOfMotion, t, axis), t);
   };
   const int far = int(std::clamp(wanted / spread, 1.0, 1e6));
   judge(neighbours.before, -neighbours.step, std::min(far, after));

@@ -20,6 +20,11 @@ struct DenseMotion {
 /// Both pictures are 8-bit grey and of one size.
 DenseMotion motionBetween(const cv::Mat1b& from, const cv::Mat1b& to);
 
+/// Returns where a picture, moved along axis 0 (x) or 1 (y) by 4 to 28 pixels, looks as it did:
+/// there a motion may as well be another. Repeated patterns are such places, and edges along the
+/// axis.
+cv::Mat1b repetitions(const cv::Mat1b& picture, int axis);
+
 /// A view and those before and after it in its row or column, at `step`; at a border one is
 /// missing.
 struct Neighbours {

@@ -131,6 +131,12 @@ std::vector<PlaceMotion> placesOf(const cv::Mat1b& view, const DenseMotion& alon
   constexpr double perPixel = 1.0 / 4;  // OpenCV's gain: 49 pixels of (8 slopes / 28)²
   cv::cornerMinEigenVal(picture, corner, 7, sobel);
   corner *= perPixel;
+  // A grid needs x and y; one row or column needs the one along which it moves.
+  const cv::Mat1b repeatsX = repetitions(view, 0);
+  const cv::Mat1b repeatsY = repetitions(view, 1);
+  const bool isGrid = !alongColumns.shift.empty() && !alongRows.shift.empty();
+  const cv::Mat1b repeats = isGrid ? repeatsX | repeatsY : repeatsX & repeatsY;
+  corner.setTo(0, repeats);
   std::vector<PlaceMotion> places;
   for (int top = 0; top + side <= view.rows; top += side)
     for (int left = 0; left + side <= view.cols; left += side) {
