@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "chart/outcome_legend.h"
 #include "core/base/axis.h"
@@ -81,7 +82,9 @@ void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane,
     const QString number = QString::fromStdString(tick.text);
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + length));
     painter.drawLine(QPointF(frame.area.left() - length, y), QPointF(frame.area.left(), y));
-    painter.drawText(QRectF(x - 30, bottom + length + 1, 60, 15), Qt::AlignCenter, number);
+    // The outer numbers keep within the map, so that the next one's have room.
+    const double middle = std::clamp(x, frame.area.left() + 14, frame.area.right() - 10);
+    painter.drawText(QRectF(middle - 30, bottom + length + 1, 60, 15), Qt::AlignCenter, number);
     if (isFirst)
       painter.drawText(QRectF(frame.area.left() - 46, y - 8, 40, 16),
                        Qt::AlignRight | Qt::AlignVCenter, number);
