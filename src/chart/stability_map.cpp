@@ -4,6 +4,10 @@
 
 #include <QImage>
 #include <QPainterPath>
+#include <algorithm>
+
+#include "chart/outcome_legend.h"
+#include "core/base/axis.h"
 
 namespace hogelscope {
 
@@ -17,21 +21,14 @@ constexpr double betweenMaps = 16;
 constexpr double belowRow = 50;  // tick labels, axis name, the next row
 constexpr double legendHeight = 66;
 
-/// Light where all is well, dark where it is not; told apart by the colour-blind and in grey.
-QRgb colourOf(Outcome outcome) {
-  constexpr std::array<QRgb, outcomeCount> colours{0xff79bfe8, 0xffffffff, 0xfff7dd4a, 0xffd55e00,
-                                                   0xff3b1f5b};
-  return colours[std::size_t(outcome)];
-}
-
-QString wordsFor(Outcome outcome) {
-  static const std::array<QString, outcomeCount> words{
+const OutcomeWords& words() {
+  static const OutcomeWords all{
       "right: every pixel has its ray, to 0.001 px",
       "no ray: some pixels have none, and the method says so",
       "inexact: some are more than 0.001 px off, but nearer than at first",
       "diverged: some are no nearer than at first, or not a number",
       "wrong root: some have another pixel's ray, or one where there is none"};
-  return words[std::size_t(outcome)];
+  return all;
 }
 
 /// Where a map's lenses are on the paper.
@@ -72,32 +69,25 @@ void paintFoldLine(QPainter& painter, const MapFrame& frame,
   painter.drawPath(path);
 }
 
-QString tickText(double value) {
-  return QString::number(value).replace('-', QChar(0x2212));
-}
-
 /// Five ticks along each axis; names and numbers of y only where it is the row's first map.
 void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane, bool isFirst) {
-  constexpr double tick = 4;
+  constexpr double length = 4;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(Qt::black, 1));
   painter.drawRect(frame.area);
-  for (int k = -2; k <= 2; ++k) {
-    const double value = k * frame.reach / 2;
-    const QPointF below = frame.at(value, -frame.reach);
-    const QPointF left = frame.at(-frame.reach, value);
-    const double bottom = frame.area.bottom();
-    painter.drawLine(QPointF(below.x(), bottom), QPointF(below.x(), bottom + tick));
-    painter.drawLine(QPointF(frame.area.left() - tick, left.y()),
-                     QPointF(frame.area.left(), left.y()));
+  const double bottom = frame.area.bottom();
+  for (const Tick& tick : linearTicks({-frame.reach, frame.reach}, 5)) {
+    const double x = frame.at(tick.value, 0).x();
+    const double y = frame.at(0, tick.value).y();
+    const QString number = QString::fromStdString(tick.text);
+    painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + length));
+    painter.drawLine(QPointF(frame.area.left() - length, y), QPointF(frame.area.left(), y));
     // The outer numbers keep within the map, so that the next one's have room.
-    const auto align = k == 0 ? Qt::AlignHCenter : k < 0 ? Qt::AlignLeft : Qt::AlignRight;
-    if (k % 2 == 0)
-      painter.drawText(QRectF(below.x() - 30 - 15 * k, bottom + tick + 1, 60, 15),
-                       align | Qt::AlignVCenter, tickText(value));
-    if (k % 2 == 0 && isFirst)
-      painter.drawText(QRectF(frame.area.left() - 46, left.y() - 8, 40, 16),
-                       Qt::AlignRight | Qt::AlignVCenter, tickText(value));
+    const double middle = std::clamp(x, frame.area.left() + 14, frame.area.right() - 10);
+    painter.drawText(QRectF(middle - 30, bottom + length + 1, 60, 15), Qt::AlignCenter, number);
+    if (isFirst)
+      painter.drawText(QRectF(frame.area.left() - 46, y - 8, 40, 16),
+                       Qt::AlignRight | Qt::AlignVCenter, number);
   }
   QFont italic = painter.font();
   italic.setItalic(true);
@@ -111,47 +101,13 @@ void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane,
   painter.restore();
 }
 
-void paintTitle(QPainter& painter, const QRectF& area, const QString& title) {
-  QFont bold = painter.font();
-  bold.setBold(true);
-  painter.save();
-  painter.setFont(bold);
-  painter.drawText(area, Qt::AlignCenter, title);
-  painter.restore();
-}
-
-QString titleOf(const InverseMethod& method) {
-  const QStringList words = QString::fromStdString(method.name).split(' ');
-  if (words[0] == "OpenCV") return "OpenCV, " + words[1] + " iterations";
-  if (words[0] == "Newton") return "Newton, " + words[1] + " steps";
-  return "certified (ours)";
-}
-
-/// Two columns of samples, the fold line's too.
 void paintLegend(QPainter& painter, const QRectF& area) {
-  constexpr int rows = 3;
-  constexpr double step = 21;
-  const double width = area.width() / 2;
-  const auto place = [&](int index) {
-    const int column = index / rows;
-    const int row = index % rows;
-    return QPointF(area.left() + column * width, area.top() + row * step);
-  };
-  const auto label = [&](int index, const QString& text) {
-    painter.setPen(Qt::black);
-    painter.drawText(QRectF(place(index) + QPointF(32, 0), QSizeF(width - 34, 16)),
-                     Qt::AlignLeft | Qt::AlignVCenter, text);
-  };
-  for (int k = 0; k < int(outcomeCount); ++k) {
-    painter.setPen(QPen(Qt::black, 0.8));
-    painter.setBrush(QColor(colourOf(Outcome(k))));
-    painter.drawRect(QRectF(place(k) + QPointF(0, 1), QSizeF(22, 14)));
-    label(k, wordsFor(Outcome(k)));
-  }
-  const int last = int(outcomeCount);
+  paintOutcomeLegend(painter, area, words());
+  const QRectF line = legendLine(area, int(outcomeCount));
   painter.setPen(QPen(Qt::black, 1.4));
-  painter.drawLine(place(last) + QPointF(0, 8), place(last) + QPointF(22, 8));
-  label(last, "fold line: beyond it the lens folds within the picture");
+  painter.drawLine(line.topLeft() + QPointF(0, 8), line.topLeft() + QPointF(22, 8));
+  painter.drawText(line.adjusted(32, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                   "fold line: beyond it the lens folds within the picture");
 }
 
 }  // namespace

@@ -119,7 +119,10 @@ std::string explained(const Job& job) {
   if (!job.sections.empty()) {
     text += "\nWith --set it also knows the parameters of";
     for (const std::string_view section : job.sections)
-      text += (section == job.sections.front() ? " " : " and ") + std::string(section);
+      text += (section == job.sections.front()  ? " "
+               : section == job.sections.back() ? " and "
+                                                : ", ") +
+              std::string(section);
     text += "; see --help parameters.\n";
   }
   if (!job.examples.empty()) text += "\nExamples:\n" + std::string(job.examples);

@@ -63,8 +63,10 @@ const std::vector<Job>& jobs() {
            "  hogelscope --make-cameras random --session s.json --count 200 --seed 7 \\\n"
            "             --set cameraRegion.lookat=nearest --output random.json\n"
            "  hogelscope --make-cameras trace.csv --session s.json --count 600 --output "
-           "viewer.json\n",
-       .sections = {"cameraSet", "cameraRegion"},
+           "viewer.json\n"
+           "  hogelscope --make-cameras viewer.json --session s.json --set trace.only=I01P2R3 \\\n"
+           "             --output seen.json\n",
+       .sections = {"cameraSet", "cameraRegion", "trace"},
        .run = runMakeCameras},
       {.command = Command::generate,
        .name = "generate",

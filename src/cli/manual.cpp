@@ -101,7 +101,7 @@ std::string parameterManual() {
          table<DistortionParams>() + table<PsfParams>() +
          "# Parameters of a camera set\n\n"
          "For `--make-cameras`, likewise with `--set`; none of them stands in a session.\n\n" +
-         table<CameraSetParams>() + table<CameraRegionParams>() +
+         table<CameraSetParams>() + table<CameraRegionParams>() + table<TraceParams>() +
          "# Parameters of a pattern\n\n"
          "For `--generate`, likewise with `--set`; none of them stands in a session.\n\n" +
          table<PatternParams>();

@@ -65,9 +65,11 @@ LensOutcomes LensTrial::outcomes(const InverseMethod& method) const {
   const Distortion lens(m_lens.distortion);
   const std::vector<Vec2> ideal = method.undistort(lens, m_distorted, m_progress);
   LensOutcomes all;
+  all.each.reserve(ideal.size());
   for (std::size_t at = 0; at < ideal.size(); ++at) {
     const Outcome here = outcome(at, ideal[at], method.saysNoRay);
     ++all.count[std::size_t(here)];
+    all.each.push_back(here);
     if (here == Outcome::noRay) continue;
     const double residual = pixels(m_distorted[at], lens.distort(ideal[at]));
     all.worstResidual = std::isfinite(residual) ? std::max(all.worstResidual, residual)

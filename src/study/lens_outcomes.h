@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/lens/lens_rays.h"
@@ -12,7 +14,7 @@ namespace hogelscope {
 
 /// The outcome of a point, in the order of harm. A root is an ideal point whose distorted point is
 /// within a thousandth of a pixel of the wanted one.
-enum class Outcome {
+enum class Outcome : std::uint8_t {
   right,     ///< the root on the branch that grows from the centre, within a pixel
   noRay,     ///< there is none, and the method says so
   inexact,   ///< not a root, but nearer to one than where the method began
@@ -26,7 +28,8 @@ const std::array<std::string, outcomeCount>& outcomeNames();
 
 struct LensOutcomes {
   std::array<std::size_t, outcomeCount> count{};
-  double worstResidual = 0;  ///< px, over all points that the method returned; infinite for NaN
+  std::vector<Outcome> each;  ///< of all points, row by row
+  double worstResidual = 0;   ///< px, over all points that the method returned; infinite for NaN
   [[nodiscard]] std::size_t operator[](Outcome o) const { return count[std::size_t(o)]; }
   [[nodiscard]] std::size_t points() const;
   /// Returns the most harmful outcome that occurs.

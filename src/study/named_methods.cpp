@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The methods that are compared.
+#include <algorithm>
 #include <limits>
 
+#include "core/optics/distortion.h"
 #include "study/tradeoff.h"
 
 namespace hogelscope {
@@ -26,6 +28,17 @@ NamedMethod rays(Reconstruction how, int samples) {
 }
 
 }  // namespace
+
+std::vector<NamedMethod> methodsFor(const std::vector<RenderJob>& views) {
+  std::vector<NamedMethod> methods = namedMethods();
+  const bool hasLens = std::ranges::any_of(
+      views, [](const RenderJob& job) { return !Distortion(job.state.distortion).isIdentity(); });
+  if (!hasLens)
+    std::erase_if(methods, [](const NamedMethod& m) {
+      return m.mapping != exactly || m.method.lens != Method{}.lens;
+    });
+  return methods;
+}
 
 std::vector<NamedMethod> namedMethods() {
   return {

@@ -134,7 +134,7 @@ double megaRays(const RenderJob& job) {
 /// All methods' rows without times, and the time of one round of all views in ms.
 double measureErrors(const std::vector<RenderJob>& views, const ParallelRows& parallelRows,
                      const Progress& progress, std::vector<TradeoffRow>& rows) {
-  const std::vector<NamedMethod> methods = namedMethods();
+  const std::vector<NamedMethod> methods = methodsFor(views);
   std::vector<ErrorSum> sums(methods.size());
   const auto start = std::chrono::steady_clock::now();
   const Question question = questionOf(views.front().sampling);
@@ -192,7 +192,7 @@ Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const ParallelRows
   result.timedViews = timedOnes.size();
   const double timedRound = round * double(timedOnes.size()) / double(views.size());
   result.runs = std::clamp(int(2 * longestRound / timedRound), leastRuns, mostRuns);
-  const std::vector<NamedMethod> methods = namedMethods();
+  const std::vector<NamedMethod> methods = methodsFor(views);
   std::vector<std::vector<double>> times(methods.size());
   for (int run = 0; run < result.runs; ++run)
     for (std::size_t m = 0; m < methods.size(); ++m) {

@@ -21,6 +21,10 @@ struct NamedMethod {
 /// Returns all methods that are compared, the default ("exact") first.
 std::vector<NamedMethod> namedMethods();
 
+/// Returns those that say something of the views: without a lens in any of them, none that differs
+/// from another in the lens alone.
+std::vector<NamedMethod> methodsFor(const std::vector<RenderJob>& views);
+
 RenderJob applyMethod(const NamedMethod& method, const RenderJob& job);
 
 /// The reference that the error is measured against.

@@ -19,6 +19,7 @@ class TestCameraJob : public QObject {
   void sameSeedSameBytes();
   void intoTheSessionItself();
   void onlySomeStatesAreKept();
+  void templateIsLeftOut();
   void sessionSettingsAreTheSessions();
   void userDefined();
   void viewersTrace();
@@ -50,8 +51,11 @@ void TestCameraJob::setRendersAndSeesTheDisplay() {
   const Outcome made =
       job({"uniform", "--region", "arc", "--count", "9", "--output", "new/s2.json"});
   QCOMPARE(made.err, QByteArray());
-  QCOMPARE(made.out, QByteArray("9 camera state(s) added: uniform-0001 … uniform-0009; 11 in "
-                                "new/s2.json\n"));
+  QCOMPARE(made.out,
+           QByteArray("9 camera state(s) added: uniform-0001 … uniform-0009; 11 in "
+                      "new/s2.json\n"
+                      "their lens, PSF, resolution and field of view are those of \"a\", "
+                      "which stays (--set cameraSet.keepTemplate=false leaves it out)\n"));
   QCOMPARE(made.status, 0);
   const Session before = loadSession("s.json");
   Session after = loadSession("new/s2.json");
@@ -95,6 +99,22 @@ void TestCameraJob::onlySomeStatesAreKept() {
   const Session made = loadSession("s2.json");
   QCOMPARE(made.cameras.size(), std::size_t(2));
   QCOMPARE(made.cameras[1].camera.fov, 40.0);
+}
+
+void TestCameraJob::templateIsLeftOut() {
+  const Outcome outcome = job({"random", "--count", "2", "--set", "cameraSet.template=b", "--set",
+                               "cameraSet.keepTemplate=false", "--output", "s2.json"});
+  QCOMPARE(outcome.out, QByteArray("2 camera state(s) added: random-0001 … random-0002; 3 in "
+                                   "s2.json\ntheir lens, PSF, resolution and field of view are "
+                                   "those of \"b\", which is left out\n"));
+  const Session made = loadSession("s2.json");
+  QCOMPARE(made.cameras.size(), std::size_t(3));
+  QCOMPARE(made.cameras[0], loadSession("s.json").cameras[0]);
+  QCOMPARE(made.cameras[1].camera.fov, 40.0);
+  const Outcome alone = job({"random", "--count", "1", "--states", "b", "--set",
+                             "cameraSet.keepTemplate=false", "--output", "s2.json"});
+  QCOMPARE(alone.err, QByteArray());
+  QCOMPARE(loadSession("s2.json").cameras.size(), std::size_t(1));
 }
 
 void TestCameraJob::sessionSettingsAreTheSessions() {

@@ -22,6 +22,25 @@ QStringList stability(const QStringList& more) {
   return QStringList{"--stability", "--output", "out"} + more;
 }
 
+/// How many of the 41×41 pixels of the first lens are blue in lenses.png, by a method.
+int blueOnes(int method) {
+  const auto spec = specOf("out/lenses.png");
+  const auto values = valuesOf<std::uint8_t>("out/lenses.png");
+  const std::size_t channels = values.size() / std::size_t(spec.width * spec.height);
+  constexpr double across = (1000 - 2 * 14 - 4 * 16) / 5.0;  // points, half as many as pixels
+  constexpr double up = across * 480 / 640;
+  int count = 0;
+  for (int row = 0; row < 41; ++row) {
+    for (int column = 0; column < 41; ++column) {
+      const int x = int(2 * (14 + method * (across + 16) + (column + 0.5) * across / 41));
+      const int y = int(2 * (72 + (row + 0.5) * up / 41));
+      const std::size_t at = std::size_t(y * spec.width + x) * channels;
+      count += values[at] == 0x79 && values[at + 1] == 0xbf && values[at + 2] == 0xe8 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 class TestStabilityJob : public QObject {
@@ -49,9 +68,10 @@ void TestStabilityJob::writesItsFilesWhateverTheThreads() {
   const Outcome one = run(stability(cameras + QStringList{"--threads", "1"}), ".");
   QCOMPARE(one.err, QByteArray());
   QCOMPARE(one.out, QByteArray("8 lens(es) and two maps in out/stability.csv and "
-                               "out/stability.png\n"));
+                               "out/stability.png\n2 lens(es) of the calibrations, pixel by "
+                               "pixel, in out/lenses.png\n"));
   QCOMPARE(one.status, 0);
-  QCOMPARE(namesIn("out"), QStringList({"stability.csv", "stability.png"}));
+  QCOMPARE(namesIn("out"), QStringList({"lenses.png", "stability.csv", "stability.png"}));
   const QByteArray table = contentOf("out/stability.csv");
   QVERIFY(table.startsWith("kind,lens,method,points,right,"));
   QCOMPARE(table.count("\nlens,\"a, b\","), 5);
@@ -61,6 +81,13 @@ void TestStabilityJob::writesItsFilesWhateverTheThreads() {
   QCOMPARE(spec.width, 2000);
   QVERIFY(spec.height > 1000);
   const QByteArray picture = contentOf("out/stability.png");
+  const QList<QStringList> rows = tableOf("out/stability.csv");
+  for (int method = 0; method < 5; ++method) {
+    const QStringList& row = rows[1 + 6 * 5 + method];  // after those of the six hard lenses
+    QCOMPARE(row[1], QString("a, b"));
+    QCOMPARE(blueOnes(method), row[4].toInt());
+  }
+  QVERIFY(blueOnes(0) < 1681);
 
   const Outcome two = run(stability(cameras + QStringList{"--threads", "2", "--quiet"}), ".");
   QCOMPARE(two.err + two.out, QByteArray());

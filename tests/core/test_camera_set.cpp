@@ -43,6 +43,7 @@ class TestCameraSet : public QObject {
   void mixtureShares();
   void pathStepsAreEqual();
   void traceWeighsByTime();
+  void traceThatHolds();
   void statesAreTheTemplates();
   void statesStandInFrontOfATurnedPanel();
   void namesSortAndAreUnique();
@@ -122,7 +123,7 @@ void TestCameraSet::traceWeighsByTime() {
   CameraSet set;
   set.params.count = 400;
   set.params.place = 0.008;  // the walk's samples are 0.01 m apart
-  set.source = Trace{{{10, {0, 0, 1}}, {14, {0, 0, 1}}, {16, {1, 0, 1}}, {18, {1, 0, 1}}}};
+  set.source = Trace{{{0, {0, 0, 1}}, {4, {0, 0, 1}}, {6, {1, 0, 1}}, {8, {1, 0, 1}}}};
   const std::vector<CameraPose> poses = posesOf(set, panel);
   double sum = 0;
   double mean = 0;
@@ -138,6 +139,19 @@ void TestCameraSet::traceWeighsByTime() {
   QVERIFY(near(poses.front().eye, {0, 0, 1}, 1e-14));
   set.params.place = 4;
   QCOMPARE(posesOf(set, panel).size(), std::size_t(1));
+}
+
+/// Two recordings meet at 3: what is between them takes no time, and a last line neither.
+void TestCameraSet::traceThatHolds() {
+  CameraSet set;
+  set.params.count = 400;
+  set.source = Trace{{{0, {0, 0, 1}}, {3, {1, 0, 1}}, {3, {2, 0, 1}}, {4, {3, 0, 1}}}, true};
+  const std::vector<CameraPose> poses = posesOf(set, panel);
+  QCOMPARE(poses.size(), std::size_t(2));
+  QCOMPARE(poses[0].weight, 300.0);
+  QCOMPARE(poses[0].eye, (Vec3{0, 0, 1}));
+  QCOMPARE(poses[1].weight, 100.0);
+  QCOMPARE(poses[1].eye, (Vec3{2, 0, 1}));
 }
 
 void TestCameraSet::statesAreTheTemplates() {

@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/optics/display.h"
 #include "io/documents/camera_set_file.h"
 #include "tests/io/documents.h"
 
@@ -41,6 +42,12 @@ class TestCameraSetFile : public QObject {
   void path();
   void traces_data();
   void traces();
+  void namedColumns();
+  void recordings();
+  void viewIndices();
+  void unitsByOverrides();
+  void badColumns_data();
+  void badColumns();
   void badDocuments_data();
   void badDocuments();
   void badTraces_data();
@@ -64,12 +71,13 @@ void TestCameraSetFile::distributionsByName() {
 
 void TestCameraSetFile::settingsOfADocument() {
   writeFile("c.json", document(R"(,
-    "cameraSet": {"count": 12, "seed": 9, "template": "Fig 4", "name": "ring", "place": 0.5},
+    "cameraSet": {"count": 12, "seed": 9, "template": "Fig 4", "name": "ring", "keepTemplate": false,
+      "place": 0.5},
     "cameraRegion": {"distribution": "random", "region": "arc", "centre": [1, 2, 3],
       "extent": [4, 5, 5.5], "distance": [0.5, 1], "angle": [-10, 20], "elevation": [-1, 1],
       "deviation": 0.5, "lookat": "jittered", "target": [0.1, 0.2, -0.3], "jitter": 0.25})"));
   const CameraSet set = loadCameraSet("c.json");
-  QVERIFY((set.params == CameraSetParams{12, 9, "ring", "Fig 4", 0.5}));
+  QVERIFY((set.params == CameraSetParams{12, 9, "ring", "Fig 4", false, 0.5}));
   QVERIFY((set.region == CameraRegionParams{CameraSpread::random,
                                             RegionShape::arc,
                                             {1, 2, 3},
@@ -127,6 +135,8 @@ void TestCameraSetFile::traces_data() {
   QTest::newRow("with names") << QByteArray("time,x,y,z\n0,1,2,3\n0.5,-1,-2,3\n") << 3.0;
   QTest::newRow("without") << QByteArray("0,1,2,3\n0.5,-1,-2,3") << 3.0;
   QTest::newRow("no distance") << QByteArray("time,x,y\n0,1,2\n0.5,-1,-2\n") << 0.75;
+  QTest::newRow("another order, more columns")
+      << QByteArray("z,y,\"who, where\",x,time\n3,2,a,1,7\n3,-2,\"b, c\",-1,7.5\n") << 3.0;
   QTest::newRow("a spreadsheet's") << QByteArray(
                                           "\xEF\xBB\xBFtime, x, y\r\n0, 1, 2\r\n\r\n"
                                           "5e-1, -1, -2\r\n\r\n")
@@ -143,6 +153,120 @@ void TestCameraSetFile::traces() {
   QVERIFY((found.points[0].eye == Vec3{1, 2, z}));
   QCOMPARE(found.points[1].time, 0.5);
   QVERIFY((found.points[1].eye == Vec3{-1, -2, z}));
+}
+
+/// The form of mmspg/lightfieldvrtb: a line at each change of view; a time in ms since 1970.
+constexpr const char* tracks =
+    "Stimulus,Timestamp,x,y\nI10,1518516389517,0,2\nI10,1518516389717,0,3\n"
+    "I10,1518516390517,8,3\nI01,1518516400000,4,4\nI01,1518516400500,4,5\n";
+
+/// A document of those tracks, with more settings.
+QByteArray tracksDocument(const QByteArray& more) {
+  return document(R"(, "cameraRegion": {"centre": [0, 0, 0.5]}, "trace": {"file": "t.csv",
+    "time": "Timestamp", "timeUnit": 0.001, "origin": [4, 4, 0], "scale": [-0.02, 0.01, 1])" +
+                  more + "}");
+}
+
+void TestCameraSetFile::namedColumns() {
+  writeFile("where/t.csv", tracks);
+  writeFile("where/c.json",
+            tracksDocument(R"(, "recording": "Stimulus", "only": "I10", "holds": true)"));
+  const auto found = sourceIn<Trace>(loadCameraSet("where/c.json"));
+  QVERIFY(found.holds);
+  QCOMPARE(found.points.size(), std::size_t(3));
+  const std::array<double, 3> times{0, 0.2, 1};
+  const std::array<Vec3, 3> eyes{Vec3{0.08, -0.02, 0.5}, {0.08, -0.01, 0.5}, {-0.08, -0.01, 0.5}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    QVERIFY(std::abs(found.points[k].time - times[k]) < 1e-6);
+    QVERIFY(length(found.points[k].eye - eyes[k]) < 1e-15);
+  }
+}
+
+/// The ten seconds between the two do not count.
+void TestCameraSetFile::recordings() {
+  writeFile("t.csv", tracks);
+  writeFile("c.json", tracksDocument(R"(, "recording": "Stimulus")"));
+  const auto found = sourceIn<Trace>(loadCameraSet("c.json"));
+  QCOMPARE(found.points.size(), std::size_t(5));
+  QCOMPARE(found.points[3].time, found.points[2].time);
+  QVERIFY(std::abs(found.points[4].time - 1.5) < 1e-6);
+  const auto all = sourceIn<Trace>(loadCameraSet("c.json", {"trace.recording="}));
+  QVERIFY(std::abs(all.points[4].time - 10.983) < 1e-6);
+  const auto one = sourceIn<Trace>(loadCameraSet("c.json", {"trace.only=I01"}));
+  QCOMPARE(one.points.size(), std::size_t(2));
+}
+
+/// An eye at the place of view (u, v) has the direction (u, v) at every point of the panel.
+void TestCameraSetFile::viewIndices() {
+  DisplayParams params;
+  params.hogels = {50, 40};
+  params.directions = {9, 7};
+  params.fov = {40, 30};
+  params.viewingDistance = 0.8;
+  const Display display(params);
+  const auto step = [&](std::size_t axis) {  // docs/formulas.md, Viewers' traces
+    return 2 * 0.8 * std::tan(radians(params.fov[axis]) / 2) / params.directions[axis];
+  };
+  writeFile("t.csv", "time,x,y\n0,0,0\n1,8,0\n2,3,5\n3,4,3\n");
+  const auto found = sourceIn<Trace>(loadCameraSet(
+      "t.csv",
+      {"cameraRegion.centre=[0,0,0.8]", "trace.origin=[4,3,0]",
+       "trace.scale=[" + std::to_string(step(0)) + "," + std::to_string(-step(1)) + ",1]"}));
+  const std::array<Vec2, 4> views{Vec2{0, 0}, {8, 0}, {3, 5}, {4, 3}};
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    for (const Vec3& place : {Vec3{0, 0, 0}, Vec3{0.2, -0.24, 0}}) {
+      const Vec3& eye = found.points[k].eye;
+      const std::optional<Hit> hit = display.hit(eye, place - eye);
+      QVERIFY(hit.has_value());
+      QVERIFY(std::abs(hit->u - (views[k].x + 0.5)) < 1e-3);
+      QVERIFY(std::abs(hit->v - (views[k].y + 0.5)) < 1e-3);
+    }
+  }
+}
+
+void TestCameraSetFile::unitsByOverrides() {
+  writeFile("t.csv", "100,5,6,700\n350,-5,6,700\n");  // ms and mm
+  const auto found = sourceIn<Trace>(
+      loadCameraSet("t.csv", {"trace.timeUnit=0.001", "trace.scale=[0.001,0.001,0.001]"}));
+  QCOMPARE(found.points[1].time, 0.25);
+  QVERIFY(length(found.points[1].eye - Vec3{-0.005, 0.006, 0.7}) < 1e-15);
+}
+
+void TestCameraSetFile::badColumns_data() {
+  QTest::addColumn<QByteArray>("more");
+  QTest::addColumn<QString>("line");
+  const auto row = [](const char* name, const QByteArray& more, const char* line) {
+    QTest::newRow(name) << more << QString(line);
+  };
+  const char* names = ": \"Stimulus,Timestamp,x,y\"";
+  row("no such column", R"(, "x": "view")",
+      (QByteArray("t.csv: line 1: has no column \"view\", which is the trace's x") + names));
+  row("no such depth", R"(, "z": "depth")",
+      (QByteArray("t.csv: line 1: has no column \"depth\", which is the trace's z") + names));
+  row("no such recordings", R"(, "recording": "trial")",
+      (QByteArray("t.csv: line 1: has no column \"trial\", which is the trace's recording") +
+       names));
+  row("no such recording", R"(, "recording": "Stimulus", "only": "I3")",
+      "t.csv: has no line whose Stimulus is \"I3\"");
+  row("of what", R"(, "only": "I10")",
+      "c.json: trace.only: needs trace.recording, the column that says which one it is");
+  row("alone", R"(, "recording": "Timestamp")",
+      "t.csv: has no two lines of one recording: no time passes");
+  row("unknown", R"(, "colum": "x")",
+      "c.json: trace.colum: is not known here; known are file, time, x, y, z, recording, only, "
+      "timeUnit, origin, scale, holds");
+  row("far", R"(, "y": "Timestamp")",
+      "t.csv: line 2: y \"1518516389517\" is not a number from -1e12 to 1e12");
+  row("two sources", R"(}, "path": {)",
+      "c.json: trace: is the second source of states: give one of mixture, poses, path, trace");
+}
+
+void TestCameraSetFile::badColumns() {
+  QFETCH(const QByteArray, more);
+  QFETCH(const QString, line);
+  writeFile("t.csv", tracks);
+  writeFile("c.json", tracksDocument(more));
+  QCOMPARE(errorOf([] { (void)loadCameraSet("c.json"); }), line);
 }
 
 void TestCameraSetFile::badDocuments_data() {
@@ -181,7 +305,11 @@ void TestCameraSetFile::badDocuments_data() {
   row("reversed", document(R"(, "cameraRegion": {"distance": [2, 1]})"),
       "cameraRegion.distance: ends before it begins: give [least, most]");
   row("two sources", document(R"(, "poses": [)" + pose + R"(], "path": [)" + pose + "]"),
-      "path: is the second source of states: give one of mixture, poses, path");
+      "path: is the second source of states: give one of mixture, poses, path, trace");
+  row("no trace's file", document(R"(, "trace": {"time": "t"})"),
+      "trace.file: is missing: the CSV file's name");
+  row("trace of a document", document(R"(, "trace": {"file": "c.json"})"),
+      "trace.file: \"c.json\" is a document, not a CSV file");
   row("no list", document(R"(, "poses": {})"), "poses: is not a list: [ { … }, … ]");
   row("no poses", document(R"(, "poses": [])"), "poses: has 0 elements; allowed are 1 to 100000");
   row("too many poses", document(R"(, "poses": [)" + twice("0", 100001) + "]"),
@@ -226,23 +354,26 @@ void TestCameraSetFile::badTraces_data() {
   row("empty", "", (QByteArray("has 0") + few).constData());
   row("names only", "time,x,y\n", (QByteArray("has 0") + few).constData());
   row("one point", "0,0,0\n", (QByteArray("has 1") + few).constData());
-  row("other names", "t,x,y\n", "line 1: \"t,x,y\" is not time, x, y or time, x, y, z");
-  row("two columns", "0,1\n", "line 1: \"0,1\" is not time, x, y or time, x, y, z");
-  row("semicolons", "0;1;2\n", "line 1: \"0;1;2\" is not time, x, y or time, x, y, z");
-  row("five columns", "time,x,y,z,w\n",
-      "line 1: \"time,x,y,z,w\" is not time, x, y or time, x, y, z");
+  const auto notATrace = [](const char* shown) {
+    return QByteArray("line 1: \"") + shown +
+           "\" is not time, x, y or time, x, y, z; \"trace\" in a camera set names other columns";
+  };
+  row("other names", "t,x,y\n", notATrace("t,x,y"));
+  row("two columns", "0,1\n", notATrace("0,1"));
+  row("semicolons", "0;1;2\n", notATrace("0;1;2"));
+  row("five columns", "0,0,0,1,7\n", notATrace("0,0,0,1,7"));
   row("truncated", "time,x,y,z\n0,0,0,1\n1,0,0", "line 3: has 3 cells, the first line has 4");
-  row("no number", "time,x,y\n0,0,a\n", "line 2: y \"a\" is not a number from -10000 to 10000 m");
-  row("NaN", "0,0,0\nnan,0,0\n", "line 2: time \"nan\" is not a number from -1e12 to 1e12 s");
-  row("infinite", "0,0,0\n1,-inf,0\n", "line 2: x \"-inf\" is not a number from -10000 to 10000 m");
-  row("empty cell", "0,0,0\n1,,0\n", "line 2: x \"\" is not a number from -10000 to 10000 m");
+  row("no number", "time,x,y\n0,0,a\n", "line 2: y \"a\" is not a number from -1e12 to 1e12");
+  row("NaN", "0,0,0\nnan,0,0\n", "line 2: time \"nan\" is not a number from -1e18 to 1e18");
+  row("infinite", "0,0,0\n1,-inf,0\n", "line 2: x \"-inf\" is not a number from -1e12 to 1e12");
+  row("empty cell", "0,0,0\n1,,0\n", "line 2: x \"\" is not a number from -1e12 to 1e12");
+  row("far", "0,0,0\n1,0,10001\n", "line 2: y \"10001\" is farther than 10000 m");
   row("behind", "0,0,0,1\n1,0,0,-0.5\n",
       "line 2: z \"-0.5\" is not above 0, in front of the panel");
   row("back in time", "1,0,0\n\n0.5,0,0\n",
       "line 3: time \"0.5\" is not after that of the line before");
   row("the same time", "1,0,0\n1,0,0\n", "line 2: time \"1\" is not after that of the line before");
-  row("binary", QByteArray("\x89PNG\r\n\x1a\n\0\0", 10),
-      "line 1: \"?PNG\" is not time, x, y or time, x, y, z");
+  row("binary", QByteArray("\x89PNG\r\n\x1a\n\0\0", 10), notATrace("?PNG"));
 }
 
 void TestCameraSetFile::badTraces() {
@@ -260,7 +391,7 @@ void TestCameraSetFile::badOverrides() {
            QString("camera set: cameraSet.count: \"lots\" is not a number"));
   QCOMPARE(refusal("uniform", "psf.sigma=1"),
            QString("camera set: override psf.sigma=1: there is no section \"psf\" in a camera "
-                   "set: cameraSet, cameraRegion"));
+                   "set: cameraSet, cameraRegion, trace"));
   QCOMPARE(refusal("grid", "cameraSet.count=1"),
            QString("camera set: \"grid\" is not one of uniform, random, normal, nor a "
                    "FILE.json or FILE.csv"));

@@ -63,6 +63,21 @@ class TestTradeoff : public QObject {
     QVERIFY(byDefault.method == Method{} && byDefault.sampling == SamplingParams{});
   }
 
+  /// "PSF off" and "exact, float" stay; one state with a lens is enough for all to stay.
+  void withoutALensNoLensMethods() {
+    auto views = someViews();
+    views[0].state.distortion = {};
+    QCOMPARE(methodsFor(views).size(), namedMethods().size());
+    views[1].state.distortion = {};
+    std::set<std::string> names;
+    for (const TradeoffRow& row : measureTradeoff(views, parallelRows, {}).rows) {
+      QCOMPARE(row.lens, std::string("exact"));
+      names.insert(row.method);
+    }
+    QCOMPARE(names.size(), namedMethods().size() - 10);
+    QVERIFY(names.contains("PSF off") && names.contains("exact, float"));
+  }
+
   void theQuestionFollowsTheSampling() {
     QVERIFY(questionOf({}) == Question::displayAsBuilt);
     QVERIFY(questionOf({LensMapping::direct}) == Question::displayAsBuilt);

@@ -12,9 +12,29 @@
 
 namespace hogelscope {
 
+namespace {
+
+void sayWhatWasMade(const CameraSet& set, const Session& before, const Session& after,
+                    const std::string& output) {
+  const bool isKept = set.params.keepTemplate;
+  const std::size_t first = before.cameras.size() - (isKept ? 0 : 1);
+  const std::string& model = set.params.templateState.empty() ? before.cameras.front().camera.name
+                                                              : set.params.templateState;
+  std::cout << after.cameras.size() - first
+            << " camera state(s) added: " << after.cameras[first].camera.name << " … "
+            << after.cameras.back().camera.name << "; " << after.cameras.size() << " in " << output
+            << "\ntheir lens, PSF, resolution and field of view are those of \"" << model << "\", "
+            << (isKept ? "which stays (--set cameraSet.keepTemplate=false leaves it out)"
+                       : "which is left out")
+            << "\n";
+}
+
+}  // namespace
+
 int runMakeCameras(const CommandLine& line) {
   const Session session = loadSelected(line);
-  const Session result = withCameras(session, loadCameraSet(line.subject, line.jobOverrides));
+  const CameraSet set = loadCameraSet(line.subject, line.jobOverrides);
+  const Session result = withCameras(session, set);
   const std::string output = line.text("output");
   if (!isSessionFile(output))
     throw InputError(output, "cannot be written", "a session's name ends in .json");
@@ -22,11 +42,7 @@ int runMakeCameras(const CommandLine& line) {
   checkOutputs({output}, {line.subject, line.text("calibration"), contentName(session.lightField)});
   makeFolderOf(output);
   saveSession(output, result);
-  if (!line.has("quiet"))
-    std::cout << result.cameras.size() - session.cameras.size()
-              << " camera state(s) added: " << result.cameras[session.cameras.size()].camera.name
-              << " … " << result.cameras.back().camera.name << "; " << result.cameras.size()
-              << " in " << output << "\n";
+  if (!line.has("quiet")) sayWhatWasMade(set, session, result, output);
   return 0;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --stability: where methods fail, as a table and as maps.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
+#include "chart/lens_pictures.h"
 #include "chart/stability_map.h"
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
@@ -17,7 +19,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The hard lenses and those of `calibrations`, "" for none.
+/// The hard lenses, and then those of `calibrations`, "" for none.
 std::vector<NamedLens> allLenses(const std::string& calibrations) {
   std::vector<NamedLens> lenses = hardLenses();
   if (calibrations.empty()) return lenses;
@@ -35,7 +37,10 @@ int runStability(const CommandLine& line) {
   const std::string calibrations = line.text("calibrations");
   const std::vector<NamedLens> lenses = allLenses(calibrations);
   const std::filesystem::path folder = line.text("output");
-  checkOutputs({folder / "stability.csv", folder / "stability.png"}, {calibrations});
+  const std::size_t first = hardLenses().size();
+  const bool hasOwn = lenses.size() > first;
+  checkOutputs({folder / "stability.csv", folder / "stability.png", folder / "lenses.png"},
+               {calibrations});
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
   const Stability stability = measureStability(lenses, parallelRows, bar.progress());
@@ -44,13 +49,21 @@ int runStability(const CommandLine& line) {
       pngOf([&stability](QPainter& painter,
                          const QSizeF& size) { paintStabilityMaps(painter, size, stability.maps); },
             stabilityMapsSize());
+  const auto lensPictures = [&](QPainter& painter, const QSizeF& size) {
+    paintLensPictures(painter, size, stability, first);
+  };
   writeTextFile(folder / "stability.csv", csv(stability));
   writeTextFile(folder / "stability.png", picture);
+  if (hasOwn)
+    writeTextFile(folder / "lenses.png", pngOf(lensPictures, lensPicturesSize(stability, first)));
   bar.done();
-  if (!line.has("quiet"))
-    std::cout << lenses.size() << " lens(es) and two maps in "
-              << (folder / "stability.csv").string() << " and "
-              << (folder / "stability.png").string() << "\n";
+  if (line.has("quiet")) return 0;
+  std::cout << lenses.size() << " lens(es) and two maps in " << (folder / "stability.csv").string()
+            << " and " << (folder / "stability.png").string() << "\n";
+  if (hasOwn)
+    std::cout << std::min(lenses.size() - first, mostLensPictures)
+              << " lens(es) of the calibrations, pixel by pixel, in "
+              << (folder / "lenses.png").string() << "\n";
   return 0;
 }
 

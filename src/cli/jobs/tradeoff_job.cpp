@@ -46,6 +46,8 @@ int runTradeoff(const CommandLine& line) {
   std::cout << "error against " << questionText(question) << " (" << details(question) << "), over "
             << views.size() << " state(s)\ntime per picture, lens rays included: median of "
             << result.runs << " interleaved runs on " << result.timedViews << " state(s)\n";
+  if (methodsFor(views).size() < namedMethods().size())
+    std::cout << "no state has a lens: ways to invert one are left out\n";
   const auto print = [&](const char* what, std::optional<std::size_t> row) {
     if (row) std::cout << what << result.rows[*row].method << "\n";
   };

@@ -15,8 +15,15 @@ double decadeOf(double value) {
   return std::pow(10, std::floor(std::log10(value)));
 }
 
+/// A minus sign is as wide as a plus; a hyphen is not.
+std::string withMinus(std::string number) {
+  for (std::size_t at = 0; (at = number.find('-', at)) != std::string::npos;)
+    number.replace(at, 1, "−");
+  return number;
+}
+
 std::string textOf(double value, int decade) {
-  return std::abs(decade) > 5 ? numberText(value) : rounded(value, std::max(0, -decade));
+  return std::abs(decade) > 5 ? withMinus(numberText(value)) : rounded(value, std::max(0, -decade));
 }
 
 }  // namespace
@@ -41,7 +48,7 @@ std::vector<Tick> linearTicks(const Axis& axis, int most) {
   std::vector<Tick> ticks;
   const double slack = 1e-6 * step;
   for (double k = std::ceil((axis.low - slack) / step); k * step <= axis.high + slack; ++k)
-    ticks.push_back({k * step, rounded(k * step, digits)});
+    ticks.push_back({k * step, withMinus(rounded(k * step, digits))});
   return ticks;
 }
 

@@ -20,7 +20,7 @@ struct Axis {
 
 struct Tick {
   double value = 0;
-  std::string text;  ///< empty for a minor tick
+  std::string text;  ///< UTF-8 with U+2212 as minus; empty for a minor tick
 };
 
 /// The largest of 1, 2, 5 times a power of ten that is at most `value`, which is > 0.

@@ -107,15 +107,14 @@ std::vector<CameraPose> Maker::operator()(const Trace& trace) {
   };
   std::vector<Place> places;
   std::map<std::array<double, 3>, std::size_t> known;
-  const double begin = trace.points.front().time;
-  const double duration = trace.points.back().time - begin;
   std::size_t to = 1;
   for (int k = 0; k < count(); ++k) {
-    const double time = begin + duration * ((k + 0.5) / count());
-    while (to + 1 < trace.points.size() && trace.points[to].time < time) ++to;
+    const double time = trace.points.back().time * ((k + 0.5) / count());
+    while (to + 1 < trace.points.size() && trace.points[to].time <= time) ++to;
     const Trace::Point& a = trace.points[to - 1];
     const Trace::Point& b = trace.points[to];
-    const Vec3 eye = between(a.eye, b.eye, (time - a.time) / (b.time - a.time));
+    const double share = trace.holds ? 0 : (time - a.time) / (b.time - a.time);
+    const Vec3 eye = between(a.eye, b.eye, share);
     const Vec3 cell = (1 / set.params.place) * eye;
     const auto [found, isNew] = known.try_emplace(
         {std::round(cell.x), std::round(cell.y), std::round(cell.z)}, places.size());
@@ -131,10 +130,10 @@ std::vector<CameraPose> Maker::operator()(const Trace& trace) {
   return poses;
 }
 
-const CameraState& templateOf(const Session& session, const std::string& name) {
-  if (name.empty() && !session.cameras.empty()) return session.cameras.front();
-  for (const CameraState& state : session.cameras)
-    if (state.camera.name == name) return state;
+std::size_t templateIndex(const Session& session, const std::string& name) {
+  if (name.empty() && !session.cameras.empty()) return 0;
+  for (std::size_t k = 0; k < session.cameras.size(); ++k)
+    if (session.cameras[k].camera.name == name) return k;
   throw InputError("cameraSet.template", "\"" + name + "\" is no state of the session");
 }
 
@@ -186,7 +185,7 @@ void checkReach(const Vec3& p, const std::string& name, const char* field) {
 }  // namespace
 
 void describe(ParameterVisitor& v, CameraSetParams& p) {
-  auto& [count, seed, name, templateState, place] = p;
+  auto& [count, seed, name, templateState, keepTemplate, place] = p;
   v.group("cameraSet", "A camera set: how many states, and what they have in common.");
   v.field("count", count, {1, 100000, 1}, "", "States to make; of a trace: samples in time.");
   v.field("seed", seed, {0, 2147483647, 1}, "", "Of the random numbers.");
@@ -195,8 +194,35 @@ void describe(ParameterVisitor& v, CameraSetParams& p) {
   v.field("template", templateState,
           "Name of the state that lens, intrinsics, PSF, resolution and field of view are taken "
           "from; empty: the session's first.");
+  v.field(
+      "keepTemplate", keepTemplate,
+      "Leaves that state in the session, where it also counts in reports; false: takes it out.");
   v.field("place", place, {1e-6, 1e3, 0.001}, "m",
           "Trace: samples in the same cube of this side are one state, which weighs as many.");
+}
+
+void describe(ParameterVisitor& v, TraceParams& p) {
+  auto& [file, time, x, y, z, recording, only, timeUnit, origin, scale, holds] = p;
+  v.group("trace", "A viewer's trace: the names of its columns, and their units.");
+  v.field("file", file, "The CSV file; relative to the document.");
+  v.field("time", time, "Name of the column of the time.");
+  v.field("x", x, "Name of the column of the place across.");
+  v.field("y", y, "Name of the column of the place upwards.");
+  v.field("z", z,
+          "Name of the column of the distance from the panel; without a column z it is that of "
+          "cameraRegion.centre.");
+  v.field("recording", recording,
+          "Name of the column that says which recording (stimulus, trial) a line belongs to; the "
+          "time between two recordings does not count. Empty: all lines are one.");
+  v.field("only", only, "The one recording that is used; empty: all.");
+  v.field("timeUnit", timeUnit, {1e-9, 1e6, 1e-3}, "s", "One unit of the time: 0.001 for ms.");
+  v.field("origin", origin, {-1e9, 1e9, 1}, "",
+          "What the columns x, y, z say at the middle of the panel: 4 for views numbered 0 … 8.");
+  v.field("scale", scale, {-1e6, 1e6, 1e-3}, "m",
+          "One unit of x, y, z; below 0 where the file counts leftwards or downwards.");
+  v.field("holds", holds,
+          "The viewer stays at a line's place until the next line, as where only changes are "
+          "written; otherwise moves straight to the next.");
 }
 
 void describe(ParameterVisitor& v, KeyPose& p) {
@@ -213,7 +239,8 @@ std::vector<CameraPose> posesOf(const CameraSet& set, const std::array<double, 2
 }
 
 Session withCameras(const Session& session, const CameraSet& set) {
-  const CameraState model = templateOf(session, set.params.templateState);
+  const std::size_t at = templateIndex(session, set.params.templateState);
+  const CameraState& model = session.cameras[at];
   const RigidTransform world =
       transformFromPose(session.display.position, session.display.orientation);
   const std::vector<CameraPose> poses = posesOf(set, session.display.size);
@@ -222,6 +249,7 @@ Session withCameras(const Session& session, const CameraSet& set) {
   const std::size_t digits =
       std::max<std::size_t>(4, std::to_string(before + (long long)poses.size()).size());
   Session result = session;
+  if (!set.params.keepTemplate) result.cameras.erase(result.cameras.begin() + std::ptrdiff_t(at));
   for (std::size_t k = 0; k < poses.size(); ++k) {
     CameraState state = model;
     state.camera.name = numbered(prefix, before + 1 + (long long)k, digits);

@@ -18,6 +18,7 @@ struct CameraSetParams {
   int seed = 1;
   std::string name;
   std::string templateState;
+  bool keepTemplate = true;
   double place = 0.01;
   bool operator==(const CameraSetParams&) const = default;
 };
@@ -54,15 +55,33 @@ struct PosePath {
   std::vector<KeyPose> poses;
 };
 
+/// A camera set's `trace`: the columns of a file of a viewer's positions, and their units.
+struct TraceParams {
+  std::string file;
+  std::string time = "time";
+  std::string x = "x";
+  std::string y = "y";
+  std::string z = "z";
+  std::string recording;
+  std::string only;
+  double timeUnit = 1;
+  Vec3 origin;
+  Vec3 scale{1, 1, 1};
+  bool holds = false;
+};
+
+void describe(ParameterVisitor& v, TraceParams& p);
+
 /// At least two positions of a viewer. Samples are in the middles of equal spans of time, linear
-/// between the points; samples in the same cube of side `place` (centred on its multiples) become
-/// one state at their mean, weighted by their number.
+/// between the points or, if it `holds`, at the point before; samples in the same cube of side
+/// `place` (centred on its multiples) become one state at their mean, weighted by their number.
 struct Trace {
   struct Point {
-    double time = 0;  ///< seconds, rising
+    double time = 0;  ///< seconds from the first one's, never falling; the last one's is above 0
     Vec3 eye;
   };
   std::vector<Point> points;
+  bool holds = false;
 };
 
 /// The description of a camera set. Without a source it is `region`'s own distribution; with one
@@ -77,7 +96,8 @@ struct CameraSet {
 /// numbers are seeded (std::mt19937_64) and drawn in the order of the states.
 std::vector<CameraPose> posesOf(const CameraSet& set, const std::array<double, 2>& panel);
 
-/// Returns the session with the set's states appended, otherwise unchanged. Lens, intrinsics, PSF,
+/// Returns the session with the set's states appended, without the template if so wanted, otherwise
+/// unchanged. Lens, intrinsics, PSF,
 /// resolution and field of view are the template's; up is the panel's. Positions are rounded to
 /// 1e-9 m, so that they do not depend on a machine's sine. Throws InputError: no such template, a
 /// state that a session would refuse.

@@ -57,8 +57,9 @@ void CameraSetWidget::setModel(SessionModel* model) {
 bool CameraSetWidget::add(const std::function<CameraSet()>& set) {
   try {
     m_model->changeStates(tr("Add camera set"), [&](Session& session) {
-      const std::size_t first = session.cameras.size();
-      session = withCameras(session, set());
+      const CameraSet added = set();
+      const std::size_t first = session.cameras.size() - (added.params.keepTemplate ? 0 : 1);
+      session = withCameras(session, added);
       return first;
     });
     return true;

@@ -117,7 +117,7 @@ void TradeoffWidget::choose(std::optional<std::size_t> row) {
   m_chart->select(row);
   m_defaultButton->setEnabled(row.has_value());
   if (row)
-    Q_EMIT methodChosen(namedMethods()[*row]);
+    Q_EMIT methodChosen(methodsFor(m_views)[*row]);
   else
     Q_EMIT methodChosen(std::nullopt);
 }

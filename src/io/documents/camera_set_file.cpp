@@ -14,12 +14,21 @@ namespace {
 constexpr const char* versionKey = "hogelscopeCameras";
 constexpr std::size_t mostPoses = 100000;
 
+bool isCsv(const std::string& file) {
+  return file.ends_with(".csv") || file.ends_with(".CSV");
+}
+
+bool isJson(const std::string& file) {
+  return file.ends_with(".json") || file.ends_with(".JSON");
+}
+
 /// Applies an override, also to each part of a mixture that has a region of its own.
 void applyOverride(Json& document, const std::string& text) {
   const Override change = parseOverride(text);
-  if (change.section != "cameraSet" && change.section != "cameraRegion")
+  if (change.section != "cameraSet" && change.section != "cameraRegion" &&
+      change.section != "trace")
     throw InputError("override " + text, "there is no section \"" + change.section +
-                                             "\" in a camera set: cameraSet, cameraRegion");
+                                             "\" in a camera set: cameraSet, cameraRegion, trace");
   const auto apply = [&change](Json& section) {
     if (section.is_object() || section.is_null()) section[change.field] = change.value;
   };
@@ -106,7 +115,27 @@ PosePath readPath(const Json& list, const CameraRegionParams& region) {
   return path;
 }
 
-CameraSet readDocument(const Json& document) {
+/// Reads the trace's file; its name is relative to `folder`.
+Trace loadTrace(const Json& object, const std::filesystem::path& folder, double distance) {
+  TraceParams params;
+  JsonReader reader(object, "trace");
+  describe(reader, params);
+  reader.refuseUnknown();
+  if (params.file.empty()) throw InputError("trace.file", "is missing: the CSV file's name");
+  if (isJson(params.file))
+    throw InputError("trace.file", "\"" + params.file + "\" is a document, not a CSV file");
+  if (params.recording.empty() && !params.only.empty())
+    throw InputError("trace.only", "needs trace.recording, the column that says which one it is");
+  const std::filesystem::path file = folder / params.file;
+  try {
+    return readTrace(readTextFile(file), distance, params);
+  } catch (const InputError& error) {
+    throw error.in(file.string());
+  }
+}
+
+/// Reads a document that lies in `folder`.
+CameraSet readDocument(const Json& document, const std::filesystem::path& folder) {
   CameraSet set;
   JsonReader reader(document, "");
   checkVersion(reader.section(versionKey));
@@ -116,22 +145,18 @@ CameraSet readDocument(const Json& document) {
   const Json* mixture = reader.section("mixture");
   const Json* poses = reader.section("poses");
   const Json* path = reader.section("path");
+  const Json* trace = reader.section("trace");
   reader.refuseUnknown();
-  if ((mixture != nullptr) + (poses != nullptr) + (path != nullptr) > 1)
-    throw InputError(path != nullptr ? "path" : "poses",
-                     "is the second source of states: give one of mixture, poses, path");
+  if ((mixture != nullptr) + (poses != nullptr) + (path != nullptr) + (trace != nullptr) > 1)
+    throw InputError(trace != nullptr  ? "trace"
+                     : path != nullptr ? "path"
+                                       : "poses",
+                     "is the second source of states: give one of mixture, poses, path, trace");
   if (mixture != nullptr) set.source = readMixture(*mixture, set.region);
   if (poses != nullptr) set.source = PoseList{listOf(*poses, "poses", 1, readPose, set.region)};
   if (path != nullptr) set.source = readPath(*path, set.region);
+  if (trace != nullptr) set.source = loadTrace(*trace, folder, set.region.centre.z);
   return set;
-}
-
-bool isCsv(const std::string& file) {
-  return file.ends_with(".csv") || file.ends_with(".CSV");
-}
-
-bool isJson(const std::string& file) {
-  return file.ends_with(".json") || file.ends_with(".JSON");
 }
 
 Json documentOf(const std::string& what) {
@@ -142,7 +167,10 @@ Json documentOf(const std::string& what) {
     return parseJson(text);
   }
   Json document{{versionKey, 1}};
-  if (isCsv(what)) return document;
+  if (isCsv(what)) {
+    document["trace"]["file"] = std::filesystem::path(what).filename().string();
+    return document;
+  }
   if (what != "uniform" && what != "random" && what != "normal")
     throw InputError("\"" + what +
                          "\" is not one of uniform, random, normal, nor a FILE.json or "
@@ -159,9 +187,7 @@ CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>&
   try {
     Json document = documentOf(what);
     for (const std::string& text : overrides) applyOverride(document, text);
-    CameraSet set = readDocument(document);
-    if (isCsv(what)) set.source = readTrace(readTextFile(what), set.region.centre.z);
-    return set;
+    return readDocument(document, std::filesystem::path(what).parent_path());
   } catch (const InputError& error) {
     throw error.in(isFile ? what : "camera set");
   }

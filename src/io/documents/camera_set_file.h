@@ -14,11 +14,12 @@ namespace hogelscope {
 /// {"hogelscopeCameras": 1, "cameraSet": {…}, "cameraRegion": {…}} with at most one of
 ///   "mixture": [{"weight": 2, "cameraRegion": {…}}, …]  a part's defaults are those outside,
 ///   "poses": [{"eye": [x, y, z], "lookat": [x, y, z], "weight": 1}, …],
-///   "path": [{"eye": …}, …];
-/// or FILE.csv, a trace: lines of time, x, y[, z] in seconds and metres, with or without these
-/// names above them; without z it is that of cameraRegion.centre.
-/// `overrides` are as for loadSession(), of cameraSet and cameraRegion; the latter apply to every
-/// part of a mixture too. Throws InputError that names the file and the place in it.
+///   "path": [{"eye": …}, …],
+///   "trace": {"file": "tracks.csv", "time": "Timestamp", "timeUnit": 0.001, …};
+/// or FILE.csv, which is {"trace": {"file": FILE.csv}}: lines of time, x, y[, z] in seconds and
+/// metres, with or without these names above them; without z it is that of cameraRegion.centre.
+/// `overrides` are as for loadSession(), of cameraSet, cameraRegion and trace; those of the region
+/// apply to every part of a mixture too. Throws InputError that names the file and the place in it.
 CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides = {});
 
 }  // namespace hogelscope

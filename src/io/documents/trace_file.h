@@ -8,9 +8,9 @@
 
 namespace hogelscope {
 
-/// Reads lines of time, x, y[, z] (seconds, rising; metres in the display frame), with or without
-/// these names as a header; without z it is `distance`. Throws InputError that names the
-/// line.
-Trace readTrace(std::string_view text, double distance);
+/// Reads a table whose first line names the columns, in any order, among others; or without names
+/// lines of time, x, y[, z]. An eye is at scale · (value − origin) in the display frame, without
+/// z at `distance`. Throws InputError that names the line.
+Trace readTrace(std::string_view text, double distance, const TraceParams& params = {});
 
 }  // namespace hogelscope
