@@ -77,8 +77,9 @@ std::string table(Params params = {}, std::string heading = {}) {
   return visitor.text();
 }
 
-std::string lightFieldTable(Layout layout, std::string heading) {
+std::string lightFieldTable(Layout layout, std::string heading, const std::string& file = {}) {
   LightFieldParams params;
+  params.file = file;
   params.layout = layout;
   return table(params, std::move(heading));
 }
@@ -95,6 +96,8 @@ std::string parameterManual() {
          table<DisplayParams>() + lightFieldTable(Layout::hogels, "lightField") +
          lightFieldTable(Layout::views, "lightField, layout views") +
          lightFieldTable(Layout::quilt, "lightField, layout quilt") +
+         lightFieldTable(Layout::hogels, "lightField, a file of raw YUV, in any of these layouts",
+                         "NAME.yuv") +
          lightFieldTable(Layout::live, "lightField, layout live") +
          table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
          table<SamplingParams>() + table<CameraParams>() + table<IntrinsicsParams>() +

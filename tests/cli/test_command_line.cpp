@@ -301,13 +301,15 @@ void TestCommandLine::infoOfPictures() {
 void TestCommandLine::infoOfAFolder() {
   for (const char* name : {"v/001_003.png", "v/001_005.png", "v/003_003.png", "v/003_005.png"})
     writeGrey(name, 8, 6);
-  QCOMPARE(run({"--info", "v"}, m_folder->path()).out, QByteArray("layout      views, 2 rows of 2\n"
-                                                                  "first       001_003.png\n"
-                                                                  "last        003_005.png\n"
-                                                                  "hogels      8×6\n"
-                                                                  "directions  2×2\n"
-                                                                  "hogel image 16×12 px\n") +
-                                                           noOrder + "shear       0, 0 px/view\n");
+  QCOMPARE(run({"--info", "v"}, m_folder->path()).out,
+           QByteArray("layout      views, 2 rows of 2\n"
+                      "first       001_003.png\n"
+                      "last        003_005.png\n"
+                      "pictures    png, 3 channel(s), 8 bit\n"
+                      "hogels      8×6\n"
+                      "directions  2×2\n"
+                      "hogel image 16×12 px\n") +
+               noOrder + "shear       0, 0 px/view\n");
 }
 
 void TestCommandLine::infoHearsSettings_data() {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/images/image_file.h"
+#include "io/images/library_versions.h"
 #include "io/scene/scene.h"
 #include "tests/io/images.h"
 #include "tests/io/refusal.h"
@@ -75,6 +76,9 @@ class TestBadLightFields : public QObject {
   void patterns() { checkReading(); }
   void quilts_data();
   void quilts() { checkReading(); }
+  void rawPictures_data();
+  void rawPictures() { checkReading(); }
+  void everyBeginningOfAPgx();
   void attacks_data();
   void attacks();
   void exrHeadersThatAskForGigabytes_data();
@@ -244,6 +248,84 @@ void TestBadLightFields::quilts_data() {
   refused("other directions",
           quilt("ok.png", R"(, "columns": 2, "rows": 3)", R"({"directions": [2, 3]})"),
           "display.directions: is 2×3, but the light field's file has 6×1");
+}
+
+/// PGX, raw YUV, and JPEG XL, which nothing here reads.
+void TestBadLightFields::rawPictures_data() {
+  refusalColumns();
+  const auto pgx = [](const char* name, const char* file, const QByteArray& content,
+                      const QByteArray& line) {
+    writeFile(file, content);
+    refused(name, hogels(file), file + line);
+  };
+  const QByteArray line = ": is damaged: a PGX begins with a line such as PG ML +10 WIDTH HEIGHT";
+  pgx("text named .pgx", "text.pgx", "hello\n", line);
+  pgx("empty PGX", "empty.pgx", "", line);
+  pgx("PGX of another order of bytes", "order.pgx", "PG MM +8 8 6\n" + QByteArray(48, 'a'), line);
+  pgx("PGX without an end", "endless.pgx", "PG ML +8 8 " + QByteArray(5000, '6'), line);
+  pgx("PGX with a negative width", "negative.pgx", "PG ML +8 -8 6\n" + QByteArray(48, 'a'), line);
+  pgx("PGX of 17 bits", "deep.pgx", "PG ML +17 8 6\n" + QByteArray(192, 'a'),
+      ": has 17 bits a sample: 1 to 16 can be read");
+  pgx("PGX without pixels", "none.pgx", "PG ML +8 0 6\n", ": is not a picture with pixels");
+  pgx("PGX that asks for 2 EB", "large.pgx", "PG ML +10 999999999 999999999\nab",
+      ": is damaged: its 32 bytes cannot be 999999999×999999999 px of 10 bits");
+  pgx("PGX with a sample of 11 bits", "range.pgx",
+      "PG ML +10 8 6\n" + QByteArray(18, 0) + "\4" + QByteArray(77, 0),
+      ": sample (1, 1): has more than 10 bits");
+  pgx("PGX with too small a sample", "sign.pgx", "PG ML -4 8 6\n" + QByteArray(48, '\x80'),
+      ": sample (0, 0): has more than 4 bits");
+  writeFile("rgb/0/a.pgx", "PG ML +8 8 6\n" + QByteArray(48, 'a'));
+  writeFile("rgb/1/a.pgx", "PG ML +8 8 6\n" + QByteArray(48, 'a'));
+  writeFile("rgb/2/a.pgx", "PG ML +7 8 6\n" + QByteArray(48, 'a'));
+  refused(
+      "components of other bits", hogels("rgb/0/a.pgx"),
+      QDir::currentPath().toUtf8() +
+          "/rgb/2/a.pgx: size: is 8×6 px of 7 bits, but the component in folder 0 has 8×6 px of "
+          "8 bits");
+
+  const auto yuv = [](const QByteArray& more) {
+    return text({.display = R"({"hogels": [4, 3], "directions": [2, 2]})",
+                 .lightField = R"({"file": "a.yuv")" + more + "}"});
+  };
+  writeFile("a.yuv", QByteArray(72, 'a'));
+  refused(
+      "YUV without a size", yuv(""),
+      "a.yuv: lightField.yuvSize: is not given, and raw YUV does not say its size; for a folder "
+      "of views give lightField.pattern too, such as RRR_CCC.yuv");
+  refused("YUV of another sampling", yuv(R"(, "yuvSize": [8, 6], "yuvSampling": "4:4:4")"),
+          "a.yuv: size: is 72 bytes, but one picture of 8×6 px, 4:4:4, 8 bits has 144; mend "
+          "lightField.yuvSize, yuvSampling or yuvBits");
+  refused("YUV of a million px squared", yuv(R"(, "yuvSize": [1000000, 1000000], "yuvBits": 10)"),
+          "a.yuv: size: is 72 bytes, but one picture of 1000000×1000000 px, 4:2:0, 10 bits has "
+          "3000000000000; mend lightField.yuvSize, yuvSampling or yuvBits");
+  refused("YUV of 9 bits", yuv(R"(, "yuvBits": 9)"),
+          "s.json: lightField.yuvBits: 9 is not one of 8, 10, … 10");
+  writeFile("wide.yuv", QByteArray(144, 'a'));
+  refused("YUV that is not 10 bits",
+          hogels(R"(wide.yuv", "yuvSize": [8, 6], "yuvBits": 10, "yuvMatrix": "bt601)"),
+          "wide.yuv: sample (0, 0): has more than 10 bits");
+  refused("YUV's size of a PNG", hogels(R"(ok.png", "yuvSize": "x)"),
+          "s.json: lightField.yuvSize: is not known here; known are file, layout, incoming, "
+          "viewingDistance");
+
+  const QByteArray jpegXl = "is JPEG XL, which OpenImageIO " +
+                            QByteArray::fromStdString(openImageIoVersion()) +
+                            " does not read; convert it, such as by djxl NAME.jxl NAME.png";
+  writeFile("bare.jxl", "\xff\x0a\x10\x90");
+  refused("JPEG XL", hogels("bare.jxl"), "bare.jxl: " + jpegXl);
+  writeFile("boxed.jxl", QByteArray("\0\0\0\x0cJXL \r\n\x87\n\0\0\0\x14", 16));
+  refused("JPEG XL in boxes", hogels("boxed.jxl"), "boxed.jxl: " + jpegXl);
+}
+
+void TestBadLightFields::everyBeginningOfAPgx() {
+  const QByteArray whole = "PG LM -10 3 2\n" + QByteArray(12, 0);
+  for (qsizetype length = 0; length < whole.size(); ++length) {
+    writeFile("begin.pgx", whole.left(length));
+    const QString error = errorOf([] { ImageFile(std::filesystem::path("begin.pgx")); });
+    QVERIFY2(error.startsWith("begin.pgx: is damaged: "), qPrintable(error));
+  }
+  writeFile("begin.pgx", whole);
+  QCOMPARE(errorOf([] { ImageFile(std::filesystem::path("begin.pgx")); }), QString());
 }
 
 /// What somebody might try; the line is not told, but there is one, soon.

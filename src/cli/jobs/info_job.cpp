@@ -26,15 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* typeName(StoredType type) {
-  switch (type) {
-    case StoredType::uint8:
-      return "8 bit";
-    case StoredType::uint16:
-      return "16 bit";
-    default:
-      return "floating point";
-  }
+std::string typeName(StoredType type, int bits) {
+  return type == StoredType::real ? "floating point" : std::to_string(bits) + " bit";
 }
 
 void printSize(std::ostream& out, const LightFieldSize& size) {
@@ -49,9 +42,10 @@ void printSize(std::ostream& out, const Session& around) {
 
 void printImage(std::ostream& out, const Session& around) {
   const LightFieldParams& params = around.lightField;
-  const ImageFile image{fs::path(params.file)};
+  const ImageFile image{fs::path(params.file), params.yuv};
   out << "picture     " << image.format() << ", " << image.width() << "×" << image.height()
-      << " px, " << image.channels() << " channel(s), " << typeName(image.type()) << "\n";
+      << " px, " << image.channels() << " channel(s), " << typeName(image.type(), image.bits())
+      << "\n";
   const bool isQuilt = params.layout == Layout::quilt;
   if (!isQuilt && around.display.hogels[0] < 1) {
     out << "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] --set "
@@ -69,17 +63,21 @@ void printImage(std::ostream& out, const Session& around) {
 
 void printFolder(std::ostream& out, const Session& around) {
   const ViewFiles views = findViews(around.lightField, around.display.directions);
+  const ImageFile first{views.files.front(), around.lightField.yuv};
   out << "layout      views, " << views.rows << " rows of " << views.columns << "\n"
       << "first       " << views.files.front().filename().string() << "\n"
-      << "last        " << views.files.back().filename().string() << "\n";
+      << "last        " << views.files.back().filename().string() << "\n"
+      << "pictures    " << first.format() << ", " << first.channels() << " channel(s), "
+      << typeName(first.type(), first.bits()) << "\n";
   printSize(out, around);
 }
 
 void printStore(std::ostream& out, const Session& around) {
   const LightFieldStore store{fs::path(around.lightField.file)};
   const auto& [size, type, block, overview, source, display] = store.header();
-  out << "layout      pack: a store, " << typeName(type) << ", blocks of " << block.i << "×"
-      << block.j << " hogels × " << block.u << "×" << block.v << " directions\n"
+  out << "layout      pack: a store, " << typeName(type, type == StoredType::uint8 ? 8 : 16)
+      << ", blocks of " << block.i << "×" << block.j << " hogels × " << block.u << "×" << block.v
+      << " directions\n"
       << "overview    " << overview.nx << "×" << overview.ny << " hogels of " << overview.du << "×"
       << overview.dv << " directions\n"
       << "made of     " << source.substr(0, source.rfind(' ')) << "\n";

@@ -12,6 +12,9 @@ constexpr std::array<std::string_view, 5> layoutNames{"hogels", "views", "quilt"
 constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
+constexpr std::array<std::string_view, 2> samplingNames{"4:2:0", "4:4:4"};
+constexpr std::array<std::string_view, 2> matrixNames{"bt709", "bt601"};
+constexpr std::array<std::string_view, 2> rangeNames{"limited", "full"};
 
 double codeValue(std::uint8_t stored) {
   return stored;
@@ -23,11 +26,31 @@ double codeValue(float stored) {
   return static_cast<double>(stored) * 255.0;
 }
 
+/// Whether the names of its files say that they are raw YUV.
+bool isYuv(const LightFieldParams& params) {
+  if (params.layout == Layout::pack || params.layout == Layout::live) return false;
+  return params.file.ends_with(".yuv") ||
+         (params.layout == Layout::views && params.pattern.ends_with(".yuv"));
+}
+
+void describeYuv(ParameterVisitor& v, YuvParams& p) {
+  auto& [size, sampling, bits, matrix, range] = p;
+  v.field("yuvSize", size, {1, 1e6, 1, true}, "px",
+          "Width and height of the picture, or of each view, in raw YUV.");
+  v.field("yuvSampling", sampling, samplingNames,
+          "4:2:0: Cb and Cr have half the width and height, rounded up; 4:4:4: all of it.");
+  v.field("yuvBits", bits, {8, 10, 2}, "bits",
+          "Bits of a sample: 8, a byte; 10, in 16 with the low byte first.");
+  v.field("yuvMatrix", matrix, matrixNames, "What Y, Cb and Cr are made of: BT.709 or BT.601.");
+  v.field("yuvRange", range, rangeNames,
+          "limited: 8-bit Y is 16 … 235, Cb and Cr 16 … 240; full: all values.");
+}
+
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
   auto& [file, layout, incoming, rows, columns, pattern, shear, viewingDistance, quiltColumns,
-         quiltRows, source, type, content, live] = p;
+         quiltRows, yuv, source, type, content, live] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (layout != Layout::live)
     v.field("file", file,
@@ -67,6 +90,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("rows", quiltRows, {1, 4096, 1, true}, "views",
             "Rows of views, the first one at the bottom.");
   }
+  if (isYuv(p)) describeYuv(v, yuv);
 }
 
 std::string contentName(const LightFieldParams& params) {

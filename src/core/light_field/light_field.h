@@ -17,6 +17,7 @@
 #include "core/light_field/light_field_source.h"
 #include "core/light_field/live_params.h"
 #include "core/light_field/slice_layout.h"
+#include "core/light_field/yuv_params.h"
 
 namespace hogelscope {
 
@@ -38,6 +39,7 @@ struct LightFieldParams {
   double viewingDistance = notGiven;  ///< where the hogels' fields coincide, metres
   int quiltColumns = 0;
   int quiltRows = 0;
+  YuvParams yuv;       ///< of files of raw YUV
   std::string source;  ///< name of a live scene's content
   LiveType type = LiveType::uint8;
   ContentParams content;  ///< of the source
@@ -45,8 +47,8 @@ struct LightFieldParams {
   bool operator==(const LightFieldParams&) const = default;
 };
 
-/// Visits only the fields that the layout has; `content` and `live` are an object of their own,
-/// named after the source.
+/// Visits only the fields that the layout has, and those of raw YUV for its files alone; `content`
+/// and `live` are an object of their own, named after the source.
 void describe(ParameterVisitor& v, LightFieldParams& p);
 
 /// Returns what messages call it: its file, that of a live scene, or else the scene's source.

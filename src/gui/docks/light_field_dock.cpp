@@ -157,10 +157,10 @@ void LightFieldDock::chooseMesh(const QString& file) {
 }
 
 void LightFieldDock::askFile() {
-  const QString file =
-      chooseFile(this, tr("Choose light field"),
-                 tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.glb *.gltf "
-                    "*.obj *.ply);;All files (*)"));
+  const QString file = chooseFile(this, tr("Choose light field"),
+                                  tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
+                                     "*.pgx *.yuv *.exr *.glb *.gltf "
+                                     "*.obj *.ply);;All files (*)"));
   if (!file.isEmpty()) choose(file);
 }
 

@@ -194,10 +194,10 @@ void FileCommands::askOpen() {
 }
 
 void FileCommands::askLightField() {
-  const QString file =
-      chooseFile(m_window, tr("Open light field"),
-                 tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.glb *.gltf "
-                    "*.obj *.ply);;All files (*)"));
+  const QString file = chooseFile(m_window, tr("Open light field"),
+                                  tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
+                                     "*.pgx *.yuv *.exr *.glb *.gltf "
+                                     "*.obj *.ply);;All files (*)"));
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 

@@ -337,7 +337,7 @@ bool canBeOpened(const Session& session) {
 DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
   DisplayParams display;
   if (lightField.layout == Layout::hogels) {
-    const ImageFile image{fs::path(lightField.file)};
+    const ImageFile image{fs::path(lightField.file), lightField.yuv};
     display.size = sizeOfShape(double(image.width()), double(image.height()));
   } else if (const auto known = displayOfStore(lightField)) {
     display = *known;

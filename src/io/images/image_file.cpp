@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Image files read through OpenImageIO; PNGs by libspng.
+// Image files read through OpenImageIO; PNGs by libspng, PGX and raw YUV by ourselves.
 #include "io/images/image_file.h"
 
 #include <algorithm>
@@ -11,8 +11,11 @@
 #include "core/optics/image.h"
 #include "io/images/big_tiff.h"
 #include "io/images/exr_header.h"
+#include "io/images/library_versions.h"
 #include "io/images/open_image_io.h"
+#include "io/images/pgx_rows.h"
 #include "io/images/png_rows.h"
+#include "io/images/yuv_rows.h"
 
 namespace hogelscope {
 
@@ -92,6 +95,27 @@ int bitsOf(const OIIO::ImageSpec& spec, const std::string& format, const fs::pat
   return 16;
 }
 
+/// A bare codestream, or one in boxes.
+bool isJpegXl(const fs::path& file) {
+  constexpr std::string_view codestream("\xff\x0a");
+  constexpr std::string_view box("\0\0\0\x0cJXL \r\n\x87\n", 12);
+  std::string begin(box.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(begin.data(), std::streamsize(begin.size()));
+  begin.resize(std::size_t(in.gcount()));
+  return begin.starts_with(codestream) || begin == box;
+}
+
+/// Throws InputError for a file that OpenImageIO cannot open.
+[[noreturn]] void refuse(const fs::path& file) {
+  const std::string why = asOneLine(OIIO::geterror(), file);  // unless asked for, it is printed
+  if (isJpegXl(file))
+    throw InputError(file.string(), "",
+                     "is JPEG XL, which OpenImageIO " + openImageIoVersion() +
+                         " does not read; convert it, such as by djxl NAME.jxl NAME.png");
+  throw InputError(file.string(), "cannot be read as a picture", why);
+}
+
 }  // namespace
 
 struct ImageFile::Input {
@@ -99,30 +123,41 @@ struct ImageFile::Input {
   OIIO::ImageSpec spec;
 };
 
-ImageFile::ImageFile(const fs::path& file) : m_file(file) {
+ImageFile::ImageFile(const fs::path& file, const YuvParams& yuv) : m_file(file), m_yuv(yuv) {
   checkIsFile(file);
-  if (PngRows::isPng(file))
-    openPng();
-  else
-    openOther();
+  m_reader = YuvRows::isYuv(file)   ? Reader::yuv
+             : PngRows::isPng(file) ? Reader::png
+             : PgxRows::isPgx(file) ? Reader::pgx
+                                    : Reader::openImageIo;
+  switch (m_reader) {
+    case Reader::yuv:
+      take(YuvRows(file, yuv), "yuv");
+      break;
+    case Reader::png:
+      take(PngRows(file), "png");
+      break;
+    case Reader::pgx:
+      take(PgxRows(file), "pgx");
+      break;
+    default:
+      openOther();
+  }
 }
 
 ImageFile::~ImageFile() = default;
 ImageFile::ImageFile(ImageFile&&) noexcept = default;
 
-void ImageFile::openPng() {
-  const PngRows png(m_file);
-  const int bits = png.type() == StoredType::uint8 ? 8 : 16;
-  m_facts = {png.width(), png.height(), png.channels(), png.type(), bits, "png"};
+template <class Rows>
+void ImageFile::take(const Rows& rows, const char* format) {
+  m_facts = {rows.width(), rows.height(), rows.channels(), rows.type(), std::max(rows.bits(), 8),
+             format};
 }
 
 void ImageFile::openOther() {
   checkExrHeader(m_file);
   m_input = std::make_unique<Input>();
   m_input->image = OIIO::ImageInput::open(m_file.string());
-  if (!m_input->image)
-    throw InputError(m_file.string(), "cannot be read as a picture",
-                     asOneLine(OIIO::geterror(), m_file));
+  if (!m_input->image) refuse(m_file);
   m_input->spec = m_input->image->spec();
   const OIIO::ImageSpec& spec = m_input->spec;
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep)
@@ -190,11 +225,10 @@ To converted(From value) {
     return To((value + 128U) / 257U);
 }
 
-/// Reads one row after the other.
-template <class T>
-void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& progress) {
-  PngRows png(file);
-  std::vector<T> row(3 * png.width());
+/// Reads one row after the other: PngRows, PgxRows, YuvRows.
+template <class T, class Rows>
+void readRowByRow(Rows image, const ImageFile::Band& band, const Progress& progress) {
+  std::vector<T> row(3 * image.width());
   const auto hand = [&](std::size_t y, const auto& values) {
     if constexpr (std::is_same_v<decltype(values.data()), const T*>) {
       band(y, 1, StoredRows(values.data()));
@@ -204,25 +238,30 @@ void readPng(const fs::path& file, const ImageFile::Band& band, const Progress& 
       band(y, 1, StoredRows(row.data()));
     }
   };
-  for (std::size_t y = 0; y < png.height(); ++y) {
-    reportProgress(progress, double(y) / double(png.height()));
-    if (png.type() == StoredType::uint8)
-      hand(y, png.next8());
+  for (std::size_t y = 0; y < image.height(); ++y) {
+    reportProgress(progress, double(y) / double(image.height()));
+    if (image.type() == StoredType::uint8)
+      hand(y, image.next8());
     else
-      hand(y, png.next16());
+      hand(y, image.next16());
   }
 }
 
 }  // namespace
 
 void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
-  const bool isPng = m_input == nullptr;
   withStoredType(type, [&](auto value) {
     using T = decltype(value);
-    if (isPng)
-      readPng<T>(m_file, band, progress);
-    else
-      readAs<T>(band, progress);
+    switch (m_reader) {
+      case Reader::yuv:
+        return readRowByRow<T>(YuvRows(m_file, m_yuv), band, progress);
+      case Reader::png:
+        return readRowByRow<T>(PngRows(m_file), band, progress);
+      case Reader::pgx:
+        return readRowByRow<T>(PgxRows(m_file), band, progress);
+      default:
+        return readAs<T>(band, progress);
+    }
   });
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/base/progress.h"
 #include "core/light_field/light_field.h"
+#include "core/light_field/yuv_params.h"
 
 namespace hogelscope {
 
@@ -20,7 +21,8 @@ using StoredRows = std::variant<const std::uint8_t*, const std::uint16_t*, const
 /// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black.
 class ImageFile {
  public:
-  explicit ImageFile(const std::filesystem::path& file);
+  /// `yuv` says what a file of raw YUV, named .yuv, does not.
+  explicit ImageFile(const std::filesystem::path& file, const YuvParams& yuv = {});
   ~ImageFile();
   ImageFile(ImageFile&&) noexcept;
   ImageFile& operator=(ImageFile&&) = delete;
@@ -30,7 +32,7 @@ class ImageFile {
   [[nodiscard]] int channels() const { return m_facts.channels; }
   [[nodiscard]] StoredType type() const { return m_facts.type; }
   /// The bits of a value as the file has them, 8 … 16: 10 for a PPM whose largest value is 1023. 16
-  /// for floats.
+  /// for floats, 8 for fewer.
   [[nodiscard]] int bits() const { return m_facts.bits; }
   [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
 
@@ -47,7 +49,8 @@ class ImageFile {
   template <class T>
   std::vector<T> readRows(std::size_t first, std::size_t rows);
 
-  void openPng();
+  template <class Rows>
+  void take(const Rows& rows, const char* format);
   void openOther();
 
   struct Facts {
@@ -59,9 +62,12 @@ class ImageFile {
     std::string format;
   };
   struct Input;
+  enum class Reader { png, pgx, yuv, openImageIo };
   std::filesystem::path m_file;
+  YuvParams m_yuv;
+  Reader m_reader = Reader::openImageIo;
   Facts m_facts;
-  std::unique_ptr<Input> m_input;  ///< OpenImageIO's input; null for a PNG
+  std::unique_ptr<Input> m_input;  ///< OpenImageIO's; null for the other readers
 };
 
 }  // namespace hogelscope

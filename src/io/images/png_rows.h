@@ -28,6 +28,7 @@ class PngRows {
   [[nodiscard]] std::size_t height() const { return m_height; }
   /// Returns the stored channels, 1 to 4; a palette counts as its colours.
   [[nodiscard]] int channels() const { return m_channels; }
+  [[nodiscard]] int bits() const { return m_type == StoredType::uint8 ? 8 : 16; }
   /// Returns 16 bits, or 8 for all files with fewer.
   [[nodiscard]] StoredType type() const { return m_type; }
 

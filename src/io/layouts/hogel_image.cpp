@@ -27,7 +27,7 @@ class HogelImage : public LightFieldFile {
  public:
   HogelImage(const LightFieldParams& params, const DisplayParams& display)
       : m_params(params),
-        m_image(params.file),
+        m_image(params.file, params.yuv),
         m_size{display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]} {
     if (m_size.nx < 1 || m_size.ny < 1 || m_size.du < 1 || m_size.dv < 1)
       throw InputError(params.file, "size",

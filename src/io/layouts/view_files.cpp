@@ -332,6 +332,11 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
     views.rowsFromTo = fromTo(found, &std::pair<int, int>::first, &FoundView::y);
     return views;
   }
+  if (const fs::path red = folder / "0"; folder == params.file && fs::is_directory(red, error)) {
+    LightFieldParams components = params;  // PgxRows finds the others
+    components.file = red.string();
+    return findViews(components, directions);
+  }
   std::string tried;
   for (const NamePattern& pattern : patterns) tried += (tried.empty() ? "" : ", ") + pattern.text;
   throw InputError(folder.string(), "views",

@@ -25,8 +25,9 @@ struct ViewFiles {
 };
 
 /// Finds the views. `directions` (columns, rows; 0 = not known) is needed if one running number
-/// names the views and their count is not a square. Throws InputError: no folder, no match, missing
-/// view.
+/// names the views and their count is not a square. Where no name fits but there is a folder 0,
+/// that of a JPEG Pleno light field's first components, it is looked at. Throws InputError: no
+/// folder, no match, missing view.
 ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> directions);
 
 /// Returns a pattern that takes the numbers of rows for those of columns and the other way round;

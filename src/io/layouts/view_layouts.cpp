@@ -62,7 +62,7 @@ class ViewsFolder : public ScatteredFile {
  public:
   ViewsFolder(const LightFieldParams& params, const DisplayParams& display)
       : m_params(params), m_views(findViews(params, display.directions)) {
-    const ImageFile first(m_views.files.front());
+    const ImageFile first(m_views.files.front(), params.yuv);
     m_type = first.type();
     m_bits = first.bits();
     m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
@@ -89,7 +89,7 @@ class ViewsFolder : public ScatteredFile {
                 const Progress& progress) const {
     const fs::path& file =
         m_views.files[std::size_t(row) * std::size_t(m_views.columns) + std::size_t(column)];
-    ImageFile image(file);
+    ImageFile image(file, m_params.yuv);
     if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
       throw InputError(file.string(), "size",
                        "is " + pixels(image.width(), image.height()) +
@@ -118,7 +118,7 @@ class ViewsFolder : public ScatteredFile {
 /// One row of views from the left; the image has them row by row from the bottom left.
 class QuiltImage : public ScatteredFile {
  public:
-  explicit QuiltImage(const LightFieldParams& params) : m_params(params), m_image(params.file) {
+  explicit QuiltImage(const LightFieldParams& params) : m_params(params), m_image(params.file, params.yuv) {
     const auto [columns, rows] = quiltTilesFromName(params.file);
     m_columns = params.quiltColumns > 0 ? params.quiltColumns : columns;
     m_rows = params.quiltRows > 0 ? params.quiltRows : rows;

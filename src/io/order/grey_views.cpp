@@ -24,8 +24,9 @@ std::uint8_t greyOf(const T* rgb) {
   return std::uint8_t(std::lround(std::clamp(luma / full, 0.0, 1.0) * 255));
 }
 
-GreyPicture readGrey(const std::filesystem::path& file, const Progress& progress = {}) {
-  ImageFile image(file);
+GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
+                     const Progress& progress = {}) {
+  ImageFile image(file, yuv);
   GreyPicture picture{int(image.width()), int(image.height()), {}};
   checkFits(image.width() * image.height(), file, {});
   picture.values.reserve(image.width() * image.height());
@@ -55,12 +56,13 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
   for (const auto& file : files->files) views.names.push_back(file.filename().string());
   views.columnsFromTo = files->columnsFromTo;
   views.rowsFromTo = files->rowsFromTo;
-  const auto first = std::make_shared<const GreyPicture>(readGrey(files->files.front()));
+  const auto first =
+      std::make_shared<const GreyPicture>(readGrey(files->files.front(), params.yuv));
   views.pattern = files->pattern;
-  views.grid = {files->rows, files->columns, [files, first](int row, int column) {
+  views.grid = {files->rows, files->columns, [files, first, yuv = params.yuv](int row, int column) {
                   const auto at =
                       std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
-                  return fitted(readGrey(files->files[at]), *first);
+                  return fitted(readGrey(files->files[at], yuv), *first);
                 }};
   return views;
 }
@@ -79,7 +81,8 @@ GreyPicture tileOf(const GreyPicture& image, int width, int height, int column, 
 /// One row of views, from the bottom left tile on.
 GreyViews viewsOfQuilt(const LightFieldParams& params, const LightFieldSize& size,
                        const Progress& progress) {
-  const auto image = std::make_shared<const GreyPicture>(readGrey(params.file, progress));
+  const auto image =
+      std::make_shared<const GreyPicture>(readGrey(params.file, params.yuv, progress));
   const int columns = image->width / size.nx;
   const int rows = image->height / size.ny;
   return {{1, size.du,

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rows of PGX files.
+#include "io/images/pgx_rows.h"
+
+#include <array>
+#include <regex>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string kind(const RawPlane& plane) {
+  return std::to_string(plane.width) + "×" + std::to_string(plane.height) + " px of " +
+         std::to_string(plane.bits) + " bits";
+}
+
+/// The header is one line: PG, the order of bytes, sign and bits, width, height.
+RawPlane headerOf(const RandomAccessFile& file) {
+  static const std::regex line(
+      R"(PG[ \t]+(ML|LM)[ \t]*([+-]?)[ \t]*(\d{1,2})[ \t]+(\d{1,9})[ \t]+(\d{1,9})[ \t]*\r?\n)");
+  std::array<char, 128> text{};
+  const std::size_t count = file.readSome(0, std::as_writable_bytes(std::span(text)));
+  const char* const header = text.data();
+  std::cmatch found;
+  if (!std::regex_search(header, header + count, found, line,
+                         std::regex_constants::match_continuous))
+    throw InputError(file.path().string(), "is damaged",
+                     "a PGX begins with a line such as PG ML +10 WIDTH HEIGHT");
+  RawPlane plane{std::uint64_t(found.length()), std::stoull(found[4]), std::stoull(found[5]),
+                 std::stoi(found[3]),           found[2] == "-",       found[1] == "ML"};
+  if (plane.bits < 1 || plane.bits > 16)
+    throw InputError(file.path().string(), "has " + std::to_string(plane.bits) + " bits a sample",
+                     "1 to 16 can be read");
+  if (plane.width < 1 || plane.height < 1)
+    throw InputError(file.path().string(), "", "is not a picture with pixels");
+  if (plane.end() > file.size())
+    throw InputError(file.path().string(), "is damaged",
+                     "its " + std::to_string(file.size()) + " bytes cannot be " + kind(plane));
+  return plane;
+}
+
+}  // namespace
+
+bool PgxRows::isPgx(const fs::path& path) {
+  if (path.extension() == ".pgx") return true;
+  const RandomAccessFile file(path);
+  std::array<char, 3> found{};
+  file.readSome(0, std::as_writable_bytes(std::span(found)));
+  return found == std::array{'P', 'G', ' '} || found == std::array{'P', 'G', '\t'};
+}
+
+PgxRows::PgxRows(const fs::path& file) {
+  m_components.push_back(opened(file));
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (folder.filename() != "0") return;
+  const fs::path green = folder.parent_path() / "1" / file.filename();
+  const fs::path blue = folder.parent_path() / "2" / file.filename();
+  std::error_code ignored;
+  if (!fs::exists(green, ignored) || !fs::exists(blue, ignored)) return;
+  for (const fs::path& other : {green, blue}) {
+    m_components.push_back(opened(other));
+    const std::string is = kind(m_components.back().plane);
+    const std::string should = kind(m_components[0].plane);
+    if (is != should)
+      throw InputError(other.string(), "size",
+                       "is " + is + ", but the component in folder 0 has " + should);
+  }
+}
+
+PgxRows::Component PgxRows::opened(const fs::path& file) {
+  RandomAccessFile input(file);
+  const RawPlane plane = headerOf(input);
+  return {std::move(input), plane};
+}
+
+template <class T>
+std::span<const T> PgxRows::next(std::vector<T>& rgb) {
+  rgb.resize(3 * width());
+  const std::size_t channels = m_components.size();
+  for (std::size_t c = 0; c < channels; ++c) {
+    const std::vector<std::uint16_t> samples =
+        readRow(m_components[c].file, m_components[c].plane, m_row);
+    for (std::size_t x = 0; x < samples.size(); ++x) {
+      rgb[3 * x + c] = spread<T>(samples[x], bits());
+      if (channels == 1) rgb[3 * x + 1] = rgb[3 * x + 2] = rgb[3 * x];
+    }
+  }
+  ++m_row;
+  return rgb;
+}
+
+template std::span<const std::uint8_t> PgxRows::next(std::vector<std::uint8_t>&);
+template std::span<const std::uint16_t> PgxRows::next(std::vector<std::uint16_t>&);
+
+}  // namespace hogelscope
