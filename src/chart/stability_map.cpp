@@ -76,7 +76,9 @@ void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane,
   painter.setPen(QPen(Qt::black, 1));
   painter.drawRect(frame.area);
   const double bottom = frame.area.bottom();
+  bool hasNumber = false;
   for (const Tick& tick : linearTicks({-frame.reach, frame.reach}, 5)) {
+    hasNumber = !hasNumber;  // along x there is room for every other one
     const double x = frame.at(tick.value, 0).x();
     const double y = frame.at(0, tick.value).y();
     const QString number = QString::fromStdString(tick.text);
@@ -84,7 +86,8 @@ void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane,
     painter.drawLine(QPointF(frame.area.left() - length, y), QPointF(frame.area.left(), y));
     // The outer numbers keep within the map, so that the next one's have room.
     const double middle = std::clamp(x, frame.area.left() + 14, frame.area.right() - 10);
-    painter.drawText(QRectF(middle - 30, bottom + length + 1, 60, 15), Qt::AlignCenter, number);
+    if (hasNumber)
+      painter.drawText(QRectF(middle - 30, bottom + length + 1, 60, 15), Qt::AlignCenter, number);
     if (isFirst)
       painter.drawText(QRectF(frame.area.left() - 46, y - 8, 40, 16),
                        Qt::AlignRight | Qt::AlignVCenter, number);
