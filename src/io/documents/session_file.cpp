@@ -355,7 +355,7 @@ void takeGeometry(Session& session, const DisplayParams& given) {
   LightFieldParams& lightField = session.lightField;
   if (lightField.layout != Layout::views || !isFolder(lightField.file)) return;
   const ViewFiles views = findViews(lightField, given.directions);
-  const ImageFile first(views.files.front());
+  const ImageFile first(views.files.front(), lightField.yuv);
   const auto [width, height] = std::pair(int(first.width()), int(first.height()));
   const auto geometry = captureGeometry(lightField.file, views, width, height);
   if (!geometry) return;
