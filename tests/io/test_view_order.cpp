@@ -108,9 +108,19 @@ class TestViewOrder : public QObject {
 
   void whatDeceives_data() {
     QTest::addColumn<int>("kind");
-    const QStringList kinds{"a plane",     "a slanted plane", "one colour",  "unrelated pictures",
-                            "almost flat", "too much noise",  "to and fro",  "a mirror",
-                            "glass",       "fine stripes",    "single view", "two views"};
+    const QStringList kinds{"a plane",
+                            "a slanted plane",
+                            "one colour",
+                            "unrelated pictures",
+                            "almost flat",
+                            "too much noise",
+                            "to and fro",
+                            "a mirror",
+                            "glass",
+                            "fine stripes",
+                            "single view",
+                            "two views",
+                            "a period of two motions"};
     for (int k = 0; k < kinds.size(); ++k) QTest::newRow(qPrintable(kinds[k])) << k;
   }
 
