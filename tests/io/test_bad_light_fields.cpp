@@ -171,7 +171,8 @@ void TestBadLightFields::folders_data() {
           "circle: cannot be read: Too many levels of symbolic links");
   refused("a picture", views("ok.png"), "ok.png: is a file; layout \"views\" reads a folder");
   refused("empty", views("none"),
-          "none: views: no file name fits out_RR_CC_y_x, input_CamNNN, RRR_CCC; give "
+          "none: views: no file name fits out_RR_CC_y_x, out_RR_CC_y_x_, input_CamNNN, RRR_CCC, "
+          "*_RR_CC_y_x_*; give "
           "lightField.pattern");
   refused("a view is missing", views("missing"),
           "missing: views: row 1, column 1 is missing (2 rows and 2 columns were found)");
