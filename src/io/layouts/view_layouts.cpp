@@ -118,7 +118,8 @@ class ViewsFolder : public ScatteredFile {
 /// One row of views from the left; the image has them row by row from the bottom left.
 class QuiltImage : public ScatteredFile {
  public:
-  explicit QuiltImage(const LightFieldParams& params) : m_params(params), m_image(params.file, params.yuv) {
+  explicit QuiltImage(const LightFieldParams& params)
+      : m_params(params), m_image(params.file, params.yuv) {
     const auto [columns, rows] = quiltTilesFromName(params.file);
     m_columns = params.quiltColumns > 0 ? params.quiltColumns : columns;
     m_rows = params.quiltRows > 0 ? params.quiltRows : rows;
