@@ -370,7 +370,8 @@ void TestReportDock::anUntitledSessionHasAHeading() {
   writeImageFile(quilt, 40, 40, [](int x, int y, int) { return float(x + y) / 80; });
   writeImageFile("t_qs2x2a1.png", 40, 40, [](int x, int y, int) { return float(x + 2 * y) / 120; });
   QVERIFY(files(*m_window).open(quilt));
-  QCOMPARE(child<QLineEdit>("reportFolder")->text(), m_folder->filePath("q_qs2x2a1-report"));
+  QTRY_COMPARE_WITH_TIMEOUT(child<QLineEdit>("reportFolder")->text(),
+                            m_folder->filePath("q_qs2x2a1-report"), patience);  // it is looked at
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   m_dock->addTest("t_qs2x2a1.png");
   click("makeReportButton");

@@ -204,7 +204,7 @@ void TestCameraSetFile::viewIndices() {
   params.fov = {40, 30};
   params.viewingDistance = 0.8;
   const Display display(params);
-  const auto step = [&](std::size_t axis) {  // docs/formulas.md, Viewers' traces
+  const auto step = [&](std::size_t axis) {  // docs/formulas.md, Viewers' traces.
     return 2 * 0.8 * std::tan(radians(params.fov[axis]) / 2) / params.directions[axis];
   };
   writeFile("t.csv", "time,x,y\n0,0,0\n1,8,0\n2,3,5\n3,4,3\n");
@@ -252,8 +252,8 @@ void TestCameraSetFile::badColumns_data() {
       "c.json: trace.only: needs trace.recording, the column that says which one it is");
   row("alone", R"(, "recording": "Timestamp")",
       "t.csv: has no two lines of one recording: no time passes");
-  row("unknown", R"(, "colum": "x")",
-      "c.json: trace.colum: is not known here; known are file, time, x, y, z, recording, only, "
+  row("unknown", R"(, "column": "x")",
+      "c.json: trace.column: is not known here; known are file, time, x, y, z, recording, only, "
       "timeUnit, origin, scale, holds");
   row("far", R"(, "y": "Timestamp")",
       "t.csv: line 2: y \"1518516389517\" is not a number from -1e12 to 1e12");
