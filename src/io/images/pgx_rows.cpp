@@ -68,7 +68,10 @@ PgxRows::PgxRows(const fs::path& file) {
     const std::string should = kind(m_components[0].plane);
     if (is != should)
       throw InputError(other.string(), "size",
-                       "is " + is + ", but the component in folder 0 has " + should);
+                       std::string("is ")
+                           .append(is)
+                           .append(", but the component in folder 0 has ")
+                           .append(should));
   }
 }
 

@@ -33,7 +33,8 @@ std::vector<std::uint16_t> readRow(const RandomAccessFile& file, const RawPlane&
 template <class T>
 T spread(std::uint32_t value, int bits) {
   const std::uint64_t most = (std::uint64_t{1} << unsigned(bits)) - 1;
-  return T((2 * value * std::uint64_t{std::numeric_limits<T>::max()} + most) / (2 * most));
+  return T((std::uint64_t{2} * value * std::uint64_t{std::numeric_limits<T>::max()} + most) /
+           (2 * most));
 }
 
 }  // namespace hogelscope
