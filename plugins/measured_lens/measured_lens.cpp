@@ -71,11 +71,12 @@ void check(const std::string& file, const std::vector<Row>& rows) {
 /// Reads a CSV file with the columns direction,angle.
 std::vector<Row> readTable(const std::string& file) {
   std::error_code error;
-  std::ifstream opened(file);
-  if (!std::filesystem::is_regular_file(file, error) || !opened)
-    fail(file, "cannot be read: give a CSV file with the columns direction,angle");
+  const char* const unreadable = "cannot be read: give a CSV file with the columns direction,angle";
+  if (!std::filesystem::is_regular_file(file, error)) fail(file, unreadable);  // a pipe would block
   if (!(std::filesystem::file_size(file, error) <= mostBytes))
     fail(file, "has more than 1 MB: give fewer rows");
+  std::ifstream opened(file);
+  if (!opened) fail(file, unreadable);
   std::vector<Row> rows;
   std::string line;
   for (std::size_t at = 1; std::getline(opened, line) && rows.size() <= mostRows; ++at) {

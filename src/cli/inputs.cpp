@@ -39,10 +39,6 @@ std::size_t pixelBytes(const LightFieldFile& file) {
   return 3 * (memoryBytes(file.type()) / 4) * size.width() * size.height();
 }
 
-}  // namespace
-
-namespace {
-
 void warn(const CommandLine& line, const std::string& warning) {
   if (!line.has("quiet") && !warning.empty())
     std::cerr << "hogelscope: " << line.text("session") << ": warning: " << warning << "\n";

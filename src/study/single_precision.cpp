@@ -36,6 +36,7 @@ template <class Real>
 struct Geometry {
   explicit Geometry(const RenderJob& job)
       : display(job.display),
+        panel(job.display),
         eye(minus(vector<Real>(job.state.camera.eye), vector<Real>(job.display.position))) {
     const auto toward =
         minus(vector<Real>(job.state.camera.lookat), vector<Real>(job.state.camera.eye));
@@ -66,13 +67,14 @@ struct Geometry {
   /// Returns the fraction of the angular field from its middle, -1/2 … 1/2.
   [[nodiscard]] Real part(Real slope, std::size_t axis) const {
     if (display.lens == HogelLensModel::plugin)
-      return Real(lensOf(display, axis)->directionOf(double(slope)));
+      return Real(panel.lens(axis).directionOf(double(slope)));
     const Real field = Real(display.fov[axis]) * (std::numbers::pi_v<Real> / 180);
     if (display.lens == HogelLensModel::equiangular) return std::atan(slope) / field;
     return slope / (2 * std::tan(field / 2));
   }
 
   DisplayParams display;
+  Display panel;  ///< for a plugin's lens, which has one precision
   Vector<Real> eye, right{}, down{}, forward{};
 };
 

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
+#include "io/plugins/display_json.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
@@ -110,6 +111,15 @@ class TestSessionAround : public QObject {
     QVERIFY(!readTheSame(a, b));
     b = a;
     b.display.lens = HogelLensModel::equiangular;
+    QVERIFY(!readTheSame(a, b));
+    a.display.lens = HogelLensModel::plugin;
+    a.display.lensParams = lensParamsOf("measured-lens");
+    b = a;
+    QVERIFY(readTheSame(a, b));
+    b.display.lensParams.set("file", std::string("lens.csv"));
+    QVERIFY(!readTheSame(a, b));
+    b = a;
+    b.lightField.viewingDistance = 2;
     QVERIFY(!readTheSame(a, b));
   }
 

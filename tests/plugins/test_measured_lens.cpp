@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the measured hogel lens: its curve, pictures through it, sessions, and what is wrong with
 // tables.
+#include <sys/stat.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -60,6 +62,7 @@ class TestMeasuredLens : public QObject {
   void enginesAgree();
   void axes();
   void withoutTable();
+  void aPipeIsNoTable();
   void viewingZone();
   void isReadOnce();
   void inSessions();
@@ -171,6 +174,14 @@ void TestMeasuredLens::withoutTable() {
     QCOMPARE(lens->slopeOf(at), rectilinear->slopeOf(at));
     QCOMPARE(lens->directionOf(at), rectilinear->directionOf(at));
   }
+}
+
+/// Nobody writes into it, so that reading would not end.
+void TestMeasuredLens::aPipeIsNoTable() {
+  DisplayParams display = displayWith(tilted, {58, 58});
+  QCOMPARE(::mkfifo("pipe.csv", 0600), 0);
+  display.lensParams.set("file", std::string("pipe.csv"));
+  QVERIFY(errorOf([&] { (void)lensOf(display, 0); }).contains("pipe.csv: cannot be read"));
 }
 
 /// A lens that looks to one side lights other points than one that looks straight ahead.

@@ -44,19 +44,8 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent)
 }
 
 QWidget* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&)) {
-  auto* made = new ParameterForm([this, visit](ParameterVisitor& visitor) {
-    Session content = m_model->session();
-    const DisplayParams before = content.display;
-    visit(visitor, content.display);
-    try {
-      content.display = completed(before, content.display);
-      m_model->setContent(content);
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromUtf8(error.what()));
-    }
-  });
-  follow(m_model, made);
-  return made;
+  return checkedForm<DisplayParams>(m_model, &Session::display, visit, &completed,
+                                    [this](const QString& why) { Q_EMIT failed(why); });
 }
 
 }  // namespace hogelscope

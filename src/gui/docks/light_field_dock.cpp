@@ -76,21 +76,9 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
 }
 
 /// A form over the light field, or a part of it.
-ParameterForm* LightFieldDock::form(
-    const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit) {
-  auto* made = new ParameterForm([this, visit](ParameterVisitor& visitor) {
-    Session content = m_model->session();
-    const LightFieldParams before = content.lightField;
-    visit(visitor, content.lightField);
-    try {
-      content.lightField = completed(before, content.lightField);
-      m_model->setContent(content);
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromUtf8(error.what()));
-    }
-  });
-  follow(m_model, made);
-  return made;
+ParameterForm* LightFieldDock::form(void (*visit)(ParameterVisitor&, LightFieldParams&)) {
+  return checkedForm<LightFieldParams>(m_model, &Session::lightField, visit, &completed,
+                                       [this](const QString& why) { Q_EMIT failed(why); });
 }
 
 void LightFieldDock::showForms() {

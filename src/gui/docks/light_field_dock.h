@@ -5,7 +5,6 @@
 
 #include <QWidget>
 #include <array>
-#include <functional>
 #include <optional>
 
 #include "io/scene/scene.h"
@@ -36,7 +35,7 @@ class LightFieldDock : public QWidget {
   void failed(const QString& line);
 
  private:
-  ParameterForm* form(const std::function<void(ParameterVisitor&, LightFieldParams&)>& visit);
+  ParameterForm* form(void (*visit)(ParameterVisitor&, LightFieldParams&));
   void showForms();
   void chooseMesh(const QString& file);
   void chooseViews(const LightFieldParams& views);

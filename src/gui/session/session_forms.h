@@ -2,6 +2,7 @@
 // Forms over the session's parts, which follow the model: what the docks are made of.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/optics/session.h"
@@ -40,6 +41,29 @@ ParameterForm* contentForm(SessionModel* model, Part Session::*part) {
     Session content = model->session();
     describe(visitor, content.*part);
     model->setContent(content);
+  });
+  follow(model, form);
+  return form;
+}
+
+/// What `visit` visits of the display or the light field. complete(before, after) returns the
+/// edited part with what belongs to it, or throws what is wrong with the edit: it is then not
+/// taken, and `fail` hears why.
+template <class Part>
+ParameterForm* checkedForm(SessionModel* model, Part Session::*part,
+                           void (*visit)(ParameterVisitor&, Part&),
+                           Part (*complete)(const Part& before, Part after),
+                           std::function<void(const QString&)> fail) {
+  auto* form = new ParameterForm([=](ParameterVisitor& visitor) {
+    Session content = model->session();
+    const Part before = content.*part;
+    visit(visitor, content.*part);
+    try {
+      content.*part = complete(before, content.*part);
+      model->setContent(content);
+    } catch (const std::exception& error) {
+      fail(QString::fromUtf8(error.what()));
+    }
   });
   follow(model, form);
   return form;

@@ -351,14 +351,15 @@ DisplayParams displayAround(const LightFieldParams& lightField, const DisplayPar
 }
 
 /// Views whose capture says where its cameras stood are put on a panel where they were in focus.
-void takeGeometry(Session& session, const DisplayParams& given) {
+/// Returns whether it says so.
+bool takeGeometry(Session& session, const DisplayParams& given) {
   LightFieldParams& lightField = session.lightField;
-  if (lightField.layout != Layout::views || !isFolder(lightField.file)) return;
+  if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
   const ViewFiles views = findViews(lightField, given.directions);
   const ImageFile first(views.files.front(), lightField.yuv);
   const auto [width, height] = std::pair(int(first.width()), int(first.height()));
   const auto geometry = captureGeometry(lightField.file, views, width, height);
-  if (!geometry) return;
+  if (!geometry) return false;
   const auto rounded = [](std::array<double, 2> pair) {  // for readers of the session
     for (double& value : pair) value = std::round(value * 1e6) / 1e6;
     return pair;
@@ -367,6 +368,7 @@ void takeGeometry(Session& session, const DisplayParams& given) {
   session.display.fov = rounded(geometry->fovOf(views.columns, views.rows));
   lightField.viewingDistance = geometry->distance;
   lightField.shear = rounded(geometry->shearOf(width, height));
+  return true;
 }
 
 }  // namespace
@@ -391,7 +393,10 @@ OrderedSession orderedSessionAround(const std::string& file,
     if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
         distance > 0)
       session.lightField.viewingDistance = distance;
-    takeGeometry(session, said.display);
+    if (takeGeometry(session, said.display)) {
+      result.order.found.viewingDistance = session.lightField.viewingDistance;
+      result.order.found.shear = session.lightField.shear;
+    }
   }
   session.cameras = {inFrontOf(displayOf(session))};
   session = overridden(session, overrides);
@@ -399,7 +404,6 @@ OrderedSession orderedSessionAround(const std::string& file,
                             session.lightField.columns != result.order.found.columns;
   if (session.lightField.layout == Layout::views && isOrderGiven) {
     session.lightField = withOrderOf(session.lightField, result.order);
-    takeGeometry(session, session.display);
     session = overridden(session, overrides);
   }
   return result;

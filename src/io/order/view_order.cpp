@@ -322,10 +322,6 @@ void transpose(Measured& measured) {
     for (PlaceMotion& place : places) std::swap(place.alongColumns, place.alongRows);
 }
 
-}  // namespace
-
-namespace {
-
 /// Measures the grid, and decides.
 class Finder {
  public:
