@@ -106,6 +106,13 @@ void writeCells(const fs::path& file, int width, int height,
               {{"mse", meanSquares(cells, perCode)}, {"pixels", pixelCounts(cells)}});
 }
 
+/// Where values lie within [low, high].
+std::vector<double> sharesOf(std::vector<double> values, double low, double high) {
+  if (high > low)
+    for (double& value : values) value = (value - low) / (high - low);
+  return values;
+}
+
 }  // namespace
 
 fs::path referenceImage(const fs::path& folder, const std::string& state) {
@@ -121,7 +128,8 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
   std::vector<fs::path> files{folder / "report.csv", folder / "metrics.csv", folder / "summary.csv",
                               folder / "bd.csv", folder / "report.html"};
   for (std::size_t test = 0; test < request.tests.size(); ++test) {
-    for (const char* ending : {"hogels.exr", "directions.exr", "hogels.png", "directions.png"})
+    for (const char* ending : {"hogels.exr", "directions.exr", "views.exr", "hogels.png",
+                               "directions.png", "views.png", "ranks.png"})
       files.push_back(panelFile(folder, test, ending));
     for (const char* which : {"worst", "median", "best"})
       for (const char* ending : {"reference", "test", "difference"})
@@ -153,7 +161,8 @@ void writeImages(const fs::path& folder, std::size_t test, const std::string& st
 }
 
 ReportPanel writePanelError(const fs::path& folder, std::size_t test, const ReportRequest& request,
-                            const PanelError& error, const DisplayParams& display) {
+                            const PanelError& error, const std::vector<double>& viewErrors,
+                            const DisplayParams& display) {
   makeFolder(folder / "panel_error");
   const LightFieldSize& size = error.size();
   const Image hogels = hogelErrorImage(error, display);
@@ -164,9 +173,21 @@ ReportPanel writePanelError(const fs::path& folder, std::size_t test, const Repo
              error.perCode());
   writePng(panelFile(folder, test, "hogels.png"), hogels);
   writePng(panelFile(folder, test, "directions.png"), directions);
-  const std::size_t room = roomFor(shareOfPanels, 2 * request.tests.size());
-  return {request.tests[test].name, shrunk({&hogels}, room).pngs[0],
-          shrunk({&directions}, room).pngs[0], figuresOf(error, display)};
+  const std::size_t room = roomFor(shareOfPanels, 4 * request.tests.size());
+  ReportPanel page{request.tests[test].name, shrunk({&hogels}, room).pngs[0],
+                   shrunk({&directions}, room).pngs[0], figuresOf(error, display)};
+  if (viewErrors.empty()) return page;
+  page.viewScale = scaleEndOf(viewErrors);
+  page.agreement = agreementOf(viewErrors, error);
+  const Image views = directionImage(sharesOf(viewErrors, 0, page.viewScale), display);
+  const Image ranks = directionImage(sharesOf(page.agreement.rankDifferences, -1, 1), display);
+  writePlanes(panelFile(folder, test, "views.exr"), size.du, size.dv,
+              {{"mse", {viewErrors.begin(), viewErrors.end()}}});
+  writePng(panelFile(folder, test, "views.png"), views);
+  writePng(panelFile(folder, test, "ranks.png"), ranks);
+  page.views = shrunk({&views}, room).pngs[0];
+  page.ranks = shrunk({&ranks}, room).pngs[0];
+  return page;
 }
 
 ReportView writeView(const fs::path& folder, const ChosenView& view, std::size_t tests,

@@ -29,11 +29,12 @@ void writeTables(const std::filesystem::path& folder, const Report& report,
 void writeImages(const std::filesystem::path& folder, std::size_t test, const std::string& state,
                  const ViewPair& pair, const Progress& progress);
 
-/// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png; the images for
-/// the page, shrunk as those of views are.
+/// FOLDER/panel_error/testN_hogels.exr and .png, testN_directions.exr and .png, and where there are
+/// errors of views testN_views.exr and .png, testN_ranks.png; the images for the page, shrunk as
+/// those of views are.
 ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t test,
                             const ReportRequest& request, const PanelError& error,
-                            const DisplayParams& display);
+                            const std::vector<double>& viewErrors, const DisplayParams& display);
 
 /// A view that the page shows: its row, its test and "worst", "median" or "best".
 struct ChosenView {

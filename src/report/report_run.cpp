@@ -79,7 +79,8 @@ class ReportRun {
   std::size_t m_workers;
   ViewPairs m_pairs;
   std::vector<ReportView> m_views;
-  std::mutex m_mutex;  ///< guards the next two, and the journal
+  std::vector<std::vector<double>> m_viewErrors;  ///< of each test; empty where not in memory
+  std::mutex m_mutex;                             ///< guards the next two, and the journal
   std::vector<std::uint8_t> m_hasRow;
   Report m_report;
   TimeSum m_rendering;
@@ -235,6 +236,7 @@ void ReportRun::runTest(std::size_t test) {
   }
   m_projections[test]->save();
   showViews(test);
+  m_viewErrors.push_back(m_comparing.of([&] { return m_pairs.viewErrors(m_progress.within()); }));
 }
 
 /// A lens that several states have is certified once.
@@ -269,8 +271,8 @@ void ReportRun::writeAll() {
                   std::move(m_views),
                   {}};
   for (std::size_t test = 0; test < m_projections.size(); ++test)
-    page.panels.push_back(
-        writePanelError(m_folder, test, m_request, m_projections[test]->error(), display));
+    page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
+                                          m_viewErrors[test], display));
   writeTextFile(m_folder / "report.html", html(page));
   m_journal.remove();
   for (const auto& projection : m_projections) projection->remove();

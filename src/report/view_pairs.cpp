@@ -8,6 +8,7 @@
 #include <new>
 
 #include "core/base/parallel.h"
+#include "core/metrics/view_error.h"
 
 namespace hogelscope {
 
@@ -93,6 +94,14 @@ void ViewPairs::read(const ReportTest& test, const Progress& progress) {
     m_reference->scene.isIdeal = m_isAgainstIdeal;
   }
   m_test = readSource(test.session, *test.file, part(progress, isFirst ? 0.5 : 0, 1));
+}
+
+std::vector<double> ViewPairs::viewErrors(const Progress& progress) const {
+  const LightFieldSource& reference = *m_reference->scene.lightField;
+  const LightFieldSource& test = *m_test->scene.lightField;
+  const bool areInMemory = reference.isInMemory() && test.isInMemory();
+  if (m_isAgainstIdeal || !areInMemory || reference.size() != test.size()) return {};
+  return hogelscope::viewErrors(*reference.overview(), *test.overview(), parallelRows, progress);
 }
 
 RenderJob ViewPairs::job(std::size_t state) const {

@@ -39,6 +39,9 @@ class ViewPairs {
 
   /// `progress` may be called from several threads. Throws Cancelled.
   ViewPair render(std::size_t state, std::size_t worker, const Progress& progress);
+  /// The errors of the light fields' own views. Empty where there is nothing to compare: one is not
+  /// whole in memory, their sizes differ, or the reference is the ideal view. Throws Cancelled.
+  [[nodiscard]] std::vector<double> viewErrors(const Progress& progress) const;
   [[nodiscard]] RenderJob job(std::size_t state) const;
   [[nodiscard]] const Scene& reference() const { return m_reference->scene; }
   [[nodiscard]] const Scene& test() const { return m_test->scene; }

@@ -248,7 +248,8 @@ void TestReport::toleranceIsLeftAside() {
   QCOMPARE(contentOf("out/report.csv"), expected);
 }
 
-/// Too large for the memory allowed: every file of the report is the same, and it is told.
+/// Too large for the memory allowed: every file of the report is the same, but those that need all
+/// views in memory, and it is told.
 void TestReport::lightFieldsThatPassBy() {
   const QStringList tests{"--test", "b.png", "--test", "a.png", "--images"};
   QCOMPARE(report(tests).status, 0);
@@ -265,6 +266,10 @@ void TestReport::lightFieldsThatPassBy() {
   while (files.hasNext()) {
     const QString file = files.next();
     if (file.endsWith("report.html")) continue;  // has its command
+    if (file.contains("_views.") || file.contains("_ranks.")) {
+      QVERIFY2(!QFile::exists("out" + file.mid(6)), qPrintable(file));
+      continue;
+    }
     QVERIFY2(contentOf(file) == contentOf("out" + file.mid(6)), qPrintable(file));
     ++compared;
   }

@@ -244,7 +244,7 @@ void TestReportMetrics::picturesOfThePageAreSmall() {
     bytes += page.indexOf('"', at) - at - 7;
     ++pictures;
   }
-  QCOMPARE(pictures, 4 * (9 + 2));
+  QCOMPARE(pictures, 4 * (9 + 4));
   QVERIFY2(bytes < 3000000 && bytes > 500000, qPrintable(QString::number(bytes)));
   QVERIFY(page.contains(" of the size of the files in views</h3>"));
   qint64 files = 0;

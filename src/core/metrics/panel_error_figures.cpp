@@ -16,11 +16,6 @@ namespace {
 
 using Cells = std::vector<PanelError::Cell>;
 
-double meanOf(const PanelError::Cell& cell, int perCode) {
-  const double each = 3 * double(perCode) * perCode;
-  return double(cell.squares) / (each * double(cell.pixels));  // 0/0 is not a number
-}
-
 bool isCheaper(const PanelError::Cell& a, const PanelError::Cell& b) {
   return a.squares < b.squares;
 }
@@ -70,34 +65,54 @@ std::array<int, 2> blockOf(const std::array<int, 2>& cells, const std::array<dou
   return block;
 }
 
-Image picture(const Cells& cells, int perCode, const std::array<int, 2>& count,
+/// A block of its share's colour for each cell.
+Image picture(const std::vector<double>& shares, const std::array<int, 2>& count,
               const std::array<double, 2>& shape) {
-  const double end = scaleEnd(cells, perCode);
   const auto [blockWidth, blockHeight] = blockOf(count, shape);
   Image image(count[0] * blockWidth, count[1] * blockHeight);
   std::fill(image.seen.begin(), image.seen.end(), std::uint8_t{255});
   std::size_t at = 0;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      const PanelError::Cell& cell =
-          cells[std::size_t(y / blockHeight) * std::size_t(count[0]) + std::size_t(x / blockWidth)];
-      const double mean = meanOf(cell, perCode);
-      for (const std::uint8_t value : falseColour(end > 0 ? mean / end : mean))
-        image.rgb[at++] = value;
+      const auto cell =
+          std::size_t(y / blockHeight) * std::size_t(count[0]) + std::size_t(x / blockWidth);
+      for (const std::uint8_t value : falseColour(shares[cell])) image.rgb[at++] = value;
     }
   return image;
 }
 
+std::vector<double> meansOf(const Cells& cells, int perCode) {
+  std::vector<double> means;
+  for (const PanelError::Cell& cell : cells) means.push_back(meanSquare(cell, perCode));
+  return means;
+}
+
+/// Shares of the scale, from 0.
+std::vector<double> sharesOf(const Cells& cells, int perCode) {
+  std::vector<double> shares = meansOf(cells, perCode);
+  const double end = scaleEndOf(shares);
+  if (end > 0)
+    for (double& share : shares) share /= end;
+  return shares;
+}
+
 }  // namespace
 
-double scaleEnd(const Cells& cells, int perCode) {
-  std::vector<double> means;
-  for (const PanelError::Cell& cell : cells)
-    if (cell.pixels > 0) means.push_back(meanOf(cell, perCode));
+double meanSquare(const PanelError::Cell& cell, int perCode) {
+  const double each = 3 * double(perCode) * perCode;
+  return double(cell.squares) / (each * double(cell.pixels));  // 0/0 is NaN
+}
+
+double scaleEndOf(std::vector<double> means) {
+  std::erase_if(means, [](double mean) { return std::isnan(mean); });
   if (means.empty()) return 0;
   std::sort(means.begin(), means.end());
   const double end = means[std::size_t(std::ceil(0.99 * double(means.size()))) - 1];
   return end > 0 ? end : means.back();
+}
+
+double scaleEnd(const Cells& cells, int perCode) {
+  return scaleEndOf(meansOf(cells, perCode));
 }
 
 PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display) {
@@ -126,7 +141,7 @@ std::string panelErrorText(const PanelErrorFigures& figures) {
 std::vector<float> meanSquares(const Cells& cells, int perCode) {
   std::vector<float> plane;
   for (const PanelError::Cell& cell : cells)
-    plane.push_back(static_cast<float>(meanOf(cell, perCode)));
+    plane.push_back(static_cast<float>(meanSquare(cell, perCode)));
   return plane;
 }
 
@@ -137,11 +152,15 @@ std::vector<float> pixelCounts(const Cells& cells) {
 }
 
 Image hogelErrorImage(const PanelError& error, const DisplayParams& display) {
-  return picture(error.hogels(), error.perCode(), display.hogels, display.size);
+  return picture(sharesOf(error.hogels(), error.perCode()), display.hogels, display.size);
 }
 
 Image directionErrorImage(const PanelError& error, const DisplayParams& display) {
-  return picture(error.directions(), error.perCode(), display.directions, display.fov);
+  return directionImage(sharesOf(error.directions(), error.perCode()), display);
+}
+
+Image directionImage(const std::vector<double>& shares, const DisplayParams& display) {
+  return picture(shares, display.directions, display.fov);
 }
 
 }  // namespace hogelscope

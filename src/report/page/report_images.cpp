@@ -2,6 +2,8 @@
 // The images of the report's page.
 #include "report/page/report_images.h"
 
+#include <cmath>
+
 #include "core/base/text.h"
 #include "report/page/html.h"
 #include "report/page/report_plots.h"
@@ -39,21 +41,38 @@ struct Ends {
   std::string right;
 };
 
+/// The ends of the colours and what they mean; none where both are 0.
+struct Scale {
+  double low = 0;
+  double high = 0;
+  std::string unit = "MSE";
+};
+
 std::string errorFigure(const std::string& png, const std::string& title, const Ends& ends,
-                        double scale) {
+                        const Scale& scale) {
   std::string text = "<figure><figcaption>" + title + "</figcaption>" +
                      "<div class=\"row\"><div class=\"cells\"><div class=\"side\"><span>" +
                      ends.top + "</span><span>" + ends.bottom + "</span></div>" +
                      imageTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
                      "</span><span>" + ends.right + "</span></div></div>";
-  if (scale > 0) text += colourBar(0, scale, "MSE");
+  if (scale.high > scale.low) text += colourBar(scale.low, scale.high, scale.unit);
   return text + "</div></figure>\n";
 }
 
 Ends angles(const std::array<double, 2>& fov) {
-  const std::string across = numberText(fov[0] / 2);
-  const std::string up = numberText(fov[1] / 2);
+  const auto half = [](double whole) { return numberText(std::round(50 * whole) / 100); };
+  const std::string across = half(fov[0]);
+  const std::string up = half(fov[1]);
   return {up + "° up", up + "° down", across + "° left", across + "° right"};
+}
+
+std::string viewErrorFigures(const ReportPanel& panel, const DisplayParams& display) {
+  return "<p>" + escaped(agreementText(panel.agreement)) + "</p><div class=\"row\">\n" +
+         errorFigure(panel.views, "of the light field's own views, one for each direction",
+                     angles(display.fov), {0, panel.viewScale}) +
+         errorFigure(panel.ranks, "rank of the perceived error less rank of the view's own",
+                     angles(display.fov), {-1, 1, "share of ranks"}) +
+         "</div>\n";
 }
 
 }  // namespace
@@ -66,14 +85,17 @@ std::string viewFigures(const std::vector<ReportView>& views, const std::vector<
 
 std::string panelFigures(const std::vector<ReportPanel>& panels, const DisplayParams& display) {
   std::string all;
-  for (const ReportPanel& panel : panels)
+  for (const ReportPanel& panel : panels) {
     all += "<figure><h3>" + escaped(panel.test) + "</h3>\n<p>" +
            escaped(panelErrorText(panel.figures)) + "</p><div class=\"row\">\n" +
            errorFigure(panel.hogels, "over the hogels, as the panel faces the viewer",
-                       {"top", "bottom", "left", "right"}, panel.figures.hogelScale) +
+                       {"top", "bottom", "left", "right"}, {0, panel.figures.hogelScale}) +
            errorFigure(panel.directions, "over the directions in which light leaves",
-                       angles(display.fov), panel.figures.directionScale) +
-           "</div></figure>\n";
+                       angles(display.fov), {0, panel.figures.directionScale}) +
+           "</div>\n";
+    if (!panel.views.empty()) all += viewErrorFigures(panel, display);
+    all += "</figure>\n";
+  }
   return all;
 }
 

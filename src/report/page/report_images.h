@@ -8,6 +8,7 @@
 
 #include "core/metrics/panel_error_figures.h"
 #include "core/metrics/report_rows.h"
+#include "core/metrics/view_error.h"
 
 namespace hogelscope {
 
@@ -31,6 +32,12 @@ struct ReportPanel {
   std::string hogels;
   std::string directions;
   PanelErrorFigures figures;
+  /// The error of the light field's own views, and where the perceived one ranks otherwise; empty
+  /// where not both light fields are whole in memory.
+  std::string views{};
+  std::string ranks{};
+  double viewScale = 0;  ///< MSE at the end of the colours of `views`
+  ViewAgreement agreement{};
 };
 
 /// Throws std::out_of_range where a view names no row.

@@ -3,6 +3,7 @@
 #include "report/page/report_page.h"
 
 #include "core/base/text.h"
+#include "core/metrics/rank_correlation.h"
 #include "report/page/html.h"
 #include "report/page/report_plots.h"
 #include "report/page/report_style.h"
@@ -42,13 +43,34 @@ std::string overPosition(const ReportPage& page) {
          cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
 }
 
+/// Whether codecs come out in the same order by their views' own errors and by what is perceived.
+std::string orderOfTests(const ReportPage& page) {
+  std::vector<double> own;
+  std::vector<double> perceived;
+  for (const ReportPanel& panel : page.panels)
+    for (const TestSummary& test : page.summaries)
+      if (!panel.views.empty() && test.test == panel.test) {
+        own.push_back(panel.agreement.meanPsnr);
+        perceived.push_back(test.summary.means[meanPsnrSeen]);
+      }
+  if (own.size() < 3) return {};
+  return "<p>Over the " + std::to_string(own.size()) +
+         " tests, the rank correlation (Spearman) of the mean PSNR of the light field's own views "
+         "and the mean PSNR seen is " +
+         rounded(rankCorrelation(own, perceived), 2) + ".</p>\n";
+}
+
 std::string errorOnPanel(const ReportPage& page) {
   return "<h2>Where the error comes from</h2>\n<p>Each pixel that both pictures see counts for the "
          "hogel and for the direction that the ray through its centre meets. Colours show the mean "
          "squared error (MSE) of all such pixels of all states, from 0 to the 99th percentile of "
          "the cells; grey: no pixel met it. Costliest is what holds most of the squared error; "
-         "hogel (0, 0) is the top left one.</p>\n" +
-         panelFigures(page.panels, page.display);
+         "hogel (0, 0) is the top left one. The second row of pictures has the error of the light "
+         "field's own views (sub-aperture images), by which codecs are usually judged; yellow in "
+         "the "
+         "last one: perceived worse than its own error tells. View (0, 0) is the top left "
+         "one.</p>\n" +
+         orderOfTests(page) + panelFigures(page.panels, page.display);
 }
 
 constexpr const char* definitions =

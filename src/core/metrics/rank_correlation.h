@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether two figures put things in the same order: Spearman's rank correlation.
+#pragma once
+
+#include <vector>
+
+namespace hogelscope {
+
+/// Returns the rank of each value, 1 for the least; equal values share the mean of their ranks.
+/// No value may be NaN.
+std::vector<double> ranksOf(const std::vector<double>& values);
+
+/// Returns Spearman's ρ, Pearson's correlation of the ranks, over the pairs in which neither is
+/// NaN. NaN for fewer than two of them, or where all values of one are equal. Throws
+/// std::invalid_argument where the sizes differ.
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace hogelscope
