@@ -78,6 +78,10 @@ class TestLenslets : public QObject {
   void nearerThingsMoveAgainstTheEye();
   void rowsOfAHexagonalGrid();
   void directionsAreBilinear();
+  void beyondALenslet_data();
+  void beyondALenslet();
+  void blocksAreLargest_data();
+  void blocksAreLargest();
   void darkAndWhite();
   void allWaysToReadAreOne();
   void sessionsKeepIt();
@@ -170,7 +174,12 @@ void TestLenslets::someIsGiven() {
   params.lenslets.origin = {x + 0.1, y};
   found = lensletsOf(params, {});
   QCOMPARE(found.lattice.origin, PicturePoint(x + 0.1, y));
-  QVERIFY(std::abs(found.lattice.pitch() - camera.pitch) < 0.02);
+  // A tenth too far to the right on the left: the others are nearer to it.
+  QVERIFY(found.lattice.pitch() < camera.pitch - 2e-3);
+  QVERIFY(found.lattice.pitch() > camera.pitch - 0.02);
+  params.lenslets.origin = {x + 7.7, y};
+  QVERIFY(errorOf([&] { (void)lensletsOf(params, {}); }).contains("lenslets: are not found"));
+  params.lenslets.origin = {x + 0.1, y};
   params.lenslets.pitch = 15.5;
   params.lenslets.rotation = 0;
   found = lensletsOf(params, {});
@@ -331,6 +340,87 @@ void TestLenslets::directionsAreBilinear() {
     return expected({at.i, at.j, 9 - at.u, 6 - at.v});
   };
   QCOMPARE(firstWrong(flipped, fromBehind, 1e-3), QString());
+}
+
+void TestLenslets::beyondALenslet_data() {
+  QTest::addColumn<bool>("isHexagonal");
+  QTest::newRow("square") << false;
+  QTest::newRow("hexagonal") << true;
+}
+
+/// Without a white picture too, what is nearer to another lenslet is black.
+void TestLenslets::beyondALenslet() {
+  QFETCH(bool, isHexagonal);
+  writeGrey("grey.png", 120, 90);
+  LightFieldParams params = lenslets("grey.png");
+  params.lenslets.grid = isHexagonal ? LensletGrid::hexagonal : LensletGrid::square;
+  params.lenslets.pitch = 10.3;
+  params.lenslets.rotation = 12;
+  params.lenslets.origin = {40, 30};
+  DisplayParams display;
+  display.directions = {14, 13};
+  const LightField lightField = openLightField(params, display)->read({});
+  LensletCamera camera;
+  camera.pitch = 10.3;
+  camera.degrees = 12;
+  camera.isHexagonal = isHexagonal;
+  const auto [x0, y0] = camera.image(0, 0);
+  const double angle = 12 * std::numbers::pi / 180;
+  int black = 0;
+  for (int v = 0; v < 13; ++v)
+    for (int u = 0; u < 14; ++u) {
+      const double across = u - 6.5;
+      const double down = v - 6.0;
+      const PicturePoint at(x0 + across * std::cos(angle) - down * std::sin(angle),
+                            y0 + across * std::sin(angle) + down * std::cos(angle));
+      const bool isOwn = std::hypot(across, down) < distanceFromImages(camera, at) + 1e-9;
+      QCOMPARE(lightField.texel({1, 1, u, v}).r, isOwn ? 128.0 : 0.0);
+      black += isOwn ? 0 : 1;
+    }
+  QVERIFY(black > 70);
+}
+
+void TestLenslets::blocksAreLargest_data() {
+  QTest::addColumn<bool>("isHexagonal");
+  QTest::newRow("square") << false;
+  QTest::newRow("hexagonal") << true;
+}
+
+/// Against a search over all lenslets for the first one; with all directions in the picture.
+void TestLenslets::blocksAreLargest() {
+  QFETCH(bool, isHexagonal);
+  RandomNumbers random(11);
+  for (int trial = 0; trial < 40; ++trial) {
+    const double pitch = 5 + 4 * random.unit();
+    const double angle = 0.2 * random.unit() - 0.1;
+    const LensletLattice lattice{isHexagonal ? LensletGrid::hexagonal : LensletGrid::square,
+                                 {60 * random.unit(), 50 * random.unit()},
+                                 std::polar(pitch, angle)};
+    const LensletArea area{60, 50, int(pitch), int(pitch)};
+    const HogelBlock found = largestBlock(lattice, area);
+    int most = 0;
+    for (int j = -15; j <= 15; ++j)
+      for (int n = -30; n <= 30; ++n) {
+        LensletLattice from = lattice;
+        from.origin = lattice.middle(n, j);
+        const HogelBlock block = blockFromOrigin(from, area);
+        most = std::max(most, block.nx * block.ny);
+      }
+    QVERIFY(found.nx > 3 && found.ny > 3);
+    if (isHexagonal)
+      QVERIFY(found.nx * found.ny > 0.85 * most);
+    else
+      QCOMPARE(found.nx * found.ny, most);
+    const double reach = (area.du - 1) / 2.0 * std::numbers::sqrt2;
+    for (const int i : {0, found.nx - 1})
+      for (const int j : {0, found.ny - 1})
+        for (const int corner : {0, 1, 2, 3}) {
+          const PicturePoint at = found.lattice.middle(found.lattice.lensletOfHogel(i, j), j) +
+                                  std::polar(reach, angle + (corner + 0.5) * std::numbers::pi / 2);
+          QVERIFY(at.real() > -0.51 && at.real() < 59.51);
+          QVERIFY(at.imag() > -0.51 && at.imag() < 49.51);
+        }
+  }
 }
 
 /// (light − dark) / max((white − dark) / its mean over the middles, 0.2), in 16 bits; what the
