@@ -21,26 +21,27 @@ const QStringList asLenslets{"--set", "lightField.layout=lenslets", "--set",
 
 void writePicture(const QString& file, const LensletCamera& camera) {
   const std::vector<double> light = camera.picture();
-  writeImageFile(
-      file, camera.width, camera.height,
-      [&](int x, int y, int) { return float(0.8 * light[std::size_t(y * camera.width + x)]); },
-      {OIIO::TypeDesc::UINT16, 1, 0});
+  writeImageFile(file, camera.width, camera.height,
+                 [&](int x, int y, int) { return float(0.8 * light[camera.indexOf(x, y)]); },
+                 {OIIO::TypeDesc::UINT16, 1, 0});
 }
 
 /// Spots 12 px apart, each up to 2 px off its place.
 void writeSpots(const QString& file) {
   RandomNumbers random(5);
-  std::vector<double> light(180 * 180);
+  constexpr std::size_t side = 180;
+  std::vector<double> light(side * side);
   for (int j = 0; j < 15; ++j)
     for (int i = 0; i < 15; ++i) {
       const double x0 = 12 * i + 6 + 4 * random.unit() - 2;
       const double y0 = 12 * j + 6 + 4 * random.unit() - 2;
       for (int y = 12 * j; y < 12 * j + 12; ++y)
         for (int x = 12 * i; x < 12 * i + 12; ++x)
-          if (std::hypot(x - x0, y - y0) < 4) light[std::size_t(180 * y + x)] = 0.8;
+          if (std::hypot(x - x0, y - y0) < 4) light[side * std::size_t(y) + std::size_t(x)] = 0.8;
     }
-  writeImageFile(file, 180, 180,
-                 [&](int x, int y, int) { return float(light[std::size_t(180 * y + x)]); });
+  writeImageFile(file, int(side), int(side), [&](int x, int y, int) {
+    return float(light[side * std::size_t(y) + std::size_t(x)]);
+  });
 }
 
 }  // namespace

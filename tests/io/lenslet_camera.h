@@ -38,6 +38,10 @@ struct LensletCamera {
     return x * x + y * y < 1 ? 1 - 0.4 * (x * x + y * y) : 0.005;
   };
 
+  /// Where picture() has a pixel.
+  [[nodiscard]] std::size_t indexOf(int x, int y) const {
+    return std::size_t(y) * std::size_t(width) + std::size_t(x);
+  }
   [[nodiscard]] Point middleOfPicture() const { return {(width - 1) / 2.0, (height - 1) / 2.0}; }
 
   /// The images' middles of lenslets, in pixels of the picture.

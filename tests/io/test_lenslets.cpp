@@ -30,7 +30,7 @@ void writePicture(const QString& file, const LensletCamera& camera, double full,
   writeImageFile(
       file, camera.width, camera.height,
       [&](int x, int y, int) {
-        const double value = full * light[std::size_t(y * camera.width + x)];
+        const double value = full * light[camera.indexOf(x, y)];
         return float(std::clamp(darkLevel + value + noise * full * random.normal(), 0.0, 1.0));
       },
       grey16);
@@ -588,8 +588,8 @@ void TestLenslets::poorLattices() {
   QCOMPARE(warningOf(params, found), std::string());
   found.residual = 0.72;
   QCOMPARE(QString::fromStdString(warningOf(params, found)),
-           "white.tif: lenslets lie 0.72 px (rms) off a regular grid: is it another "
-           "lightField.grid, or the lens's distortion not taken out?");
+           "white.tif: lenslets lie 0.72 px (rms) off a regular grid: give another "
+           "lightField.grid, pitch or white, or take the lens's distortion out");
   found.residual = 0.1;
   found.lattice.step = std::polar(15.0, 0.5);
   QVERIFY(warningOf(params, found).starts_with("white.tif: rows of lenslets are turned by 28.65°"));

@@ -55,7 +55,7 @@ void printImage(std::ostream& out, const Session& around) {
   }
   if (!isQuilt && around.display.hogels[0] < 1) {
     out << "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] --set "
-           "display.directions=[du,dv]\n";
+           "display.directions=[du,dv]; for lenslets: --set lightField.layout=lenslets\n";
     return;
   }
   const auto [columns, rows] = quiltTilesFromName(params.file);

@@ -57,12 +57,16 @@ struct Rows {
   [[nodiscard]] int count() const { return std::max(0, last - first + 1); }
 };
 
-/// Rows of whole lenslets of a column around row 0. In a column of a hexagonal grid every second
-/// row lies half a pitch to the right.
+/// How many lenslets further left a column that goes straight down meets a row: every second row of
+/// a hexagonal grid's column lies half a pitch to the right.
+int shiftOf(LensletGrid grid, int row) {
+  return grid == LensletGrid::square ? 0 : (row - (row & 1)) / 2;
+}
+
+/// Rows of whole lenslets of a column around row 0.
 Rows rowsOfColumn(const WholeLenslets& whole, const LensletLattice& lattice, int column) {
   const auto isWhole = [&](int j) {
-    const int shifted = lattice.grid == LensletGrid::square ? 0 : (j - (j & 1)) / 2;
-    return whole.hasLenslet(column - shifted, j);
+    return whole.hasLenslet(column - shiftOf(lattice.grid, j), j);
   };
   if (!isWhole(0)) return {};
   Rows rows{0, 0};
@@ -71,10 +75,39 @@ Rows rowsOfColumn(const WholeLenslets& whole, const LensletLattice& lattice, int
   return rows;
 }
 
+struct Corner {
+  std::size_t column = 0;
+  int row = 0;
+};
+
+/// Returns the top left corner of the largest rectangle in columns that all have row 0, or none.
+Corner largestRectangle(const std::vector<Rows>& columns) {
+  Corner corner;
+  double most = 0;
+  for (std::size_t first = 0; first < columns.size(); ++first) {
+    Rows common = columns[first];
+    for (std::size_t last = first; last < columns.size() && common.count() > 0; ++last) {
+      common = {std::max(common.first, columns[last].first),
+                std::min(common.last, columns[last].last)};
+      const double count = double(last - first + 1) * common.count();
+      if (count <= most) continue;
+      most = count;
+      corner = {first, common.first};
+    }
+  }
+  return corner;
+}
+
 }  // namespace
 
 double LensletLattice::rotation() const {
   return std::arg(step) / degree;
+}
+
+LensletPlace LensletLattice::nearestTo(const PicturePoint& point) const {
+  const PicturePoint away = (point - origin) / step;
+  const int row = int(std::lround(away.imag() / rowDistance()));
+  return {int(std::lround(away.real() - row * rowStep().real())), row};
 }
 
 PicturePoint LensletLattice::rowStep() const {
@@ -104,35 +137,18 @@ HogelBlock largestBlock(const LensletLattice& lattice, const LensletArea& area) 
   // Row 0 is moved to the picture's middle, so that every column of a good block has it.
   LensletLattice moved = lattice;
   const PicturePoint centre((area.width - 1) / 2.0, (area.height - 1) / 2.0);
-  const PicturePoint away = (centre - lattice.origin) / lattice.step;
-  const int row = int(std::lround(away.imag() / lattice.rowDistance()));
-  moved.origin = lattice.middle(std::round(away.real() - row * lattice.rowStep().real()), row);
+  const auto [n, row] = lattice.nearestTo(centre);
+  moved.origin = lattice.middle(n, row);
   const WholeLenslets whole(moved, area);
   const int most = int((area.width + area.height) / lattice.pitch()) + 1;
   std::vector<Rows> columns;
-  for (int n = -most; n <= most; ++n) columns.push_back(rowsOfColumn(whole, moved, n));
-  HogelBlock best{moved, 0, 0};
-  double bestCount = 0;
-  for (std::size_t first = 0; first < columns.size(); ++first) {
-    Rows common = columns[first];
-    for (std::size_t last = first; last < columns.size() && common.count() > 0; ++last) {
-      common = {std::max(common.first, columns[last].first),
-                std::min(common.last, columns[last].last)};
-      const double count = double(last - first + 1) * common.count();
-      if (count <= bestCount) continue;
-      bestCount = count;
-      best.nx = int(first) - most;
-      best.ny = common.first;
-    }
-  }
-  if (bestCount == 0) return {moved, 0, 0};
-  const int column = best.nx;
-  const int top = best.ny;
+  for (int column = -most; column <= most; ++column)
+    columns.push_back(rowsOfColumn(whole, moved, column));
+  const auto [first, top] = largestRectangle(columns);
   HogelBlock largest{moved, 0, 0};
   for (const int right : {0, 1}) {  // half a lenslet of a hexagonal grid's rows may be missing
     LensletLattice from = moved;
-    const int shifted = lattice.grid == LensletGrid::square ? 0 : (top - (top & 1)) / 2;
-    from.origin = moved.middle(column + right - shifted, top);
+    from.origin = moved.middle(int(first) - most + right - shiftOf(lattice.grid, top), top);
     const HogelBlock block = blockFromOrigin(from, area);
     if (double(block.nx) * block.ny > double(largest.nx) * largest.ny) largest = block;
   }

@@ -12,6 +12,12 @@ namespace hogelscope {
 /// A point of a picture, x + i·y in pixels, y downwards; the middle of the top left pixel is 0.
 using PicturePoint = std::complex<double>;
 
+/// Lenslet n of a row.
+struct LensletPlace {
+  int n = 0;
+  int row = 0;
+};
+
 struct LensletLattice {
   LensletGrid grid = LensletGrid::square;
   PicturePoint origin;  ///< middle of a lenslet
@@ -28,6 +34,8 @@ struct LensletLattice {
   [[nodiscard]] PicturePoint middle(double n, int j) const {
     return origin + step * (n + double(j) * rowStep());
   }
+  /// Returns the lenslet of the row that is nearest to a point.
+  [[nodiscard]] LensletPlace nearestTo(const PicturePoint& point) const;
   /// Returns where hogel i of row j lies among the row's lenslets: always lenslet i if the grid is
   /// square.
   [[nodiscard]] double lensletOfHogel(int i, int j) const {

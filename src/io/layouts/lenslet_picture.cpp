@@ -167,8 +167,9 @@ std::string warningOf(const LightFieldParams& params, const FoundLenslets& found
   const std::string file = params.lenslets.white.empty() ? params.file : params.lenslets.white;
   if (found.residual > mostPixels)
     return file + ": lenslets lie " + rounded(found.residual, 2) +
-           " px (rms) off a regular grid: is it another lightField.grid, or the lens's distortion "
-           "not taken out?";
+           " px (rms) off a regular grid: give another lightField.grid, pitch or white, or take "
+           "the "
+           "lens's distortion out";
   if (std::abs(found.lattice.rotation()) > mostDegrees)
     return file + ": rows of lenslets are turned by " + rounded(found.lattice.rotation(), 2) +
            "°: turn the pictures so that rows run along them";

@@ -121,11 +121,10 @@ class Crests {
 };
 
 /// The lenslets of a lattice within `radius` of the picture's middle, at most some ten thousand
-/// evenly spread ones, without those of little contrast.
-std::vector<Lenslet> lensletsWithin(double radius, const LensletPlane& picture,
-                                    const LensletLattice& lattice) {
+/// evenly spread ones, where the lattice has them.
+std::vector<Lenslet> guessesWithin(double radius, const LensletPlane& picture,
+                                   const LensletLattice& lattice, const Crests& crests) {
   constexpr double most = 1e4;
-  const Crests crests(picture, lattice, 1);
   const PicturePoint centre((picture.width - 1) / 2.0, (picture.height - 1) / 2.0);
   const double reach = std::min(radius, std::abs(centre)) / lattice.pitch();
   const int stride = std::max(1, int(std::sqrt(4 * reach * reach / most)));
@@ -142,6 +141,14 @@ std::vector<Lenslet> lensletsWithin(double radius, const LensletPlane& picture,
         lenslets.push_back({double(n) + double(j) * row, guess, 0});
     }
   }
+  return lenslets;
+}
+
+/// Those lenslets where they are, without those of little contrast.
+std::vector<Lenslet> lensletsWithin(double radius, const LensletPlane& picture,
+                                    const LensletLattice& lattice) {
+  const Crests crests(picture, lattice, 1);
+  std::vector<Lenslet> lenslets = guessesWithin(radius, picture, lattice, crests);
   parallelRows(int(lenslets.size()), [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       Lenslet& lenslet = lenslets[std::size_t(k)];
@@ -152,6 +159,7 @@ std::vector<Lenslet> lensletsWithin(double radius, const LensletPlane& picture,
   });
   if (lenslets.empty()) return {};
   std::vector<double> contrasts;
+  contrasts.reserve(lenslets.size());
   for (const Lenslet& lenslet : lenslets) contrasts.push_back(lenslet.contrast);
   const auto median = contrasts.begin() + std::ptrdiff_t(contrasts.size() / 2);
   std::nth_element(contrasts.begin(), median, contrasts.end());
@@ -198,12 +206,16 @@ double rmsDistance(const LensletLattice& lattice, const std::vector<Lenslet>& le
 
 [[noreturn]] void refuse(const LensletParams& params) {
   const bool isSquare = params.grid == LensletGrid::square;
-  throw InputError("", "lenslets",
-                   std::string("are not found: it has no regular ") +
-                       (isSquare ? "square" : "hexagonal") + " grid of bright spots; give " +
-                       (params.white.empty() ? "lightField.white" : "another lightField.white") +
-                       ", grid " + (isSquare ? "hexagonal" : "square") +
-                       ", or pitch, rotation and origin");
+  const bool isOneGiven =
+      params.pitch != notGiven || params.rotation != notGiven || params.isOriginGiven();
+  throw InputError(
+      "", "lenslets",
+      std::string("are not found: it has no regular ") + (isSquare ? "square" : "hexagonal") +
+          " grid of bright spots" +
+          (isOneGiven ? " with the given pitch, rotation or origin" : "") + "; give " +
+          (params.white.empty() ? "lightField.white" : "another lightField.white") + ", grid " +
+          (isSquare ? "hexagonal" : "square") +
+          (isOneGiven ? ", or other figures, or none" : ", or pitch, rotation and origin"));
 }
 
 /// Around the picture's middle, from a guess of its step; the origin is a crest there.
@@ -240,10 +252,8 @@ FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& par
   }
   if (isOriginGiven) {
     const PicturePoint given(params.origin[0], params.origin[1]);
-    const PicturePoint away = (given - lattice.origin) / lattice.step;
-    const int row = int(std::lround(away.imag() / lattice.rowDistance()));
-    const double n = std::round(away.real() - row * lattice.rowStep().real());
-    for (Lenslet& lenslet : lenslets) lenslet.steps -= n + double(row) * lattice.rowStep();
+    const auto [n, row] = lattice.nearestTo(given);
+    for (Lenslet& lenslet : lenslets) lenslet.steps -= double(n) + double(row) * lattice.rowStep();
     lattice.origin = given;
     lattice = fitted(lattice, lenslets, params, true);
   }
