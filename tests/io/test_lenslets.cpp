@@ -536,15 +536,21 @@ void TestLenslets::mistakes_data() {
       << "white=black.png pitch=9 rotation=0 origin=[10,10]"
       << "black.png: lenslets: are black in their middles: give another white picture, pitch or "
          "origin";
-  QTest::newRow("too large") << "pitch=500 rotation=0 origin=[30,20]"
-                             << "equal.png: lenslets: are not in the picture: none of pitch 500 px "
-                                "is whole in 60×50 px; give another lightField.pitch or origin";
-  QTest::newRow("outside") << "pitch=9 rotation=0 origin=[300,20]"
-                           << "equal.png: lenslets: are not in the picture: none of pitch 9 px is "
-                              "whole in 60×50 px; give another lightField.pitch or origin";
+  QTest::newRow("too large")
+      << "pitch=500 rotation=0 origin=[30,20]"
+      << "equal.png: lenslets: are not in the picture: none of pitch 500.0000 px "
+         "is whole in 60×50 px; give another lightField.pitch or origin";
+  QTest::newRow("outside")
+      << "pitch=9 rotation=0 origin=[300,20]"
+      << "equal.png: lenslets: are not in the picture: none of pitch 9.0000 px is "
+         "whole in 60×50 px; give another lightField.pitch or origin";
   QTest::newRow("too few") << "pitch=10 rotation=0 origin=[10,10] hogels=[9,9]"
                            << "equal.png: display.hogels: is 9×9, but only 5×4 whole lenslets are "
                               "in the picture: give no more, or none";
+  QTest::newRow("too many directions")
+      << "pitch=10 rotation=0 origin=[10,10] directions=[21,5]"
+      << "equal.png: display.directions: is 21×5, but the lenslets' pitch is 10.0000 px: give no "
+         "more than that, or none";
   QTest::newRow("not numbers") << "white=nan.exr"
                                << "nan.exr: ";
   QTest::newRow("missing") << "white=none.png"
@@ -569,7 +575,10 @@ void TestLenslets::mistakes() {
   std::vector<std::string> overrides{"lightField.layout=lenslets"};
   for (const QString& field : fields.split(' '))
     overrides.push_back(
-        ((field.startsWith("hogels") ? "display." : "lightField.") + field).toStdString());
+        ((field.startsWith("hogels") || field.startsWith("directions") ? "display."
+                                                                       : "lightField.") +
+         field)
+            .toStdString());
   writeFile("s.json", text({.display = "{}", .lightField = R"({"file": "equal.png"})"}));
   const QString caught = errorOf([&] {
     const Session session = loadSession("s.json", overrides);

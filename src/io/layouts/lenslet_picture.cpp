@@ -104,16 +104,21 @@ class LensletPicture : public LightFieldFile {
     const auto [across, down] = display.directions;
     const LensletArea area{int(m_image.width()), int(m_image.height()), across > 0 ? across : side,
                            down > 0 ? down : side};
+    if (area.du > 2 * lattice.pitch() || area.dv > 2 * lattice.pitch())
+      throw InputError(m_params.file, "display.directions",
+                       "is " + pixels(std::size_t(area.du), std::size_t(area.dv)) +
+                           ", but the lenslets' pitch is " + rounded(lattice.pitch(), 4) +
+                           " px: give no more than that, or none");
     const HogelBlock block = m_params.lenslets.isOriginGiven() ? blockFromOrigin(lattice, area)
                                                                : largestBlock(lattice, area);
     if (block.nx < 1)
-      throw InputError("lenslets", "are not in the picture: none of pitch " +
-                                       numberText(lattice.pitch()) + " px is whole in " +
-                                       pixels(m_image.width(), m_image.height()) +
-                                       " px; give another lightField.pitch or origin");
+      throw InputError(m_params.file, "lenslets",
+                       "are not in the picture: none of pitch " + rounded(lattice.pitch(), 4) +
+                           " px is whole in " + pixels(m_image.width(), m_image.height()) +
+                           " px; give another lightField.pitch or origin");
     const auto [nx, ny] = display.hogels;
     if (nx > block.nx || ny > block.ny)
-      throw InputError("display.hogels",
+      throw InputError(m_params.file, "display.hogels",
                        "is " + pixels(std::size_t(nx), std::size_t(ny)) + ", but only " +
                            pixels(std::size_t(block.nx), std::size_t(block.ny)) +
                            " whole lenslets are in the picture: give no more, or none");
