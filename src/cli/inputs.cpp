@@ -13,6 +13,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/folders.h"
 #include "io/files/output_folder.h"
+#include "io/layouts/lenslet_picture.h"
 #include "report/streamed_images.h"
 
 namespace hogelscope {
@@ -44,6 +45,12 @@ void warn(const CommandLine& line, const std::string& warning) {
     std::cerr << "hogelscope: " << line.text("session") << ": warning: " << warning << "\n";
 }
 
+/// A warning if the lenslets are not where a regular grid has them.
+void checkLenslets(const CommandLine& line, const Session& session) {
+  if (line.has("quiet") || session.lightField.layout != Layout::lenslets) return;
+  warn(line, warningOf(session.lightField, lensletsOf(session.lightField, session.display)));
+}
+
 /// A new session around a folder, a picture or a mesh, and a line on what is assumed of it.
 Session sessionAroundFile(const CommandLine& line) {
   ProgressBar bar("looking at the views", line.has("quiet"));
@@ -58,12 +65,14 @@ Session sessionAroundFile(const CommandLine& line) {
               << ", columns " << nameOf(used.columns) << " (" << nameOf(around.order.sureness)
               << "), shear " << numberText(used.shear[0]) << ", " << numberText(used.shear[1])
               << "\n";
+  checkLenslets(line, around.session);
   return around.session;
 }
 
 /// The session of a document, and a warning if its views are in another order.
 Session checkedSession(const CommandLine& line, const std::optional<Calibration>& calibration) {
   Session session = loadSession(line.text("session"), line.texts("set"), calibration);
+  checkLenslets(line, session);
   if (line.has("quiet") || session.lightField.layout != Layout::views) return session;
   ProgressBar bar("looking at the views", false);
   warn(line,

@@ -229,6 +229,28 @@ class TestDocks : public DocksTest {
             m_model->session().cameras);
   }
 
+  void lenslets() {
+    writeImageFile(m_folder.filePath("raw.png"), 60, 50,
+                   [](int x, int y, int) { return float(x * y % 97) / 96; });
+    QVERIFY(files(*m_window).open(m_folder.filePath("raw.png")));
+    auto* layout = editor<QComboBox>("lightFieldArea", "layout");
+    layout->setCurrentText("lenslets");
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("raw.png: lenslets: are not found"), patience);
+    QVERIFY(!editor<QLineEdit>("lightFieldArea", "white")->isHidden());
+    QVERIFY(!editor<QLineEdit>("lightFieldArea", "dark")->isHidden());
+    QVERIFY(!editor<QComboBox>("lightFieldArea", "grid")->isHidden());
+    QCOMPARE(editor<QDoubleSpinBox>("lightFieldArea", "pitch")->text(), QString("not given"));
+    editor<QDoubleSpinBox>("lightFieldArea", "pitch")->setValue(10);
+    editor<QDoubleSpinBox>("lightFieldArea", "rotation")->setValue(0);
+    editor<QDoubleSpinBox>("lightFieldArea", "origin.0")->setValue(4.5);
+    editor<QDoubleSpinBox>("lightFieldArea", "origin.1")->setValue(4.5);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        child<QLabel>("contentsLabel")->text().startsWith("6×5 hogels of 10×10 directions, 8 bit"),
+        patience);
+    layout->setCurrentText("hogels");
+    QVERIFY(editor<QLineEdit>("lightFieldArea", "white")->isHidden());
+  }
+
   void aHogelImageAsksForItsHogels() {
     writeImageFile(m_folder.filePath("plain.png"), 60, 60,
                    [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });

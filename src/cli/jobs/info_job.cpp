@@ -12,6 +12,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_file.h"
+#include "io/layouts/lenslet_picture.h"
 #include "io/layouts/view_files.h"
 #include "io/layouts/view_layouts.h"
 #include "io/order/contact_sheet.h"
@@ -47,9 +48,14 @@ void printImage(std::ostream& out, const Session& around) {
       << " px, " << image.channels() << " channel(s), " << typeName(image.type(), image.bits())
       << "\n";
   const bool isQuilt = params.layout == Layout::quilt;
+  if (params.layout == Layout::lenslets) {
+    out << "layout      lenslets, "
+        << (params.lenslets.grid == LensletGrid::square ? "a square" : "a hexagonal") << " grid\n";
+    return printSize(out, around);
+  }
   if (!isQuilt && around.display.hogels[0] < 1) {
     out << "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] --set "
-           "display.directions=[du,dv]\n";
+           "display.directions=[du,dv]; for lenslets: --set lightField.layout=lenslets\n";
     return;
   }
   const auto [columns, rows] = quiltTilesFromName(params.file);
@@ -201,17 +207,33 @@ bool isWhole(const Session& session) {
 AssumedOrder assumedOf(const Subject& subject) {
   const auto& [session, order, isDocument] = subject;
   if (!isWhole(session))
-    return {
-        session.lightField,
-        {},
-        {},
-        {},
-        Sureness::unknown,
-        {"display.hogels and display.directions are not given, and the file does not say them"}};
+    return {session.lightField,
+            {},
+            {},
+            {},
+            Sureness::unknown,
+            {"display.hogels and display.directions are not given, and the file does not say them"},
+            {}};
   const LightFieldSize size = session.lightField.layout == Layout::live
                                   ? Display(session.display).size()
                                   : openLightField(session.lightField, session.display)->size();
-  return assumedOrder(session.lightField, size, order);
+  AssumedOrder assumed = assumedOrder(session.lightField, size, order);
+  if (session.lightField.layout != Layout::lenslets) return assumed;
+  assumed.lenslets = lensletsOf(session.lightField, session.display);
+  if (const std::string warning = warningOf(session.lightField, *assumed.lenslets);
+      !warning.empty())
+    assumed.warnings.push_back(warning);
+  return assumed;
+}
+
+void printLenslets(std::ostream& out, const FoundLenslets& lenslets) {
+  const LensletLattice& lattice = lenslets.lattice;
+  out << "lenslets    pitch " << rounded(lattice.pitch(), 4) << " px, rotation "
+      << rounded(lattice.rotation(), 4) << "°, origin (" << rounded(lattice.origin.real(), 2)
+      << ", " << rounded(lattice.origin.imag(), 2) << ") px\n";
+  if (lenslets.count > 0)
+    out << "residual    " << rounded(lenslets.residual, 3) << " px (rms) of " << lenslets.count
+        << " lenslets\n";
 }
 
 void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& assumed) {
@@ -248,6 +270,7 @@ void printWords(std::ostream& out, const Subject& subject, const AssumedOrder& a
      : layout == Layout::live ? printMesh
                               : printImage)(out, subject.session);
   }
+  if (assumed.lenslets) printLenslets(out, *assumed.lenslets);
   printOrder(out, subject, assumed);
 }
 

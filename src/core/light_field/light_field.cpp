@@ -8,7 +8,9 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> layoutNames{"hogels", "views", "quilt", "pack", "live"};
+constexpr std::array<std::string_view, 6> layoutNames{"hogels",   "views", "quilt",
+                                                      "lenslets", "pack",  "live"};
+constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
@@ -46,20 +48,43 @@ void describeYuv(ParameterVisitor& v, YuvParams& p) {
           "limited: 8-bit Y is 16 … 235, Cb and Cr 16 … 240; full: all values.");
 }
 
+void describeLenslets(ParameterVisitor& v, LensletParams& p) {
+  auto& [white, dark, grid, pitch, rotation, origin, gain] = p;
+  v.field(
+      "white", white,
+      "Picture of even light through the same lenslets: they are found in it, and its vignetting "
+      "is divided out. Empty: they are found in the light field itself.");
+  v.field("dark", dark, "Picture without light, subtracted from both. Empty: none.");
+  v.field("grid", grid, gridNames,
+          "hexagonal: every second row of lenslets is shifted by half a pitch.");
+  v.field("pitch", pitch, {3, 1e4, 0.01, true}, "px",
+          "Distance of neighbouring lenslets of a row; not given: found.");
+  v.field("rotation", rotation, {-45, 45, 0.01, true}, "°",
+          "Of the rows of lenslets, clockwise; not given: found.");
+  v.field(
+      "origin", origin, {-1e6, 1e6, 0.1, true}, "px",
+      "Middle of the first lenslet that is used; (0, 0) is the middle of the top left pixel. Not "
+      "given: found.");
+  v.field("gain", gain, {1e-6, 1e6, 0.1}, "",
+          "Multiplies the light: for pictures that use few of their bits.");
+}
+
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
   auto& [file, layout, incoming, rows, columns, pattern, shear, viewingDistance, quiltColumns,
-         quiltRows, yuv, source, type, content, live] = p;
+         quiltRows, lenslets, yuv, source, type, content, live] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (layout != Layout::live)
     v.field("file", file,
-            "Image (hogels, quilt), folder or %-pattern of images (views), store (pack); relative "
+            "Image (hogels, quilt, lenslets), folder or %-pattern of images (views), store (pack); "
+            "relative "
             "to the "
             "session.");
   v.field("layout", layout, layoutNames,
           "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
-          "store of blocks; live: a 3-D scene, of which a view's rays are traced.");
+          "picture taken through lenslets, a store of blocks; live: a 3-D scene, of which a view's "
+          "rays are traced.");
   if (layout != Layout::live)
     v.field("incoming", incoming,
             "Directions were recorded looking into the scene: both u and v are flipped.");
@@ -90,6 +115,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("rows", quiltRows, {1, 4096, 1, true}, "views",
             "Rows of views, the first one at the bottom.");
   }
+  if (layout == Layout::lenslets) describeLenslets(v, lenslets);
   if (isYuv(p)) describeYuv(v, yuv);
 }
 

@@ -14,6 +14,7 @@
 #include "core/base/huge_pages.h"
 #include "core/base/parameters.h"
 #include "core/light_field/block_layout.h"
+#include "core/light_field/lenslet_params.h"
 #include "core/light_field/light_field_source.h"
 #include "core/light_field/live_params.h"
 #include "core/light_field/slice_layout.h"
@@ -21,7 +22,7 @@
 
 namespace hogelscope {
 
-enum class Layout { hogels, views, quilt, pack, live };
+enum class Layout { hogels, views, quilt, lenslets, pack, live };
 /// The stored type of a live light field's texels.
 enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
@@ -39,6 +40,7 @@ struct LightFieldParams {
   double viewingDistance = notGiven;  ///< where the hogels' fields coincide, metres
   int quiltColumns = 0;
   int quiltRows = 0;
+  LensletParams lenslets;
   YuvParams yuv;       ///< of files of raw YUV
   std::string source;  ///< name of a live scene's content
   LiveType type = LiveType::uint8;

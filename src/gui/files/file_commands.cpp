@@ -16,6 +16,7 @@
 #include "gui/widgets/task.h"
 #include "io/documents/calibration_file.h"
 #include "io/documents/session_file.h"
+#include "io/layouts/lenslet_picture.h"
 #include "io/layouts/view_layouts.h"
 #include "io/scene/live_file.h"
 #include "ui_main_window.h"
@@ -103,15 +104,19 @@ void FileCommands::openLater(const QString& file) {
   Q_EMIT done(tr("Reading %1 …").arg(file));
 }
 
-/// Later, an error if the pictures say that the session's views are in another order.
+/// Later, an error if the pictures say that the session's views are in another order, or that its
+/// lenslets are not where a regular grid has them.
 void FileCommands::checkOrder(const QString& file) {
   const Session& session = m_model->session();
-  if (session.lightField.layout != Layout::views) return;
-  m_task->start([this, file, lightField = session.lightField,
+  const bool isLenslets = session.lightField.layout == Layout::lenslets;
+  if (!isLenslets && session.lightField.layout != Layout::views) return;
+  m_task->start([this, file, isLenslets, lightField = session.lightField,
                  display = session.display](const Progress& progress) -> Task::Answer {
     std::string line;
     try {
-      line = contradictionOf(lightField, findLightFieldOrder(lightField, display, progress));
+      line = isLenslets
+                 ? warningOf(lightField, lensletsOf(lightField, display, progress))
+                 : contradictionOf(lightField, findLightFieldOrder(lightField, display, progress));
     } catch (const InputError&) {  // the view says it
     }
     return [this, file, line] {

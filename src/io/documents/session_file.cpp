@@ -225,6 +225,9 @@ Session loadSession(const fs::path& file, const std::vector<std::string>& overri
     if (session.lightField.layout != Layout::live)
       session.lightField.file = besideDocument(file, session.lightField.file);
     const auto moved = [&](const std::string& own) { return besideDocument(file, own); };
+    for (std::string* const own :
+         {&session.lightField.lenslets.white, &session.lightField.lenslets.dark})
+      if (!own->empty()) *own = moved(*own);
     session.lightField.content.changeFiles(moved);
     session.display.lensParams.changeFiles(moved);
     openLenses(session.display);
@@ -255,6 +258,8 @@ void saveSession(const fs::path& file, const Session& session) {
   Session moved = session;
   moved.lightField.file = relativeTo(file, session.lightField.file);
   const auto move = [&](const std::string& own) { return relativeTo(file, own); };
+  moved.lightField.lenslets.white = move(session.lightField.lenslets.white);
+  moved.lightField.lenslets.dark = move(session.lightField.lenslets.dark);
   moved.lightField.content.changeFiles(move);
   moved.display.lensParams.changeFiles(move);
   try {

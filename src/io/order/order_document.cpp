@@ -14,6 +14,8 @@ const char* nameOf(Layout layout) {
       return "views";
     case Layout::quilt:
       return "quilt";
+    case Layout::lenslets:
+      return "lenslets";
     case Layout::pack:
       return "pack";
     case Layout::live:
@@ -23,11 +25,22 @@ const char* nameOf(Layout layout) {
   }
 }
 
+Json written(const FoundLenslets& lenslets) {
+  const LensletLattice& lattice = lenslets.lattice;
+  Json object = Json::object();
+  object["pitch"] = lattice.pitch();
+  object["rotation"] = lattice.rotation();
+  object["origin"] = {lattice.origin.real(), lattice.origin.imag()};
+  object["count"] = lenslets.count;
+  if (lenslets.count > 0) object["residual"] = lenslets.residual;
+  return object;
+}
+
 }  // namespace
 
 AssumedOrder assumedOrder(const LightFieldParams& used, const LightFieldSize& size,
                           const LightFieldOrder& order) {
-  AssumedOrder assumed{used, size, order.rows, order.columns, order.sureness, order.warnings};
+  AssumedOrder assumed{used, size, order.rows, order.columns, order.sureness, order.warnings, {}};
   if (used.layout == Layout::views) {
     assumed.rows = used.rows;
     assumed.columns = used.columns;
@@ -52,6 +65,7 @@ std::string orderDocument(const AssumedOrder& assumed) {
   document["columns"] = nameOf(assumed.columns);
   document["shear"] = assumed.used.shear;
   document["confidence"] = nameOf(assumed.sureness);
+  if (assumed.lenslets) document["lenslets"] = written(*assumed.lenslets);
   document["warnings"] = assumed.warnings;
   return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

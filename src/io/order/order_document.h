@@ -2,9 +2,11 @@
 // The order of a light field's views for programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/layouts/lenslet_search.h"
 #include "io/order/light_field_order.h"
 
 namespace hogelscope {
@@ -17,6 +19,7 @@ struct AssumedOrder {
   ColumnOrder columns = ColumnOrder::leftRight;
   Sureness sureness = Sureness::unknown;
   std::vector<std::string> warnings;
+  std::optional<FoundLenslets> lenslets;  ///< of the layout of that name
 };
 
 /// Says what `used` assumes. What contradicts the content is unknown, with a warning that mends it.

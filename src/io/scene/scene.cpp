@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/files/folders.h"
 #include "io/layouts/hogel_image.h"
+#include "io/layouts/lenslet_picture.h"
 #include "io/layouts/view_layouts.h"
 #include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
@@ -59,6 +60,8 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
       return openViews(params, display);
     case Layout::quilt:
       return openQuilt(params);
+    case Layout::lenslets:
+      return openLenslets(params, display, progress);
     case Layout::pack:
       return openStore(params, display);
     case Layout::live:
