@@ -64,6 +64,8 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
 
 int runPack(const CommandLine& line) {
   const auto [session, isDisplayGiven] = loadContent(line);
+  if (session.lightField.layout == Layout::views)
+    warnOf(*openLightField(session.lightField, session.display), session.lightField.file, line);
   return packContent(session, isDisplayGiven, line);
 }
 

@@ -108,8 +108,10 @@ int runReport(const CommandLine& line) {
   request.images = line.has("images");
   keepSession(line, request.session);
   announcePassing(*request.file, request.memory / 2, isQuiet);
-  for (const ReportTest& test : request.tests)
+  for (const ReportTest& test : request.tests) {
+    warnOf(*test.file, test.name, line);
     announcePassing(*test.file, request.memory / 2, isQuiet);
+  }
   const Report report = makeWithProgress(request, line);
   if (!isQuiet) {
     const fs::path folder = line.text("output");

@@ -103,19 +103,24 @@ void FileCommands::openLater(const QString& file) {
   Q_EMIT done(tr("Reading %1 …").arg(file));
 }
 
-/// Later, an error if the pictures say that the session's views are in another order.
+/// Later, an error if the pictures say that the session's views are in another order, or if some
+/// are missing.
 void FileCommands::checkOrder(const QString& file) {
   const Session& session = m_model->session();
   if (session.lightField.layout != Layout::views) return;
   m_task->start([this, file, lightField = session.lightField,
                  display = session.display](const Progress& progress) -> Task::Answer {
-    std::string line;
+    std::vector<std::string> lines;
     try {
-      line = contradictionOf(lightField, findLightFieldOrder(lightField, display, progress));
+      const LightFieldOrder order = findLightFieldOrder(lightField, display, progress);
+      lines = order.warnings;
+      if (const std::string line = contradictionOf(lightField, order); !line.empty())
+        lines.push_back(line);
     } catch (const InputError&) {  // the view says it
     }
-    return [this, file, line] {
-      if (!line.empty()) Q_EMIT failed(file + ": " + QString::fromStdString(line));
+    return [this, file, lines] {
+      for (const std::string& line : lines)
+        Q_EMIT failed(file + ": " + QString::fromStdString(line));
     };
   });
 }
