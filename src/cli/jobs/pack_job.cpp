@@ -27,7 +27,11 @@ struct Content {
 Content loadContent(const CommandLine& line) {
   const std::vector<std::string>& overrides = line.texts("set");
   if (line.has("session"))
-    return {withLightField(loadSession(line.text("session"), overrides), line.subject), true};
+    return {withLightField(isSessionDocument(line.text("session"))
+                               ? loadSession(line.text("session"), overrides)
+                               : loadSessionOf(line),
+                           line.subject),
+            true};
   if (isSessionFile(line.subject)) return {loadSession(line.subject, overrides), true};
   return {sessionAroundSubject(line).session, false};
 }

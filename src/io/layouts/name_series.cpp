@@ -255,6 +255,7 @@ std::vector<NameSeries> seriesOf(const std::vector<fs::path>& files) {
     own.parts.push_back(std::move(parts));
   }
   std::vector<NameSeries> result;
+  result.reserve(series.size());
   for (auto& [texts, own] : series) result.push_back(std::move(own));
   return result;
 }

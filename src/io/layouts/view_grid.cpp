@@ -199,6 +199,7 @@ Running runningOf(std::int64_t first, std::size_t count, const GridSource& sourc
 
 ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& source) {
   std::vector<std::int64_t> found;
+  found.reserve(views.size());
   for (const NamedView& view : views) found.push_back(view.number.value_or(0));
   const NumberAxis numbers(std::move(found));
   if (!isFull(views, numbers.size())) refuseHoles(views, source, numbers.size());
