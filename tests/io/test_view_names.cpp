@@ -212,6 +212,20 @@ class TestViewNames : public QObject {
     QCOMPARE(views.others.size(), std::size_t(9 + 9 + 18 + 6 + 3));
   }
 
+  /// Of names that agree, but for pictures of two sizes.
+  void anotherSize() {
+    for (int k = 0; k < 9; ++k) {
+      writeTiny(QString("v/view_512_%1.pgm").arg(k));
+      writeFile(QString("v/view_128_%1.pgm").arg(k), "P5 1 1 255\na");
+    }
+    const ViewFiles views = found("v");
+    QCOMPARE(gridText(views), QString("3×3"));
+    QCOMPARE(namesOf(views).front(), QString("view_512_0.pgm"));
+    QCOMPARE(views.others.size(), std::size_t(9));
+    QCOMPARE(namesOf(findViews(viewsIn("v", "*_512_*"), {0, 0})).front(),
+             QString("view_128_0.pgm"));
+  }
+
   /// Known names come before a larger series.
   void knownNamesComeFirst() {
     for (int k = 0; k < 4; ++k) writeTiny(QString("v/00%1_00%2.pgm").arg(k / 2).arg(k % 2));

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -167,6 +168,45 @@ void checkArePictures(const std::vector<fs::path>& files, const YuvParams& yuv) 
   }
 }
 
+using PictureSize = std::array<std::size_t, 2>;
+
+/// {0, 0} if the file cannot be read.
+PictureSize sizeOf(const fs::path& file, const YuvParams& yuv) {
+  try {
+    const ImageFile image(file, yuv);
+    return {image.width(), image.height()};
+  } catch (const InputError&) {
+    return {0, 0};
+  }
+}
+
+/// Splits a series of pictures of several sizes, such as view_512_07 and view_128_07: the one with
+/// the most comes first, or the larger pictures. A size that one file alone has is its own error.
+std::vector<NameSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv) {
+  const std::vector<fs::path>& files = series.files;
+  const std::size_t count = files.size();
+  const PictureSize first = sizeOf(files.front(), yuv);
+  constexpr std::size_t most = 5000;  // whose sizes are read in a moment
+  if (count < 4 || count > most ||
+      (first == sizeOf(files[count / 2], yuv) && first == sizeOf(files.back(), yuv)))
+    return {std::move(series)};
+  std::map<PictureSize, NameSeries> ofSize;
+  for (std::size_t k = 0; k < count; ++k) {
+    NameSeries& own = ofSize[sizeOf(files[k], yuv)];
+    own.files.push_back(files[k]);
+    own.parts.push_back(series.parts[k]);
+  }
+  std::vector<NameSeries> result;
+  for (auto& [size, own] : ofSize) {
+    if (size == PictureSize{0, 0} || own.files.size() < 2) return {std::move(series)};
+    result.insert(result.begin(), std::move(own));
+  }
+  std::stable_sort(result.begin(), result.end(), [](const NameSeries& a, const NameSeries& b) {
+    return a.files.size() > b.files.size();
+  });
+  return result;
+}
+
 /// The first series that makes a grid of pictures; else the first error is kept.
 class SeriesSearch {
  public:
@@ -174,29 +214,38 @@ class SeriesSearch {
       : m_yuv(params.yuv), m_source(std::move(source)) {}
 
   std::optional<ViewFiles> find(const std::vector<fs::path>& files) {
-    for (const Claim& claim : claimsOf(files)) {
-      if (claim.known != nullptr) {
-        const NamePattern pattern = namePattern(claim.known->pattern);
-        const std::vector<NamedView> views = matches(claim.series.files, pattern);
-        const bool isAlone = matches(files, pattern).size() == views.size();
-        const std::string extension = claim.series.files.front().extension().string();
-        if (auto grid = tried(pattern.text + (isAlone ? "" : extension), views)) return grid;
+    for (Claim& claim : claimsOf(files))
+      for (const NameSeries& series : seriesOfOneSize(std::move(claim.series), m_yuv)) {
+        if (claim.known != nullptr)
+          if (auto grid = asKnown(series, namePattern(claim.known->pattern), files)) return grid;
+        for (const std::vector<SeriesReading>& kind : readingsOf(series))
+          if (auto grid = bestOf(series, kind)) return grid;
       }
-      for (const std::vector<SeriesReading>& kind : readingsOf(claim.series)) {
-        std::optional<ViewFiles> best;
-        for (const SeriesReading& reading : kind)
-          if (auto grid = tried(patternOf(claim.series, reading), viewsOf(claim.series, reading));
-              grid && (!best || grid->files.size() < best->files.size()))
-            best = std::move(grid);
-        if (best) return best;
-      }
-    }
     return std::nullopt;
   }
 
   [[nodiscard]] const std::optional<InputError>& error() const { return m_error; }
 
  private:
+  /// The pattern that is told has an extension where other files would fit it, too.
+  std::optional<ViewFiles> asKnown(const NameSeries& series, const NamePattern& pattern,
+                                   const std::vector<fs::path>& files) {
+    const std::vector<NamedView> views = matches(series.files, pattern);
+    const bool isAlone = matches(files, pattern).size() == views.size();
+    const std::string extension = series.files.front().extension().string();
+    return tried(pattern.text + (isAlone ? "" : extension), views);
+  }
+
+  std::optional<ViewFiles> bestOf(const NameSeries& series,
+                                  const std::vector<SeriesReading>& readings) {
+    std::optional<ViewFiles> best;
+    for (const SeriesReading& reading : readings) {
+      auto grid = tried(patternOf(series, reading), viewsOf(series, reading));
+      if (grid && (!best || grid->files.size() < best->files.size())) best = std::move(grid);
+    }
+    return best;
+  }
+
   std::optional<ViewFiles> tried(const std::string& pattern, const std::vector<NamedView>& views) {
     try {
       m_source.pattern = pattern;
