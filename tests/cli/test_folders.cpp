@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "io/store/light_field_store.h"
+#include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
@@ -77,6 +78,27 @@ class TestFolders : public QObject {
     QCOMPARE(report.status, 0);
     QVERIFY2(report.err.contains(warning), report.err.constData());
     QCOMPARE(report.err.count("warning"), 1);
+  }
+
+  /// Other files in a test's folder are none of its bits.
+  void ratesAreOfViews() {
+    QStringList arguments{"--report", "--session", "whole", "--output", "rates"};
+    for (const char* test : {"t1", "t2", "t3", "t4"}) {
+      QVERIFY(done({"--export", "views", "--session", "whole", "--output", test}).status == 0);
+      writeFile(QString(test) + "/README.md", QByteArray(100000, 'x'));
+      arguments << "--test" << test;
+    }
+    const Outcome report = done(arguments + QStringList{"--group", "a=t1,t2,t3,t4"});
+    QVERIFY2(report.status == 0, report.err.constData());
+    qint64 bytes = 0;
+    for (const QFileInfo& view : QDir("t1").entryInfoList({"*.png"})) bytes += view.size();
+    int found = 0;
+    for (const QStringList& row : tableOf("rates/summary.csv")) {
+      if (row[1] != "rate_bpp") continue;
+      QCOMPARE(row[2].toDouble(), 8.0 * double(bytes) / (8 * 6 * 9));
+      ++found;
+    }
+    QCOMPARE(found, 4);
   }
 
   /// --generate fills a display with as many hogels and directions, over none of the views.

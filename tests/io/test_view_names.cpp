@@ -262,6 +262,24 @@ class TestViewNames : public QObject {
     QVERIFY(errorOf([] { (void)found("d240"); }).contains("give lightField.pattern"));
   }
 
+  void componentsOfTheirOwn() {
+    for (int k = 0; k < 12; ++k) writeTiny(QString("v/%1/00%2_000.pgm").arg(k / 4).arg(k % 4));
+    writeFile("v/README", "x");
+    QCOMPARE(gridText(found("v")), QString("4×1"));
+    LightFieldParams params = viewsIn("v");
+    params.pattern = "CCC_RRR";
+    const ViewFiles views = findViews(params, {0, 0});
+    QCOMPARE(gridText(views), QString("1×4"));
+    QCOMPARE(views.files.front().string(), std::string("v/0/000_000.pgm"));
+  }
+
+  /// Its folder of first components is itself.
+  void aCircleOfFolders() {
+    QVERIFY(QDir().mkdir("v"));
+    QVERIFY(QFile::link(".", "v/0"));
+    QVERIFY(errorOf([] { (void)found("v"); }).contains("no files that could be views"));
+  }
+
   void manyFiles() {
     QVERIFY(QDir().mkdir("v"));
     for (int k = 0; k < 5000; ++k) {

@@ -45,7 +45,8 @@ std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const C
   std::vector<TestSize> sizes;
   sizes.reserve(tests.size());
   for (const auto& [name, session, file] : tests) {
-    sizes.push_back({name, session.lightField.file,
+    const bool isLive = session.lightField.layout == Layout::live;
+    sizes.push_back({name, isLive ? std::vector<fs::path>() : file->files(),
                      double(file->size().width()) * double(file->size().height())});
   }
   return rateGroups(line, sizes);

@@ -210,14 +210,15 @@ std::vector<NameSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv)
 /// The first series that makes a grid of pictures; else the first error is kept.
 class SeriesSearch {
  public:
-  SeriesSearch(const LightFieldParams& params, GridSource source)
-      : m_yuv(params.yuv), m_source(std::move(source)) {}
+  SeriesSearch(const std::vector<fs::path>& files, const LightFieldParams& params,
+               GridSource source)
+      : m_files(files), m_yuv(params.yuv), m_source(std::move(source)) {}
 
-  std::optional<ViewFiles> find(const std::vector<fs::path>& files) {
-    for (Claim& claim : claimsOf(files))
+  std::optional<ViewFiles> find() {
+    for (Claim& claim : claimsOf(m_files))
       for (const NameSeries& series : seriesOfOneSize(std::move(claim.series), m_yuv)) {
         if (claim.known != nullptr)
-          if (auto grid = asKnown(series, namePattern(claim.known->pattern), files)) return grid;
+          if (auto grid = asKnown(series, namePattern(claim.known->pattern))) return grid;
         for (const std::vector<SeriesReading>& kind : readingsOf(series))
           if (auto grid = bestOf(series, kind)) return grid;
       }
@@ -228,12 +229,16 @@ class SeriesSearch {
 
  private:
   /// The pattern that is told has an extension where other files would fit it, too.
-  std::optional<ViewFiles> asKnown(const NameSeries& series, const NamePattern& pattern,
-                                   const std::vector<fs::path>& files) {
+  std::optional<ViewFiles> asKnown(const NameSeries& series, const NamePattern& pattern) {
     const std::vector<NamedView> views = matches(series.files, pattern);
-    const bool isAlone = matches(files, pattern).size() == views.size();
     const std::string extension = series.files.front().extension().string();
-    return tried(pattern.text + (isAlone ? "" : extension), views);
+    return tried(pattern.text + (fitsMore(pattern.text, views) ? extension : ""), views);
+  }
+
+  /// Whether a pattern fits more files than these views'.
+  [[nodiscard]] bool fitsMore(const std::string& pattern,
+                              const std::vector<NamedView>& views) const {
+    return matches(m_files, namePattern(pattern)).size() > views.size();
   }
 
   std::optional<ViewFiles> bestOf(const NameSeries& series,
@@ -251,6 +256,7 @@ class SeriesSearch {
       m_source.pattern = pattern;
       ViewFiles grid = gridOf(views, m_source);
       checkArePictures(grid.found(), m_yuv);
+      if (!pattern.empty() && fitsMore(pattern, views)) grid.pattern.clear();
       return grid;
     } catch (const InputError& error) {
       if (!m_error) m_error = error;
@@ -258,6 +264,7 @@ class SeriesSearch {
     }
   }
 
+  const std::vector<fs::path>& m_files;
   const YuvParams& m_yuv;
   GridSource m_source;
   std::optional<InputError> m_error;
@@ -271,15 +278,45 @@ void nameOthers(ViewFiles& grid, const std::vector<fs::path>& files) {
       grid.others.push_back(file.filename().string());
 }
 
-ViewFiles findByPattern(const std::vector<fs::path>& files, const NamePattern& pattern,
+/// JPEG Pleno's reference software has the views of a component in a folder; PgxRows finds those of
+/// the others. It is looked at once: it may be a link to its own folder.
+fs::path firstComponentsOf(const fs::path& folder) {
+  return folder / "0";
+}
+
+ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& pattern,
                         GridSource source) {
-  const std::vector<NamedView> views = matches(files, pattern);
+  std::vector<fs::path> files = candidatesIn(source.folder, params);
+  std::vector<NamedView> views = matches(files, pattern);
+  if (const fs::path red = firstComponentsOf(source.folder); views.empty() && isFolder(red)) {
+    files = candidatesIn(red, params);
+    views = matches(files, pattern);
+  }
   if (views.empty())
     throw InputError(source.folder.string(), "views",
                      "\"" + pattern.text + "\" fits no file name: " + thereText(files) +
                          "; mend lightField.pattern");
   source.pattern = pattern.text;
-  return gridOf(views, source);
+  ViewFiles grid = gridOf(views, source);
+  nameOthers(grid, files);
+  return grid;
+}
+
+/// Without a pattern.
+ViewFiles findSeries(const LightFieldParams& params, const fs::path& folder,
+                     std::array<int, 2> directions, bool mayHaveComponents = true) {
+  const std::vector<fs::path> files = candidatesIn(folder, params);
+  SeriesSearch search(files, params, {folder, {}, directions});
+  if (auto grid = search.find()) {
+    nameOthers(*grid, files);
+    return *grid;
+  }
+  if (const fs::path red = firstComponentsOf(folder); mayHaveComponents && isFolder(red))
+    return findSeries(params, red, directions, false);
+  if (search.error()) throw *search.error();
+  throw InputError(folder.string(), "views",
+                   "no names agree in all but their numbers: " + thereText(files) +
+                       "; give lightField.pattern, such as RRR_CCC");
 }
 
 }  // namespace
@@ -296,23 +333,8 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
     pattern = namePattern(params.pattern);
   }
   checkFolder(folder);
-  const std::vector<fs::path> files = candidatesIn(folder, params);
-  SeriesSearch search(params, {folder, {}, directions});
-  std::optional<ViewFiles> grid =
-      pattern ? findByPattern(files, *pattern, {folder, {}, directions}) : search.find(files);
-  if (grid) {
-    nameOthers(*grid, files);
-    return *grid;
-  }
-  if (const fs::path red = folder / "0"; !pattern && fs::is_directory(red, error)) {
-    LightFieldParams components = params;  // PgxRows finds the others
-    components.file = red.string();
-    return findViews(components, directions);
-  }
-  if (search.error()) throw *search.error();
-  throw InputError(folder.string(), "views",
-                   "no names agree in all but their numbers: " + thereText(files) +
-                       "; give lightField.pattern, such as RRR_CCC");
+  return pattern ? findByPattern(params, *pattern, {folder, {}, directions})
+                 : findSeries(params, folder, directions);
 }
 
 }  // namespace hogelscope

@@ -57,12 +57,13 @@ std::string nameOf(const NamedView& view) {
 
 [[noreturn]] void refuseHoles(const std::vector<NamedView>& views, const GridSource& source,
                               double cells) {
-  throw InputError(source.folder.string(), "views",
-                   "only " + std::to_string(views.size()) + " of " + numberText(cells) +
-                       " views are there, such as " + nameOf(views.front()) + ": \"" +
-                       source.pattern +
-                       "\" takes the wrong numbers, or the files are not one grid; give "
-                       "lightField.pattern");
+  throw InputError(
+      source.folder.string(), "views",
+      "only " + std::to_string(views.size()) + " of " + numberText(cells) +
+          " views are there, such as " + nameOf(views.front()) + ": " +
+          (source.pattern.empty() ? ""
+                                  : "\"" + source.pattern + "\" takes the wrong numbers, or ") +
+          "the files are not one grid; give lightField.pattern");
 }
 
 /// Whether more than half of the cells are filled.
@@ -304,8 +305,7 @@ ViewFiles gridOfCoordinates(const std::vector<NamedView>& views, const GridSourc
   if (!gathering)
     throw InputError(source.folder.string(), "views",
                      "the coordinates in names such as " + nameOf(views.front()) +
-                         " do not make a grid, read as \"" + source.pattern +
-                         "\"; give lightField.pattern");
+                         " do not make a grid; give lightField.pattern");
   const auto& [x, y] = *gathering;
   const std::size_t width = x.size();
   const auto placeOf = [&x = x, &y = y, width](const NamedView& view) {

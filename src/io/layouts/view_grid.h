@@ -27,7 +27,7 @@ struct ViewFiles {
   int rows = 0;
   int columns = 0;
   std::vector<std::filesystem::path> files;  ///< an empty path for a view that is missing
-  std::string pattern;                       ///< the one that the names fit
+  std::string pattern;  ///< the one that their names alone fit; "" if none can be told
   /// The coordinate x in the names of the first column and of the last one, on average, and y of
   /// the first and the last row; absent if the pattern has no x or no y.
   std::optional<std::array<double, 2>> columnsFromTo;

@@ -212,9 +212,10 @@ class Finding {
           std::to_string(m_views.grid.columns) + "]");
       return false;
     }
-    m_result.warnings.push_back("lightField.pattern: the views run column by column, which \"" +
-                                m_views.pattern +
-                                "\" cannot say: name the files by row and column, such as RRR_CCC");
+    const std::string names = m_views.pattern.empty() ? "" : " of \"" + m_views.pattern + "\"";
+    m_result.warnings.push_back("lightField.pattern: the views run column by column, which names" +
+                                names +
+                                " cannot say: name the files by row and column, such as RRR_CCC");
     return false;
   }
 
