@@ -75,10 +75,11 @@ Session checkedSession(const CommandLine& line, const std::optional<Calibration>
   checkLenslets(line, session);
   if (line.has("quiet") || session.lightField.layout != Layout::views) return session;
   ProgressBar bar("looking at the views", false);
-  warn(line,
-       contradictionOf(session.lightField,
-                       findLightFieldOrder(session.lightField, session.display, bar.progress())));
+  const LightFieldOrder order =
+      findLightFieldOrder(session.lightField, session.display, bar.progress());
   bar.done();
+  for (const std::string& warning : order.warnings) warn(line, warning);
+  warn(line, contradictionOf(session.lightField, order));
   return session;
 }
 
@@ -116,6 +117,12 @@ Session loadSelected(const CommandLine& line) {
   session.cameras = selected(session, line.text("states", "*"), file);
   for (const std::string& warning : warnings(session)) warn(line, warning);
   return session;
+}
+
+void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line) {
+  if (line.has("quiet")) return;
+  for (const std::string& warning : lightField.warnings())
+    std::cerr << "hogelscope: " << name << ": warning: " << warning << "\n";
 }
 
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,

@@ -34,6 +34,9 @@ std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path>
                                               const Session& session,
                                               const LightFieldFile& lightField);
 
+/// Prints what a light field lacks on stderr, unless the job is quiet.
+void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line);
+
 /// A new session around the light field that the job's own option names, read as --set says. Throws
 /// InputError, also for a --set of what such a session does not have: camera states and their
 /// sampling.

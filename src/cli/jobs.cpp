@@ -77,6 +77,7 @@ const std::vector<Job>& jobs() {
        .examples =
            "  hogelscope --generate scene --session s.json --output scene.png\n"
            "  hogelscope --generate scene --session s.json --output noisy.png --degrade noise:2\n"
+           "  hogelscope --generate directions --session views --output directions.png\n"
            "  hogelscope --generate edge --session s.json --output edge.png --set "
            "pattern.depth=0.2 \\\n"
            "             --set display.hogels=[256,256]\n",
@@ -93,7 +94,8 @@ const std::vector<Job>& jobs() {
            "  hogelscope --pack large.png --session s.json --output large.tif\n"
            "  hogelscope --pack large.png --output large.tif --set display.hogels=[512,512] \\\n"
            "             --set display.directions=[600,600]\n"
-           "  hogelscope --pack views --output views.tif --memory 4000\n",
+           "  hogelscope --pack views --output views.tif --memory 4000\n"
+           "  hogelscope --pack decoded.png --session views --output decoded.tif\n",
        .run = runPack},
       {.command = Command::exportAs,
        .name = "export",

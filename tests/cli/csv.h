@@ -2,6 +2,7 @@
 // Reads report.csv, and compares its numbers with those that they should be.
 #pragma once
 
+#include <QFile>
 #include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
@@ -25,6 +26,16 @@ inline QStringList cellsOf(const QByteArray& line) {
     }
   }
   return cells;
+}
+
+/// All lines of a file.
+inline QList<QStringList> tableOf(const QString& name) {
+  QList<QStringList> table;
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) return table;
+  for (const QByteArray& line : file.readAll().split('\n'))
+    if (!line.isEmpty()) table << cellsOf(line);
+  return table;
 }
 
 /// Reads back as `number`, in 17 significant digits or fewer.

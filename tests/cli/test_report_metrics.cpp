@@ -26,13 +26,6 @@ void writeJpeg(const QString& file, int quality) {
     qFatal("cannot write %s", qPrintable(file));
 }
 
-QList<QStringList> tableOf(const QString& file) {
-  QList<QStringList> table;
-  for (const QByteArray& line : contentOf(file).split('\n'))
-    if (!line.isEmpty()) table << cellsOf(line);
-  return table;
-}
-
 /// Debian's python3 where it has scikit-image; "" elsewhere.
 QString pythonWithSkimage() {
   for (const char* python : {"python3", "/usr/bin/python3"})

@@ -31,13 +31,6 @@ float content(int x, int y, int channel) {
   return float((x * 5 + y * 3 + channel * 40 + (x / 16) * (y / 8)) % 200 + 20) / 255;
 }
 
-QList<QStringList> tableOf(const QString& file) {
-  QList<QStringList> rows;
-  for (const QByteArray& line : contentOf(file).split('\n'))
-    if (!line.isEmpty()) rows << cellsOf(line);
-  return rows;
-}
-
 }  // namespace
 
 class TestTradeoffJob : public QObject {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzzes the names of views: the input's first line is the pattern, the others are files' names.
+// Fuzzes the names of views: the input's first line is the pattern, the others are names of files,
+// which are pictures of one pixel.
 #include <sstream>
+#include <utility>
 
+#include "io/layouts/name_pattern.h"
 #include "io/layouts/view_files.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -19,6 +22,13 @@ void checkGrid(const LightFieldParams& params) {
     const ViewFiles views = findViews(params, {0, 0});
     require(views.rows > 0 &&
             std::size_t(views.rows) * std::size_t(views.columns) == views.files.size());
+    require(2 * views.found().size() > views.files.size());
+    require(views.missing.empty() == (views.found().size() == views.files.size()));
+    if (views.pattern.empty()) return;
+    LightFieldParams again = params;
+    again.pattern = views.pattern;
+    (void)transposedPattern(views.pattern);
+    require(!params.pattern.empty() || findViews(again, {0, 0}).files == views.files);
   });
 }
 
@@ -32,11 +42,13 @@ void fuzz(std::string_view input) {
   std::getline(in, pattern);
   int files = 0;
   for (std::string name; files < 12 && std::getline(in, name);)
-    if (isFileName(name) && std::ofstream(views / name)) ++files;
+    if (isFileName(name) && std::ofstream(views / name) << "P5 1 1 255\na") ++files;
   LightFieldParams params;
   params.layout = Layout::views;
   params.pattern = pattern;
   params.file = views.string();
+  checkGrid(params);
+  params.exclude = std::exchange(params.pattern, "");
   checkGrid(params);
   params.file = (views / pattern).string();  // as printf's
   checkGrid(params);

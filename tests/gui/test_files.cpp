@@ -131,6 +131,17 @@ class TestFiles : public HabitsTest {
     QTRY_COMPARE_WITH_TIMEOUT(errors.size(), 1, patience);
     QVERIFY(errors[0][0].toString().contains("mend it with lightField.rows=bottom-up"));
     QVERIFY(lightField.rows == RowOrder::topDown);
+    // A view that is missing is told beside it, and of a folder.
+    QVERIFY(QFile::remove(m_folder->filePath("v/000_004.png")));
+    errors.clear();
+    QVERIFY(files(*m_window).open(m_folder->filePath("wrong.json")));
+    QTRY_COMPARE_WITH_TIMEOUT(errors.size(), 2, patience);
+    const QString hole = "1 of 15 views are missing and shown black: (row, column) 0 4";
+    QVERIFY(errors[0][0].toString().endsWith(hole));
+    errors.clear();
+    QVERIFY(files(*m_window).open(m_folder->filePath("v")));
+    QTRY_COMPARE_WITH_TIMEOUT(errors.size(), 1, patience);
+    QVERIFY(errors[0][0].toString().endsWith(hole));
   }
 
   void dropsOpenImportAndCompare() {

@@ -106,7 +106,9 @@ void TestBadLightFields::initTestCase() {
   QVERIFY(QDir().mkdir("none"));
   writeViews("views", {"000_000.png", "000_001.png", "001_000.png", "001_001.png"});
   QVERIFY(QFile::link("circle", "circle"));
-  writeViews("missing", {"000_000.png", "000_001.png", "001_000.png"});
+  writeViews("holes", {"000_000.png", "999999999999_1000000000.png"});
+  writeViews("nowhere", {"000_000.png", "000_001.png", "001_000.png"});
+  QVERIFY(QFile::link("none.png", "nowhere/001_001.png"));
   writeViews("sizes", {"000_000.png", "000_001.png", "001_000.png"});
   writeGrey("sizes/001_001.png", 4, 6);
   writeViews("twice", {"000_000.png", "000_001.png", "000_001.tif"});
@@ -114,8 +116,6 @@ void TestBadLightFields::initTestCase() {
   cut("noise.jpg", "broken/000_001.jpg");
   writeViews("five", {"input_Cam000.png", "input_Cam001.png", "input_Cam002.png",
                       "input_Cam003.png", "input_Cam004.png"});
-  writeViews("gap",
-             {"input_Cam000.png", "input_Cam001.png", "input_Cam002.png", "input_Cam004.png"});
   writeViews("long", {QString(60, 'a') + "_0.png"});
 }
 
@@ -161,7 +161,7 @@ void TestBadLightFields::pictures_data() {
 
 void TestBadLightFields::folders_data() {
   refusalColumns();
-  refused("missing", views("nowhere"), "nowhere: there is no such folder");
+  refused("missing", views("elsewhere"), "elsewhere: there is no such folder");
   const QByteArray longName(300, 'x');
   refused("a name that no file has", views(longName),
           longName + ": cannot be read: File name too long");
@@ -171,20 +171,23 @@ void TestBadLightFields::folders_data() {
           "circle: cannot be read: Too many levels of symbolic links");
   refused("a picture", views("ok.png"), "ok.png: is a file; layout \"views\" reads a folder");
   refused("empty", views("none"),
-          "none: views: no file name fits out_RR_CC_y_x, out_RR_CC_y_x_, input_CamNNN, RRR_CCC, "
-          "*_RR_CC_y_x_*; give "
-          "lightField.pattern");
-  refused("a view is missing", views("missing"),
-          "missing: views: row 1, column 1 is missing (2 rows and 2 columns were found)");
+          "none: views: no names agree in all but their numbers: the folder has no files that "
+          "could be views; give lightField.pattern, such as RRR_CCC");
+  refused("no series", views("long"),
+          "long: views: no names agree in all but their numbers: " + QByteArray(60, 'a') +
+              "_0.png is there; give lightField.pattern, such as RRR_CCC");
+  refused("half of the views are missing", views("holes"),
+          "holes: views: only 2 of 4 views are there, such as 000_000.png: \"RRR_CCC\" takes the "
+          "wrong numbers, or the files are not one grid; give lightField.pattern");
+  refused("a link that leads nowhere", views("nowhere"),
+          "nowhere/001_001.png: there is no such file");
   refused("views of different size", views("sizes"),
-          "sizes/001_001.png: size: is 4×6 px, but the first view is 8×6");
+          "sizes/001_001.png: size: is 4×6 px, but the first view is 8×6; lightField.exclude "
+          "leaves out what is no view");
   refused("a broken view", views("broken"),
           "broken/000_001.jpg: is damaged: JPEG error: Premature end of JPEG file");
-  refused("five numbered views", views("five"),
-          "five: views: 5 views do not make a grid of 2×2; give display.directions");
   refused("five numbered views, nine expected", views("five", "", R"({"directions": [3, 3]})"),
           "five: views: 5 views do not make a grid of 3×3; mend display.directions");
-  refused("a number is missing", views("gap"), "gap: views: number 3 is missing");
   refused("other hogels", views("views", "", R"({"hogels": [6, 8]})"),
           "s.json: display.hogels: is 6×8, but the light field's file has 8×6");
   refused("other directions", views("views", "", R"({"directions": [4, 1]})"),
@@ -193,7 +196,7 @@ void TestBadLightFields::folders_data() {
 
 /// Which of them comes first is the file system's choice.
 void TestBadLightFields::twoFilesForOneView() {
-  writeFile("s.json", views("twice"));
+  writeFile("s.json", views("twice", R"(, "pattern": "RRR_CCC")"));
   const Outcome outcome =
       run({"--render", "--session", "s.json", "--output", "out"}, m_folder.path());
   QCOMPARE(outcome.status, 2);
@@ -208,29 +211,36 @@ void TestBadLightFields::twoFilesForOneView() {
 void TestBadLightFields::patterns_data() {
   refusalColumns();
   refused("fits no name", views("views", R"(, "pattern": "view_RR_CC")"),
-          "views: views: no file name fits view_RR_CC; give lightField.pattern");
-  refused("another extension", views("views", R"(, "pattern": "RRR_CCC.jpg")"),
-          "views: views: no file name fits RRR_CCC.jpg; give lightField.pattern");
+          "views: views: \"view_RR_CC\" fits no file name: 000_000.png and 3 more files are there; "
+          "mend "
+          "lightField.pattern");
+  refused(
+      "another extension", views("views", R"(, "pattern": "RRR_CCC.jpg")"),
+      "views: views: \"RRR_CCC.jpg\" fits no file name: 000_000.png and 3 more files are there; "
+      "mend lightField.pattern");
   refused("without numbers", views("views", R"(, "pattern": "view")"),
           "lightField.pattern: \"view\" names neither one row (RR) and one column (CC) nor one "
-          "running number (NNN)");
+          "running number (NNN) nor coordinates (x, y)");
   refused("only rows", views("views", R"(, "pattern": "RRR_*")"),
           "lightField.pattern: \"RRR_*\" names neither one row (RR) and one column (CC) nor one "
-          "running number (NNN)");
+          "running number (NNN) nor coordinates (x, y)");
   refused("rows, columns and a number", views("views", R"(, "pattern": "RR_CC_NN")"),
           "lightField.pattern: \"RR_CC_NN\" names neither one row (RR) and one column (CC) nor one "
-          "running number (NNN)");
+          "running number (NNN) nor coordinates (x, y)");
   refused("a line break", views("views", R"(, "pattern": "a\nb")"),
           "s.json: lightField.pattern: \"a\\nb\" has a control character");
-  refused("% that fits no name", views("views/%03d_%03d.tif"),
-          "views: views: no file name fits %03d_%03d.tif; give lightField.pattern");
+  refused(
+      "% that fits no name", views("views/%03d_%03d.tif"),
+      "views: views: \"%03d_%03d.tif\" fits no file name: 000_000.png and 3 more files are there; "
+      "mend lightField.pattern");
   refused("%s", views("views/%s.png"),
           "lightField.file: \"%s.png\": only %d and %02d stand for numbers");
   // TODO wording: lightField.file
   refused("% three times", views("views/%d_%d%d.png"),
           "lightField.pattern: \"%d_%d%d.png\" names neither one row (RR) and one column (CC) nor "
-          "one running number (NNN)");
-  refused("% in a missing folder", views("nowhere/%d_%d.png"), "nowhere: there is no such folder");
+          "one running number (NNN) nor coordinates (x, y)");
+  refused("% in a missing folder", views("elsewhere/%d_%d.png"),
+          "elsewhere: there is no such folder");
   refused("% in a folder's name", views("%d/a.png"), "%d/a.png: there is no such folder");
 }
 

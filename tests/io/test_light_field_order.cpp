@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
+#include "io/order/contact_sheet.h"
 #include "io/order/order_document.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
@@ -78,9 +79,68 @@ class TestLightFieldOrder : public QObject {
     QVERIFY(mendingOf(used, again).empty());
     LightFieldParams wrong = used;
     wrong.rows = reversed(wrong.rows);
-    const std::string line = contradictionOf(wrong, findLightFieldOrder(wrong, {}));
+    const std::string line = contradictionOf(wrong, order);
     const std::string mending = std::string("mend it with lightField.rows=") + nameOf(used.rows);
     QVERIFY2(line.find(mending) != std::string::npos, line.c_str());
+  }
+
+  /// A circle of 9×9 views, with the one in the middle missing or not: as the whole grid's.
+  void holes() {
+    const GreyGrid grid = gridOf(randomScene(7, 1, 6), 9, 9, {true, false, false});
+    for (int row = 0; row < 9; ++row)
+      for (int column = 0; column < 9; ++column) {
+        const GreyPicture view = grid.view(row, column);
+        const QString name = QString::asprintf("/%03d_%03d.png", row, column);
+        const double off = std::hypot(row - 4, column - 4);
+        writeGreyPicture("full" + name, view);
+        if (off < 4.3) writeGreyPicture("circle" + name, view);
+        if (off < 4.3 && off > 0) writeGreyPicture("ring" + name, view);
+      }
+    const auto full = orderedSessionAround("full");
+    QCOMPARE(full.order.sureness, Sureness::sure);
+    QVERIFY(full.order.warnings.empty());
+    for (const char* folder : {"circle", "ring"}) {
+      const auto [session, order] = orderedSessionAround(folder);
+      QCOMPARE(order.sureness, Sureness::sure);
+      QVERIFY(session.lightField.rows == RowOrder::bottomUp);
+      QVERIFY(session.lightField.columns == ColumnOrder::leftRight);
+      for (const std::size_t k : {0, 1})
+        QVERIFY(std::abs(session.lightField.shear[k] - full.session.lightField.shear[k]) <
+                (folder == std::string("ring") ? 0.3 : 0.005));
+      QCOMPARE(order.warnings.size(), std::size_t(1));
+      const AssumedOrder assumed = assumedOrder(session.lightField, {240, 180, 9, 9}, order);
+      QVERIFY(orderDocument(assumed).find(folder == std::string("ring")
+                                              ? "21 of 81 views are missing"
+                                              : "20 of 81 views are missing") != std::string::npos);
+      writeContactSheet(folder + std::string("/../sheet.png"), order, assumed, {});
+    }
+  }
+
+  /// A running number that counts from top to bottom.
+  void aColumnOfViews() {
+    const GreyGrid grid = gridOf(randomScene(4, -2.5, 2.5), 12, 1);
+    for (int k = 0; k < 12; ++k)
+      writeGreyPicture(QString("v/view%1.png").arg(k + 1), grid.view(k, 0));
+    const LightFieldOrder order = findLightFieldOrder(viewsIn("v"), {});
+    QCOMPARE(order.warnings.size(), std::size_t(1));
+    QVERIFY2(order.warnings[0].find("give [1,12]") != std::string::npos, order.warnings[0].c_str());
+    const LightFieldOrder mended = orderedSessionAround("v", {"display.directions=[1,12]"}).order;
+    QVERIFY(mended.warnings.empty());
+    QCOMPARE(mended.sureness, Sureness::sure);
+  }
+
+  /// x and y are exchanged, which the pictures tell.
+  void coordinatesAlone() {
+    const GreyGrid grid = gridOf(randomScene(7, 1, 6), 3, 5);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 5; ++column)
+        writeGreyPicture(QString("v/cam_%1_%2.png").arg(20.5 - 10 * row).arg(5 * column - 7),
+                         grid.view(row, column));
+    const auto [session, order] = orderedSessionAround("v");
+    QCOMPARE(order.sureness, Sureness::sure);
+    QCOMPARE(QByteArray::fromStdString(session.lightField.pattern), QByteArray("cam_y_x.png"));
+    QVERIFY(session.lightField.rows == RowOrder::bottomUp);  // y is upwards there
+    QVERIFY(session.lightField.columns == ColumnOrder::leftRight);
   }
 
   /// With another row order its shear goes the other way, so that the middle depth stays.

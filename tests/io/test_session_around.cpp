@@ -43,12 +43,12 @@ class TestSessionAround : public QObject {
   }
 
   void overridesSayHowToReadAFolder() {
-    for (const char* name : {"named/cam 2 1.png", "named/cam 1 1.png"})
+    for (const char* name : {"named/cam 2 1.png", "named/camera 1 1.png"})
       writeGrey(file(name), 40, 10);
     const std::string folder = file("named").toStdString();
     QVERIFY(errorOf([&] { (void)sessionAround(folder); }).contains("give lightField.pattern"));
     const Session session = sessionAround(
-        folder, {"lightField.pattern=cam CC RR.png", "display.size=[0.3,0.1]", "camera.fov=33"});
+        folder, {"lightField.pattern=cam* CC RR.png", "display.size=[0.3,0.1]", "camera.fov=33"});
     QVERIFY((session.display.size == std::array{0.3, 0.1}));
     QCOMPARE(session.cameras.front().camera.fov, 33.0);
     QVERIFY((loadScene(session, {}).lightField->size() == LightFieldSize{40, 10, 2, 1}));

@@ -6,6 +6,7 @@
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
+#include "tests/io/light_fields.h"
 #include "tests/io/texels.h"
 
 using namespace hogelscope;
@@ -64,6 +65,8 @@ class TestViewFolders : public QObject {
   void shearIsOfTheDisplaysDirections();
   void displayTakesTheFoldersSize();
   void theFirstViewSaysTheType();
+  void missingViewsAreBlack_data();
+  void missingViewsAreBlack();
 
  private:
   std::unique_ptr<QTemporaryDir> m_folder;
@@ -241,6 +244,43 @@ void TestViewFolders::theFirstViewSaysTheType() {
   QVERIFY(isNear(lightField.texel({0, 0, 0, 0}), {100.25, 100.25, 100.25}, 1e-4));
   QVERIFY(isNear(lightField.texel({1, 1, 1, 0}), {100, 100, 100}, 1e-4));
   QVERIFY(isNear(lightField.texel({0, 1, 2, 0}), {100.25, 100.25, 100.25}, 0.5 / 257));
+}
+
+void TestViewFolders::missingViewsAreBlack_data() {
+  QTest::addColumn<int>("type");
+  QTest::addColumn<int>("channels");
+  QTest::newRow("8 bit") << int(OIIO::TypeDesc::UINT8) << 3;
+  QTest::newRow("16 bit grey") << int(OIIO::TypeDesc::UINT16) << 1;
+  QTest::newRow("floats") << int(OIIO::TypeDesc::FLOAT) << 3;
+}
+
+/// A circle of 9×9 is what it is with black files in place of its holes, read whole or in rows.
+void TestViewFolders::missingViewsAreBlack() {
+  QFETCH(int, type);
+  QFETCH(int, channels);
+  const PictureKind kind{OIIO::TypeDesc::BASETYPE(type), channels};
+  for (int row = 0; row < 9; ++row)
+    for (int column = 0; column < 9; ++column) {
+      const bool isThere = std::hypot(row - 4, column - 4) < 4.3;
+      const auto value = [=](int x, int y, int c) {
+        return isThere ? float((9 * row + column) * 700 + 37 * x + 5 * y + c) / 65535 : 0;
+      };
+      const QString name = QString("%1_%2.tif").arg(row).arg(column);
+      writeImageFile("full/" + name, width, height, value, kind);
+      if (isThere) writeImageFile("holes/" + name, width, height, value, kind);
+    }
+  LightFieldParams params = viewsIn("full");
+  params.shear = {0.5, -1};
+  params.rows = RowOrder::bottomUp;
+  const LightField full = openLightField(params, {})->read({});
+  params.file = "holes";
+  const auto file = openLightField(params, {});
+  QCOMPARE(file->files().size(), std::size_t(61));
+  QCOMPARE(file->warnings().size(), std::size_t(1));
+  QVERIFY2(file->warnings().front().starts_with("lightField: 20 of 81 views are missing"),
+           file->warnings().front().c_str());
+  QCOMPARE(firstDifference(file->read({}), full), QString());
+  QCOMPARE(firstDifference(streamed(*file), full), QString());
 }
 
 QTEST_APPLESS_MAIN(TestViewFolders)

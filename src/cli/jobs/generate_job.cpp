@@ -6,6 +6,7 @@
 #include <future>
 #include <iostream>
 
+#include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
@@ -18,6 +19,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/degradation.h"
 #include "io/images/image_writer.h"
+#include "io/scene/scene.h"
 
 namespace hogelscope {
 
@@ -112,11 +114,22 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
   writer.finish();
 }
 
+/// Of a document, whose light field need not be there yet; or of a session around a folder or the
+/// like, with as many hogels and directions; what is read is added to `inputs`.
+DisplayParams displayToFill(const CommandLine& line, std::vector<fs::path>& inputs) {
+  if (isSessionDocument(line.text("session")))
+    return displayOf(loadSession(line.text("session"), line.texts("set")));
+  const Session session = loadSessionOf(line);
+  const auto lightField = openLightField(session.lightField, session.display);
+  inputs = inputFiles(std::move(inputs), session, *lightField);
+  return resolved(displayOf(session), lightField->size());
+}
+
 }  // namespace
 
 int runGenerate(const CommandLine& line) {
-  const Session session = loadSession(line.text("session"), line.texts("set"));
-  const DisplayParams display = displayOf(session);
+  std::vector<fs::path> inputs{line.subject, line.text("session")};
+  const DisplayParams display = displayToFill(line, inputs);
   const auto pattern = makePattern(line.subject, display, patternParams(line.jobOverrides));
   Degradation degradation;
   if (line.has("degrade")) degradation = parseDegradation(line.text("degrade"));
@@ -125,7 +138,7 @@ int runGenerate(const CommandLine& line) {
     throw InputError("--seed", "is of the noise; it needs --degrade noise:SIGMA");
   if (seed) degradation.seed = std::uint64_t(*seed);
   const std::string output = line.text("output");
-  checkOutputs({output}, {line.subject, line.text("session")});
+  checkOutputs({output}, inputs);
   makeFolderOf(output);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};

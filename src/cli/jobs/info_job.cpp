@@ -67,13 +67,25 @@ void printImage(std::ostream& out, const Session& around) {
   printSize(out, around);
 }
 
+void printOthers(std::ostream& out, const std::vector<std::string>& others) {
+  if (others.empty()) return;
+  constexpr std::size_t mostNamed = 4;
+  out << "others      " << others.size() << ": ";
+  for (std::size_t k = 0; k < std::min(mostNamed, others.size()); ++k)
+    out << (k == 0 ? "" : ", ") << others[k];
+  out << (others.size() > mostNamed ? ", …" : "") << "; no views\n";
+}
+
 void printFolder(std::ostream& out, const Session& around) {
   const ViewFiles views = findViews(around.lightField, around.display.directions);
-  const ImageFile first{views.files.front(), around.lightField.yuv};
-  out << "layout      views, " << views.rows << " rows of " << views.columns << "\n"
-      << "first       " << views.files.front().filename().string() << "\n"
-      << "last        " << views.files.back().filename().string() << "\n"
-      << "pictures    " << first.format() << ", " << first.channels() << " channel(s), "
+  const std::vector<fs::path> files = views.found();
+  const ImageFile first{files.front(), around.lightField.yuv};
+  out << "layout      views, " << views.rows << " rows of " << views.columns << "\n";
+  if (!views.pattern.empty()) out << "names       " << views.pattern << "\n";
+  out << "first       " << files.front().filename().string() << "\n"
+      << "last        " << files.back().filename().string() << "\n";
+  printOthers(out, views.others);
+  out << "pictures    " << first.format() << ", " << first.channels() << " channel(s), "
       << typeName(first.type(), first.bits()) << "\n";
   printSize(out, around);
 }

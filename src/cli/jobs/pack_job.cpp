@@ -27,7 +27,11 @@ struct Content {
 Content loadContent(const CommandLine& line) {
   const std::vector<std::string>& overrides = line.texts("set");
   if (line.has("session"))
-    return {withLightField(loadSession(line.text("session"), overrides), line.subject), true};
+    return {withLightField(isSessionDocument(line.text("session"))
+                               ? loadSession(line.text("session"), overrides)
+                               : loadSessionOf(line),
+                           line.subject),
+            true};
   if (isSessionFile(line.subject)) return {loadSession(line.subject, overrides), true};
   return {sessionAroundSubject(line).session, false};
 }
@@ -64,6 +68,8 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
 
 int runPack(const CommandLine& line) {
   const auto [session, isDisplayGiven] = loadContent(line);
+  if (session.lightField.layout == Layout::views)
+    warnOf(*openLightField(session.lightField, session.display), session.lightField.file, line);
   return packContent(session, isDisplayGiven, line);
 }
 

@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parameters.h"
-#include "io/files/folders.h"
 
 namespace hogelscope {
 
@@ -57,17 +56,15 @@ std::vector<TestRate> parseRates(const std::vector<std::string>& texts,
 }
 
 double fileBits(const TestSize& test) {
-  std::error_code error;
-  if (!isFolder(test.file)) {
-    const std::uintmax_t size = fs::file_size(test.file, error);
-    if (error)
-      throw InputError("command line", "--group",
-                       test.test + " has no size of its own; give --rate " + test.test + "=BITS");
-    return 8 * double(size);
-  }
   double bytes = 0;
-  for (const fs::path& entry : entriesOf(test.file))
-    if (fs::is_regular_file(entry, error)) bytes += double(fs::file_size(entry, error));
+  std::error_code error;
+  for (const fs::path& file : test.files) {
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (!error) bytes += double(size);
+  }
+  if (!(bytes > 0))
+    throw InputError("command line", "--group",
+                     test.test + " has no size of its own; give --rate " + test.test + "=BITS");
   return 8 * bytes;
 }
 

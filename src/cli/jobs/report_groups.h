@@ -12,14 +12,14 @@ namespace hogelscope {
 
 /// A test light field on disk.
 struct TestSize {
-  std::string test;            ///< as --test names it
-  std::filesystem::path file;  ///< a file or a folder
+  std::string test;                          ///< as --test names it
+  std::vector<std::filesystem::path> files;  ///< of its pixels; a folder's others do not count
   double directionalPixels = 0;
 };
 
-/// Each --group with its tests' rates: those of --rate, else the file's size (of a folder: its
-/// files' sizes). None without --group. Throws InputError: a test that was not given, fewer than
-/// two groups or four tests, a rate that is not a positive number.
+/// Each --group with its tests' rates: those of --rate, else the sizes of its files. None without
+/// --group. Throws InputError: a test that was not given, fewer than two groups or four tests, a
+/// rate that is not a positive number.
 std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<TestSize>& tests);
 
 }  // namespace hogelscope

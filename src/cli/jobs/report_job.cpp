@@ -45,7 +45,8 @@ std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const C
   std::vector<TestSize> sizes;
   sizes.reserve(tests.size());
   for (const auto& [name, session, file] : tests) {
-    sizes.push_back({name, session.lightField.file,
+    const bool isLive = session.lightField.layout == Layout::live;
+    sizes.push_back({name, isLive ? std::vector<fs::path>() : file->files(),
                      double(file->size().width()) * double(file->size().height())});
   }
   return rateGroups(line, sizes);
@@ -108,8 +109,10 @@ int runReport(const CommandLine& line) {
   request.images = line.has("images");
   keepSession(line, request.session);
   announcePassing(*request.file, request.memory / 2, isQuiet);
-  for (const ReportTest& test : request.tests)
+  for (const ReportTest& test : request.tests) {
+    warnOf(*test.file, test.name, line);
     announcePassing(*test.file, request.memory / 2, isQuiet);
+  }
   const Report report = makeWithProgress(request, line);
   if (!isQuiet) {
     const fs::path folder = line.text("output");

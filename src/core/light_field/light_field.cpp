@@ -72,8 +72,8 @@ void describeLenslets(ParameterVisitor& v, LensletParams& p) {
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
-  auto& [file, layout, incoming, rows, columns, pattern, shear, viewingDistance, quiltColumns,
-         quiltRows, lenslets, yuv, source, type, content, live] = p;
+  auto& [file, layout, incoming, rows, columns, pattern, exclude, shear, viewingDistance,
+         quiltColumns, quiltRows, lenslets, yuv, source, type, content, live] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (layout != Layout::live)
     v.field("file", file,
@@ -93,7 +93,11 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
     v.field("pattern", pattern,
             "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
-            "a coordinate, * anything. Empty: the known ones are tried.");
+            "a coordinate, * anything. Empty: the known ones are tried, then the largest series of "
+            "pictures.");
+    v.field("exclude", exclude,
+            "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
+            "them: *_thumb.png;input_Cam040.png.");
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
             "by whole pixels, rounded.");

@@ -36,6 +36,7 @@ struct LightFieldParams {
   RowOrder rows = RowOrder::topDown;
   ColumnOrder columns = ColumnOrder::leftRight;
   std::string pattern;
+  std::string exclude;
   std::array<double, 2> shear{0, 0};
   double viewingDistance = notGiven;  ///< where the hogels' fields coincide, metres
   int quiltColumns = 0;

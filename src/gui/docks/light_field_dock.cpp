@@ -122,10 +122,12 @@ void LightFieldDock::choose(const QString& file) {
 /// Later, when the order of the views has been found.
 void LightFieldDock::chooseViews(const LightFieldParams& views) {
   m_task->start([this, views, display = m_model->session().display](const Progress& progress) {
-    return [this, found = findLightFieldOrder(views, display, progress).found] {
+    return [this, order = findLightFieldOrder(views, display, progress)] {
       Session content = m_model->session();
-      content.lightField = found;
+      content.lightField = order.found;
       m_model->setContent(content);
+      for (const std::string& warning : order.warnings)
+        Q_EMIT failed(QString::fromStdString(contentName(order.found) + ": " + warning));
     };
   });
 }

@@ -104,23 +104,29 @@ void FileCommands::openLater(const QString& file) {
   Q_EMIT done(tr("Reading %1 …").arg(file));
 }
 
-/// Later, an error if the pictures say that the session's views are in another order, or that its
-/// lenslets are not where a regular grid has them.
+/// Later, an error if the pictures say that the session's views are in another order, if some are
+/// missing, or if its lenslets are not where a regular grid has them.
 void FileCommands::checkOrder(const QString& file) {
   const Session& session = m_model->session();
   const bool isLenslets = session.lightField.layout == Layout::lenslets;
   if (!isLenslets && session.lightField.layout != Layout::views) return;
   m_task->start([this, file, isLenslets, lightField = session.lightField,
                  display = session.display](const Progress& progress) -> Task::Answer {
-    std::string line;
+    std::vector<std::string> lines;
     try {
-      line = isLenslets
-                 ? warningOf(lightField, lensletsOf(lightField, display, progress))
-                 : contradictionOf(lightField, findLightFieldOrder(lightField, display, progress));
+      if (isLenslets) {
+        lines = {warningOf(lightField, lensletsOf(lightField, display, progress))};
+      } else {
+        const LightFieldOrder order = findLightFieldOrder(lightField, display, progress);
+        lines = order.warnings;
+        lines.push_back(contradictionOf(lightField, order));
+      }
+      std::erase(lines, "");
     } catch (const InputError&) {  // the view says it
     }
-    return [this, file, line] {
-      if (!line.empty()) Q_EMIT failed(file + ": " + QString::fromStdString(line));
+    return [this, file, lines] {
+      for (const std::string& line : lines)
+        Q_EMIT failed(file + ": " + QString::fromStdString(line));
     };
   });
 }

@@ -361,7 +361,7 @@ bool takeGeometry(Session& session, const DisplayParams& given) {
   LightFieldParams& lightField = session.lightField;
   if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
   const ViewFiles views = findViews(lightField, given.directions);
-  const ImageFile first(views.files.front(), lightField.yuv);
+  const ImageFile first(views.found().front(), lightField.yuv);
   const auto [width, height] = std::pair(int(first.width()), int(first.height()));
   const auto geometry = captureGeometry(lightField.file, views, width, height);
   if (!geometry) return false;

@@ -15,15 +15,31 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-std::vector<fs::path> entriesOf(const fs::path& folder) {
+namespace {
+
+template <class Wanted>
+std::vector<fs::path> entriesThat(const fs::path& folder, Wanted isWanted) {
   std::error_code error;
   std::vector<fs::path> entries;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    entries.push_back(entry->path());
+    if (isWanted(*entry)) entries.push_back(entry->path());
   if (error) throw InputError(folder.string(), "cannot be read", error.message());
   std::sort(entries.begin(), entries.end());
   return entries;
+}
+
+}  // namespace
+
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  return entriesThat(folder, [](const fs::directory_entry&) { return true; });
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder) {
+  return entriesThat(folder, [](const fs::directory_entry& entry) {
+    std::error_code unknown;
+    return !entry.is_directory(unknown);
+  });
 }
 
 }  // namespace hogelscope

@@ -13,4 +13,8 @@ bool isFolder(const std::filesystem::path& path);
 /// Returns the entries of a folder, sorted by name. Throws InputError (missing, no permission).
 std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder);
 
+/// Returns the entries that are no folders, sorted by name; links that lead nowhere, too. Throws
+/// InputError.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
+
 }  // namespace hogelscope

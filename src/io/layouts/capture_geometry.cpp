@@ -94,7 +94,7 @@ std::optional<std::array<double, 2>> lastNumbers(const fs::path& file) {
 std::optional<CaptureGeometry> ofRenderer(const fs::path& file, const ViewFiles& views, int width,
                                           int height) {
   const auto distance = Settings(file).find("focus-distance");
-  const auto camera = views.files.empty() ? std::nullopt : lastNumbers(views.files.front());
+  const auto camera = views.files.empty() ? std::nullopt : lastNumbers(views.found().front());
   if (!distance || !camera || !views.columnsFromTo || !views.rowsFromTo) return std::nullopt;
   const auto spacing = [](const std::array<double, 2>& fromTo, int count) {
     return count > 1 ? std::abs(fromTo[1] - fromTo[0]) / (count - 1) * metresPerMillimetre : 0;

@@ -34,6 +34,8 @@ class LightFieldFile {
   [[nodiscard]] virtual StoredType type() const = 0;
   /// The bits of a value of the content, 8 … 16; by default all of its type, 16 of floats.
   [[nodiscard]] virtual int bits() const { return type() == StoredType::uint8 ? 8 : 16; }
+  /// Returns lines for the user on what it lacks, such as missing views.
+  [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
   /// Reads it into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 

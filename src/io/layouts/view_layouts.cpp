@@ -62,7 +62,7 @@ class ViewsFolder : public ScatteredFile {
  public:
   ViewsFolder(const LightFieldParams& params, const DisplayParams& display)
       : m_params(params), m_views(findViews(params, display.directions)) {
-    const ImageFile first(m_views.files.front(), params.yuv);
+    const ImageFile first(m_views.found().front(), params.yuv);
     m_type = first.type();
     m_bits = first.bits();
     m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
@@ -71,7 +71,11 @@ class ViewsFolder : public ScatteredFile {
   [[nodiscard]] StoredType type() const override { return m_type; }
   [[nodiscard]] int bits() const override { return m_bits; }
   [[nodiscard]] LightFieldSize size() const override { return m_size; }
-  [[nodiscard]] std::vector<fs::path> files() const override { return m_views.files; }
+  [[nodiscard]] std::vector<fs::path> files() const override { return m_views.found(); }
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    if (m_views.missing.empty()) return {};
+    return {m_views.missing};
+  }
 
   [[nodiscard]] LightField readBand(int begin, int end, const Progress& progress) override {
     LightField lightField = blankLightField({m_size.nx, end - begin, m_size.du, m_size.dv}, m_type,
@@ -89,12 +93,14 @@ class ViewsFolder : public ScatteredFile {
                 const Progress& progress) const {
     const fs::path& file =
         m_views.files[std::size_t(row) * std::size_t(m_views.columns) + std::size_t(column)];
+    if (file.empty()) return;  // missing: it stays black
     ImageFile image(file, m_params.yuv);
     if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
       throw InputError(file.string(), "size",
                        "is " + pixels(image.width(), image.height()) +
                            " px, but the first view is " +
-                           pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)));
+                           pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)) +
+                           "; lightField.exclude leaves out what is no view");
     const int u = m_params.columns == ColumnOrder::leftRight ? column : m_size.du - 1 - column;
     const int v = m_params.rows == RowOrder::topDown ? row : m_size.dv - 1 - row;
     const int right = int(std::floor(m_params.shear[0] * (u - (m_size.du - 1) / 2.0) + 0.5));

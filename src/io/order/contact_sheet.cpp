@@ -19,14 +19,16 @@ const cv::Scalar white(255, 255, 255);
 const cv::Scalar yellow(255, 210, 0);
 const cv::Scalar blue(80, 190, 255);
 
-/// Which of `count` views are shown: the first, the last, and some evenly between.
-std::vector<int> shownOf(int count) {
+/// Which of `count` views are shown: the first, the last, some evenly between, and `middle`.
+std::vector<int> shownOf(int count, int middle) {
   constexpr int most = 5;
   const int shown = std::min(count, most);
   std::vector<int> indices;
   indices.reserve(std::size_t(shown));
   for (int k = 0; k < shown; ++k)
     indices.push_back(shown == 1 ? 0 : int(std::lround(double(k) * (count - 1) / (shown - 1))));
+  if (shown == most && middle > indices[most / 2 - 1] && middle < indices[most / 2 + 1])
+    indices[most / 2] = middle;
   return indices;
 }
 
@@ -39,14 +41,14 @@ class Sheet {
     m_isUp = assumed.rows == RowOrder::bottomUp;
     m_isLeft = assumed.columns == ColumnOrder::rightLeft;
     m_isAsMeasured = !isTransposed;
-    m_rows = shownOf(views.grid.rows);
-    m_columns = shownOf(views.grid.columns);
+    m_rows = shownOf(views.grid.rows, order.measured.middleRow);
+    m_columns = shownOf(views.grid.columns, order.measured.middleColumn);
     if (m_isUp) std::reverse(m_rows.begin(), m_rows.end());
     if (m_isLeft) std::reverse(m_columns.begin(), m_columns.end());
   }
 
   cv::Mat3b draw(const Progress& progress) {
-    const GreyPicture first = m_views.grid.view(m_rows.front(), m_columns.front());
+    const GreyPicture first = firstThere();
     m_scale = double(tileSide) / std::max(first.width, first.height);
     m_tile = {std::max(1, cvRound(first.width * m_scale)),
               std::max(1, cvRound(first.height * m_scale))};
@@ -69,21 +71,35 @@ class Sheet {
   static constexpr int border = 78;  // for the words above and on the left
   static constexpr int leastWidth = 640;
 
+  /// There is one: more than half of the views are.
+  [[nodiscard]] GreyPicture firstThere() const {
+    for (int row = 0; row < m_views.grid.rows; ++row)
+      for (int column = 0; column < m_views.grid.columns; ++column)
+        if (m_views.grid.has(row, column)) return m_views.grid.view(row, column);
+    return {1, 1, {0}};
+  }
+
   void putView(int x, int y) {
     const int row = m_rows[std::size_t(y)];
     const int column = m_columns[std::size_t(x)];
+    const cv::Rect place(
+        cv::Point(border + x * (m_tile.width + gap), border + y * (m_tile.height + gap)), m_tile);
+    if (!m_views.grid.has(row, column)) {
+      m_sheet(place).setTo(cv::Scalar(0, 0, 0));
+      write("missing", place.tl() + cv::Point(4, 14), white);
+      return;
+    }
     const GreyPicture grey = m_views.grid.view(row, column);
     const cv::Mat1b whole(grey.height, grey.width, const_cast<std::uint8_t*>(grey.values.data()));
     cv::Mat1b small;
     cv::resize(whole, small, m_tile, 0, 0, m_scale < 1 ? cv::INTER_AREA : cv::INTER_NEAREST);
-    const cv::Rect place(
-        cv::Point(border + x * (m_tile.width + gap), border + y * (m_tile.height + gap)), m_tile);
     cv::Mat3b colour;
     cv::cvtColor(small, colour, cv::COLOR_GRAY2RGB);
     colour.copyTo(m_sheet(place));
     write("row " + std::to_string(row) + ", column " + std::to_string(column),
           place.tl() + cv::Point(4, 14), white);
-    const bool isMiddle = row == m_views.grid.rows / 2 && column == m_views.grid.columns / 2;
+    const bool isMiddle =
+        row == m_order.measured.middleRow && column == m_order.measured.middleColumn;
     if (isMiddle && m_isAsMeasured) putArrows(place);
   }
 

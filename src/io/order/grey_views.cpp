@@ -56,14 +56,17 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
   for (const auto& file : files->files) views.names.push_back(file.filename().string());
   views.columnsFromTo = files->columnsFromTo;
   views.rowsFromTo = files->rowsFromTo;
+  views.missing = files->missing;
   const auto first =
-      std::make_shared<const GreyPicture>(readGrey(files->files.front(), params.yuv));
+      std::make_shared<const GreyPicture>(readGrey(files->found().front(), params.yuv));
   views.pattern = files->pattern;
   views.grid = {files->rows, files->columns, [files, first, yuv = params.yuv](int row, int column) {
                   const auto at =
                       std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
                   return fitted(readGrey(files->files[at], yuv), *first);
                 }};
+  if (!views.missing.empty())
+    for (const auto& file : files->files) views.grid.isMissing.push_back(file.empty());
   return views;
 }
 
@@ -92,6 +95,7 @@ GreyViews viewsOfQuilt(const LightFieldParams& params, const LightFieldSize& siz
           {},
           {},
           {},
+          {},
           {}};
 }
 
@@ -111,6 +115,7 @@ GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
                }
              return picture;
            }},
+          {},
           {},
           {},
           {},

@@ -22,6 +22,7 @@ struct GreyViews {
   /// it.
   std::optional<std::array<double, 2>> columnsFromTo;
   std::optional<std::array<double, 2>> rowsFromTo;
+  std::string missing;  ///< names the missing views for the user; "" if all are there
 };
 
 /// None for a light field without files, or of more pixels than are looked at on the way. Throws

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/base/text.h"
-#include "io/layouts/view_files.h"
+#include "io/layouts/name_pattern.h"
 #include "io/order/grey_views.h"
 
 namespace hogelscope {
@@ -178,6 +178,7 @@ class Finding {
     m_result.columns = judgement.order().columns;
     m_result.sureness = judgement.sureness();
     m_result.reason = judgement.reason();
+    if (!views.missing.empty()) m_result.warnings.push_back(views.missing);
     params.layout == Layout::views ? sayViews() : sayDirections();
   }
 
@@ -205,9 +206,16 @@ class Finding {
       return true;
     }
     m_result.sureness = Sureness::unknown;
-    m_result.warnings.push_back("lightField.pattern: the views run column by column, which \"" +
-                                m_views.pattern +
-                                "\" cannot say: name the files by row and column, such as RRR_CCC");
+    if (m_views.grid.rows == 1) {
+      m_result.warnings.push_back(
+          "display.directions: the views stood one above the other: give [1," +
+          std::to_string(m_views.grid.columns) + "]");
+      return false;
+    }
+    const std::string names = m_views.pattern.empty() ? "" : " of \"" + m_views.pattern + "\"";
+    m_result.warnings.push_back("lightField.pattern: the views run column by column, which names" +
+                                names +
+                                " cannot say: name the files by row and column, such as RRR_CCC");
     return false;
   }
 

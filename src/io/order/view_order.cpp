@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -66,6 +67,7 @@ class Direction {
  public:
   Direction(Views& views, const GreyGrid& grid, bool isAlongColumns)
       : m_views(views),
+        m_grid(grid),
         m_isAlongColumns(isAlongColumns),
         m_count(isAlongColumns ? grid.columns : grid.rows) {}
 
@@ -73,9 +75,8 @@ class Direction {
 
   Neighbours neighbours(const Centre& centre, int step) {
     Neighbours result{m_views.at(centre.row, centre.column), step, {}, {}};
-    const int place = placeOf(centre);
-    if (place >= step) result.before = motionBetween(result.view, other(centre, -step));
-    if (place + step < m_count) result.after = motionBetween(result.view, other(centre, step));
+    if (has(centre, -step)) result.before = motionBetween(result.view, other(centre, -step));
+    if (has(centre, step)) result.after = motionBetween(result.view, other(centre, step));
     return result;
   }
 
@@ -98,14 +99,20 @@ class Direction {
   [[nodiscard]] int step() const { return m_step; }
 
   Occlusions occlusions(const Centre& centre, const Neighbours& around, int axis) {
-    const int place = placeOf(centre);
-    return occlusionsIn(around, axis, place, m_count - 1 - place,
+    return occlusionsIn(around, axis, reach(centre, -1), reach(centre, 1),
                         [&](int t) { return other(centre, t); });
   }
 
  private:
-  [[nodiscard]] int placeOf(const Centre& centre) const {
-    return m_isAlongColumns ? centre.column : centre.row;
+  [[nodiscard]] bool has(const Centre& centre, int by) const {
+    return m_isAlongColumns ? m_grid.has(centre.row, centre.column + by)
+                            : m_grid.has(centre.row + by, centre.column);
+  }
+  /// How far views follow one another that way.
+  [[nodiscard]] int reach(const Centre& centre, int way) const {
+    int steps = 0;
+    while (has(centre, way * (steps + 1))) ++steps;
+    return steps;
   }
   cv::Mat1b other(const Centre& centre, int by) {
     return m_isAlongColumns ? m_views.at(centre.row, centre.column + by)
@@ -113,6 +120,7 @@ class Direction {
   }
 
   Views& m_views;
+  const GreyGrid& m_grid;
   bool m_isAlongColumns;
   int m_count;
   int m_step = 1;
@@ -228,16 +236,44 @@ std::optional<bool> isTransposed(const std::vector<std::vector<PlaceMotion>>& pl
   return std::nullopt;
 }
 
+/// The nearest view to a place that is there and has neighbours on all sides, as far as the grid
+/// goes on; or fewer, if none near has.
+Centre nearest(const GreyGrid& grid, const Centre& place) {
+  constexpr int forLackOfOne = 16;  // a view four further away is better
+  Centre best = place;
+  int least = std::numeric_limits<int>::max();
+  const auto lacks = [&](int row, int column) {
+    const bool isInside = row >= 0 && row < grid.rows && column >= 0 && column < grid.columns;
+    return isInside && !grid.has(row, column) ? 1 : 0;
+  };
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      if (!grid.has(row, column)) continue;
+      const int lacking = lacks(row - 1, column) + lacks(row + 1, column) + lacks(row, column - 1) +
+                          lacks(row, column + 1);
+      const int down = row - place.row;
+      const int right = column - place.column;
+      const int cost = down * down + right * right + forLackOfOne * lacking;
+      if (cost >= least) continue;
+      least = cost;
+      best = {row, column};
+    }
+  return best;
+}
+
+Centre middleOf(const GreyGrid& grid) {
+  return nearest(grid, {grid.rows / 2, grid.columns / 2});
+}
+
 /// The view in the middle and one or two off it, in rows of both parities: what the camera's way to
 /// and fro would tell.
 std::vector<Centre> centresOf(const GreyGrid& grid) {
-  const int row = grid.rows / 2;
-  const int column = grid.columns / 2;
+  const auto [row, column] = middleOf(grid);
   std::vector<Centre> centres{{row, column}};
   if (grid.rows * grid.columns < 9) return centres;
-  centres.push_back({std::max(row - 1, 0), column - grid.columns / 5});
-  if (grid.rows == 1) centres.push_back({row, column + grid.columns / 5});
-  if (grid.columns == 1) centres.push_back({row + grid.rows / 5, column});
+  centres.push_back(nearest(grid, {std::max(row - 1, 0), column - grid.columns / 5}));
+  if (grid.rows == 1) centres.push_back(nearest(grid, {row, column + grid.columns / 5}));
+  if (grid.columns == 1) centres.push_back(nearest(grid, {row + grid.rows / 5, column}));
   return centres;
 }
 
@@ -376,6 +412,8 @@ class Finder {
   /// Puts the middle view's motions into the result, in the pictures' own pixels.
   void describePlaces() {
     m_order.motions = m_measured.places.front();
+    m_order.middleRow = m_around.front().centre.row;
+    m_order.middleColumn = m_around.front().centre.column;
     for (PlaceMotion& place : m_order.motions)
       for (std::array<double, 2>* values : {&place.at, &place.alongColumns, &place.alongRows})
         for (double& value : *values) value /= m_views.scale();
@@ -457,7 +495,8 @@ ViewOrder findViewOrder(const GreyGrid& grid, const Progress& progress) {
   constexpr int leastSide = 32;  // of what the flow looks at
   if (grid.rows * grid.columns < 2) return {};
   Views views(grid);
-  const cv::Size size = views.at(grid.rows / 2, grid.columns / 2).size();
+  const Centre middle = middleOf(grid);
+  const cv::Size size = views.at(middle.row, middle.column).size();
   if (std::min(size.width, size.height) < leastSide) return {};
   return Finder(grid, std::move(views), progress).find();
 }

@@ -27,6 +27,13 @@ struct GreyGrid {
   int rows = 0;
   int columns = 0;
   std::function<GreyPicture(int row, int column)> view;
+  std::vector<bool> isMissing{};  ///< row by row; empty if none is missing
+
+  [[nodiscard]] bool has(int row, int column) const {
+    return row >= 0 && row < rows && column >= 0 && column < columns &&
+           (isMissing.empty() ||
+            !isMissing[std::size_t(row) * std::size_t(columns) + std::size_t(column)]);
+  }
 };
 
 enum class Sureness { unknown, likely, sure };
@@ -71,8 +78,11 @@ struct ViewOrder {
   Occlusions alongRows;
   /// Neighbouring rows contradict each other, as in a grid that was taken to and fro.
   bool isInconsistent = false;
-  /// The measured places of the view in the middle, of the pictures' own pixels.
+  /// The measured places of the view in the middle, or next to it if that is missing, of the
+  /// pictures' own pixels.
   std::vector<PlaceMotion> motions;
+  int middleRow = -1;  ///< where that view lies among the files; -1 if nothing was measured
+  int middleColumn = -1;
 };
 
 /// Never throws for any pictures of one size; Cancelled, and what `view` throws.
