@@ -15,6 +15,7 @@
 #include "io/layouts/lenslet_picture.h"
 #include "io/layouts/view_files.h"
 #include "io/layouts/view_layouts.h"
+#include "io/layouts/view_sequences.h"
 #include "io/order/contact_sheet.h"
 #include "io/order/order_document.h"
 #include "io/scene/live_file.h"
@@ -76,7 +77,16 @@ void printOthers(std::ostream& out, const std::vector<std::string>& others) {
   out << (others.size() > mostNamed ? ", …" : "") << "; no views\n";
 }
 
-void printFolder(std::ostream& out, const Session& around) {
+void printSequence(std::ostream& out, const Session& around) {
+  const auto file = openLightField(around.lightField, around.display);
+  out << "layout      views in one file, " << file->size().dv << " rows of " << file->size().du
+      << "\n"
+      << "pictures    " << typeName(file->type(), file->bits()) << "\n";
+  printSize(out, around);
+}
+
+void printViews(std::ostream& out, const Session& around) {
+  if (isViewSequence(around.lightField.file)) return printSequence(out, around);
   const ViewFiles views = findViews(around.lightField, around.display.directions);
   const std::vector<fs::path> files = views.found();
   const ImageFile first{files.front(), around.lightField.yuv};
@@ -277,7 +287,7 @@ void printWords(std::ostream& out, const Subject& subject, const AssumedOrder& a
     printSession(out, subject.session);
   } else {
     const Layout layout = subject.session.lightField.layout;
-    (layout == Layout::views  ? printFolder
+    (layout == Layout::views  ? printViews
      : layout == Layout::pack ? printStore
      : layout == Layout::live ? printMesh
                               : printImage)(out, subject.session);

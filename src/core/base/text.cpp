@@ -27,6 +27,12 @@ bool isFormula(const std::string& text) {
 
 }  // namespace
 
+std::string lowerCase(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
+  return text;
+}
+
 std::string csvCell(const std::string& text) {
   std::string harmless = isFormula(text) ? "'" + text : text;
   if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;

@@ -14,6 +14,9 @@ std::string rounded(double value, int digits);
 /// Formats a size: "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
 std::string bytesText(std::size_t bytes);
 
+/// Returns a text with the letters a … z for A … Z.
+std::string lowerCase(std::string text);
+
 /// Returns a text as a cell of a CSV file (RFC 4180). A text that a spreadsheet would take for a
 /// formula gets an apostrophe in front, so that it stays a text (OWASP, CSV injection).
 std::string csvCell(const std::string& text);

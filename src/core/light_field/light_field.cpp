@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
 constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
 constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
+constexpr std::array<std::string_view, 2> scanNames{"raster", "serpentine"};
 constexpr std::array<std::string_view, 2> samplingNames{"4:2:0", "4:4:4"};
 constexpr std::array<std::string_view, 2> matrixNames{"bt709", "bt601"};
 constexpr std::array<std::string_view, 2> rangeNames{"limited", "full"};
@@ -72,15 +73,13 @@ void describeLenslets(ParameterVisitor& v, LensletParams& p) {
 }  // namespace
 
 void describe(ParameterVisitor& v, LightFieldParams& p) {
-  auto& [file, layout, incoming, rows, columns, pattern, exclude, shear, viewingDistance,
+  auto& [file, layout, incoming, rows, columns, pattern, exclude, scan, shear, viewingDistance,
          quiltColumns, quiltRows, lenslets, yuv, source, type, content, live] = p;
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (layout != Layout::live)
     v.field("file", file,
-            "Image (hogels, quilt, lenslets), folder or %-pattern of images (views), store (pack); "
-            "relative "
-            "to the "
-            "session.");
+            "Image (hogels, quilt, lenslets); folder or %-pattern of images, video or HDF5 file "
+            "(views); store (pack); relative to the session.");
   v.field("layout", layout, layoutNames,
           "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
           "picture taken through lenslets, a store of blocks; live: a 3-D scene, of which a view's "
@@ -98,6 +97,9 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("exclude", exclude,
             "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
             "them: *_thumb.png;input_Cam040.png.");
+    v.field("scan", scan, scanNames,
+            "How one running number, a video's frames too, counts the views: every row from its "
+            "first column, or every second one from its last.");
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
             "by whole pixels, rounded.");

@@ -27,6 +27,8 @@ enum class Layout { hogels, views, quilt, lenslets, pack, live };
 enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
+/// The order of views that one running number counts.
+enum class ViewScan { raster, serpentine };
 
 /// The session's `lightField`: the content's file and its layout, or a live scene.
 struct LightFieldParams {
@@ -37,6 +39,7 @@ struct LightFieldParams {
   ColumnOrder columns = ColumnOrder::leftRight;
   std::string pattern;
   std::string exclude;
+  ViewScan scan = ViewScan::raster;
   std::array<double, 2> shear{0, 0};
   double viewingDistance = notGiven;  ///< where the hogels' fields coincide, metres
   int quiltColumns = 0;

@@ -149,8 +149,13 @@ ImageFile::ImageFile(ImageFile&&) noexcept = default;
 
 template <class Rows>
 void ImageFile::take(const Rows& rows, const char* format) {
-  m_facts = {rows.width(), rows.height(), rows.channels(), rows.type(), std::max(rows.bits(), 8),
-             format};
+  m_facts = {rows.width(),
+             rows.height(),
+             rows.channels(),
+             rows.type(),
+             std::max(rows.bits(), 8),
+             format,
+             1};
 }
 
 void ImageFile::openOther() {
@@ -168,7 +173,11 @@ void ImageFile::openOther() {
   const int bits = type == StoredType::uint8    ? 8
                    : type == StoredType::uint16 ? bitsOf(spec, format, m_file)
                                                 : 16;
-  m_facts = {std::size_t(spec.width), std::size_t(spec.height), spec.nchannels, type, bits, format};
+  const bool isVideo = spec.get_int_attribute("oiio:Movie") != 0;
+  const int frames = isVideo ? spec.get_int_attribute("oiio:subimages", 1) : 1;
+  m_facts = {
+      std::size_t(spec.width),         std::size_t(spec.height), spec.nchannels, type, bits, format,
+      std::size_t(std::max(frames, 1))};
 }
 
 template <class T>
@@ -187,10 +196,10 @@ std::vector<T> ImageFile::readRows(std::size_t first, std::size_t rows) {
   const auto stride = OIIO::stride_t(stored * sizeof(T));
   const bool isRead =
       spec.tile_width > 0
-          ? image.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
-                             used, baseType<T>(), read.data(), stride)
-          : image.read_scanlines(0, 0, begin, end, spec.z, 0, used, baseType<T>(), read.data(),
-                                 stride);
+          ? image.read_tiles(m_frame, 0, spec.x, spec.x + spec.width, begin, end, spec.z,
+                             spec.z + 1, 0, used, baseType<T>(), read.data(), stride)
+          : image.read_scanlines(m_frame, 0, begin, end, spec.z, 0, used, baseType<T>(),
+                                 read.data(), stride);
   // Some readers fill the rest of a truncated file and only set a message.
   if (!isRead || image.has_error())
     throw InputError(m_file.string(), "is damaged", asOneLine(image.geterror(), m_file));

@@ -35,6 +35,10 @@ class ImageFile {
   /// for floats, 8 for fewer.
   [[nodiscard]] int bits() const { return m_facts.bits; }
   [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
+  /// Pictures of the same size that it holds: a video's frames; 1 for a picture.
+  [[nodiscard]] std::size_t frames() const { return m_facts.frames; }
+  /// Chooses the frame that read() reads; at first 0.
+  void select(std::size_t frame) { m_frame = int(frame); }
 
   /// Called with rows [first, first + rows), three values per pixel, valid only during the call.
   using Band = std::function<void(std::size_t first, std::size_t rows, const StoredRows&)>;
@@ -60,6 +64,7 @@ class ImageFile {
     StoredType type = StoredType::uint8;
     int bits = 8;
     std::string format;
+    std::size_t frames = 1;
   };
   struct Input;
   enum class Reader { png, pgx, yuv, openImageIo };
@@ -67,6 +72,7 @@ class ImageFile {
   YuvParams m_yuv;
   Reader m_reader = Reader::openImageIo;
   Facts m_facts;
+  int m_frame = 0;
   std::unique_ptr<Input> m_input;  ///< OpenImageIO's; null for the other readers
 };
 

@@ -17,10 +17,11 @@ inline std::string pixels(std::size_t width, std::size_t height) {
   return std::to_string(width) + "×" + std::to_string(height);
 }
 
-/// Reads an image into the light field; `target(x, y)` returns the texel of pixel (x, y), or none.
-/// `incoming` flips directions that were recorded looking into the scene.
-template <class Target>
-void readTexels(ImageFile& image, StoredType type, LightField& lightField, bool incoming,
+/// Reads an image (ImageFile, or what reads alike) into the light field; `target(x, y)` returns the
+/// texel of pixel (x, y), or none. `incoming` flips directions that were recorded looking into the
+/// scene.
+template <class Picture, class Target>
+void readTexels(Picture& image, StoredType type, LightField& lightField, bool incoming,
                 Target target, const Progress& progress) {
   const auto [nx, ny, du, dv] = lightField.size();
   const auto putRow = [&, du = du, dv = dv](int y, const auto* rgb) {

@@ -306,7 +306,7 @@ ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& patte
 ViewFiles findSeries(const LightFieldParams& params, const fs::path& folder,
                      std::array<int, 2> directions, bool mayHaveComponents = true) {
   const std::vector<fs::path> files = candidatesIn(folder, params);
-  SeriesSearch search(files, params, {folder, {}, directions});
+  SeriesSearch search(files, params, {folder, {}, directions, params.scan == ViewScan::serpentine});
   if (auto grid = search.find()) {
     nameOthers(*grid, files);
     return *grid;
@@ -333,7 +333,8 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
     pattern = namePattern(params.pattern);
   }
   checkFolder(folder);
-  return pattern ? findByPattern(params, *pattern, {folder, {}, directions})
+  return pattern ? findByPattern(params, *pattern,
+                                 {folder, {}, directions, params.scan == ViewScan::serpentine})
                  : findSeries(params, folder, directions);
 }
 

@@ -198,6 +198,15 @@ Running runningOf(std::int64_t first, std::size_t count, const GridSource& sourc
   return {last < cellCount ? 0 : last + 1 - cellCount, rows, columns};
 }
 
+}  // namespace
+
+SequenceGrid gridOfSequence(std::size_t count, const GridSource& source) {
+  const Running running = runningOf(0, count, source);
+  return {running.rows, running.columns, source.isSerpentine};
+}
+
+namespace {
+
 ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& source) {
   std::vector<std::int64_t> found;
   found.reserve(views.size());
@@ -208,13 +217,14 @@ ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& s
   const auto [begin, rows, columns] =
       runningOf(numbers.values().front() / step, std::size_t(numbers.size()), source);
   const std::int64_t first = numbers.values().front() % step + begin * step;
-  const auto placeOf = [first, step](const NamedView& view) {
-    return std::size_t((view.number.value_or(0) - first) / step);
+  const SequenceGrid order{rows, columns, source.isSerpentine};
+  const auto placeOf = [&](const NamedView& view) {
+    return order.cellOf(std::size_t((view.number.value_or(0) - first) / step));
   };
   const Cells cells = placed(views, rows * columns, placeOf, source);
   ViewFiles grid = filesOf(cells, rows, columns);
-  grid.missing = missingText(cells, "number", [first, step](std::size_t k) {
-    return std::to_string(first + std::int64_t(k) * step);
+  grid.missing = missingText(cells, "number", [&](std::size_t k) {
+    return std::to_string(first + std::int64_t(order.cellOf(k)) * step);
   });
   return grid;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -45,7 +46,25 @@ struct GridSource {
   std::filesystem::path folder;
   std::string pattern;
   std::array<int, 2> directions{0, 0};
+  bool isSerpentine = false;  ///< one running number counts every second row from its end
 };
+
+/// The rows and columns of views that count row by row.
+struct SequenceGrid {
+  std::size_t rows = 1;
+  std::size_t columns = 1;
+  bool isSerpentine = false;
+
+  /// Returns the cell of view k, row · columns + column; of cell k its view.
+  [[nodiscard]] std::size_t cellOf(std::size_t k) const {
+    const bool isReversed = isSerpentine && k / columns % 2 == 1;
+    return isReversed ? k - k % columns + columns - 1 - k % columns : k;
+  }
+};
+
+/// Makes the grid of `count` views: a square, or else one row, unless the directions are given.
+/// Throws InputError where they do not fit.
+SequenceGrid gridOfSequence(std::size_t count, const GridSource& source);
 
 /// Makes the grid; `views` is not empty, and all names say the same things. Numbers in equal steps
 /// make rows and columns; so do coordinates that lie near one another. One running number counts

@@ -4,59 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <regex>
 
 #include "core/base/error.h"
-#include "io/files/system_limits.h"
+#include "io/layouts/scattered_file.h"
 #include "io/layouts/texel_placement.h"
 #include "io/layouts/view_files.h"
+#include "io/layouts/view_sequences.h"
 
 namespace hogelscope {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A file whose rows of hogels are spread over all of it: if memory is too small for the whole, it
-/// is read once for each band of rows.
-class ScatteredFile : public LightFieldFile {
- public:
-  [[nodiscard]] LightField read(const Progress& progress) override {
-    return readBand(0, size().ny, progress);
-  }
-
-  void stream(const HogelRow& row, const Progress& progress) override {
-    const int ny = size().ny;
-    const int rows = rowsAtATime();
-    for (int begin = 0; begin < ny; begin += rows) {
-      const int end = std::min(ny, begin + rows);
-      const Progress ofBand = part(progress, double(begin) / ny, double(end) / ny);
-      handOut(readBand(begin, end, part(ofBand, 0, 0.5)), begin, row, part(ofBand, 0.5, 1));
-    }
-  }
-
- protected:
-  /// Hogel rows [begin, end), of which the first one has j = 0 here.
-  [[nodiscard]] virtual LightField readBand(int begin, int end, const Progress& progress) = 0;
-
- private:
-  [[nodiscard]] int rowsAtATime() const {
-    constexpr double mostTexels = std::numeric_limits<std::uint32_t>::max() - 1.0;
-    const double texels =
-        std::min(mostTexels, double(allowedMemory()) / 2 / double(memoryBytes(type())));
-    const double fitting = texels / (double(size().width()) * size().dv);
-    return std::max(1, int(std::min(fitting, double(size().ny))));
-  }
-
-  static void handOut(const LightField& band, int begin, const HogelRow& row,
-                      const Progress& progress) {
-    for (int j = 0; j < band.size().ny; ++j) {
-      reportProgress(progress, double(j) / band.size().ny);
-      for (int v = 0; v < band.size().dv; ++v) handOutRow(band, j, v, row, begin + j);
-    }
-  }
-};
 
 class ViewsFolder : public ScatteredFile {
  public:
@@ -101,17 +61,8 @@ class ViewsFolder : public ScatteredFile {
                            " px, but the first view is " +
                            pixels(std::size_t(m_size.nx), std::size_t(m_size.ny)) +
                            "; lightField.exclude leaves out what is no view");
-    const int u = m_params.columns == ColumnOrder::leftRight ? column : m_size.du - 1 - column;
-    const int v = m_params.rows == RowOrder::topDown ? row : m_size.dv - 1 - row;
-    const int right = int(std::floor(m_params.shear[0] * (u - (m_size.du - 1) / 2.0) + 0.5));
-    const int down = int(std::floor(m_params.shear[1] * (v - (m_size.dv - 1) / 2.0) + 0.5));
-    const auto target = [&](int x, int y) -> std::optional<TexelIndex> {
-      const TexelIndex at{x + right, y + down - begin, u, v};
-      if (at.i < 0 || at.i >= m_size.nx || at.j < 0 || at.j >= lightField.size().ny)
-        return std::nullopt;
-      return at;
-    };
-    readTexels(image, m_type, lightField, m_params.incoming, target, progress);
+    readTexels(image, m_type, lightField, m_params.incoming,
+               placeOfView(m_params, m_size, row, column, begin, lightField.size().ny), progress);
   }
 
   LightFieldParams m_params;
@@ -172,6 +123,7 @@ class QuiltImage : public ScatteredFile {
 
 std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
                                           const DisplayParams& display) {
+  if (isViewSequence(params.file)) return openViewSequence(params, display);
   return std::make_unique<ViewsFolder>(params, display);
 }
 

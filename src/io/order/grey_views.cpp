@@ -11,6 +11,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
 #include "io/layouts/view_files.h"
+#include "io/layouts/view_sequences.h"
 #include "io/scene/scene.h"
 
 namespace hogelscope {
@@ -127,9 +128,13 @@ GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
 std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const DisplayParams& display,
                                      const Progress& progress) {
   if (params.layout == Layout::live) return std::nullopt;
-  if (params.layout == Layout::views) return viewsOfFolder(params, display);
+  if (params.layout == Layout::views && !isViewSequence(params.file))
+    return viewsOfFolder(params, display);
   LightFieldParams asStored = params;
   asStored.incoming = false;
+  asStored.rows = RowOrder::topDown;
+  asStored.columns = ColumnOrder::leftRight;
+  asStored.shear = {};
   const auto file = openLightField(asStored, display);
   const LightFieldSize size = file->size();
   constexpr double mostPixels = 3e8;  // a few seconds

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/content/scene_content.h"
 #include "io/layouts/texel_placement.h"
 #include "io/plugins/plugin_library.h"
@@ -49,8 +49,7 @@ ContentParams contentOf(const std::string& source) {
 }
 
 bool isMeshFile(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
   return ending == ".glb" || ending == ".gltf" || ending == ".obj" || ending == ".ply";
 }
 

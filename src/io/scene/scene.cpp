@@ -11,6 +11,7 @@
 #include "io/layouts/hogel_image.h"
 #include "io/layouts/lenslet_picture.h"
 #include "io/layouts/view_layouts.h"
+#include "io/layouts/view_sequences.h"
 #include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
 
@@ -29,11 +30,19 @@ std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
 
 }  // namespace
 
+namespace {
+
+bool holdsViews(const std::string& file) {
+  return isFolder(file) || isViewSequence(file);
+}
+
+}  // namespace
+
 LightFieldParams lightFieldOf(const std::string& file) {
   if (!isFolder(file) && isMeshFile(file)) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
-  if (isFolder(file))
+  if (holdsViews(file))
     params.layout = Layout::views;
   else if (LightFieldStore::isStore(file))
     params.layout = Layout::pack;
@@ -44,7 +53,7 @@ LightFieldParams lightFieldOf(const std::string& file) {
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
   const bool isAnotherKind = params.layout == Layout::live || isMeshFile(file) ||
-                             isFolder(file) != (params.layout == Layout::views) ||
+                             holdsViews(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
   LightFieldParams result = isAnotherKind ? lightFieldOf(file) : params;
   if (!isAnotherKind) result.file = file;

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The views of an HDF5 file, by libhdf5.
+#include "io/images/hdf5_views.h"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "io/images/big_tiff.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An identifier that is closed.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : m_id(id), m_close(close) {}
+  Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (m_id >= 0) m_close(m_id);
+  }
+  [[nodiscard]] hid_t id() const { return m_id; }
+  [[nodiscard]] bool isOpen() const { return m_id >= 0; }
+
+ private:
+  hid_t m_id;
+  Close m_close;
+};
+
+/// What the library says of the last error: its innermost sentence.
+std::string lastError() {
+  std::string text = "HDF5 gives no reason";
+  const auto keep = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
+    if (error->desc != nullptr) *static_cast<std::string*>(to) = error->desc;
+    return 1;  // the first one only
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep, &text);
+  return text;
+}
+
+Handle openFile(const fs::path& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // else errors are printed
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.id(), false, true);  // archives are often read-only
+  Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
+  if (!opened.isOpen()) throw InputError("cannot be read as HDF5", lastError());
+  return opened;
+}
+
+std::vector<std::string> dataSetsOf(const Handle& file) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* to) -> herr_t {
+    constexpr std::size_t most = 1000;
+    auto& list = *static_cast<std::vector<std::string>*>(to);
+    if (info->type == H5O_TYPE_DATASET) list.emplace_back(name);
+    return list.size() < most ? 0 : 1;
+  };
+  H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, add, &names, H5O_INFO_BASIC);
+  return names;
+}
+
+struct Shape {
+  std::vector<hsize_t> lengths;
+  std::optional<StoredType> type;  ///< none: no values of pixels
+
+  /// Five axes, the last one of red, green, blue or grey; four for grey.
+  [[nodiscard]] bool areViews() const {
+    constexpr hsize_t longest = 1U << 20U;
+    const bool hasColours = lengths.size() == 5 && (lengths.back() == 3 || lengths.back() == 1);
+    return type && (hasColours || lengths.size() == 4) &&
+           std::ranges::all_of(lengths, [](hsize_t n) { return n >= 1 && n <= longest; });
+  }
+  [[nodiscard]] std::string text() const {
+    std::string all;
+    for (const hsize_t length : lengths) all += (all.empty() ? "" : "×") + std::to_string(length);
+    return all.empty() ? "one value" : all;
+  }
+};
+
+std::optional<StoredType> typeOf(const Handle& dataSet) {
+  const Handle type(H5Dget_type(dataSet.id()), H5Tclose);
+  if (!type.isOpen()) return std::nullopt;
+  if (H5Tget_class(type.id()) == H5T_FLOAT) return StoredType::real;
+  if (H5Tget_class(type.id()) != H5T_INTEGER || H5Tget_sign(type.id()) != H5T_SGN_NONE)
+    return std::nullopt;
+  if (H5Tget_size(type.id()) == 1) return StoredType::uint8;
+  if (H5Tget_size(type.id()) == 2) return StoredType::uint16;
+  return std::nullopt;
+}
+
+Shape shapeOf(const Handle& dataSet) {
+  const Handle space(H5Dget_space(dataSet.id()), H5Sclose);
+  const int rank = space.isOpen() ? H5Sget_simple_extent_ndims(space.id()) : -1;
+  Shape shape{std::vector<hsize_t>(std::size_t(std::max(rank, 0))), typeOf(dataSet)};
+  if (rank > 0) H5Sget_simple_extent_dims(space.id(), shape.lengths.data(), nullptr);
+  return shape;
+}
+
+hid_t nativeType(StoredType type) {
+  if (type == StoredType::uint8) return H5T_NATIVE_UINT8;
+  return type == StoredType::uint16 ? H5T_NATIVE_UINT16 : H5T_NATIVE_FLOAT;
+}
+
+struct DataSet {
+  Handle file;
+  std::string name;
+  Handle handle;
+  Shape shape;
+};
+
+/// Not even one colour could be stored in so few bytes.
+void checkStored(const Handle& dataSet, const Shape& shape, const std::string& name) {
+  constexpr double mostValuesPerByte = 1 << 17;
+  double values = 1;
+  for (const hsize_t length : shape.lengths) values *= double(length);
+  if (values > mostValuesPerByte * double(H5Dget_storage_size(dataSet.id())))
+    throw InputError(name, "is damaged: " + shape.text() + " values are not in the file");
+}
+
+/// "LF 9×9×512×512×3, depth 9×9×512×512".
+std::string listed(const Handle& file, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, names.size()); ++k) {
+    const Handle one(H5Dopen2(file.id(), names[k].c_str(), H5P_DEFAULT), H5Dclose);
+    text += (k == 0 ? "" : ", ") + names[k] + " " + shapeOf(one).text();
+  }
+  return names.size() > most ? text + ", …" : text;
+}
+
+/// The only one that can be views, else "LF". HCI's depth has as many axes as grey views, but not
+/// their values.
+std::string chosenName(const Handle& file) {
+  const std::vector<std::string> names = dataSetsOf(file);
+  std::vector<std::string> views;
+  for (const std::string& name : names) {
+    const Handle one(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (one.isOpen() && shapeOf(one).areViews()) views.push_back(name);
+  }
+  if (views.size() == 1) return views[0];
+  for (const std::string& name : views)
+    if (name == "LF") return name;
+  if (views.empty())
+    throw InputError("",
+                     "has no data set of views, rows × columns × height × width × 3 of 8 or 16 "
+                     "bits or floats: " +
+                         (names.empty() ? "it has none at all" : listed(file, names)));
+  throw InputError("lightField.pattern", "must name one of the data sets: " + listed(file, views));
+}
+
+/// Opens the data set; all that follows runs in the other process, but for Hdf5Views.
+DataSet openDataSet(const fs::path& path, const std::string& name) {
+  Handle file = openFile(path);
+  const std::string chosen = name.empty() ? chosenName(file) : name;
+  Handle handle(H5Dopen2(file.id(), chosen.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!handle.isOpen())
+    throw InputError(
+        "lightField.pattern",
+        "\"" + chosen + "\" is no data set of the file: it has " + listed(file, dataSetsOf(file)));
+  const Shape shape = shapeOf(handle);
+  if (!shape.areViews())
+    throw InputError(chosen, "has " + shape.text() +
+                                 " values, not rows × columns × height × width × 3 of 8 or 16 bits "
+                                 "or floats");
+  checkStored(handle, shape, chosen);
+  return {std::move(file), chosen, std::move(handle), shape};
+}
+
+/// What is asked for: nothing, for the size; else rows of one view.
+struct Request {
+  std::int32_t row = -1;
+  std::int32_t column = 0;
+  std::int32_t first = 0;
+  std::int32_t rows = 0;
+};
+
+struct Facts {
+  std::array<std::int32_t, 5> lengths{1, 1, 1, 1, 1};
+  StoredType type = StoredType::uint8;
+};
+
+template <class T>
+std::string asBytes(const T& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+template <class T>
+T fromBytes(const std::string& bytes) {
+  T value;
+  if (bytes.size() != sizeof value) throw std::logic_error("Hdf5Views: a message of another size");
+  std::memcpy(&value, bytes.data(), sizeof value);
+  return value;
+}
+
+std::string factsOf(const Shape& shape) {
+  Facts facts;
+  std::ranges::transform(shape.lengths, facts.lengths.begin(),
+                         [](hsize_t length) { return std::int32_t(length); });
+  facts.type = shape.type.value_or(StoredType::uint8);
+  return asBytes(facts);
+}
+
+std::string rowsOf(const DataSet& dataSet, const Request& request) {
+  const Shape& shape = dataSet.shape;
+  const hsize_t channels = shape.lengths.size() == 5 ? shape.lengths[4] : 1;
+  const std::array<hsize_t, 5> from{hsize_t(request.row), hsize_t(request.column),
+                                    hsize_t(request.first), 0, 0};
+  const std::array<hsize_t, 5> count{1, 1, hsize_t(request.rows), shape.lengths[3], channels};
+  const StoredType type = shape.type.value_or(StoredType::uint8);
+  std::string values(H5Tget_size(nativeType(type)) * count[2] * count[3] * count[4], '\0');
+  const Handle space(H5Dget_space(dataSet.handle.id()), H5Sclose);
+  const Handle memory(H5Screate_simple(int(shape.lengths.size()), count.data(), nullptr), H5Sclose);
+  H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
+  if (H5Dread(dataSet.handle.id(), nativeType(type), memory.id(), space.id(), H5P_DEFAULT,
+              values.data()) < 0)
+    throw InputError(dataSet.name + " is damaged", lastError());
+  return values;
+}
+
+Isolated::Service serviceOf(const fs::path& file, const std::string& name) {
+  const auto dataSet = std::make_shared<const DataSet>(openDataSet(file, name));
+  return [dataSet](const std::string& bytes) {
+    const auto request = fromBytes<Request>(bytes);
+    return request.row < 0 ? factsOf(dataSet->shape) : rowsOf(*dataSet, request);
+  };
+}
+
+void checkFinite(const std::vector<float>& values, const fs::path& file) {
+  for (const float value : values)
+    if (!std::isfinite(value))
+      throw InputError(
+          file.string(), "",
+          std::isnan(value) ? "has a value that is not a number" : "has an infinite value");
+}
+
+/// Grey becomes red, green and blue.
+template <class T>
+std::vector<T> asColours(std::vector<T> values, std::size_t channels) {
+  if (channels == 3) return values;
+  std::vector<T> colours;
+  colours.reserve(3 * values.size());
+  for (const T value : values) colours.insert(colours.end(), 3, value);
+  return colours;
+}
+
+}  // namespace
+
+bool Hdf5Views::isHdf5(const fs::path& file) {
+  constexpr std::string_view signature("\x89HDF\r\n\x1a\n");
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  std::array<char, signature.size()> begin{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(begin.data(), std::streamsize(begin.size()));
+  return in && std::string_view(begin.data(), begin.size()) == signature;
+}
+
+Hdf5Views::Hdf5Views(const fs::path& file, const std::string& name)
+    : m_reader(file, [file, name] { return serviceOf(file, name); }), m_file(file) {
+  const auto facts = fromBytes<Facts>(m_reader.ask(asBytes(Request{})));
+  const auto& n = facts.lengths;
+  m_size = {n[3], n[2], n[1], n[0]};
+  m_type = facts.type;
+  m_channels = n[4];
+}
+
+std::size_t Hdf5View::width() const {
+  return std::size_t(m_views.size().nx);
+}
+
+void Hdf5View::read(StoredType type, const ImageFile::Band& band, const Progress& progress) {
+  const int height = m_views.size().ny;
+  const auto channels = std::size_t(m_views.m_channels);
+  constexpr int bandPixels = 1 << 20;
+  const int most = bandPixels / int(width()) + 1;
+  withStoredType(type, [&](auto value) {
+    using T = decltype(value);
+    for (int first = 0; first < height; first += most) {
+      reportProgress(progress, double(first) / height);
+      const int rows = std::min(most, height - first);
+      const std::string bytes =
+          m_views.m_reader.ask(asBytes(Request{m_row, m_column, first, rows}), progress);
+      std::vector<T> values(std::size_t(rows) * width() * channels);
+      if (bytes.size() != values.size() * sizeof(T))
+        throw std::logic_error("Hdf5View: an answer of another size");
+      std::memcpy(values.data(), bytes.data(), bytes.size());
+      if constexpr (std::is_same_v<T, float>) checkFinite(values, m_views.m_file);
+      band(std::size_t(first), std::size_t(rows),
+           StoredRows(asColours(std::move(values), channels).data()));
+    }
+  });
+}
+
+}  // namespace hogelscope
