@@ -175,7 +175,7 @@ void TestPluginLibrary::throwsInEachCall() {
   const std::vector<std::function<void()>> calls{
       [&] { content->describe(visitor); }, [&] { content->open(panel, {}, Listener(true)); },
       [&] { (void)content->files(); },     [&] { content->depths(depth, depth); },
-      [&] { content->trace({}, {}); }, [&] { (void)content->triangles(); },
+      [&] { content->trace({}, {}); },     [&] { (void)content->triangles(); },
       [&] { lens->describe(visitor); },    [&] { lens->open(0, 60, {}); },
       [&] { (void)lens->directionOf(0); }, [&] { (void)lens->slopeOf(0); },
       [&] { (void)metric->title(); },      [&] { (void)metric->unit(); },

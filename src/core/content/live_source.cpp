@@ -21,13 +21,14 @@ constexpr int tile = 4;
 /// Texels that are traced in one call.
 constexpr std::size_t mostInList = 512;
 
-/// Rounds as quantised() does; without branches, so that it is vectorised.
+/// Rounds as quantised() does; without branches or a wider type, so that it is vectorised. A number
+/// less its whole part is exact.
 template <class Number>
 MULTIVERSIONED void quantise(const Number* values, std::size_t count, std::uint8_t* to) {
   for (std::size_t k = 0; k < count; ++k) {
-    const auto value = double(values[k]);
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): of positive numbers, half up
-    to[k] = std::uint8_t(int((value > 0 ? std::min(value, 255.0) : 0) + 0.5));
+    const Number value = values[k] > 0 ? std::min(values[k], Number(255)) : 0;
+    const int whole = int(value);
+    to[k] = std::uint8_t(whole + int(value - Number(whole) >= Number(0.5)));
   }
 }
 

@@ -2,7 +2,6 @@
 // The "scene" pattern as content of a live light field.
 #include "core/content/scene_content.h"
 
-
 namespace hogelscope {
 
 void SceneContent::describe(ParameterVisitor& v) {
