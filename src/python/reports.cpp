@@ -26,6 +26,7 @@ using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::str
 /// What a report is asked for by Python.
 struct Wishes {
   const Document& document;
+  const LightChoice& reference;
   const Tests& tests;
   const Groups& groups;
   std::string output;
@@ -49,8 +50,11 @@ std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
   return "array, SHA-256 of its rows " + sha256(all);
 }
 
+/// The session itself if there is no other light field.
 ReportTest testOf(const Session& session, const std::string& name, const LightChoice& light,
                   const Progress& progress) {
+  if (std::holds_alternative<std::monostate>(light))
+    return {name, session, openLightField(session.lightField, session.display, progress)};
   if (const auto* file = std::get_if<std::string>(&light)) {
     const Session other = withLightField(session, *file);
     return {name, other, openLightField(other.lightField, other.display, progress)};
@@ -87,9 +91,11 @@ std::vector<RateGroup> groupsOf(const Wishes& wishes) {
 
 ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
   ReportRequest request;
-  request.session = sessionOf(wishes.document);
+  const Session session = sessionOf(wishes.document);
   request.name = wishes.document.name.empty() ? "a session of Python" : wishes.document.name;
-  request.file = openLightField(request.session.lightField, request.session.display, progress);
+  ReportTest reference = testOf(session, "", wishes.reference, progress);
+  request.session = std::move(reference.session);
+  request.file = std::move(reference.file);
   request.isAgainstIdeal = wishes.isAgainstIdeal;
   if (request.isAgainstIdeal) {
     if (request.session.lightField.layout != Layout::live)
@@ -108,12 +114,16 @@ ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
 }
 
 /// Holds all light fields that are open, each once, in one order for all reports.
-std::vector<std::unique_lock<std::timed_mutex>> lockAll(const Tests& tests,
+std::vector<std::unique_lock<std::timed_mutex>> lockAll(const LightChoice& reference,
+                                                        const Tests& tests,
                                                         const Progress& progress) {
   std::vector<Content*> contents;
-  for (const auto& [name, light] : tests)
+  const auto add = [&](const LightChoice& light) {
     if (const auto* content = std::get_if<std::shared_ptr<Content>>(&light))
       contents.push_back(content->get());
+  };
+  add(reference);
+  for (const auto& [name, light] : tests) add(light);
   std::ranges::sort(contents);
   contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
   std::vector<std::unique_lock<std::timed_mutex>> locks;
@@ -135,14 +145,14 @@ py::dict dictOf(const ReportRow& row, const MetricSet& metrics) {
   return result;
 }
 
-py::list report(const Document& document, const Tests& tests, const Groups& groups,
-                const std::string& output, bool ideal, bool images, int threads,
-                const py::object& progress) {
+py::list report(const Document& document, const LightChoice& lightField, const Tests& tests,
+                const Groups& groups, const std::string& output, bool ideal, bool images,
+                int threads, const py::object& progress) {
   const ThreadsOfCall limit(threads);
   const auto [rows, metrics] = stoppable(progress, [&](const Progress& hear) {
-    const auto locks = lockAll(tests, hear);
-    const ReportRequest request =
-        requestOf({document, tests, groups, output, ideal, images}, part(hear, 0, 0.05));
+    const auto locks = lockAll(lightField, tests, hear);
+    const ReportRequest request = requestOf(
+        {document, lightField, tests, groups, output, ideal, images}, part(hear, 0, 0.05));
     ReportListener listener;
     listener.progress = part(hear, 0.05, 1);
     return std::pair(makeReport(request, listener).rows, request.metrics);
@@ -155,9 +165,9 @@ py::list report(const Document& document, const Tests& tests, const Groups& grou
 }  // namespace
 
 void addReports(py::module_& module) {
-  module.def("report", &report, py::arg("document"), py::arg("tests"), py::arg("groups"),
-             py::arg("output"), py::arg("ideal"), py::arg("images"), py::arg("threads"),
-             py::arg("progress"), "Writes a report; the rows of its tables.");
+  module.def("report", &report, py::arg("document"), py::arg("light_field"), py::arg("tests"),
+             py::arg("groups"), py::arg("output"), py::arg("ideal"), py::arg("images"),
+             py::arg("threads"), py::arg("progress"), "Writes a report; the rows of its tables.");
 }
 
 }  // namespace hogelscope

@@ -81,7 +81,8 @@ def open(  # noqa: A001: as in hogelscope.open
         text, lines = around(name, overrides, progress)
     else:
         own = {"file": name, "layout": layout, **settings}
-        text = json_text({"hogelscope": 1, "display": dict(display or {}), "lightField": own})
+        text = json_text({"hogelscope": 1, "display": dict(display or {}), "lightField": own,
+                          "cameras": [{"name": "any"}]})
     try:
         light = _hogelscope.open(_hogelscope.Document(text, "", ""), lines, progress)
     except InputError as error:

@@ -62,6 +62,7 @@ def open(
 ) -> LightField: ...
 def report(
     document: Document,
+    light_field: Union[None, LightField, str],
     tests: Sequence[Tuple[str, Union[None, LightField, str]]],
     groups: Sequence[Tuple[str, Sequence[Tuple[str, float]]]],
     output: str,

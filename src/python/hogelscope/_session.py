@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+from numbers import Integral
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union, overload
 
 from . import _hogelscope
@@ -93,10 +94,18 @@ class Session(Dict[str, Any]):
         self.name = name
         return self
 
-    def _document(self, cameras: Optional[List[Any]] = None) -> _hogelscope.Document:
+    def _document(
+        self, cameras: Optional[Sequence[Any]] = None, has_light: bool = True
+    ) -> _hogelscope.Document:
+        """Without its light field it needs none, but keeps how its views converge."""
         parts: Dict[str, Any] = dict(self)
         if cameras is not None:
-            parts["cameras"] = cameras
+            parts["cameras"] = list(cameras)
+        if not has_light:
+            own = self.get("lightField")
+            parts["lightField"] = {"file": "none", "layout": "views"}
+            if isinstance(own, Mapping) and "viewingDistance" in own:
+                parts["lightField"]["viewingDistance"] = own["viewingDistance"]
         return _hogelscope.Document(json_text(parts), self.folder, self.name)
 
     def check(self) -> None:
@@ -162,36 +171,37 @@ class Session(Dict[str, Any]):
 
         Other threads run meanwhile; Ctrl-C stops it. Raises InputError.
         """
-        own = list(self.get("cameras", [])) if isinstance(self.get("cameras", []), list) else []
-        is_one = isinstance(state, (str, int, Mapping))
+        is_one = isinstance(state, (str, Integral, Mapping))
         wanted: List[Any] = [state] if is_one else [] if state is None else list(state)
         names: Optional[List[str]] = None
         cameras: Optional[List[Any]] = None
         if state is not None and all(isinstance(one, str) for one in wanted):
             names = wanted
         elif state is not None:
-            cameras = [self._state(own, one) for one in wanted]
+            cameras = [self._state(one) for one in wanted]
         if state is not None and not wanted:
             return []
         if self._views is None:
             self._views = _hogelscope.SessionViews()
-        rendered = self._views.render(
-            self._document(cameras), names, light_choice(light_field), ideal, threads, progress
-        )
+        light = light_choice(light_field)
+        document = self._document(cameras, not isinstance(light, LightField))
+        rendered = self._views.render(document, names, light, ideal, threads, progress)
         views = [View(*one) for one in rendered]
         return views[0] if is_one else views
 
-    @staticmethod
-    def _state(own: List[Any], state: Any) -> Any:
+    def _state(self, state: Any) -> Any:
         if isinstance(state, Mapping):
             return dict(state)
+        own = self.get("cameras", [])
+        if not isinstance(own, list) or not all(isinstance(one, Mapping) for one in own):
+            raise InputError("cameras: is not a list of camera states: [ { … }, … ]")
         if isinstance(state, str):
             for one in own:
                 if one.get("name") == state:
                     return one
             raise InputError(f'"{state}" is none of the session\'s states')
-        if isinstance(state, int):
-            return own[state]
+        if isinstance(state, Integral):
+            return own[int(state)]
         raise TypeError(f"a state is a name, an index or a mapping, not {type(state).__name__}")
 
 
@@ -223,7 +233,8 @@ def cameras(
         for section, values in (("cameraSet", settings), ("cameraRegion", region), ("trace", trace))
         for name, value in (values or {}).items()
     ]
-    text = _hogelscope.cameras(session._document(), "uniform" if kind == "grid" else kind, changes)
+    document = session._document(None, False)
+    text = _hogelscope.cameras(document, "uniform" if kind == "grid" else kind, changes)
     states: List[Dict[str, Any]] = json.loads(text)["cameras"]
     return states
 
@@ -233,6 +244,7 @@ def report(
     tests: Union[Mapping[str, Any], Iterable[Path]] = (),
     *,
     output: Path,
+    light_field: Any = None,
     cameras: Optional[Sequence[Mapping[str, Any]]] = None,
     groups: Optional[Mapping[str, Mapping[str, float]]] = None,
     against: Optional[str] = None,
@@ -245,6 +257,7 @@ def report(
     Args:
         session: the reference.
         tests: {name: light field}, each a LightField, a numpy array or a file; or files' names.
+        light_field: the reference, instead of the session's own, as in Session.render().
         output: the folder of report.html, report.csv, metrics.csv, summary.csv and others.
         cameras: states instead of the session's own.
         groups: {codec: {test: rate}}, rates in bits per directional pixel, four tests or more
@@ -275,8 +288,10 @@ def report(
     rates = [(str(name), [(str(test), float(rate)) for test, rate in group.items()])
              for name, group in (groups or {}).items()]
     states = None if cameras is None else [dict(state) for state in cameras]
+    light = light_choice(light_field)
+    document = session._document(states, not isinstance(light, LightField))
     rows: List[Dict[str, Any]] = _hogelscope.report(
-        session._document(states), choices, rates, os.fspath(output), against is not None, images,
+        document, light, choices, rates, os.fspath(output), against is not None, images,
         threads, progress,
     )
     return rows
