@@ -161,7 +161,8 @@ class Session(Dict[str, Any]):
         """Render what a camera sees: a View, or a list of Views.
 
         Args:
-            state: a state's name, its index, or a mapping such as those of cameras(); a sequence
+            state: a state's name, its index, or a mapping such as those of cameras() (a name may be
+                left out); a sequence
                 of them, or None for all states of the session, gives a list.
             light_field: instead of the session's: a LightField, a numpy array (dv, du, ny, nx, 3),
                 or a file as ``--test`` takes it.
@@ -178,7 +179,7 @@ class Session(Dict[str, Any]):
         if state is not None and all(isinstance(one, str) for one in wanted):
             names = wanted
         elif state is not None:
-            cameras = [self._state(one) for one in wanted]
+            cameras = [self._state(one, k) for k, one in enumerate(wanted)]
         if state is not None and not wanted:
             return []
         if self._views is None:
@@ -189,9 +190,9 @@ class Session(Dict[str, Any]):
         views = [View(*one) for one in rendered]
         return views[0] if is_one else views
 
-    def _state(self, state: Any) -> Any:
+    def _state(self, state: Any, index: int) -> Any:
         if isinstance(state, Mapping):
-            return dict(state)
+            return {"name": f"view {index + 1}", **state}
         own = self.get("cameras", [])
         if not isinstance(own, list) or not all(isinstance(one, Mapping) for one in own):
             raise InputError("cameras: is not a list of camera states: [ { … }, … ]")
