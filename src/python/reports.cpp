@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "io/documents/session_file.h"
 #include "io/plugins/metric_plugins.h"
 #include "python/array_light_field.h"
 #include "python/bindings.h"
@@ -56,7 +55,7 @@ ReportTest testOf(const Session& session, const std::string& name, const LightCh
   if (std::holds_alternative<std::monostate>(light))
     return {name, session, openLightField(session.lightField, session.display, progress)};
   if (const auto* file = std::get_if<std::string>(&light)) {
-    const Session other = withLightField(session, *file);
+    const Session other = sessionWith(session, *file);
     return {name, other, openLightField(other.lightField, other.display, progress)};
   }
   const auto& content = std::get<std::shared_ptr<Content>>(light);

@@ -157,7 +157,7 @@ py::list render(SessionViews& views, const Document& document,
     RenderRequest request{sessionOf(document), {}, ideal};
     if (states) select(request.session, *states, document.name);
     if (const auto* file = std::get_if<std::string>(&light))
-      request.session = withLightField(request.session, *file);
+      request.session = sessionWith(request.session, *file);
     else if (const auto* content = std::get_if<std::shared_ptr<Content>>(&light))
       request.light = *content;
     return views.render(request, hear);
@@ -184,6 +184,14 @@ void write(const std::string& file, const Bytes& image, const std::optional<Floa
 }
 
 }  // namespace
+
+Session sessionWith(const Session& session, const std::string& file) {
+  try {
+    return withLightField(session, file);
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
+}
 
 void addViews(py::module_& module) {
   py::class_<SessionViews>(module, "SessionViews", "What a session keeps between views.")

@@ -13,4 +13,7 @@ namespace hogelscope {
 /// The session's own; one that is open; a file, a folder or a session, as --test takes it.
 using LightChoice = std::variant<std::monostate, std::shared_ptr<Content>, std::string>;
 
+/// The session with a file as its light field. Throws InputError that names the file.
+Session sessionWith(const Session& session, const std::string& file);
+
 }  // namespace hogelscope

@@ -123,7 +123,7 @@ class Report(FolderTest):
                            groups={"g": {"a": 1}})
         self.assertRefuses("not a number above 0", report, s, {"a": self.coded}, output=out,
                            groups={"g": {"a": -1}})
-        self.assertRefuses("no such file", report, s, {"a": self.path("none")}, output=out)
+        self.assertRefuses("/none: ", report, s, {"a": self.path("none")}, output=out)
         self.assertRefuses("camera state", report, s, {"a": self.coded}, output=out, cameras=[])
         for wrong in ({"a": None}, {"a": 5}, [5]):
             with self.assertRaises(TypeError):
