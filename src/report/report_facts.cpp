@@ -2,7 +2,8 @@
 // What was tested.
 #include "report/report_facts.h"
 
-#include <QDateTime>
+#include <array>
+#include <ctime>
 
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
@@ -32,6 +33,15 @@ std::string described(const SamplingParams& sampling) {
   return std::string(nameOf(sampling.reconstruction)) + ", " + pixels(n, n) +
          (n == 1 ? " ray" : " rays") + " a pixel, " +
          (sampling.mapping == LensMapping::exact ? "exact" : "direct") + " lens mapping";
+}
+
+/// "2026-11-22 09:30 UTC".
+std::string timeNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  std::array<char, 40> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", &parts)};
 }
 
 }  // namespace
@@ -69,7 +79,7 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   line("Sampling", described(session.sampling));
   line("Program", versionsLine());
   line("Command", request.command);
-  line("Made", QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd HH:mm 'UTC'").toStdString());
+  line("Made", timeNow());
   facts.key = sha256(all);
   return facts;
 }
