@@ -46,7 +46,7 @@ std::string timeNow() {
 
 }  // namespace
 
-ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
+ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress) {
   const Session& session = request.session;
   ReportFacts facts;
   std::string all = versionsLine() + textOf(session) + (request.images ? "images" : "") +
@@ -56,15 +56,15 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   };
   const auto lightField = [&](const std::string& name, const Session& of,
                               const LightFieldFile& file) {
-    const std::string hash = file.files().empty() ? "" : sha256(file.files(), progress);
+    const std::string hash = file.files().empty() ? "" : hashes.of(file.files(), progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
     const std::vector<std::string> lens = of.display.lensParams.files();
-    if (!lens.empty()) all += sha256({lens.begin(), lens.end()}, progress);
+    if (!lens.empty()) all += hashes.of({lens.begin(), lens.end()}, progress);
   };
   if (!request.sessionFile.empty())
-    line("Session", request.sessionFile + ", SHA-256 " +
-                        sha256(std::vector<std::filesystem::path>{request.sessionFile}, progress));
+    line("Session",
+         request.sessionFile + ", SHA-256 " + hashes.of({request.sessionFile}, progress));
   lightField("Light field", session, *request.file);
   if (request.isAgainstIdeal)
     line("Reference", "ideal view: the scene itself, without the display");
