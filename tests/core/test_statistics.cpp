@@ -66,6 +66,10 @@ void TestStatistics::ofNothing() {
 
 void TestStatistics::isSeeded() {
   const auto units = unitsOf(sample(50, 1));
+  QCOMPARE(resamplesFor(0), 10000);
+  QCOMPARE(resamplesFor(2000), 10000);
+  QCOMPARE(resamplesFor(4000), 5000);
+  QCOMPARE(resamplesFor(100000), 1000);
   const Interval one = bootstrap(units, mean)[0];
   const Interval again = bootstrap(units, mean)[0];
   const Interval another = bootstrap(units, mean, {10000, 0.95, 2})[0];

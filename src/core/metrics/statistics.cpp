@@ -23,9 +23,29 @@ std::uint32_t below(std::uint32_t count, std::mt19937_64& engine) {
   }
 }
 
+/// Resamples that are drawn before the units are gone through: of many units each pass is one
+/// through memory.
+constexpr std::size_t mostAtOnce = 16;
+
 MULTIVERSIONED
-void add(const double* __restrict unit, std::size_t count, double* __restrict sums) {
-  for (std::size_t k = 0; k < count; ++k) sums[k] += unit[k];
+void add(const double* __restrict unit, std::size_t count, double times, double* __restrict sums) {
+  for (std::size_t k = 0; k < count; ++k) sums[k] += times * unit[k];
+}
+
+/// Draws so many samples and returns the sums of each.
+std::vector<std::vector<double>> drawSums(const std::vector<std::vector<double>>& units,
+                                          std::size_t samples, std::mt19937_64& engine) {
+  const std::size_t width = units.empty() ? 0 : units.front().size();
+  const std::size_t n = units.size();
+  std::vector<std::uint32_t> times(n * samples);  // how often a sample has each unit
+  for (std::size_t sample = 0; sample < samples; ++sample)
+    for (std::size_t k = 0; k < n; ++k) ++times[sample * n + below(std::uint32_t(n), engine)];
+  std::vector<std::vector<double>> sums(samples, std::vector<double>(width));
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t sample = 0; sample < samples; ++sample)
+      if (const std::uint32_t count = times[sample * n + k]; count > 0)
+        add(units[k].data(), width, count, sums[sample].data());
+  return sums;
 }
 
 /// The ⌈qn⌉-th smallest value.
@@ -45,19 +65,24 @@ Interval interval(std::vector<double>& values, double confidence) {
 
 }  // namespace
 
+int resamplesFor(std::size_t units) {
+  constexpr std::size_t most = 10000;
+  constexpr std::size_t mostDraws = 20000000;
+  return int(std::clamp(mostDraws / std::max(units, std::size_t{1}), most / 10, most));
+}
+
 std::vector<Interval> bootstrap(const std::vector<std::vector<double>>& units,
                                 const FiguresOfSums& figures, const BootstrapParams& params) {
-  const std::size_t width = units.empty() ? 0 : units.front().size();
-  std::vector<double> sums(width, 0);
   std::vector<std::vector<double>> drawn;
   std::mt19937_64 engine(params.seed);
-  for (int resample = 0; resample < params.resamples; ++resample) {
-    std::fill(sums.begin(), sums.end(), 0.0);
-    for (std::size_t k = 0; k < units.size(); ++k)
-      add(units[below(std::uint32_t(units.size()), engine)].data(), width, sums.data());
-    const std::vector<double> values = figures(sums);
-    drawn.resize(values.size());
-    for (std::size_t k = 0; k < values.size(); ++k) drawn[k].push_back(values[k]);
+  for (std::size_t left = std::size_t(params.resamples); left > 0;) {
+    const std::size_t samples = std::min(left, mostAtOnce);
+    left -= samples;
+    for (const std::vector<double>& sums : drawSums(units, samples, engine)) {
+      const std::vector<double> values = figures(sums);
+      drawn.resize(values.size());
+      for (std::size_t k = 0; k < values.size(); ++k) drawn[k].push_back(values[k]);
+    }
   }
   std::vector<Interval> intervals;
   intervals.reserve(drawn.size());

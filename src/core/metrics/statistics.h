@@ -2,6 +2,7 @@
 // How far a mean over some views can be trusted: the bootstrap.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -18,6 +19,10 @@ struct BootstrapParams {
   double confidence = 0.95;
   std::uint64_t seed = 1;
 };
+
+/// 10000, but where that would draw more than 20 million units as many fewer, at least 1000: with
+/// thousands of units an interval is narrow, and its own error a few per cent of it.
+int resamplesFor(std::size_t units);
 
 /// Figures from the sums over a sample's units; as many for every sample.
 using FiguresOfSums = std::function<std::vector<double>(const std::vector<double>& sums)>;

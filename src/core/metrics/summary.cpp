@@ -73,9 +73,9 @@ TestSummary summaryOf(const std::string& test, std::vector<ReportRow> rows,
                       const MetricSet& metrics) {
   TestSummary result{test, std::move(rows), {}, {}, {}};
   result.summary = summariseRows(result.rows, metrics);
-  result.intervals = bootstrap(unitsOf(result.rows, metrics), [&](const std::vector<double>& sums) {
-    return meansOfSums(sums, metrics);
-  });
+  const std::vector<std::vector<double>> units = unitsOf(result.rows, metrics);
+  const auto means = [&](const std::vector<double>& sums) { return meansOfSums(sums, metrics); };
+  result.intervals = bootstrap(units, means, {.resamples = resamplesFor(units.size())});
   return result;
 }
 

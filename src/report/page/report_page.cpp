@@ -90,8 +90,8 @@ of the mean MSE, identical views included. They differ, and bad views weigh more
 (6 PSNR-Y + PSNR-Cb + PSNR-Cr)/8.</dd>
 <dt>SSIM</dt><dd>Structural similarity as Wang et al. 2004 have it, on luma, with an 11×11 Gaussian window
 of σ 1.5; 1 is identical. “Seen” is the mean over the windows that hold only pixels seen.</dd>
-<dt>Intervals</dt><dd>95 % percentile bootstrap over the states, 10 000 resamples: how a mean would vary with
-other camera positions of the same kind, not with other scenes.</dd>
+<dt>Intervals</dt><dd>95 % percentile bootstrap over the states, 10 000 resamples (fewer of more than 2000
+states, at least 1000): how a mean would vary with other camera positions of the same kind, not with other scenes.</dd>
 <dt>Weighted</dt><dd>The same mean with each view counted by its state's weight.</dd>
 </dl>
 )html";
