@@ -19,13 +19,13 @@ import hogelscope as hs
 # %% [markdown]
 # ## A light field
 #
-# The display: 160 × 120 hogels on 0.40 × 0.30 m, each with 9 × 9 directions over 30°. Its content is the program's own scene,
+# The display: 160 × 120 hogels on 0.40 × 0.30 m, each with 9 × 9 directions over 50°. Its content is the program's own scene,
 # a card, a ball and a wall at known depths, traced into 9 rows of 9 views. With views of your own:
 # `views = np.stack([np.stack([np.asarray(Image.open(…)) for u in range(9)]) for v in range(9)])`.
 
 # %%
 session = hs.Session({
-    "display": {"size": [0.40, 0.30], "hogels": [160, 120], "directions": [9, 9], "fov": [30, 30]},
+    "display": {"size": [0.40, 0.30], "hogels": [160, 120], "directions": [9, 9], "fov": [50, 50]},
     "lightField": {"layout": "live", "source": "scene"},
     "cameras": [{"name": "camera", "eye": [0, 0, 0.8], "fov": 33, "res": [240, 180],
                  "psf": {"sigma": 0.5, "windowSize": 3}}],

@@ -15,7 +15,7 @@ import hogelscope as hs
 
 # %%
 session = hs.Session({
-    "display": {"size": [0.40, 0.30], "hogels": [160, 120], "directions": [9, 9], "fov": [30, 30]},
+    "display": {"size": [0.40, 0.30], "hogels": [160, 120], "directions": [9, 9], "fov": [50, 50]},
     "lightField": {"layout": "live", "source": "scene"},
     "cameras": [{"name": f"camera {k + 1}", "eye": [x, 0, 0.8], "fov": 33, "res": [240, 180]}
                 for k, x in enumerate((-0.15, 0.0, 0.15))],
