@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program's version and those of the libraries that pictures and figures come from, for reports;
-// About adds those of the window.
+// The program's version and those of the libraries that pictures and figures come from, for
+// reports; About adds those of the window.
 #pragma once
 
 #include <string>

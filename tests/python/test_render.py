@@ -48,6 +48,20 @@ class Render(FolderTest):
         self.assert_as_program(s, file, "--ideal", ideal=True)
         self.assertRefuses("only a 3-D scene", hs.Session(TABLE1).render, 0, ideal=True)
 
+    def test_plugins(self):
+        """Content and metrics of plugins, found beside the package."""
+        s = hs.Session("data/room.json")
+        for state in s["cameras"]:
+            state["res"] = [80, 60]
+        s.save(self.path("room.json"))
+        self.assert_as_program(s, self.path("room.json"))
+        a, b = s.render(0), s.render(1)
+        a.image = np.tile(a.image, (4, 4, 1))  # it wants 176 px
+        b.image = np.tile(b.image, (4, 4, 1))
+        figures = hs.compare(a.image, b.image, metrics=["ms-ssim"])
+        self.assertTrue(0 < figures["ms_ssim"] < 1)
+        self.assertRefuses("is not a folder", hs.add_plugin_folder, self.path("none"))
+
     def test_values_and_formats(self):
         s = hs.Session(TABLE1)
         v = s.render("Fig 1")
