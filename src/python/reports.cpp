@@ -126,6 +126,7 @@ std::vector<std::unique_lock<std::timed_mutex>> lockAll(const LightChoice& refer
   std::ranges::sort(contents);
   contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
   std::vector<std::unique_lock<std::timed_mutex>> locks;
+  locks.reserve(contents.size());
   for (Content* const content : contents) locks.push_back(lockFor(content->mutex(), progress));
   return locks;
 }

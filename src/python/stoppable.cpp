@@ -2,6 +2,8 @@
 // Work that stops at Ctrl-C.
 #include "python/stoppable.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -80,6 +82,8 @@ class Ending {
   }
   void enter() { ++m_works; }
   void leave() { --m_works; }
+  /// A copy of the process has none of the threads that work.
+  void forget() { m_works = 0; }
   [[nodiscard]] bool concernsThisThread() const {
     return m_isBegun && m_ender.load() != std::this_thread::get_id();
   }
@@ -113,6 +117,7 @@ bool waitFor(Exchange& exchange, std::thread& thread) {
 }  // namespace
 
 void waitAtExit() {
+  ::pthread_atfork(nullptr, nullptr, [] { ending().forget(); });
   py::module_::import("atexit").attr("register")(py::cpp_function([] { ending().begin(); }));
 }
 
