@@ -27,7 +27,7 @@ import hogelscope as hs
 session = hs.Session({
     "display": {"size": [0.40, 0.30], "hogels": [160, 120], "directions": [9, 9], "fov": [50, 50]},
     "lightField": {"layout": "live", "source": "scene"},
-    "cameras": [{"name": "camera", "eye": [0, 0, 0.8], "fov": 33, "res": [240, 180],
+    "cameras": [{"name": "camera", "eye": [0, 0, 0.8], "fov": 26, "res": [240, 180],
                  "psf": {"sigma": 0.5, "windowSize": 3}}],
 })
 views = session.light_field().array()

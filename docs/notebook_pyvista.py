@@ -17,7 +17,7 @@ import hogelscope as hs
 session = hs.Session({
     "display": {"size": [0.40, 0.30], "hogels": [160, 120], "directions": [9, 9], "fov": [50, 50]},
     "lightField": {"layout": "live", "source": "scene"},
-    "cameras": [{"name": f"camera {k + 1}", "eye": [x, 0, 0.8], "fov": 33, "res": [240, 180]}
+    "cameras": [{"name": f"camera {k + 1}", "eye": [x, 0, 0.8], "fov": 26, "res": [240, 180]}
                 for k, x in enumerate((-0.15, 0.0, 0.15))],
 })
 views = session.render()
@@ -44,11 +44,11 @@ plotter.add_mesh(pv.Plane(i_size=width, j_size=height), color="grey")
 for view, camera in zip(views, session["cameras"]):
     eye = np.array(camera["eye"])
     forward = -eye / np.linalg.norm(eye)
-    across = 2 * 0.1 * np.tan(np.radians(camera["fov"]) / 2)  # fov is across the picture
+    down = 2 * 0.1 * np.tan(np.radians(camera["fov"]) / 2)  # fov is from top to bottom
+    across = view.image.shape[1] / view.image.shape[0] * down
     right = np.cross(forward, [0, 1, 0])
     right /= np.linalg.norm(right)
     up = np.cross(right, forward)
-    down = view.image.shape[0] / view.image.shape[1] * across
     corner = eye + 0.1 * forward - right * across / 2 - up * down / 2
     plane = pv.Plane()
     plane.points = np.array([corner + a * right * across + b * up * down
