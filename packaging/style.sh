@@ -11,7 +11,7 @@ format() {
 shell() { shellcheck --severity=warning .ci/run packaging/*.sh tests/benchmark/*.sh; }
 # The words are names of our own, and what tests misspell on purpose.
 spelling() {
-  codespell --skip '*.png,*/seeds/*' \
+  codespell --skip '*.png,*.ipynb,*/seeds/*' \
     --ignore-words-list=bu,dispaly,flie,fo,fro,parametres,patern,positionof,sise \
     ./*.md cmake docs packaging plugins resources/manual src tests
 }

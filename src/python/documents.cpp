@@ -15,12 +15,25 @@ namespace py = pybind11;
 
 namespace {
 
+void checkDocument(const Document& document) {
+  runStoppable(py::none(), [&](const Progress&) { (void)sessionOf(document); });
+}
+
+std::string normal(const Document& document) {
+  return stoppable(py::none(), [&](const Progress&) { return textOf(sessionOf(document)); });
+}
+
+void save(const Document& document, const std::string& file) {
+  runStoppable(py::none(), [&](const Progress&) { saveSession(file, sessionOf(document)); });
+}
+
 std::string load(const std::string& file, const std::vector<std::string>& overrides,
                  const std::string& calibration) {
-  const py::gil_scoped_release free;
-  std::optional<Calibration> read;
-  if (!calibration.empty()) read = loadCalibration(calibration);
-  return textOf(loadSession(file, overrides, read));
+  return stoppable(py::none(), [&](const Progress&) {
+    std::optional<Calibration> read;
+    if (!calibration.empty()) read = loadCalibration(calibration);
+    return textOf(loadSession(file, overrides, read));
+  });
 }
 
 py::tuple around(const std::string& file, const std::vector<std::string>& overrides,
@@ -37,14 +50,15 @@ py::tuple around(const std::string& file, const std::vector<std::string>& overri
 /// The session has nothing but the new states.
 std::string cameras(const Document& document, const std::string& what,
                     const std::vector<std::string>& overrides) {
-  const py::gil_scoped_release free;
-  Session session = sessionOf(document);
-  const std::size_t before = session.cameras.size();
-  const CameraSet set = loadCameraSet(what, overrides);
-  session = withCameras(session, set);
-  const std::size_t first = before - (set.params.keepTemplate ? 0 : 1);
-  session.cameras.erase(session.cameras.begin(), session.cameras.begin() + std::ptrdiff_t(first));
-  return textOf(session);
+  return stoppable(py::none(), [&](const Progress&) {
+    Session session = sessionOf(document);
+    const std::size_t before = session.cameras.size();
+    const CameraSet set = loadCameraSet(what, overrides);
+    session = withCameras(session, set);
+    const std::size_t first = before - (set.params.keepTemplate ? 0 : 1);
+    session.cameras.erase(session.cameras.begin(), session.cameras.begin() + std::ptrdiff_t(first));
+    return textOf(session);
+  });
 }
 
 }  // namespace
@@ -61,26 +75,18 @@ void addDocuments(py::module_& module) {
   py::class_<Document>(module, "Document", "A session's text, its folder and its name.")
       .def(py::init<std::string, std::string, std::string>(), py::arg("text"), py::arg("folder"),
            py::arg("name"));
-  module.def(
-      "check", [](const Document& document) { (void)sessionOf(document); }, py::arg("document"),
-      py::call_guard<py::gil_scoped_release>(), "Raises InputError if it is not a session.");
-  module.def(
-      "normal", [](const Document& document) { return textOf(sessionOf(document)); },
-      py::arg("document"), py::call_guard<py::gil_scoped_release>(),
-      "The session as the program writes it: all fields, files relative to the current folder.");
+  module.def("check", &checkDocument, py::arg("document"),
+             "Raises InputError if it is not a session.");
+  module.def("normal", &normal, py::arg("document"),
+             "The session as the program writes it: all fields, files relative to the current "
+             "folder.");
   module.def("load", &load, py::arg("file"), py::arg("overrides"), py::arg("calibration"),
              "A session file as normal() gives it, with overrides and a calibration's file.");
   module.def("around", &around, py::arg("file"), py::arg("overrides"), py::arg("progress"),
              "A new session around a folder, a picture or a mesh, and warnings.");
   module.def("cameras", &cameras, py::arg("document"), py::arg("what"), py::arg("overrides"),
              "The session with the states of a camera set instead of its own.");
-  module.def(
-      "save",
-      [](const Document& document, const std::string& file) {
-        saveSession(file, sessionOf(document));
-      },
-      py::arg("document"), py::arg("file"), py::call_guard<py::gil_scoped_release>(),
-      "Writes a session file.");
+  module.def("save", &save, py::arg("document"), py::arg("file"), "Writes a session file.");
   module.def(
       "add_plugin_folder", [](const std::string& folder) { addPluginFolder(folder); },
       py::arg("folder"),

@@ -65,6 +65,7 @@ py::dict compare(const py::array& reference, const Bytes& seen, const py::array&
 
 std::vector<RatePoint> pointsOf(const std::vector<std::pair<double, double>>& pairs) {
   std::vector<RatePoint> points;
+  points.reserve(pairs.size());
   for (const auto& [rate, quality] : pairs) points.push_back({rate, quality});
   return points;
 }

@@ -138,6 +138,13 @@ std::vector<std::string> filesOf(const Content& content) {
   return names;
 }
 
+void allow(double bytes) {
+  constexpr double least = 1e6;
+  if (!(bytes >= least) || bytes > double(machineMemory()))
+    throw InputError("bytes", "is not between 1e6 and this machine's memory");
+  allowMemory(std::size_t(bytes));
+}
+
 }  // namespace
 
 void addLightFields(py::module_& module) {
@@ -163,6 +170,10 @@ void addLightFields(py::module_& module) {
           "Lines on what it lacks, such as missing views.")
       .def("array", &toArray, py::kw_only(), py::arg("progress") = py::none(),
            "Returns all of it as a new numpy array (dv, du, ny, nx, 3). Raises InputError.");
+  module.def("allow_memory", &allow, py::arg("bytes"),
+             "Set how many bytes light fields may take, in the whole process: a quarter of the "
+             "machine's memory at first. What needs more is read piece by piece, or once from the "
+             "top. Raises InputError.");
   module.def("open", &openContent, py::arg("document"), py::arg("warnings"), py::arg("progress"),
              "Opens a session's own light field.");
 }

@@ -2,6 +2,7 @@
 // The Python extension module _hogelscope.
 #include "core/base/error.h"
 #include "python/bindings.h"
+#include "python/stoppable.h"
 #include "sdk/hogelscope/plugin.h"
 
 namespace py = pybind11;
@@ -17,6 +18,7 @@ PYBIND11_MODULE(_hogelscope, module) {
       "Input that can be put right. The message is \"FILE: WHAT: WHY\", in the program's words.";
   module.attr("version") = HOGELSCOPE_VERSION;
   module.attr("plugin_abi") = plugin::abi;
+  waitAtExit();
   addDocuments(module);
   addLightFields(module);
   addViews(module);

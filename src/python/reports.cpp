@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "io/plugins/metric_plugins.h"
@@ -50,8 +51,8 @@ std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
 }
 
 /// The session itself if there is no other light field.
-ReportTest testOf(const Session& session, const std::string& name, const LightChoice& light,
-                  const Progress& progress) {
+ReportTest testWith(const Session& session, const std::string& name, const LightChoice& light,
+                    const Progress& progress) {
   if (std::holds_alternative<std::monostate>(light))
     return {name, session, openLightField(session.lightField, session.display, progress)};
   if (const auto* file = std::get_if<std::string>(&light)) {
@@ -68,31 +69,29 @@ ReportTest testOf(const Session& session, const std::string& name, const LightCh
   return {name, other, content->file()};
 }
 
-std::vector<RateGroup> groupsOf(const Wishes& wishes) {
-  std::vector<RateGroup> groups;
-  for (const auto& [name, rates] : wishes.groups) {
-    RateGroup group{name, {}};
-    for (const auto& [test, rate] : rates) {
-      if (std::ranges::none_of(wishes.tests, [&](const auto& one) { return one.first == test; }))
-        throw InputError("groups", name, "\"" + test + "\" is none of the tests");
-      if (!(rate > 0) || !std::isfinite(rate))
-        throw InputError("groups", name, "the rate of \"" + test + "\" is not a number above 0");
-      group.tests.push_back({test, rate});
-    }
-    if (group.tests.size() < 4)
-      throw InputError("groups", name,
-                       "has " + std::to_string(group.tests.size()) +
-                           " tests, but a rate-distortion curve needs four or more");
-    groups.push_back(group);
+RateGroup groupOf(const std::string& name, const Groups::value_type::second_type& rates,
+                  const Tests& tests) {
+  RateGroup group{name, {}};
+  for (const std::pair<std::string, double>& one : rates) {
+    const auto isIt = [&one](const auto& test) { return test.first == one.first; };
+    if (std::ranges::none_of(tests, isIt))
+      throw InputError("groups", name, "\"" + one.first + "\" is none of the tests");
+    if (!(one.second > 0) || !std::isfinite(one.second))
+      throw InputError("groups", name, "the rate of \"" + one.first + "\" is not a number above 0");
+    group.tests.push_back({one.first, one.second});
   }
-  return groups;
+  if (group.tests.size() < 4)
+    throw InputError("groups", name,
+                     "has " + std::to_string(group.tests.size()) +
+                         " tests, but a rate-distortion curve needs four or more");
+  return group;
 }
 
 ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
   ReportRequest request;
   const Session session = sessionOf(wishes.document);
   request.name = wishes.document.name.empty() ? "a session of Python" : wishes.document.name;
-  ReportTest reference = testOf(session, "", wishes.reference, progress);
+  ReportTest reference = testWith(session, "", wishes.reference, progress);
   request.session = std::move(reference.session);
   request.file = std::move(reference.file);
   request.isAgainstIdeal = wishes.isAgainstIdeal;
@@ -102,10 +101,11 @@ ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
     request.tests.push_back({"display", request.session, request.file});
   }
   for (const auto& [name, light] : wishes.tests)
-    request.tests.push_back(testOf(request.session, name, light, progress));
+    request.tests.push_back(testWith(request.session, name, light, progress));
   if (request.tests.empty()) throw InputError("tests", "is empty: there is nothing to compare");
   request.metrics = metricsOf(request.session.metrics);
-  request.groups = groupsOf(wishes);
+  for (const auto& [name, rates] : wishes.groups)
+    request.groups.push_back(groupOf(name, rates, wishes.tests));
   request.output = wishes.output;
   request.command = "hogelscope.report() of Python";
   request.images = wishes.images;
@@ -126,6 +126,7 @@ std::vector<std::unique_lock<std::timed_mutex>> lockAll(const LightChoice& refer
   std::ranges::sort(contents);
   contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
   std::vector<std::unique_lock<std::timed_mutex>> locks;
+  locks.reserve(contents.size());
   for (Content* const content : contents) locks.push_back(lockFor(content->mutex(), progress));
   return locks;
 }

@@ -2,8 +2,11 @@
 // Work that stops at Ctrl-C.
 #include "python/stoppable.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <thread>
@@ -65,18 +68,66 @@ class Listener {
   double m_told = -1;
 };
 
+/// Python ends while daemon threads run, and ends those that want its lock: with our frames on
+/// their stack that would be std::terminate(). So its end waits for our work, which stops, and the
+/// threads that asked for it never come back.
+class Ending {
+ public:
+  /// Called at Python's exit by the thread that ends it, with the lock.
+  void begin() {
+    m_ender = std::this_thread::get_id();
+    m_isBegun = true;
+    const py::gil_scoped_release free;
+    while (m_works > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  void enter() { ++m_works; }
+  void leave() { --m_works; }
+  /// A copy of the process has none of the threads that work.
+  void forget() { m_works = 0; }
+  [[nodiscard]] bool concernsThisThread() const {
+    return m_isBegun && m_ender.load() != std::this_thread::get_id();
+  }
+
+ private:
+  std::atomic<int> m_works = 0;
+  std::atomic<bool> m_isBegun = false;
+  std::atomic<std::thread::id> m_ender{};
+};
+
+Ending& ending() {
+  static Ending theEnding;
+  return theEnding;
+}
+
+/// Waits without Python's lock; returns whether the work is over.
+bool waitFor(Exchange& exchange, std::thread& thread) {
+  PyThreadState* const state = PyEval_SaveThread();
+  bool isOver = exchange.wait();
+  if (ending().concernsThisThread()) {
+    exchange.stop();
+    thread.join();
+    ending().leave();
+    while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+  if (isOver) thread.join();
+  PyEval_RestoreThread(state);
+  return isOver;
+}
+
 }  // namespace
+
+void waitAtExit() {
+  ::pthread_atfork(nullptr, nullptr, [] { ending().forget(); });
+  py::module_::import("atexit").attr("register")(py::cpp_function([] { ending().begin(); }));
+}
 
 void runStoppable(const py::object& listener, const std::function<void(const Progress&)>& work) {
   Exchange exchange;
   Listener heard(listener);
   std::exception_ptr thrown;  // by Python
   std::thread thread([&] { exchange.work(work); });
-  const auto isOver = [&] {
-    const py::gil_scoped_release free;
-    return exchange.wait();
-  };
-  while (!isOver()) {
+  ending().enter();
+  while (!waitFor(exchange, thread)) {
     if (thrown) continue;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -86,10 +137,7 @@ void runStoppable(const py::object& listener, const std::function<void(const Pro
       exchange.stop();
     }
   }
-  {
-    const py::gil_scoped_release free;
-    thread.join();
-  }
+  ending().leave();
   if (thrown) std::rethrow_exception(thrown);
   if (exchange.failure()) std::rethrow_exception(exchange.failure());
   heard.tell(1);
@@ -101,10 +149,14 @@ std::unique_lock<std::timed_mutex> lockFor(std::timed_mutex& mutex, const Progre
   return lock;
 }
 
-ThreadsOfCall::ThreadsOfCall(int count) {
+ThreadsOfCall::ThreadsOfCall(int count) : m_isSet(count > 0) {
   if (count < 0)
     throw InputError("threads", std::to_string(count) + " is below 0; 0 is one for each core");
-  setThreads(count);
+  if (m_isSet) setThreads(count);
+}
+
+ThreadsOfCall::~ThreadsOfCall() {
+  if (m_isSet) setThreads(0);
 }
 
 }  // namespace hogelscope

@@ -28,20 +28,23 @@ auto stoppable(const pybind11::object& listener, const Work& work) {
   return std::move(*result);
 }
 
+/// Makes Python's end wait for what daemon threads do here. Called once, when the module is loaded.
+void waitAtExit();
+
 /// Waits for a lock that other work may hold for long. Throws Cancelled.
 std::unique_lock<std::timed_mutex> lockFor(std::timed_mutex& mutex, const Progress& progress);
 
-/// Sets the number of threads of the whole process, 0 for one per core, while it exists. Throws
-/// InputError below 0.
+/// Sets the number of threads of the whole process while it exists; 0 leaves it. Afterwards it is
+/// one for each core, whatever other calls do meanwhile. Throws InputError below 0.
 class ThreadsOfCall {
  public:
   explicit ThreadsOfCall(int count);
-  ~ThreadsOfCall() { setThreads(m_before); }
+  ~ThreadsOfCall();
   ThreadsOfCall(const ThreadsOfCall&) = delete;
   ThreadsOfCall& operator=(const ThreadsOfCall&) = delete;
 
  private:
-  int m_before = threadCount();
+  bool m_isSet;
 };
 
 }  // namespace hogelscope

@@ -176,11 +176,12 @@ void write(const std::string& file, const Bytes& image, const std::optional<Floa
   const auto size = std::size_t(image.size());
   const std::uint8_t* const rgb = image.data();
   const float* const floats = values ? values->data() : nullptr;
-  const py::gil_scoped_release free;
-  if (floats != nullptr)
-    writeImage(file, width, height, std::span(floats, size));
-  else
-    writeImage(file, width, height, std::span(rgb, size));
+  runStoppable(py::none(), [&](const Progress& hear) {
+    if (floats != nullptr)
+      writeImage(file, width, height, std::span(floats, size));
+    else
+      writeImage(file, width, height, std::span(rgb, size), hear);
+  });
 }
 
 }  // namespace

@@ -48,6 +48,20 @@ class Render(FolderTest):
         self.assert_as_program(s, file, "--ideal", ideal=True)
         self.assertRefuses("only a 3-D scene", hs.Session(TABLE1).render, 0, ideal=True)
 
+    def test_plugins(self):
+        """Content and metrics of plugins, found beside the package."""
+        s = hs.Session("data/room.json")
+        for state in s["cameras"]:
+            state["res"] = [80, 60]
+        s.save(self.path("room.json"))
+        self.assert_as_program(s, self.path("room.json"))
+        a, b = s.render(0), s.render(1)
+        a.image = np.tile(a.image, (4, 4, 1))  # it wants 176 px
+        b.image = np.tile(b.image, (4, 4, 1))
+        figures = hs.compare(a.image, b.image, metrics=["ms-ssim"])
+        self.assertTrue(0 < figures["ms_ssim"] < 1)
+        self.assertRefuses("is not a folder", hs.add_plugin_folder, self.path("none"))
+
     def test_values_and_formats(self):
         s = hs.Session(TABLE1)
         v = s.render("Fig 1")
@@ -62,6 +76,25 @@ class Render(FolderTest):
         self.assertRefuses("", v.save, self.path("none", "a.png"))
         self.assertRefuses("", v.save, self.path("a.notapicture"))
         self.assertEqual(os.listdir(self.folder).count("a.notapicture"), 0)
+
+    def test_larger_than_memory(self):
+        """A picture of hogels is read once from the top, and gives no values; a store gives them."""
+        s = hs.Session(TABLE1)
+        whole = s.render(["Fig 1", "Fig 6"])
+        program("--pack", "data/scene.png", "--session", TABLE1, "--output", self.path("p.tif"))
+        self.addCleanup(hs.allow_memory, 4e9)
+        hs.allow_memory(20e6)  # of 26 MB
+        for views in (s.copy().render(["Fig 1", "Fig 6"]),
+                      s.render(["Fig 1", "Fig 6"], hs.open(self.path("p.tif")))):
+            for view, same in zip(views, whole):
+                self.assertSame(view.image, same.image)
+                self.assertSame(view.seen, same.seen)
+        self.assertIsNotNone(views[0].values)
+        passed = s.copy().render("Fig 1")
+        self.assertIsNone(passed.values)
+        self.assertRefuses("write a PNG", passed.save, self.path("a.exr"))
+        for wrong in (0, -1, float("nan"), 1e30):
+            self.assertRefuses("bytes: is not between", hs.allow_memory, wrong)
 
     def test_states(self):
         s = hs.Session(TABLE1)

@@ -28,6 +28,9 @@ class Sessions(FolderTest):
         os.symlink(os.path.abspath("data"), self.path("link"))  # any path-like will do
         self.assertEqual(hs.Session(os.path.join(self.folder, "link", "table1.json")), from_file)
         self.assertEqual(hs.Session({"cameras": []})["hogelscope"], 1)
+        given = {"display": {"fov": [60, 60]}}
+        hs.Session(given)["display"]["fov"] = [1, 1]
+        self.assertEqual(given, {"display": {"fov": [60, 60]}})
 
     def test_is_a_mapping(self):
         s = hs.Session(TABLE1)

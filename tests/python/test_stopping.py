@@ -163,6 +163,16 @@ class Stopping(FolderTest):
         self.assertEqual(child.returncode, -signal.SIGINT)
         self.assertTrue(said.endswith("KeyboardInterrupt\n"), said)
 
+    def test_daemon_threads_end_with_python(self):
+        script = ("import threading, time; import hogelscope as hs; s = hs.Session('data/table1.json');"
+                  "s['sampling']['samplesPerPixel'] = 8; s['cameras'][3]['res'] = [4000, 4000];"
+                  "begun = threading.Event();"
+                  "work = lambda: s.render('Fig 4', progress=lambda done: begun.set());"
+                  "threading.Thread(target=work, daemon=True).start(); begun.wait()")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
+                              check=False, timeout=100)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_fork(self):
         """Children of a process that has rendered render, too (multiprocessing)."""
         import multiprocessing

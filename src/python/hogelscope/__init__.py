@@ -31,7 +31,7 @@ import os as _os
 from . import _hogelscope
 from ._content import open
 from ._figures import bd_rate, compare
-from ._hogelscope import InputError, LightField, add_plugin_folder
+from ._hogelscope import InputError, LightField, add_plugin_folder, allow_memory
 from ._session import Session, cameras, report
 from ._view import View
 
@@ -42,6 +42,7 @@ __all__ = [
     "Session",
     "View",
     "add_plugin_folder",
+    "allow_memory",
     "bd_rate",
     "cameras",
     "compare",

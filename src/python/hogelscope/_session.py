@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
 from numbers import Integral
@@ -49,7 +50,7 @@ class Session(Dict[str, Any]):
         self._views: Optional[_hogelscope.SessionViews] = None
         changes = list(overrides)
         if isinstance(source, Mapping):
-            document = dict(source)
+            document = copy.deepcopy(dict(source))
             document.setdefault("hogelscope", 1)
             super().__init__(document)
             if isinstance(source, Session):
