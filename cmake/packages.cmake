@@ -1,7 +1,8 @@
-# Debian packages by CPack (packaging/deb.sh): hogelscope, libhogelscope-dev and, where the Python
-# module is built, python3-hogelscope.
+# Debian packages by CPack (packaging/deb.sh): hogelscope, libhogelscope-dev and, where there is
+# something for Python, python3-hogelscope. The revision sorts before those that Debian would give.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hogelscope)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGE_CONTACT "The Hogelscope authors <hogelscope@example.org>")
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -39,43 +40,41 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}
-  ${CMAKE_BINARY_DIR}/lib)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)  # of the VTK module
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
-set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 0hogelscope1)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hogelscope)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-qpa-plugins")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "simulated viewing of light field displays
- Hogelscope shows what a viewer, or a camera with a real lens, would see in
- front of a light field display that does not exist yet. It takes the content
- and geometry of the display, a camera with its lens distortion, and the light
- leakage of the display, gives the picture that the camera would take, and
- compares such pictures over many camera positions.
- .
- This package has the program, its plugins and sample sessions.")
+Hogelscope shows what a viewer, or a camera with a real lens, would see in
+front of a light field display that does not exist yet. It takes the content
+and geometry of the display, a camera with its lens distortion, and the light
+leakage of the display, gives the picture that the camera would take, and
+compares such pictures over many camera positions.
 
-set(same_version "hogelscope (= ${PROJECT_VERSION}-1)")
+This package has the program, its plugins and sample sessions.")
+
+set(same_version "hogelscope (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libhogelscope-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_version}, libhdf5-dev, libopencv-dev, "
-  "libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libyaml-dev, libzstd-dev, "
-  "nlohmann-json3-dev, pkg-config")
+ "libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libyaml-dev, libzstd-dev, "
+ "nlohmann-json3-dev, pkg-config")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "simulated viewing of light field displays - development files
- Headers, static libraries and the CMake package of Hogelscope: the renderer,
- the readers of light fields and sessions, the VTK module, and the SDK for
- plugins.")
+Headers, static libraries and the CMake package of Hogelscope: the renderer,
+the readers of light fields and sessions, the VTK module, and the SDK for
+plugins.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hogelscope)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-  "${same_version}, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+ "${same_version}, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-vtk9")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "simulated viewing of light field displays - Python module
- Renders and compares simulated views of light fields that are numpy arrays,
- files, or stores larger than memory.")
+Renders and compares simulated views of light fields that are numpy arrays,
+files, or stores larger than memory.")
 
 include(CPack)
