@@ -259,8 +259,8 @@ void TestOptionTable::bashCompletes() {
   QFETCH(const QStringList, proposed);
   const QTemporaryDir folder;
   QVERIFY(QDir(folder.path()).mkdir("a folder"));
-  writeFile((folder.path() + "/a.hogelscope").toStdString(), "{}");
-  writeFile((folder.path() + "/script").toStdString(), helpText("completion").c_str());
+  writeFile(folder.path() + "/a.hogelscope", "{}");
+  writeFile(folder.path() + "/script", helpText("completion").c_str());
   QProcess bash;
   bash.setWorkingDirectory(folder.path());
   bash.start("bash", QStringList{"--norc", "-c",

@@ -176,6 +176,15 @@ class TestFiles : public HabitsTest {
     QVERIFY(lines[1].contains("picture.png: needs an open session"));
   }
 
+  void sessionsHaveASuffixOfTheirOwn() {
+    const QString file = m_folder->filePath("copy.hogelscope");
+    saveSession(file.toStdString(), model().session());
+    drop({file});
+    QCOMPARE(model().file(), file);
+    makeWindow({HOGELSCOPE_SOURCE_DIR "/data/scene.png", file});
+    QCOMPARE(model().file(), file);
+  }
+
   void readingCanBeStopped() {
     const QString file = largeSession();
     auto* bar = m_window->findChild<QWidget*>("readingBar");
