@@ -49,8 +49,10 @@ std::string wrapped(std::string_view text, std::size_t from) {
 std::string entry(std::string_view name, std::string_view value, std::string_view help) {
   std::string head = "  --" + std::string(name);
   if (!value.empty()) head += " " + std::string(value);
-  const std::size_t gap = indent - std::min(columnsOf(head), indent - 2);
-  return head + std::string(gap, ' ') + wrapped(help, indent);
+  const std::size_t columns = columnsOf(head);
+  head +=
+      columns + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - columns, ' ');
+  return head + wrapped(help, indent);
 }
 
 /// Before an option's help, or after it: which jobs it is for.

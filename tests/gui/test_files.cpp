@@ -180,9 +180,9 @@ class TestFiles : public HabitsTest {
     const QString file = m_folder->filePath("copy.hogelscope");
     saveSession(file.toStdString(), model().session());
     drop({file});
-    QCOMPARE(model().file(), file);
+    QTRY_COMPARE_WITH_TIMEOUT(model().file(), file, patience);
     makeWindow({HOGELSCOPE_SOURCE_DIR "/data/scene.png", file});
-    QCOMPARE(model().file(), file);
+    QTRY_COMPARE_WITH_TIMEOUT(model().file(), file, patience);
   }
 
   void readingCanBeStopped() {
