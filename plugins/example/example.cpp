@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -29,8 +28,7 @@ class Grating final : public plugin::ContentSource {
 
   void depths(double& back, double& front) const override { back = front = m_depth; }
 
-  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-             std::span<float> depths) const override {
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
     for (std::size_t k = 0; k < rays.size(); ++k) {
       const plugin::Ray& ray = rays[k];
       const double t = ray.z - m_depth;  // from the viewer's side towards smaller z
@@ -40,7 +38,6 @@ class Grating final : public plugin::ContentSource {
       const bool isHit = t >= 0 && t <= ray.reach && isOnPlane;
       const auto light = float(127.5 + 127.5 * std::cos(2 * std::numbers::pi * m_frequency * x));
       colours[k] = isHit ? plugin::Colour{light, light, light} : plugin::Colour{};
-      depths[k] = isHit ? float(m_depth) : std::numeric_limits<float>::quiet_NaN();
     }
   }
 

@@ -12,58 +12,22 @@
 
 namespace hogelscope::mesh {
 
-/// The corners of the triangles that a packet meets.
-struct EmbreeScene::Lanes {
-  using Row = Hits::Row<double>;
-
-  alignas(64) std::array<Row, 3> x, y, z;
-  alignas(64) Hits::Row<std::int64_t> isNearEdge;
-};
-
 namespace {
 
-// Rounding of coordinates, with a margin: eight units in the last place.
-constexpr double roundings = 8 * std::numeric_limits<float>::epsilon();
+/// Twice eight units in the last place of the coordinates: rounding, with a margin.
+constexpr float roundings = 16 * std::numeric_limits<float>::epsilon();
 
-/// Along the ray a triangle is a flat one: corner − ray at the corner's depth. The weights are the
-/// areas that its edges span with the ray, which stands at 0. Near an edge, closer than rounding
-/// goes, packets may differ from single rays.
-template <class Packet, class Lanes>
-MULTIVERSIONED void solve(const Packet& p, double extent, Lanes& __restrict l,
-                          Hits& __restrict hits) {
+/// How long a triangle's longest side may be when the ray is to pass its edges farther away than
+/// rounding goes. A weight times the doubled area across the ray is a side times its distance.
+MULTIVERSIONED void findCertain(const RTCRayHit16& p, float extent, float* __restrict certain) {
   for (std::size_t i = 0; i < Hits::most; ++i) {
-    const auto flatX = [&](std::size_t k) {
-      return l.x[k][i] - p.x[i] - p.a[i] * (l.z[k][i] - p.z[i]);
-    };
-    const auto flatY = [&](std::size_t k) {
-      return l.y[k][i] - p.y[i] - p.b[i] * (l.z[k][i] - p.z[i]);
-    };
-    const double x0 = flatX(0), x1 = flatX(1), x2 = flatX(2);
-    const double y0 = flatY(0), y1 = flatY(1), y2 = flatY(2);
-    const double area0 = x1 * y2 - x2 * y1;
-    const double area1 = x2 * y0 - x0 * y2;
-    const double area2 = x0 * y1 - x1 * y0;
-    const double area = area0 + area1 + area2;
-    const double side0 = (x2 - x1) * (x2 - x1) + (y2 - y1) * (y2 - y1);
-    const double side1 = (x0 - x2) * (x0 - x2) + (y0 - y2) * (y0 - y2);
-    const double side2 = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0);
-    const double margin =
-        roundings * (extent + std::abs(p.x[i]) + std::abs(p.y[i]) + std::abs(p.z[i]));
-    const double near = margin * margin;
-    l.isNearEdge[i] = (area0 * area0 <= near * side0) | (area1 * area1 <= near * side1) |
-                      (area2 * area2 <= near * side2) | (area0 * area <= 0) | (area1 * area <= 0) |
-                      (area2 * area <= 0);
-    const double scale = area != 0 ? 1 / area : 0;
-    const double w0 = std::max(area0 * scale, 0.0);
-    const double w1 = std::max(area1 * scale, 0.0);
-    const double w2 = std::max(area2 * scale, 0.0);
-    const double sum = w0 + w1 + w2;
-    const double unit = sum > 0 ? 1 / sum : 0;
-    hits.weights[0][i] = sum > 0 ? w0 * unit : 1;
-    hits.weights[1][i] = w1 * unit;
-    hits.weights[2][i] = w2 * unit;
-    hits.z[i] = hits.weights[0][i] * l.z[0][i] + hits.weights[1][i] * l.z[1][i] +
-                hits.weights[2][i] * l.z[2][i];
+    const float x = p.ray.dir_x[i], y = p.ray.dir_y[i];
+    const float least = std::min({p.hit.u[i], p.hit.v[i], 1 - p.hit.u[i] - p.hit.v[i]});
+    const float area = std::abs(p.hit.Ng_x[i] * x + p.hit.Ng_y[i] * y - p.hit.Ng_z[i]);
+    const float margin = roundings * (extent + std::abs(p.ray.org_x[i]) + std::abs(p.ray.org_y[i]) +
+                                      std::abs(p.ray.org_z[i]));
+    const float stretch = 1 + std::abs(x) + std::abs(y);  // of sides, as the ray sees them
+    certain[i] = least * area / (margin * stretch);
   }
 }
 
@@ -119,11 +83,12 @@ EmbreeScene::EmbreeScene(std::vector<float> points, std::vector<Corners> triangl
     : m_points(std::move(points)), m_triangles(std::move(triangles)) {
   for (const float x : m_points) m_extent = std::max(m_extent, double(std::abs(x)));
   m_points.push_back(0);
-  m_settled.resize(m_triangles.size());
+  m_traits.reserve(m_triangles.size());
   for (std::size_t t = 0; t < m_triangles.size(); ++t) {
-    m_settled[t].material = materials[t];
-    for (std::size_t k = 0; k < 9; ++k)
-      m_settled[t].corners[k] = m_points[std::size_t{3} * m_triangles[t][k / 3] + k % 3];
+    const auto& [a, b, c] = m_triangles[t];
+    const double longest = std::max(
+        {length(point(b) - point(a)), length(point(c) - point(b)), length(point(a) - point(c))});
+    m_traits.push_back({float(longest), materials[t]});
   }
   build(threads, progress);
 }
@@ -160,21 +125,15 @@ void EmbreeScene::meet(std::span<const plugin::Ray> rays, Packet& packet) const 
   alignas(64) int valid[Hits::most];
   for (std::size_t i = 0; i < Hits::most; ++i) {
     const plugin::Ray& ray = rays[std::min(i, rays.size() - 1)];
-    packet.x[i] = ray.x;
-    packet.y[i] = ray.y;
-    packet.z[i] = ray.z;
-    packet.a[i] = ray.a;
-    packet.b[i] = ray.b;
-    packet.reach[i] = ray.reach;
+    packets.ray.org_x[i] = float(ray.x);
+    packets.ray.org_y[i] = float(ray.y);
+    packets.ray.org_z[i] = float(ray.z);
+    packets.ray.dir_x[i] = float(-ray.a);
+    packets.ray.dir_y[i] = float(-ray.b);
+    packets.ray.tfar[i] = float(ray.reach);
     valid[i] = i < rays.size() ? -1 : 0;
   }
   for (std::size_t i = 0; i < Hits::most; ++i) {
-    packets.ray.org_x[i] = float(packet.x[i]);
-    packets.ray.org_y[i] = float(packet.y[i]);
-    packets.ray.org_z[i] = float(packet.z[i]);
-    packets.ray.dir_x[i] = float(-packet.a[i]);
-    packets.ray.dir_y[i] = float(-packet.b[i]);
-    packets.ray.tfar[i] = float(packet.reach[i]);
     packets.ray.dir_z[i] = -1;
     packets.ray.tnear[i] = 0;
     packets.ray.time[i] = 0;
@@ -189,46 +148,26 @@ void EmbreeScene::meet(std::span<const plugin::Ray> rays, Packet& packet) const 
   watch.depths.fill(std::numeric_limits<float>::max());
   intersect16(static_cast<RTCScene>(m_scene.get()), valid, watch.context, packets);
   packet.ties = watch.ties;
-  for (std::size_t i = 0; i < Hits::most; ++i) {
-    packet.triangles[i] = packets.hit.primID[i];
-    if (packet.triangles[i] == Hit::none) continue;
-    const Triangle* triangle = m_settled.data() + packet.triangles[i];
-    __builtin_prefetch(triangle);
-    __builtin_prefetch(&triangle->material);
-  }
-}
-
-void EmbreeScene::gather(Lanes& lanes, Hits& hits, std::size_t lane) const {
-  static constexpr Triangle nothing{};
-  const std::uint32_t number = hits.triangles[lane];
-  const Triangle& triangle = number == Hit::none ? nothing : m_settled[number];
-  hits.materials[lane] = triangle.material;
-  for (std::size_t k = 0; k < 3; ++k) {
-    lanes.x[k][lane] = triangle.corners[3 * k];
-    lanes.y[k][lane] = triangle.corners[3 * k + 1];
-    lanes.z[k][lane] = triangle.corners[3 * k + 2];
-  }
+  packet.triangles = std::to_array(packets.hit.primID);
+  findCertain(packets, float(m_extent), packet.certain.data());
+  for (const std::uint32_t triangle : packet.triangles)
+    if (triangle != Hit::none) __builtin_prefetch(m_traits.data() + triangle);
 }
 
 /// A packet may hand a ray that passes an edge to the neighbour on its other side, or to what lies
 /// behind; a single ray's way depends on the ray alone.
 void EmbreeScene::settle(std::span<const plugin::Ray> rays, const Packet& packet,
                          Hits& hits) const {
-  Lanes lanes;
   hits.triangles = packet.triangles;
-  for (std::size_t i = 0; i < Hits::most; ++i) gather(lanes, hits, i);
-  solve(packet, m_extent, lanes, hits);
-  bool isChanged = false;
   for (std::size_t i = 0; i < rays.size(); ++i) {
+    std::uint32_t& triangle = hits.triangles[i];
+    hits.materials[i] = 0;
+    if (triangle == Hit::none) continue;
     const bool isTie = (packet.ties >> i & 1U) != 0;
-    if (hits.triangles[i] == Hit::none || (lanes.isNearEdge[i] == 0 && !isTie)) continue;
-    const std::uint32_t alone = meetAlone(rays[i]);
-    if (alone == hits.triangles[i]) continue;
-    hits.triangles[i] = alone;
-    gather(lanes, hits, i);
-    isChanged = true;
+    const bool isCertain = m_traits[triangle].longestSide < packet.certain[i];
+    if (isTie || !isCertain) triangle = meetAlone(rays[i]);
+    if (triangle != Hit::none) hits.materials[i] = m_traits[triangle].material;
   }
-  if (isChanged) solve(packet, m_extent, lanes, hits);
 }
 
 std::uint32_t EmbreeScene::meetAlone(const plugin::Ray& ray) const {
@@ -246,6 +185,31 @@ std::uint32_t EmbreeScene::meetAlone(const plugin::Ray& ray) const {
   single.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   intersect1(static_cast<RTCScene>(m_scene.get()), single);
   return single.hit.primID;
+}
+
+/// Along the ray a triangle is a flat one: corner − ray at the corner's depth. The weights are the
+/// areas that its edges span with the ray, which stands at 0.
+Hit EmbreeScene::hit(const plugin::Ray& ray, std::uint32_t triangle) const {
+  const Corners& corners = m_triangles[triangle];
+  std::array<Vec2, 3> flat;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 p = point(corners[k]);
+    flat[k] = {p.x - ray.x - ray.a * (p.z - ray.z), p.y - ray.y - ray.b * (p.z - ray.z)};
+  }
+  const auto area = [&](std::size_t i, std::size_t j) {
+    return flat[i].x * flat[j].y - flat[j].x * flat[i].y;
+  };
+  Hit hit{triangle, {area(1, 2), area(2, 0), area(0, 1)}, 0};
+  auto& weights = hit.weights;
+  const double whole = weights[0] + weights[1] + weights[2];
+  for (double& weight : weights) weight = std::max(0.0, weight / whole);  // 0 of NaN
+  const double sum = weights[0] + weights[1] + weights[2];
+  if (!(sum > 0)) weights = {1, 0, 0};  // a triangle that the ray sees from its edge
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (sum > 0) weights[k] /= sum;
+    hit.z += weights[k] * point(corners[k]).z;
+  }
+  return hit;
 }
 
 bool EmbreeScene::isBlocked(const Vec3& from, const Vec3& way, bool isDirection) const {

@@ -28,14 +28,8 @@ struct Hits {
   template <class T>
   using Row = std::array<T, most>;
 
-  Row<std::uint32_t> triangles;
+  Row<std::uint32_t> triangles;  ///< Hit::none where a ray meets nothing
   Row<std::uint32_t> materials;  ///< of the triangles
-  alignas(64) std::array<Row<double>, 3> weights;
-  alignas(64) Row<double> z;
-
-  [[nodiscard]] Hit operator[](std::size_t i) const {
-    return {triangles[i], {weights[0][i], weights[1][i], weights[2][i]}, z[i]};
-  }
 };
 
 /// All but building may be called from several threads.
@@ -65,6 +59,9 @@ class EmbreeScene {
     }
   }
 
+  /// Where a ray meets a triangle that it does meet, in double precision.
+  [[nodiscard]] Hit hit(const plugin::Ray& ray, std::uint32_t triangle) const;
+
   /// True if a triangle lies between a point and the point `way` farther on; `way` may be a
   /// direction, for all of it.
   [[nodiscard]] bool isBlocked(const Vec3& from, const Vec3& way, bool isDirection) const;
@@ -85,17 +82,18 @@ class EmbreeScene {
   [[nodiscard]] double extent() const { return m_extent; }
 
  private:
-  /// Rays, and the triangles that they meet in Embree's opinion.
+  /// What the rays of a packet meet in Embree's opinion.
   struct Packet {
-    alignas(64) Hits::Row<double> x, y, z, a, b, reach;
     Hits::Row<std::uint32_t> triangles;
+    /// A triangle whose longest side is shorter than this is passed farther from its edges than
+    /// rounding goes.
+    Hits::Row<float> certain;
     std::uint32_t ties = 0;  ///< a bit for each ray that met two triangles at one depth
   };
-  struct Triangle {
-    std::array<float, 9> corners;  ///< again: one place in memory, not four
+  struct Traits {
+    float longestSide;
     std::uint32_t material;
   };
-  struct Lanes;
   struct Release {
     void operator()(void* scene) const;
   };
@@ -103,12 +101,11 @@ class EmbreeScene {
   void build(int threads, const plugin::Progress& progress);
   void meet(std::span<const plugin::Ray> rays, Packet& packet) const;
   void settle(std::span<const plugin::Ray> rays, const Packet& packet, Hits& hits) const;
-  void gather(Lanes& lanes, Hits& hits, std::size_t lane) const;
   [[nodiscard]] std::uint32_t meetAlone(const plugin::Ray& ray) const;
 
   std::vector<float> m_points;  ///< and one float more: Embree reads four at a time
   std::vector<Corners> m_triangles;
-  std::vector<Triangle> m_settled;
+  std::vector<Traits> m_traits;
   double m_extent = 0;
   std::unique_ptr<void, Release> m_scene;
 };

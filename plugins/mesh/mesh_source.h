@@ -33,9 +33,8 @@ class MeshSource : public plugin::ContentSource {
             const plugin::Progress& progress) override;
   [[nodiscard]] std::vector<std::string> files() const override { return m_mesh->files; }
   void depths(double& back, double& front) const override;
-  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-             std::span<float> depths) const override {
-    m_shown->trace(rays, colours, depths);
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
+    m_shown->trace(rays, colours);
   }
   [[nodiscard]] plugin::Triangles triangles() const override { return m_shown->triangles(); }
 

@@ -107,17 +107,17 @@ void ShadedMesh::setLook(Shading shading, const plugin::Panel& panel,
   }
 }
 
-void ShadedMesh::trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-                       std::span<float> depths) const {
+void ShadedMesh::trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const {
   m_scene->trace(rays, [&](const Hits& hits, std::size_t first) {
     const std::size_t count = std::min(Hits::most, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      const bool isMissed = hits.triangles[i] == Hit::none;
-      depths[first + i] = isMissed ? std::numeric_limits<float>::quiet_NaN() : float(hits.z[i]);
+      const plugin::Ray& ray = rays[first + i];
+      const std::uint32_t triangle = hits.triangles[i];
+      const bool isMissed = triangle == Hit::none;
       const auto& plain = m_plain[hits.materials[i]];
       colours[first + i] = isMissed ? m_background
                            : plain  ? *plain
-                                    : colour(hits[i], hits.materials[i], rays[first + i]);
+                                    : colour(m_scene->hit(ray, triangle), hits.materials[i], ray);
     }
   });
 }

@@ -32,8 +32,7 @@ class ShadedMesh {
   void setLook(Shading shading, const plugin::Panel& panel, const plugin::Colour& background);
 
   /// As ContentSource::trace().
-  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-             std::span<float> depths) const;
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const;
   [[nodiscard]] plugin::Triangles triangles() const;
   [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return m_mesh; }
   [[nodiscard]] double back() const { return m_back; }

@@ -22,6 +22,7 @@ enum class Command {
   stability,
   info,
   plugins,
+  status,
   help,
   version
 };

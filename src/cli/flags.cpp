@@ -99,6 +99,11 @@ FlagGroup outputs() {
            {.name = "images",
             .jobs = {report},
             .help = "Also the pictures, DIR/reference and DIR/test1, test2, …"},
+           {.name = "shard",
+            .value = "K/N",
+            .jobs = {render, report},
+            .help = "Does every N-th state, from the K-th on, for one of N processes; of a report "
+                    "only their figures, for the command without --shard."},
            {.name = "explain",
             .jobs = {render, report},
             .help = "Prints for each state what is modelled, what is left out and why, and how far "

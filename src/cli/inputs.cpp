@@ -4,6 +4,7 @@
 
 #include <fnmatch.h>
 
+#include <charconv>
 #include <cmath>
 #include <iostream>
 
@@ -73,7 +74,9 @@ Session sessionAroundFile(const CommandLine& line) {
 Session checkedSession(const CommandLine& line, const std::optional<Calibration>& calibration) {
   Session session = loadSession(line.text("session"), line.texts("set"), calibration);
   checkLenslets(line, session);
-  if (line.has("quiet") || session.lightField.layout != Layout::views) return session;
+  // Of many shards each would look at all views again; the run without a shard does.
+  const bool isShard = line.mayHave("shard") && line.has("shard");
+  if (line.has("quiet") || isShard || session.lightField.layout != Layout::views) return session;
   ProgressBar bar("looking at the views", false);
   const LightFieldOrder order =
       findLightFieldOrder(session.lightField, session.display, bar.progress());
@@ -118,6 +121,20 @@ Session loadSelected(const CommandLine& line) {
   session.cameras = selected(session, line.text("states", "*"), file);
   for (const std::string& warning : warnings(session)) warn(line, warning);
   return session;
+}
+
+std::optional<Shard> shardOf(const CommandLine& line) {
+  if (!line.has("shard")) return std::nullopt;
+  const std::string text = line.text("shard");
+  const char* const end = text.data() + text.size();
+  Shard shard;
+  const auto [slash, wrong] = std::from_chars(text.data(), end, shard.number);
+  const bool hasCount = wrong == std::errc() && slash != end && *slash == '/';
+  const auto [last, error] = std::from_chars(hasCount ? slash + 1 : end, end, shard.count);
+  if (!hasCount || error != std::errc() || last != end || shard.number < 1 ||
+      shard.number > shard.count)
+    throw InputError("--shard " + text, "must be K/N, such as 2/8, with 1 ≤ K ≤ N");
+  return shard;
 }
 
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line) {

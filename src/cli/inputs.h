@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command_line.h"
+#include "core/base/shard.h"
 #include "core/optics/session.h"
 #include "io/documents/session_file.h"
 #include "io/layouts/light_field_file.h"
@@ -28,6 +30,9 @@ void keepSession(const CommandLine& line, const Session& session);
 /// The same session with only the states that --states selects; its other warnings go to stderr,
 /// too. Throws InputError, or Cancelled.
 Session loadSelected(const CommandLine& line);
+
+/// What --shard says; none without it. Throws InputError.
+std::optional<Shard> shardOf(const CommandLine& line);
 
 /// The files of a session's light field and lens, after the other ones that a job reads.
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,

@@ -40,9 +40,14 @@ const std::vector<Job>& jobs() {
        .name = "report",
        .help = "Renders every state from the session's light field and from each test light field, "
                "and compares them: DIR/report.csv, metrics.csv, summary.csv, report.html.",
-       .details = "After a stop the same command goes on where it was.",
+       .details = "After a stop the same command goes on where it was. Many processes, on one "
+                  "machine or on many that share the folder, make one report: --shard K/N does a "
+                  "part of the views; then the command without --shard takes up the parts, does "
+                  "what is missing, and writes the report.",
        .examples =
            "  hogelscope --report --session s.json --test coded.png --output report\n"
+           "  parallel hogelscope --report --session s.json --test coded.png --output report \\\n"
+           "             --quiet --shard {}/4 ::: 1 2 3 4\n"
            "  hogelscope --report --session s.json --test coded.png --output report --images \\\n"
            "             --fail-below 30\n"
            "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report "
@@ -149,6 +154,13 @@ const std::vector<Job>& jobs() {
        .examples = "  hogelscope --plugins\n"
                    "  hogelscope --plugins --plugins-path build/plugins-1\n",
        .run = runPlugins},
+      {.command = Command::status,
+       .name = "status",
+       .value = "DIR",
+       .help = "Says how far the report in a folder is: which views, which shards. Exit status 0 "
+               "if it is finished, 1 if not.",
+       .examples = "  hogelscope --status report\n",
+       .run = runStatus},
       {.command = Command::help,
        .name = "help",
        .help =

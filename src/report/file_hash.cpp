@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SHA-256 of files, by OpenSSL: light fields have gigabytes, of which Qt hashes a quarter a second.
+// SHA-256 of files, by OpenSSL.
 #include "report/file_hash.h"
 
+#include <fcntl.h>
 #include <openssl/evp.h>
-#include <QByteArray>
-#include <QFile>
+#include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <memory>
 #include <span>
+
+#include "io/files/random_access_file.h"
 
 namespace hogelscope {
 
@@ -27,9 +31,11 @@ class Hash {
   std::string hex() {
     std::array<unsigned char, 32> digest{};
     EVP_DigestFinal_ex(m_context.get(), digest.data(), nullptr);
-    return QByteArray(reinterpret_cast<const char*>(digest.data()), digest.size())
-        .toHex()
-        .toStdString();
+    std::string text;
+    for (const unsigned char byte : digest)
+      for (const int digit : {byte >> 4, byte & 15})
+        text += "0123456789abcdef"[std::size_t(digit)];  // NOLINT: of 16 characters
+    return text;
   }
 
  private:
@@ -37,20 +43,22 @@ class Hash {
 };
 
 std::string hashOf(const fs::path& path, const Progress& progress) {
-  QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::ReadOnly))
-    throw InputError(path.string(), "cannot be read", file.errorString().toStdString());
+  const auto failed = [&path] {
+    return InputError(path.string(), "cannot be read", std::strerror(errno));
+  };
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) throw failed();
   Hash hash;
-  constexpr qint64 block = qint64{1} << 20;
+  std::vector<char> block(std::size_t{1} << 20);
   while (true) {
     hearStop(progress);
-    const QByteArray bytes = file.read(block);
-    if (bytes.isEmpty()) break;
-    hash.add({bytes.data(), std::size_t(bytes.size())});
+    const ssize_t bytes = ::read(file.get(), block.data(), block.size());
+    if (bytes == 0) return hash.hex();
+    if (bytes > 0)
+      hash.add({block.data(), std::size_t(bytes)});
+    else if (errno != EINTR)
+      throw failed();
   }
-  if (file.error() != QFileDevice::NoError)
-    throw InputError(path.string(), "cannot be read", file.errorString().toStdString());
-  return hash.hex();
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // A test's error projected onto the panel.
 #include "report/panel_projection.h"
 
+#include <algorithm>
+
 #include "io/documents/panel_error_file.h"
 
 namespace hogelscope {
@@ -30,6 +32,15 @@ void PanelProjection::add(std::size_t state, std::size_t worker, const ViewPair&
 void PanelProjection::save() {
   savePanelError(m_file, m_key, {m_states, m_error});
   m_saved = std::chrono::steady_clock::now();
+}
+
+void PanelProjection::join(const std::filesystem::path& file) {
+  const auto saved = loadPanelError(file, m_key, m_error.size(), m_error.isDeep());
+  if (!saved) return;
+  const auto isThere = [this](std::size_t state) { return has(state); };
+  if (std::ranges::any_of(saved->states, isThere)) return;
+  m_error.add(saved->error);
+  m_states.insert(saved->states.begin(), saved->states.end());
 }
 
 void PanelProjection::remove() {

@@ -24,6 +24,9 @@ class PanelProjection {
   void add(std::size_t state, std::size_t worker, const ViewPair& pair, ViewPairs& pairs,
            const Progress& progress);
   void save();
+  /// Adds what a shard with the same key has saved in `file`, unless one of its states is there
+  /// already. Throws InputError.
+  void join(const std::filesystem::path& file);
   /// The report is written: the file is not needed any more.
   void remove();
 

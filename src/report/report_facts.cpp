@@ -2,7 +2,8 @@
 // What was tested.
 #include "report/report_facts.h"
 
-#include <QDateTime>
+#include <array>
+#include <ctime>
 
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
@@ -34,9 +35,18 @@ std::string described(const SamplingParams& sampling) {
          (sampling.mapping == LensMapping::exact ? "exact" : "direct") + " lens mapping";
 }
 
+/// "2026-11-22 09:30 UTC".
+std::string timeNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  std::array<char, 40> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", &parts)};
+}
+
 }  // namespace
 
-ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
+ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress) {
   const Session& session = request.session;
   ReportFacts facts;
   std::string all = versionsLine() + textOf(session) + (request.images ? "images" : "") +
@@ -46,15 +56,15 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   };
   const auto lightField = [&](const std::string& name, const Session& of,
                               const LightFieldFile& file) {
-    const std::string hash = file.files().empty() ? "" : sha256(file.files(), progress);
+    const std::string hash = file.files().empty() ? "" : hashes.of(file.files(), progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
     const std::vector<std::string> lens = of.display.lensParams.files();
-    if (!lens.empty()) all += sha256({lens.begin(), lens.end()}, progress);
+    if (!lens.empty()) all += hashes.of({lens.begin(), lens.end()}, progress);
   };
   if (!request.sessionFile.empty())
-    line("Session", request.sessionFile + ", SHA-256 " +
-                        sha256(std::vector<std::filesystem::path>{request.sessionFile}, progress));
+    line("Session",
+         request.sessionFile + ", SHA-256 " + hashes.of({request.sessionFile}, progress));
   lightField("Light field", session, *request.file);
   if (request.isAgainstIdeal)
     line("Reference", "ideal view: the scene itself, without the display");
@@ -69,7 +79,7 @@ ReportFacts factsOf(const ReportRequest& request, const Progress& progress) {
   line("Sampling", described(session.sampling));
   line("Program", versionsLine());
   line("Command", request.command);
-  line("Made", QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd HH:mm 'UTC'").toStdString());
+  line("Made", timeNow());
   facts.key = sha256(all);
   return facts;
 }

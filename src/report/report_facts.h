@@ -2,6 +2,7 @@
 // What was tested, for the report's page; and the key by which a run knows its own unfinished work.
 #pragma once
 
+#include "report/file_hashes.h"
 #include "report/page/report_page.h"
 #include "report/report_request.h"
 
@@ -13,7 +14,7 @@ struct ReportFacts {
   std::string key;
 };
 
-/// Reads all light fields' files for their hashes. Throws InputError, Cancelled.
-ReportFacts factsOf(const ReportRequest& request, const Progress& progress);
+/// Reads the light fields' files whose hashes are not known yet. Throws InputError, Cancelled.
+ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress);
 
 }  // namespace hogelscope

@@ -144,10 +144,10 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
 }
 
 void writeTables(const fs::path& folder, const Report& report, const MetricSet& metrics) {
-  writeTextFile(folder / "report.csv", reportCsv(report.rows, metrics));
   writeTextFile(folder / "metrics.csv", metricsCsv(report.rows, metrics));
   writeTextFile(folder / "summary.csv", summaryCsv(report.summaries, metrics));
   if (!report.comparisons.empty()) writeTextFile(folder / "bd.csv", bdCsv(report.comparisons));
+  writeTextFile(folder / "report.csv", reportCsv(report.rows, metrics));
 }
 
 void writeImages(const fs::path& folder, std::size_t test, const std::string& state,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/shard.h"
 #include "core/metrics/report_rows.h"
 #include "core/metrics/summary.h"
 #include "io/files/system_limits.h"
@@ -32,10 +33,13 @@ struct ReportRequest {
   std::vector<ReportTest> tests;
   std::vector<RateGroup> groups;
   MetricSet metrics{};
-  bool isAgainstIdeal = false;           ///< the reference is the ideal view of a live scene
-  std::string output;                    ///< the folder, made if missing
-  std::string command;                   ///< how the report was asked for, for its page
-  bool images = false;                   ///< keep every image, too
+  bool isAgainstIdeal = false;  ///< the reference is the ideal view of a live scene
+  std::string output;           ///< the folder, made if missing
+  std::string command;          ///< how the report was asked for, for its page
+  bool images = false;          ///< keep every image, too
+  /// One of several processes: its states' rows and sums are left in the folder for the run
+  /// without a shard, which writes the report.
+  std::optional<Shard> shard{};
   std::size_t memory = allowedMemory();  ///< bytes for light fields, besides the images
   std::optional<Scene> reference{};      ///< the session's light field, if it is in memory already
 };
@@ -62,7 +66,7 @@ struct Report {
   std::vector<ReportRow> rows;
   std::vector<TestSummary> summaries;
   std::vector<BdRow> comparisons;
-  std::size_t taken = 0;         ///< rows of an earlier run
+  std::size_t taken = 0;         ///< rows of an earlier run, and of shards
   bool replacedAnother = false;  ///< the folder had the journal of another, unfinished report
   double rendering = 0;          ///< seconds of all threads
   double comparing = 0;          ///< the same

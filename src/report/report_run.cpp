@@ -54,6 +54,8 @@ class ReportRun {
 
  private:
   void takeUp();
+  void take(const JournalEntries& entries);
+  void takeShards();
   void readLightFields(std::size_t test);
   [[nodiscard]] std::vector<std::size_t> openStates(std::size_t test) const;
   void runTest(std::size_t test);
@@ -63,6 +65,9 @@ class ReportRun {
   void writeAll();
 
   [[nodiscard]] std::size_t states() const { return m_request.session.cameras.size(); }
+  [[nodiscard]] fs::path panelFile(std::size_t test, const std::optional<Shard>& shard) const {
+    return m_folder / ("report.panel" + std::to_string(test + 1) + endingOf(shard));
+  }
   /// What reading a light field counts as, in states: a guess for the progress bar.
   [[nodiscard]] double readingSteps() const { return 1 + 0.1 * double(states()); }
   [[nodiscard]] std::size_t rowOf(std::size_t test, std::size_t state) const {
@@ -73,9 +78,11 @@ class ReportRun {
   const ReportListener& m_listener;
   fs::path m_folder;
   StepProgress m_progress;
+  FileHashes m_hashes;
   ReportFacts m_facts;
   ReportJournal m_journal;
   std::vector<std::unique_ptr<PanelProjection>> m_projections;  ///< of each test
+  std::vector<fs::path> m_shardFiles;                           ///< whose content is taken up
   std::size_t m_workers;
   ViewPairs m_pairs;
   std::vector<ReportView> m_views;
@@ -104,8 +111,9 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_listener(listener),
       m_folder(makeOutputFolder(request.output)),
       m_progress(listener.progress),
-      m_facts(factsOf(request, m_progress.within())),
-      m_journal(m_folder, m_facts.key),
+      m_hashes(m_folder),
+      m_facts(factsOf(request, m_hashes, m_progress.within())),
+      m_journal(m_folder, {m_facts.key, states(), request.tests.size()}, request.shard),
       m_workers(workersFor(request)),
       m_pairs(request, m_workers, m_workers == 1 ? parallelRows : serialRows),
       m_hasRow(states() * request.tests.size()) {
@@ -123,8 +131,22 @@ void ReportRun::takeUp() {
       m_report.rows[rowOf(test, state)] = {
           camera.name, tests[test].name, {}, camera.eye, camera.weight};
   }
-  for (const auto& [index, entry] : m_journal.entries()) {
-    if (index >= m_hasRow.size() || entry.values.size() != m_request.metrics.columns().size())
+  take(m_journal.entries());
+  for (std::size_t test = 0; test < tests.size(); ++test)
+    m_projections.push_back(std::make_unique<PanelProjection>(
+        panelFile(test, m_request.shard), m_facts.key, m_request.file->size(),
+        std::max(m_request.file->bits(), tests[test].file->bits()) > 8));
+  if (m_request.shard) return;
+  takeShards();
+  // What is there from an earlier report must not pass for this one.
+  std::error_code none;
+  fs::remove(m_folder / "report.csv", none);
+}
+
+void ReportRun::take(const JournalEntries& entries) {
+  for (const auto& [index, entry] : entries) {
+    if (index >= m_hasRow.size() || m_hasRow[index] != 0 ||
+        entry.values.size() != m_request.metrics.columns().size())
       continue;
     m_report.rows[index].values = entry.values;
     m_report.rows[index].problem = entry.problem;
@@ -132,10 +154,22 @@ void ReportRun::takeUp() {
     ++m_report.taken;
     if (m_listener.finished) m_listener.finished(index, m_report.rows[index]);
   }
-  for (std::size_t test = 0; test < tests.size(); ++test)
-    m_projections.push_back(std::make_unique<PanelProjection>(
-        m_folder / ("report.panel" + std::to_string(test + 1)), m_facts.key, m_request.file->size(),
-        std::max(m_request.file->bits(), tests[test].file->bits()) > 8));
+}
+
+/// What other processes have done of this report.
+void ReportRun::takeShards() {
+  for (const FoundJournal& found : findJournals(m_folder)) {
+    if (!found.shard || found.head.key != m_facts.key) continue;
+    if (found.isInUse)
+      throw InputError(found.file.string(), "is in use",
+                       "shard " + textOf(*found.shard) + " of this report is still at work; wait");
+    take(found.entries);
+    m_shardFiles.push_back(found.file);
+    for (std::size_t test = 0; test < m_projections.size(); ++test) {
+      m_shardFiles.push_back(panelFile(test, found.shard));
+      m_projections[test]->join(m_shardFiles.back());
+    }
+  }
 }
 
 void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t worker,
@@ -208,7 +242,8 @@ void saveQuietly(PanelProjection& projection) {
 std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
   std::vector<std::size_t> open;
   for (std::size_t state = 0; state < states(); ++state)
-    if (m_hasRow[rowOf(test, state)] == 0 || !m_projections[test]->has(state))
+    if ((!m_request.shard || m_request.shard->has(state)) &&
+        (m_hasRow[rowOf(test, state)] == 0 || !m_projections[test]->has(state)))
       open.push_back(state);
   return open;
 }
@@ -225,8 +260,9 @@ void ReportRun::readLightFields(std::size_t test) {
 }
 
 void ReportRun::runTest(std::size_t test) {
-  readLightFields(test);
   const std::vector<std::size_t> open = openStates(test);
+  if (m_request.shard && open.empty()) return;
+  readLightFields(test);
   try {
     sideBySide(open.size(), m_workers,
                [&](std::size_t k, std::size_t worker) { runState(test, open[k], worker); });
@@ -235,21 +271,21 @@ void ReportRun::runTest(std::size_t test) {
     throw;
   }
   m_projections[test]->save();
+  if (m_request.shard) return;
   showViews(test);
   m_viewErrors.push_back(m_comparing.of([&] { return m_pairs.viewErrors(m_progress.within()); }));
 }
 
 /// A lens that several states have is certified once.
 std::vector<ReportLens> certifyAll(const Session& session, const Progress& progress) {
-  std::vector<LensKey> keys;
+  std::vector<std::pair<LensKey, LensCertificate>> known;
   std::vector<ReportLens> lenses;
   for (const CameraState& state : session.cameras) {
     const LensKey key = lensKeyOf(state, session.sampling);
-    const auto same = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
-    lenses.push_back({state.camera.name, same < keys.size()
-                                             ? lenses[same].certificate
-                                             : certify(key, parallelRows, progress)});
-    keys.push_back(key);
+    auto same = std::ranges::find(known, key, &std::pair<LensKey, LensCertificate>::first);
+    if (same == known.end())
+      same = known.insert(known.end(), {key, certify(key, parallelRows, progress)});
+    lenses.push_back({state.camera.name, same->second});
   }
   return lenses;
 }
@@ -257,7 +293,6 @@ std::vector<ReportLens> certifyAll(const Session& session, const Progress& progr
 void ReportRun::writeAll() {
   m_report.summaries = summariseTests(m_report.rows, m_request.metrics, m_request.groups);
   m_report.comparisons = bdRows(m_report.summaries, m_request.metrics, m_request.groups);
-  writeTables(m_folder, m_report, m_request.metrics);
   const DisplayParams& display = m_pairs.reference().display;
   ReportPage page{m_request.name,
                   m_facts.lines,
@@ -274,8 +309,11 @@ void ReportRun::writeAll() {
     page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
                                           m_viewErrors[test], display));
   writeTextFile(m_folder / "report.html", html(page));
+  writeTables(m_folder, m_report, m_request.metrics);
   m_journal.remove();
   for (const auto& projection : m_projections) projection->remove();
+  std::error_code none;
+  for (const fs::path& file : m_shardFiles) fs::remove(file, none);
 }
 
 Report ReportRun::run() {
@@ -284,7 +322,7 @@ Report ReportRun::run() {
   for (std::size_t test = 0; test < tests; ++test)
     m_progress.expect(double(openStates(test).size()));
   for (std::size_t test = 0; test < tests; ++test) runTest(test);
-  writeAll();
+  if (!m_request.shard) writeAll();
   m_report.rendering = m_rendering.seconds();
   m_report.comparing = m_comparing.seconds();
   m_report.writing = m_writing.seconds();

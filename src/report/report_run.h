@@ -16,7 +16,9 @@ std::vector<ReportTest> openTests(const Session& session, const std::vector<std:
 
 /// Writes report.csv, metrics.csv, summary.csv, bd.csv, report.html, panel_error/, and with
 /// `images` the images. A state that cannot be rendered is a row that says why. Throws
-/// InputError, or Cancelled: then what is finished is on disk.
+/// InputError, or Cancelled: then what is finished is on disk. Of a shard only the rows of its
+/// states are made; the run without a shard takes up those of all shards, and makes what is
+/// missing.
 Report makeReport(const ReportRequest& request, const ReportListener& listener);
 
 }  // namespace hogelscope

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program's version and those of its libraries.
+// The program's version and those of the libraries that figures come from.
 #include "report/versions.h"
-
-#include <vtkVersion.h>
-
-#include <QtGlobal>
 
 #include "io/images/library_versions.h"
 
@@ -12,8 +8,6 @@ namespace hogelscope {
 
 std::vector<Version> versions() {
   return {{"Hogelscope", HOGELSCOPE_VERSION},
-          {"Qt", qVersion()},
-          {"VTK", vtkVersion::GetVTKVersion()},
           {"OpenCV", openCvVersion()},
           {"OpenImageIO", openImageIoVersion()}};
 }

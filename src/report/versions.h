@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program's version and those of its libraries: the one list, for the report and for About.
+// The program's version and those of the libraries that pictures and figures come from, for
+// reports; About adds those of the window.
 #pragma once
 
 #include <string>
@@ -15,7 +16,7 @@ struct Version {
 /// Hogelscope first.
 std::vector<Version> versions();
 
-/// "Hogelscope 0.1.0, Qt 6.4.2, …".
+/// "Hogelscope 0.1.0, OpenCV 4.6.0, …".
 std::string versionsLine();
 
 }  // namespace hogelscope

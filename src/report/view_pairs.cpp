@@ -17,6 +17,7 @@ ViewPairs::ViewPairs(const ReportRequest& request, std::size_t workers,
     : m_session(request.session),
       m_file(*request.file),
       m_isAgainstIdeal(request.isAgainstIdeal),
+      m_shard(request.shard.value_or(Shard{})),
       m_memory(request.memory / 2),
       m_references(request.tests.size() > 1 ? m_session.cameras.size() : 0),
       m_renderers(workers, Renderer(rowsWithin)) {}
@@ -36,9 +37,14 @@ ViewPairs::Source ViewPairs::readSource(const Session& session, LightFieldFile& 
   }
   source.scene = unloadedScene(session, file);
   source.scene.bits = file.bits();
+  const std::vector<CameraState>& states = m_session.cameras;
   std::vector<RenderJob> views;
-  for (const CameraState& state : m_session.cameras) views.push_back(source.scene.job(state));
-  source.pictures = renderStreamed(file, views, m_memory, serialRows, progress);
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (m_shard.has(k)) views.push_back(source.scene.job(states[k]));
+  std::vector<StateImage> made = renderStreamed(file, views, m_memory, serialRows, progress);
+  source.pictures.resize(states.size());
+  for (std::size_t k = 0, next = 0; k < states.size(); ++k)
+    if (m_shard.has(k)) source.pictures[k] = std::move(made[next++]);
   return source;
 }
 

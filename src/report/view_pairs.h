@@ -48,7 +48,7 @@ class ViewPairs {
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 
  private:
-  /// A light field in memory, or the images of all states.
+  /// A light field in memory, or the images of the states.
   struct Source {
     Scene scene;
     std::vector<StateImage> pictures;
@@ -64,6 +64,7 @@ class ViewPairs {
   Session m_session;
   LightFieldFile& m_file;  ///< the session's light field
   bool m_isAgainstIdeal;
+  Shard m_shard;         ///< whose states are asked for
   std::size_t m_memory;  ///< of each of the two
   std::optional<Source> m_reference;
   std::optional<Source> m_test;

@@ -113,10 +113,9 @@ class Recorder : public plugin::ContentSource {
   void describe(ParameterVisitor& v) override { v.group("recorder", ""); }
   void open(const plugin::Panel&, const plugin::Place&, const plugin::Progress&) override {}
   void depths(double& back, double& front) const override { m_content.depths(back, front); }
-  void trace(std::span<const plugin::Ray> list, std::span<plugin::Colour> colours,
-             std::span<float> depths) const override {
+  void trace(std::span<const plugin::Ray> list, std::span<plugin::Colour> colours) const override {
     rays.insert(rays.end(), list.begin(), list.end());
-    m_content.trace(list, colours, depths);
+    m_content.trace(list, colours);
   }
   mutable std::vector<plugin::Ray> rays;
 
@@ -278,9 +277,8 @@ void pluginAlone(benchmark::State& state, int psf) {
     constexpr std::size_t list = 1024;
     parallelRows(int(rays.size() / list), [&](int begin, int end) {
       std::vector<plugin::Colour> colours(list);
-      std::vector<float> depths(list);
       for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
-        scene().content->trace(std::span(rays).subspan(k * list, list), colours, depths);
+        scene().content->trace(std::span(rays).subspan(k * list, list), colours);
     });
   });
 }

@@ -304,6 +304,7 @@ void TestCommandLine::infoOfAFolder() {
     writeGrey(name, 8, 6);
   QCOMPARE(run({"--info", "v"}, m_folder->path()).out,
            QByteArray("layout      views, 2 rows of 2\n"
+                      "names       RRR_CCC\n"
                       "first       001_003.png\n"
                       "last        003_005.png\n"
                       "pictures    png, 3 channel(s), 8 bit\n"

@@ -7,62 +7,10 @@
 #include <QTest>
 #include <csignal>
 
+#include "tests/cli/long_report.h"
 #include "tests/cli/program.h"
-#include "tests/io/documents.h"
-#include "tests/io/images.h"
 
 namespace {
-
-constexpr int stateCount = 40;
-
-float content(int x, int y, int channel) {
-  return float((x * 5 + y * 3 + channel * 40 + (x / 16) * (y / 8)) % 200 + 20) / 255;
-}
-
-float noisy(int x, int y, int channel) {
-  return content(x, y, channel) + float((x * 7919 + y * 104729 + channel) % 16) / 255;
-}
-
-/// Slow enough for being killed: 16 rays a pixel with 25 taps each.
-QByteArray session() {
-  QByteArray cameras;
-  for (int k = 0; k < stateCount; ++k)
-    cameras += (k == 0 ? "" : ", ") + QByteArray("{\"name\": \"s") + QByteArray::number(k + 10) +
-               "\", \"eye\": [" + QByteArray::number(0.01 * k - 0.2) +
-               ", 0, 0.7], \"fov\": 45, \"res\": [120, 90], \"psf\": {\"sigma\": 0.8, "
-               "\"windowSize\": 5}}";
-  return text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
-               .lightField = R"({"file": "a.png"})",
-               .sampling = R"({"samplesPerPixel": 4})",
-               .cameras = "[" + cameras + "]"});
-}
-
-QStringList report(const QString& output, const QStringList& more = {}) {
-  return QStringList{"--report", "--session", "s.json",   "--test", "b.png",
-                     "--test",   "c.png",     "--output", output,   "--images"} +
-         more;
-}
-
-/// How many rows the journal holds.
-int rowsIn(const QString& folder) {
-  QFile journal(folder + "/report.journal");
-  return journal.open(QIODevice::ReadOnly) ? int(journal.readAll().count('\n')) - 1 : 0;
-}
-
-/// Where something in a folder differs from another; report.html says when it was made.
-QString difference(const QString& a, const QString& b) {
-  if (namesIn(a) != namesIn(b)) return namesIn(a).join(' ') + " | " + namesIn(b).join(' ');
-  for (const QString& name : namesIn(a)) {
-    const QString one = a + "/" + name;
-    const QString other = b + "/" + name;
-    if (QFileInfo(one).isDir()) {
-      if (const QString within = difference(one, other); !within.isEmpty()) return within;
-    } else if (name != "report.html" && contentOf(one) != contentOf(other)) {
-      return one;
-    }
-  }
-  return {};
-}
 
 void limitTo(QProcess& process, int resource, rlim_t most) {
   process.setChildProcessModifier([resource, most] {
@@ -95,10 +43,7 @@ class TestReportResume : public QObject {
 
 void TestReportResume::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
-  writeImageFile("a.png", 128, 128, content);
-  writeImageFile("b.png", 128, 128, noisy);
-  writeImageFile("c.png", 128, 128, [](int x, int y, int c) { return noisy(y, x, c); });
-  writeFile("s.json", session());
+  writeLongSession();
   const Outcome whole = runHere(report("whole"));
   QCOMPARE(whole.err, QByteArray());
   QCOMPARE(whole.status, 0);
@@ -196,7 +141,7 @@ void TestReportResume::noMemoryForOneState() {
 #ifdef __SANITIZE_ADDRESS__
   QSKIP("the sanitizer's own memory is beyond any limit");
 #endif
-  QByteArray document = session();
+  QByteArray document = longSession();
   const QByteArray small = "[120, 90]";
   const qsizetype res = document.indexOf(small, document.indexOf("\"s12\""));
   writeFile("large.json", document.replace(res, small.size(), "[16384, 16384]"));

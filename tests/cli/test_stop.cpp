@@ -162,8 +162,8 @@ void TestStop::fullDiskForTheReport() {
                                         m_folder->path(), 100);
   QCOMPARE(outcome.status, 2);
   QCOMPARE(outcome.err,
-           QByteArray("hogelscope: out/report.journal: cannot be written: File too large\n"));
-  QCOMPARE(namesIn("out"), QStringList{"report.journal"});
+           QByteArray("hogelscope: out/report.hashes: cannot be written: File too large\n"));
+  QCOMPARE(namesIn("out"), QStringList{"report.hashes"});
 }
 
 void TestStop::fullDiskKeepsTheOldFile() {

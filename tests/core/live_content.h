@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "core/content/live_source.h"
@@ -28,18 +27,15 @@ class LivePlanes : public hogelscope::plugin::ContentSource {
     front = m_planes.front().z;
   }
   void trace(std::span<const hogelscope::plugin::Ray> rays,
-             std::span<hogelscope::plugin::Colour> colours,
-             std::span<float> depths) const override {
+             std::span<hogelscope::plugin::Colour> colours) const override {
     for (std::size_t k = 0; k < rays.size(); ++k) {
       colours[k] = {};
-      depths[k] = std::numeric_limits<float>::quiet_NaN();
       for (const auto& [z, light] : m_planes) {
         const double t = rays[k].z - z;
         if (t < 0 || t > rays[k].reach) continue;
         const double value = light(rays[k].x - rays[k].a * t, rays[k].y - rays[k].b * t);
         if (value < 0) continue;
         colours[k] = {float(value), float(value), float(value)};
-        depths[k] = float(z);
         break;
       }
     }

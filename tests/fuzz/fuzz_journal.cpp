@@ -10,11 +10,11 @@ void fuzz(std::string_view input) {
   (void)fileOf("report.journal", input);
   mayRefuse([&] {
     const std::size_t entries = [&] {
-      ReportJournal journal(folder(), "key");
+      ReportJournal journal(folder(), {"key", 2, 3});
       journal.add(row, {}, "");
       return journal.entries().size() + (journal.entries().contains(row) ? 0 : 1);
     }();
-    const ReportJournal again(folder(), "key");
+    const ReportJournal again(folder(), {"key", 2, 3});
     require(again.entries().size() == entries && again.entries().contains(row));
   });
 }

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -13,6 +14,7 @@
 #include "io/documents/session_file.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"
+#include "tests/io/documents.h"
 #include "tests/io/layered_views.h"
 
 using namespace hogelscope;
@@ -107,6 +109,33 @@ class TestFiles : public HabitsTest {
     const DialogAnswer next({});
     action("openLightFieldAction")->trigger();
     QCOMPARE(next.folder, far);
+  }
+
+  /// A dropped mesh is a session of its own; the dock's button puts one behind this session's
+  /// states.
+  void meshesAreOpened() {
+    writeFile(m_folder->filePath("a.obj"), "v -1 -1 0\nv 1 -1 0\nv 0 1 0.5\nf 1 2 3\n");
+    const auto mesh = [this] {
+      const auto* file = model().session().lightField.content.find<std::string>("file");
+      return file != nullptr ? QFileInfo(QString::fromStdString(*file)).fileName() : QString();
+    };
+    QVERIFY(mesh().isEmpty());
+    drop({m_folder->filePath("a.obj")});
+    QTRY_COMPARE_WITH_TIMEOUT(mesh(), QString("a.obj"), patience);
+    QCOMPARE(model().session().cameras.size(), std::size_t{1});
+
+    QVERIFY(files(*m_window).open(m_session));
+    QTRY_VERIFY_WITH_TIMEOUT(mesh().isEmpty(), patience);
+    const Session before = model().session();
+    QVERIFY(before.cameras.size() > 1);
+    const DialogAnswer dialog(m_folder->filePath("a.obj"));
+    m_window->findChild<QPushButton*>("chooseFileButton")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(mesh(), QString("a.obj"), patience);
+    QCOMPARE(model().session().cameras.size(), before.cameras.size());
+    QVERIFY(model().session().display != before.display);
+    QCOMPARE(model().session().display.position, before.display.position);
+    action("undoAction")->trigger();
+    QVERIFY(model().session() == before);
   }
 
   /// Of a folder whose rows run upwards; a session that says otherwise is told so.

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 
 #include "gui/docks/light_field_dock.h"
+#include "gui/scene/mesh_actors.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_widget.h"
 #include "tests/core/rendered.h"
@@ -85,6 +86,21 @@ class TestLiveScenes : public SceneTest {
     QVERIFY(drawn() != with);
     child<QAction>("sceneMeshAction")->trigger();
     QVERIFY(scene().mesh().isShown());
+  }
+
+  /// Half a million triangles are drawn; of more, a box.
+  void aLargeMeshIsABox() {
+    plugin::Triangles triangles;
+    triangles.points = {-1, -2, -3, 4, 5, 6, 0, 0, 1};
+    for (int k = 0; k < 500000; ++k) triangles.corners.insert(triangles.corners.end(), {0, 1, 2});
+    QCOMPARE(toVtkMesh(triangles)->GetNumberOfPolys(), 500000);
+    triangles.corners.insert(triangles.corners.end(), {0, 1, 2});
+    const VtkMesh box = toVtkMesh(triangles);
+    QCOMPARE(box->GetNumberOfPolys(), 0);
+    QCOMPARE(box->GetNumberOfLines(), 12);
+    std::array<double, 6> bounds{};
+    box->GetBounds(bounds.data());
+    QCOMPARE(bounds, (std::array<double, 6>{-1, 4, -2, 5, -3, 6}));
   }
 
   void theMeshIsDragged() {

@@ -43,6 +43,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"report", {"core", "io", "report/page"}},
       {"cli", {"core", "io", "report", "cli/jobs"}},
       {"cli/jobs", {"core", "io", "study", "chart", "report", "cli"}},
+      {"python", {"core", "io", "report", "sdk/hogelscope"}},
       {"gui/widgets", {"core", "report"}},
       {"gui/keys", {"core", "io", "gui/widgets"}},
       {"gui/session", {"core", "io", "gui/keys", "gui/widgets"}},
@@ -65,8 +66,9 @@ const std::map<QString, QString>& foreignHeaders() {
       {"vtk", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
       {"study", "^(Q[A-Z]|vtk|OpenImageIO|nlohmann)"},
       {"chart", "^(vtk|opencv|OpenImageIO|nlohmann)"},
-      {"report", "^(vtk(?!Version)|opencv|OpenImageIO|nlohmann)"},
+      {"report", "^(Q[A-Z]|vtk|opencv|OpenImageIO|nlohmann)"},
       {"cli", "^(Q[A-Z]|opencv|OpenImageIO|nlohmann)"},
+      {"python", "^(Q[A-Z]|vtk|opencv|OpenImageIO|nlohmann)"},
       {"gui", "^(opencv|OpenImageIO|nlohmann)"}};
   return headers;
 }

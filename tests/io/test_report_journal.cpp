@@ -15,6 +15,8 @@ namespace {
 
 const std::vector<double> figures{1.0 / 3, std::nan(""), 0.1 + 0.2, 1e-300, 5e300, INFINITY, 0};
 
+const JournalHead head{"k", 5, 2};
+
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
   const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
   return std::ranges::equal(a, b, equal);
@@ -33,6 +35,7 @@ class TestReportJournal : public QObject {
   void damaged_data();
   void damaged();
   void oneAtATime();
+  void journalsOfShards();
   void panelErrors();
   void strangePanelErrors_data();
   void strangePanelErrors();
@@ -46,12 +49,12 @@ class TestReportJournal : public QObject {
 
 void TestReportJournal::goesOn() {
   {
-    ReportJournal journal(folder(), "k");
+    ReportJournal journal(folder(), head);
     QVERIFY(journal.entries().empty() && !journal.replacedAnother());
     journal.add(7, figures, "");
     journal.add(2, {}, "a \"reason\"\nwith lines, \xff");
   }
-  ReportJournal again(folder(), "k");
+  ReportJournal again(folder(), head);
   QCOMPARE(again.entries().size(), 2U);
   QVERIFY(same(again.entries().at(7).values, figures));
   QVERIFY(QString::fromStdString(again.entries().at(2).problem).startsWith("a \"reason\"\nwith"));
@@ -61,8 +64,8 @@ void TestReportJournal::goesOn() {
 }
 
 void TestReportJournal::anotherReport() {
-  { ReportJournal(folder(), "k").add(7, figures, ""); }
-  ReportJournal other(folder(), "l");
+  { ReportJournal(folder(), head).add(7, figures, ""); }
+  ReportJournal other(folder(), {"l", 5, 2});
   QVERIFY(other.entries().empty());
   QVERIFY(other.replacedAnother());
 }
@@ -70,7 +73,7 @@ void TestReportJournal::anotherReport() {
 /// kill -9 and a full disk leave any beginning of the file.
 void TestReportJournal::cutAnywhere() {
   {
-    ReportJournal journal(folder(), "k");
+    ReportJournal journal(folder(), head);
     for (std::size_t row = 0; row < 3; ++row) journal.add(row, figures, "");
   }
   const QByteArray whole = contentOf(file());
@@ -79,11 +82,11 @@ void TestReportJournal::cutAnywhere() {
     writeFile(file(), whole.left(size));
     const auto lines = std::size_t(whole.left(size).count('\n'));
     {
-      ReportJournal journal(folder(), "k");
+      ReportJournal journal(folder(), head);
       QCOMPARE(journal.entries().size(), size < headEnd ? 0 : lines - 1);
       journal.add(5, figures, "");
     }
-    QCOMPARE(ReportJournal(folder(), "k").entries().size(), size < headEnd ? 1 : lines);
+    QCOMPARE(ReportJournal(folder(), head).entries().size(), size < headEnd ? 1 : lines);
   }
 }
 
@@ -102,18 +105,38 @@ void TestReportJournal::damaged_data() {
 /// What stands before the damage is used.
 void TestReportJournal::damaged() {
   QFETCH(QByteArray, line);
-  { ReportJournal(folder(), "k").add(0, figures, ""); }
+  { ReportJournal(folder(), head).add(0, figures, ""); }
   const QByteArray good = contentOf(file());
   writeFile(file(), good + line + "\n" + good.mid(good.indexOf('\n') + 1));
-  QCOMPARE(ReportJournal(folder(), "k").entries().size(), 1U);
+  QCOMPARE(ReportJournal(folder(), head).entries().size(), 1U);
   QCOMPARE(contentOf(file()), good);
 }
 
 void TestReportJournal::oneAtATime() {
-  const ReportJournal first(folder(), "k");
+  const ReportJournal first(folder(), head);
   QCOMPARE(
-      errorOf([&] { ReportJournal second(folder(), "k"); }),
+      errorOf([&] { ReportJournal second(folder(), head); }),
       file() + ": is in use: another hogelscope makes this report; wait, or choose another folder");
+}
+
+void TestReportJournal::journalsOfShards() {
+  { ReportJournal(folder(), head, Shard{10, 10}).add(3, figures, ""); }
+  { ReportJournal(folder(), {"other", 1, 1}, Shard{2, 10}).add(0, figures, ""); }
+  ReportJournal atWork(folder(), head);
+  atWork.add(1, figures, "");
+  for (const char* name : {"report.journal.1", "report.journal.0x1-4", "report.journal.1-4.bak",
+                           "report.journal.01-4", "report.journal.-1-4", "report.journal.1-4"})
+    writeFile(m_folder->filePath(name), "{\"hogelscope report\":1,\"key\":4}\n");
+  QVERIFY(QFile::link(m_folder->filePath("report.journal.2-10"),
+                      m_folder->filePath("report.journal.3-10")));
+  const std::vector<FoundJournal> found = findJournals(folder());
+  QCOMPARE(found.size(), 3U);
+  QVERIFY(!found[0].shard && found[0].isInUse && found[0].head == head);
+  QVERIFY(found[1].shard == Shard({2, 10}) && !found[1].isInUse && found[1].head.key == "other");
+  QVERIFY(found[2].shard == Shard({10, 10}) && found[2].entries.contains(3));
+  QVERIFY(same(found[2].entries.at(3).values, figures));
+  QCOMPARE(errorOf([&] { (void)findJournals(folder() / "none"); }),
+           m_folder->filePath("none") + ": cannot be read: No such file or directory");
 }
 
 void TestReportJournal::panelErrors() {

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "embree_scene.h"
 #include "mesh_source.h"
 
 namespace hogelscope::test {
@@ -172,10 +173,31 @@ struct Going : plugin::Progress {
   [[nodiscard]] bool go(double) const override { return true; }
 };
 
-/// What one ray gives.
-struct Seen {
-  plugin::Colour colour;
-  float z = 0;
+/// A mesh's surfaces without its light.
+class Surfaces {
+ public:
+  explicit Surfaces(const plugin::Triangles& shown)
+      : m_scene(shown.points, cornersOf(shown),
+                std::vector<std::uint32_t>(shown.corners.size() / 3), 1, Going{}) {}
+
+  /// Returns the depth z of what a ray meets, NaN where it meets nothing.
+  [[nodiscard]] double depth(const plugin::Ray& ray) const {
+    double z = std::numeric_limits<double>::quiet_NaN();
+    m_scene.trace({&ray, 1}, [&](const mesh::Hits& hits, std::size_t) {
+      if (hits.triangles[0] != mesh::Hit::none) z = m_scene.hit(ray, hits.triangles[0]).z;
+    });
+    return z;
+  }
+
+ private:
+  static std::vector<mesh::Corners> cornersOf(const plugin::Triangles& shown) {
+    std::vector<mesh::Corners> corners;
+    for (std::size_t k = 0; k < shown.corners.size(); k += 3)
+      corners.push_back({shown.corners[k], shown.corners[k + 1], shown.corners[k + 2]});
+    return corners;
+  }
+
+  mesh::EmbreeScene m_scene;
 };
 
 /// A folder with files, and the source of one of them.
@@ -215,13 +237,15 @@ class Scene {
     }
     return {};
   }
-  [[nodiscard]] Seen see(const plugin::Ray& ray) const {
-    Seen seen;
-    source.trace({&ray, 1}, {&seen.colour, 1}, {&seen.z, 1});
-    return seen;
+  [[nodiscard]] Surfaces surfaces() const { return Surfaces(source.triangles()); }
+  [[nodiscard]] plugin::Colour see(const plugin::Ray& ray) const {
+    plugin::Colour colour;
+    source.trace({&ray, 1}, {&colour, 1});
+    return colour;
   }
   /// Sees along −z at a place of the panel.
-  [[nodiscard]] Seen see(double x, double y) const { return see({x, y, 1, 0, 0, 10}); }
+  [[nodiscard]] plugin::Colour see(double x, double y) const { return see(down(x, y)); }
+  [[nodiscard]] static plugin::Ray down(double x, double y) { return {x, y, 1, 0, 0, 10}; }
 
   mesh::MeshSource source;
   plugin::Panel panel{{0.5, 0.5}, {128, 128}, {20, 20}, {0.05, 0.05}};

@@ -3,7 +3,6 @@
 // that no ray's result depends on the others of its call.
 #include <QTest>
 #include <algorithm>
-#include <bit>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -116,40 +115,33 @@ Gltf cardsInPlanes() {
   return gltf;
 }
 
-struct Results {
-  explicit Results(std::size_t n) : colours(n), depths(n) {}
-  std::vector<plugin::Colour> colours;
-  std::vector<float> depths;
+using Colours = std::vector<plugin::Colour>;
 
-  [[nodiscard]] bool isSame(std::size_t k, const Results& other, std::size_t m) const {
-    const plugin::Colour& a = colours[k];
-    const plugin::Colour& b = other.colours[m];
-    return a.r == b.r && a.g == b.g && a.b == b.b &&
-           std::bit_cast<std::uint32_t>(depths[k]) == std::bit_cast<std::uint32_t>(other.depths[m]);
-  }
-};
+bool isSame(const plugin::Colour& a, const plugin::Colour& b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b;
+}
 
-Results trace(const mesh::MeshSource& source, const Rays& rays) {
-  Results results(rays.size());
-  source.trace(rays, results.colours, results.depths);
-  return results;
+Colours trace(const mesh::MeshSource& source, const Rays& rays) {
+  Colours colours(rays.size());
+  source.trace(rays, colours);
+  return colours;
 }
 
 /// Traces in other orders and groups, and counts the rays whose result has other bits.
 std::size_t differing(const mesh::MeshSource& source, const Rays& rays) {
-  const Results whole = trace(source, rays);
+  const Colours whole = trace(source, rays);
   std::vector<std::size_t> order(rays.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::shuffle(order.begin(), order.end(), std::mt19937(1));
   Rays shuffled;
   for (const std::size_t k : order) shuffled.push_back(rays[k]);
-  const Results other = trace(source, shuffled);
-  Results alone(rays.size());
+  const Colours other = trace(source, shuffled);
   std::size_t count = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    source.trace({&rays[k], 1}, {&alone.colours[k], 1}, {&alone.depths[k], 1});
-    if (!other.isSame(k, whole, order[k])) ++count;
-    if (!alone.isSame(k, whole, k)) ++count;
+    plugin::Colour alone;
+    source.trace({&rays[k], 1}, {&alone, 1});
+    if (!isSame(other[k], whole[order[k]])) ++count;
+    if (!isSame(alone, whole[k])) ++count;
   }
   return count;
 }
@@ -157,7 +149,8 @@ std::size_t differing(const mesh::MeshSource& source, const Rays& rays) {
 /// Compares depths and colours with the caster's; rays that pass an edge may see either side.
 void compareWithCaster(const Scene& scene, const Rays& rays) {
   const plugin::Triangles shown = scene.source.triangles();
-  const Results seen = trace(scene.source, rays);
+  const Surfaces surfaces(shown);
+  const Colours seen = trace(scene.source, rays);
   std::size_t edges = 0;
   std::size_t hits = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -166,14 +159,15 @@ void compareWithCaster(const Scene& scene, const Rays& rays) {
       ++edges;
       continue;
     }
-    QCOMPARE(!std::isnan(seen.depths[k]), met.has_value());
+    const double z = surfaces.depth(rays[k]);
+    QCOMPARE(!std::isnan(z), met.has_value());
     if (!met) continue;
     ++hits;
-    QVERIFY2(std::abs(double(seen.depths[k]) - met->z) < 1e-6, qPrintable(QString::number(k)));
+    QVERIFY2(std::abs(z - met->z) < 1e-6, qPrintable(QString::number(k)));
     if (met->gap < 1e-6) continue;  // two in one plane
     const std::uint8_t* code = &shown.colours[3 * std::size_t(shown.corners[3 * met->triangle])];
-    QVERIFY(std::abs(seen.colours[k].g - float(code[1])) < 0.6F);
-    QVERIFY(std::abs(seen.colours[k].r - float(code[0])) < 0.6F);
+    QVERIFY(std::abs(seen[k].g - float(code[1])) < 0.6F);
+    QVERIFY(std::abs(seen[k].r - float(code[0])) < 0.6F);
   }
   QVERIFY(hits > rays.size() / 5);
   QVERIFY(edges < rays.size() / 3);
@@ -226,9 +220,10 @@ void TestMeshTracing::aBallOfTriangles() {
   gltf.triangles(points);
   Scene scene;
   scene.open(gltf);
+  const Surfaces surfaces = scene.surfaces();
   const double inner = r * std::cos(std::numbers::pi / n);
   for (const plugin::Ray& ray : randomRays(20000, 3)) {
-    const Seen seen = scene.see(ray);
+    const double z = surfaces.depth(ray);
     // The ball along the line (x, y) + (a, b) z: z² + |(x, y) + (a, b) z|² = r².
     const double px = ray.x - ray.a;
     const double py = ray.y - ray.b;
@@ -238,11 +233,11 @@ void TestMeshTracing::aBallOfTriangles() {
       const double root = half * half - square * (px * px + py * py - radius * radius);
       return (std::sqrt(root) - half) / square;  // NaN where the line misses
     };
-    if (std::isnan(seen.z)) {
+    if (std::isnan(z)) {
       QVERIFY(std::isnan(depth(inner)));
     } else {
-      QVERIFY(double(seen.z) <= depth(r + 1e-7) + 1e-6);
-      if (!std::isnan(depth(inner))) QVERIFY(double(seen.z) >= depth(inner) - 1e-6);
+      QVERIFY(z <= depth(r + 1e-7) + 1e-6);
+      if (!std::isnan(depth(inner))) QVERIFY(z >= depth(inner) - 1e-6);
     }
   }
 }
@@ -255,7 +250,8 @@ void TestMeshTracing::aCardBeforeAWall() {
   Scene scene;
   scene.open(gltf, {{"shading", "unlit"}});
   const Rays rays = randomRays(50000, 4);
-  const Results seen = trace(scene.source, rays);
+  const Surfaces surfaces = scene.surfaces();
+  const Colours seen = trace(scene.source, rays);
   std::size_t cards = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const plugin::Ray& ray = rays[k];
@@ -266,9 +262,9 @@ void TestMeshTracing::aCardBeforeAWall() {
     const bool isWall = std::abs(ray.x + ray.a * (-0.3 - ray.z)) < 1 &&
                         std::abs(ray.y + ray.b * (-0.3 - ray.z)) < 1;
     if (inside > 0) ++cards;
-    QCOMPARE(seen.colours[k].r, inside > 0 ? 255.0F : 0.0F);
-    if (inside < 0 && isWall) QCOMPARE(seen.colours[k].b, 255.0F);
-    if (inside > 0) QVERIFY(std::abs(seen.depths[k] - 0.08F) < 1e-6F);
+    QCOMPARE(seen[k].r, inside > 0 ? 255.0F : 0.0F);
+    if (inside < 0 && isWall) QCOMPARE(seen[k].b, 255.0F);
+    if (inside > 0) QVERIFY(std::abs(surfaces.depth(ray) - 0.08) < 1e-6);
   }
   QVERIFY(cards > 1000);
 }
@@ -280,7 +276,8 @@ void TestMeshTracing::aCardInThePanel() {
   Scene scene;
   scene.open(gltf, {{"orientation", {0, 7, 0}}});
   scene.add("turned.glb", gltf.glb());
-  for (const plugin::Ray& ray : randomRays(20000, 5)) QVERIFY(!std::isnan(scene.see(ray).z));
+  const Surfaces surfaces = scene.surfaces();
+  for (const plugin::Ray& ray : randomRays(20000, 5)) QVERIFY(!std::isnan(surfaces.depth(ray)));
 }
 
 void TestMeshTracing::repeatedTrianglesAreDropped() {
@@ -293,7 +290,7 @@ void TestMeshTracing::repeatedTrianglesAreDropped() {
   Scene scene;
   scene.open(gltf, {{"shading", "unlit"}});
   QCOMPARE(scene.source.triangles().corners, (std::vector<std::uint32_t>{0, 1, 2, 6, 7, 8}));
-  QCOMPARE(scene.see(0.2, 0.2).colour.r, 255.0F);
+  QCOMPARE(scene.see(0.2, 0.2).r, 255.0F);
 }
 
 void TestMeshTracing::raysDoNotDependOnEachOther_data() {
@@ -321,19 +318,18 @@ void TestMeshTracing::threadsDoNotMatter() {
   Scene scene;
   scene.open(hills(64));
   const Rays rays = gridRays(100000, 8);
-  const Results one = trace(scene.source, rays);
-  Results two(rays.size());
+  const Colours one = trace(scene.source, rays);
+  Colours two(rays.size());
   {
     const auto part = [&](std::size_t first, std::size_t count) {
       scene.source.trace(std::span(rays).subspan(first, count),
-                         std::span(two.colours).subspan(first, count),
-                         std::span(two.depths).subspan(first, count));
+                         std::span(two).subspan(first, count));
     };
     const std::size_t half = rays.size() / 2 + 5;
     std::jthread first([&] { part(0, half); });
     std::jthread second([&] { part(half, rays.size() - half); });
   }
-  for (std::size_t k = 0; k < rays.size(); ++k) QVERIFY(two.isSame(k, one, k));
+  for (std::size_t k = 0; k < rays.size(); ++k) QVERIFY(isSame(two[k], one[k]));
 }
 
 void TestMeshTracing::raysThatMissSeeTheBackground() {
@@ -341,11 +337,11 @@ void TestMeshTracing::raysThatMissSeeTheBackground() {
   gltf.card(0, 0, 0.1F, 0.1F, -0.2F);
   Scene scene;
   scene.open(gltf, {{"background", {1, 2, 3}}});
-  const Seen seen = scene.see(0.2, 0.2);
-  QVERIFY(std::isnan(seen.z));
-  QCOMPARE(seen.colour.r, 1.0F);
-  QCOMPARE(seen.colour.b, 3.0F);
-  QVERIFY(std::isnan(scene.see({0.05, 0.05, 1, 0, 0, 1.1}).z));  // its reach ends before the card
+  const plugin::Colour background = scene.see(0.2, 0.2);
+  QCOMPARE(background.r, 1.0F);
+  QCOMPARE(background.b, 3.0F);
+  QVERIFY(
+      isSame(scene.see({0.05, 0.05, 1, 0, 0, 1.1}), background));  // its reach ends before the card
 }
 
 void TestMeshTracing::theSampleRoom() {

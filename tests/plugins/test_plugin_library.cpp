@@ -175,7 +175,7 @@ void TestPluginLibrary::throwsInEachCall() {
   const std::vector<std::function<void()>> calls{
       [&] { content->describe(visitor); }, [&] { content->open(panel, {}, Listener(true)); },
       [&] { (void)content->files(); },     [&] { content->depths(depth, depth); },
-      [&] { content->trace({}, {}, {}); }, [&] { (void)content->triangles(); },
+      [&] { content->trace({}, {}); },     [&] { (void)content->triangles(); },
       [&] { lens->describe(visitor); },    [&] { lens->open(0, 60, {}); },
       [&] { (void)lens->directionOf(0); }, [&] { (void)lens->slopeOf(0); },
       [&] { (void)metric->title(); },      [&] { (void)metric->unit(); },
@@ -256,12 +256,10 @@ void TestPluginLibrary::theExample() {
                                       {0.01, 0, 0.05, 0.02, 0, 1},   // begins behind
                                       {0.01, 0, 1.1, 0, 0.2, 10}};   // passes below
   std::vector<plugin::Colour> colours(rays.size(), {9, 9, 9});
-  std::vector<float> depths(rays.size(), 9);
-  grating->trace(rays, colours, depths);
+  grating->trace(rays, colours);
   const double light = 127.5 + 127.5 * std::cos(2 * std::numbers::pi * 25 * 0.01);
   QVERIFY(std::abs(colours[0].r - light) < 1e-4 && colours[0].g == colours[0].r);
-  QCOMPARE(depths[0], 0.1F);
-  for (std::size_t k = 1; k < rays.size(); ++k) QVERIFY(colours[k].r == 0 && std::isnan(depths[k]));
+  for (std::size_t k = 1; k < rays.size(); ++k) QCOMPARE(colours[k].r, 0.0F);
   QCOMPARE(grating->triangles().points.size(), std::size_t(12));
 }
 

@@ -34,6 +34,8 @@ int runStability(const CommandLine& line);
 int runInfo(const CommandLine& line);
 /// Prints which plugins are found, and why any is refused.
 int runPlugins(const CommandLine& line);
+/// Prints how far the report in a folder is; 1 if it is not finished.
+int runStatus(const CommandLine& line);
 int runHelp(const CommandLine& line);
 int runVersion(const CommandLine& line);
 

@@ -94,10 +94,19 @@ void renderPassing(LightFieldFile& file, const Session& session, const RenderOut
   if (first) throw *first;
 }
 
+/// Its share of the states may be none.
+void keepShard(Session& session, const Shard& shard) {
+  std::vector<CameraState> own;
+  for (std::size_t k = 0; k < session.cameras.size(); ++k)
+    if (shard.has(k)) own.push_back(session.cameras[k]);
+  session.cameras = std::move(own);
+}
+
 }  // namespace
 
 int runRender(const CommandLine& line) {
-  const Session session = loadSelected(line);
+  Session session = loadSelected(line);
+  if (const auto shard = shardOf(line)) keepShard(session, *shard);
   // Opened first, so that a bad one leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   const RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),

@@ -107,6 +107,7 @@ int runReport(const CommandLine& line) {
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");
+  request.shard = shardOf(line);
   keepSession(line, request.session);
   announcePassing(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests) {
@@ -114,6 +115,13 @@ int runReport(const CommandLine& line) {
     announcePassing(*test.file, request.memory / 2, isQuiet);
   }
   const Report report = makeWithProgress(request, line);
+  if (request.shard) {
+    if (!isQuiet)
+      std::cout << "shard " << textOf(*request.shard) << ": its "
+                << request.shard->share(request.session.cameras.size()) * request.tests.size()
+                << " views are done; the command without --shard writes the report\n";
+    return 0;
+  }
   if (!isQuiet) {
     const fs::path folder = line.text("output");
     if (report.replacedAnother)

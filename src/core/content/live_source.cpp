@@ -21,13 +21,14 @@ constexpr int tile = 4;
 /// Texels that are traced in one call.
 constexpr std::size_t mostInList = 512;
 
-/// Rounds as quantised() does; without branches, so that it is vectorised.
+/// Rounds as quantised() does; without branches or a wider type, so that it is vectorised. A number
+/// less its whole part is exact.
 template <class Number>
 MULTIVERSIONED void quantise(const Number* values, std::size_t count, std::uint8_t* to) {
   for (std::size_t k = 0; k < count; ++k) {
-    const auto value = double(values[k]);
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): of positive numbers, half up
-    to[k] = std::uint8_t(int((value > 0 ? std::min(value, 255.0) : 0) + 0.5));
+    const Number value = values[k] > 0 ? std::min(values[k], Number(255)) : 0;
+    const int whole = int(value);
+    to[k] = std::uint8_t(whole + int(value - Number(whole) >= Number(0.5)));
   }
 }
 
@@ -94,18 +95,16 @@ struct LiveSource::Work {
   std::vector<std::uint32_t> addresses;
   std::vector<plugin::Ray> rays;  ///< of all samples of a texel, texel after texel
   std::vector<plugin::Colour> colours;
-  std::vector<float> depths;
   std::vector<double> means;
 };
 
 /// Traces the first texels of the work, and stores the means of the samples.
 template <class T>
 void LiveSource::traceTexels(Work& work, std::size_t texelCount, LightField& texels) const {
-  auto& [addresses, rays, colours, depths, means] = work;
+  auto& [addresses, rays, colours, means] = work;
   const std::size_t rayCount = texelCount * m_samples.size();
   colours.resize(rayCount);
-  depths.resize(rayCount);
-  m_content->trace(std::span(rays).first(rayCount), colours, depths);
+  m_content->trace(std::span(rays).first(rayCount), colours);
   requireFinite(colours);
   const float* light = &colours.data()->r;
   const std::size_t count = 3 * texelCount;
@@ -239,8 +238,7 @@ void LiveSource::trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<
     rays.push_back(
         {eye.x + a * (z - eye.z), eye.y + b * (z - eye.z), z, a, b, std::max(z - m_back, 0.0)});
   std::vector<plugin::Colour> colours(rays.size());
-  std::vector<float> depths(rays.size());
-  m_content->trace(rays, colours, depths);
+  m_content->trace(rays, colours);
   requireFinite(colours);
   for (std::size_t k = 0; k < rays.size(); ++k)
     light[k] = {double(colours[k].r), double(colours[k].g), double(colours[k].b)};

@@ -2,8 +2,6 @@
 // The "scene" pattern as content of a live light field.
 #include "core/content/scene_content.h"
 
-#include <limits>
-
 namespace hogelscope {
 
 void SceneContent::describe(ParameterVisitor& v) {
@@ -25,14 +23,13 @@ void SceneContent::depths(double& back, double& front) const {
   front = m_scene->depths()[1];
 }
 
-void SceneContent::trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-                         std::span<float> depths) const {
+void SceneContent::trace(std::span<const plugin::Ray> rays,
+                         std::span<plugin::Colour> colours) const {
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const auto& [x, y, z, a, b, reach] = rays[k];
     const auto met = m_scene->light({{x - a * z, y - b * z}, {a, b}}, z - reach, z);
     const Rgb light = met ? met->light : Rgb{};
     colours[k] = {float(light.r), float(light.g), float(light.b)};
-    depths[k] = met ? float(met->z) : std::numeric_limits<float>::quiet_NaN();
   }
 }
 

@@ -15,8 +15,7 @@ class SceneContent : public plugin::ContentSource {
   void open(const plugin::Panel& panel, const plugin::Place& place,
             const plugin::Progress& progress) override;
   void depths(double& back, double& front) const override;
-  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-             std::span<float> depths) const override;
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override;
 
  private:
   std::optional<ScenePattern> m_scene;

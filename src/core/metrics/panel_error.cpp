@@ -113,6 +113,16 @@ PanelError::PanelError(const LightFieldSize& size, std::vector<Cell> hogels,
     throw std::invalid_argument("PanelError: sums of another size");
 }
 
+void PanelError::add(const PanelError& other) {
+  if (other.m_size != m_size || other.m_isDeep != m_isDeep)
+    throw std::invalid_argument("PanelError: sums of another size or depth");
+  const auto sum = [](const Cell& a, const Cell& b) {
+    return Cell{a.squares + b.squares, a.pixels + b.pixels};
+  };
+  std::ranges::transform(m_hogels, other.m_hogels, m_hogels.begin(), sum);
+  std::ranges::transform(m_directions, other.m_directions, m_directions.begin(), sum);
+}
+
 void PanelError::resize(std::size_t pixels) {
   for (auto* list : {&m_pixels.hogel, &m_pixels.direction}) list->resize(pixels);
   m_pixels.squares.resize(pixels);

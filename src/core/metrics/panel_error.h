@@ -35,7 +35,12 @@ class PanelError {
   void add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
            const Image& reference, const Image& test, const Progress& progress = {});
 
+  /// Adds the sums of other states. Throws std::invalid_argument where they are not of this size
+  /// and depth.
+  void add(const PanelError& other);
+
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
+  [[nodiscard]] bool isDeep() const { return m_isDeep; }
   /// The values in a code value: 1, or 257 of 16 bits.
   [[nodiscard]] int perCode() const { return m_isDeep ? 257 : 1; }
   /// ny rows of nx, row 0 the top.

@@ -2,6 +2,7 @@
 // The boxes.
 #include "gui/widgets/message_boxes.h"
 
+#include <vtkVersion.h>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
@@ -52,7 +53,9 @@ Recovery askRecovery(QWidget* window, const QString& document, const QDateTime& 
 
 void showAbout(QWidget* window) {
   QString list;
-  for (const Version& each : versions())
+  std::vector<Version> all = versions();
+  all.insert(all.begin() + 1, {{"Qt", qVersion()}, {"VTK", vtkVersion::GetVTKVersion()}});
+  for (const Version& each : all)
     list += QString("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
                 .arg(QString::fromStdString(each.name), QString::fromStdString(each.version));
   QMessageBox box(QMessageBox::NoIcon, QObject::tr("About Hogelscope"),

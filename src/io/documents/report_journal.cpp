@@ -6,7 +6,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -26,8 +28,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view headOfAny = R"({"hogelscope report":1,)";
 
-std::string headOf(const std::string& key) {
-  return Json{{"hogelscope report", 1}, {"key", key}}.dump() + "\n";
+std::string textOf(const JournalHead& head) {
+  return Json{{"hogelscope report", 1},
+              {"key", head.key},
+              {"states", head.states},
+              {"tests", head.tests}}
+             .dump() +
+         "\n";
 }
 
 /// A number, as the shortest digits that read back as it; JSON has no infinite numbers and no NaN.
@@ -49,48 +56,99 @@ std::string lineOf(std::size_t row, const std::vector<double>& values, const std
          "\n";
 }
 
-ReportJournal::Entry entryOf(const Json& line) {
-  ReportJournal::Entry entry;
+JournalEntry entryOf(const Json& line) {
+  JournalEntry entry;
   for (const Json& value : line.at("values")) entry.values.push_back(number(value));
   entry.problem = line.at("problem").get<std::string>();
   return entry;
 }
 
+struct Lines {
+  std::string head;  ///< with its end of line; "" if that is missing
+  JournalEntries entries;
+  std::uintmax_t bytes = 0;  ///< up to the first line that is not a complete row
+};
+
+Lines readLines(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string(), "cannot be read", std::strerror(errno));
+  Lines lines;
+  std::string text;
+  if (!std::getline(in, text) || in.eof()) return lines;
+  lines.head = text + "\n";
+  lines.bytes = lines.head.size();
+  while (std::getline(in, text) && !in.eof()) {
+    const Json line = Json::parse(text, nullptr, false);
+    try {
+      lines.entries[line.at("row").get<std::size_t>()] = entryOf(line);
+    } catch (const Json::exception&) {
+      break;
+    }
+    lines.bytes += text.size() + 1;
+  }
+  return lines;
+}
+
+constexpr std::string_view fileName = "report.journal";
+
+/// Reads "" or ".K-N".
+std::optional<std::optional<Shard>> shardOf(std::string_view ending) {
+  if (ending.empty()) return std::optional<Shard>();
+  Shard shard;
+  const char* const end = ending.data() + ending.size();
+  if (ending.front() != '.') return std::nullopt;
+  const auto [dash, error] = std::from_chars(ending.data() + 1, end, shard.number);
+  if (error != std::errc() || dash == end || *dash != '-') return std::nullopt;
+  const auto [last, wrong] = std::from_chars(dash + 1, end, shard.count);
+  if (wrong != std::errc() || last != end) return std::nullopt;
+  return endingOf(shard) == ending ? std::optional(std::optional(shard)) : std::nullopt;
+}
+
+/// Returns none for what is no journal.
+std::optional<FoundJournal> foundJournal(const fs::path& file) {
+  const std::string name = file.filename().string();
+  if (!name.starts_with(fileName)) return std::nullopt;
+  const auto shard = shardOf(std::string_view(name).substr(fileName.size()));
+  if (!shard || !fs::is_regular_file(fs::symlink_status(file))) return std::nullopt;
+  FoundJournal found;
+  found.file = file;
+  found.shard = *shard;
+  found.isInUse = isLocked(file);
+  Lines lines = readLines(file);
+  const Json head = Json::parse(lines.head, nullptr, false);
+  try {
+    found.head = {head.at("key").get<std::string>(), head.at("states").get<std::size_t>(),
+                  head.at("tests").get<std::size_t>()};
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+  found.entries = std::move(lines.entries);
+  return found;
+}
+
 }  // namespace
 
-ReportJournal::ReportJournal(const fs::path& folder, const std::string& key)
-    : m_file(folder / "report.journal") {
+std::string endingOf(const std::optional<Shard>& shard) {
+  return shard ? "." + std::to_string(shard->number) + "-" + std::to_string(shard->count) : "";
+}
+
+ReportJournal::ReportJournal(const fs::path& folder, const JournalHead& head,
+                             const std::optional<Shard>& shard)
+    : m_file(folder / (std::string(fileName) + endingOf(shard))) {
   requireOurs(m_file, headOfAny);
   auto descriptor = openLocked(m_file, O_APPEND);
   if (!descriptor)
     throw InputError(m_file.string(), "is in use",
                      "another hogelscope makes this report; wait, or choose another folder");
   m_descriptor = std::move(*descriptor);
-  const std::uintmax_t used = read(headOf(key));
-  if (::ftruncate(m_descriptor.get(), static_cast<off_t>(used)) != 0)
+  Lines lines = readLines(m_file);
+  const std::string own = textOf(head);
+  m_replacedAnother = !lines.head.empty() && lines.head != own;
+  const bool isOwn = lines.head == own;
+  if (isOwn) m_entries = std::move(lines.entries);
+  if (::ftruncate(m_descriptor.get(), static_cast<off_t>(isOwn ? lines.bytes : 0)) != 0)
     throw InputError(m_file.string(), "cannot be written", std::strerror(errno));
-  if (used == 0) writeAll(m_descriptor.get(), headOf(key), m_file);
-}
-
-/// Reads the rows. Returns the number of bytes up to the first line that is not a complete row.
-std::uintmax_t ReportJournal::read(const std::string& head) {
-  std::ifstream in(m_file, std::ios::binary);
-  if (!in) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));
-  std::string text;
-  if (!std::getline(in, text) || in.eof()) return 0;
-  m_replacedAnother = text + "\n" != head;
-  if (m_replacedAnother) return 0;
-  std::uintmax_t used = head.size();
-  while (std::getline(in, text) && !in.eof()) {
-    const Json line = Json::parse(text, nullptr, false);
-    try {
-      m_entries[line.at("row").get<std::size_t>()] = entryOf(line);
-    } catch (const Json::exception&) {
-      break;
-    }
-    used += text.size() + 1;
-  }
-  return used;
+  if (!isOwn) writeAll(m_descriptor.get(), own, m_file);
 }
 
 void ReportJournal::add(std::size_t row, const std::vector<double>& values,
@@ -101,6 +159,21 @@ void ReportJournal::add(std::size_t row, const std::vector<double>& values,
 void ReportJournal::remove() {
   std::error_code ignored;
   fs::remove(m_file, ignored);
+}
+
+std::vector<FoundJournal> findJournals(const fs::path& folder) {
+  std::vector<FoundJournal> journals;
+  try {
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (auto found = foundJournal(entry.path())) journals.push_back(std::move(*found));
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(folder.string(), "cannot be read", error.code().message());
+  }
+  std::ranges::sort(journals, {}, [](const FoundJournal& found) {
+    return found.shard ? std::pair(found.shard->count, found.shard->number)
+                       : std::pair<std::size_t, std::size_t>();
+  });
+  return journals;
 }
 
 }  // namespace hogelscope

@@ -1,36 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The finished rows of a report, written to the disk at once, so that the same command can resume
-// after Ctrl-C or kill -9: OUTPUT/report.journal, a line of JSON for each row.
+// after Ctrl-C or kill -9, and so that several processes can share the work: a line of JSON for
+// each row in OUTPUT/report.journal, or OUTPUT/report.journal.K-N of shard K/N.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/shard.h"
 #include "io/files/random_access_file.h"
 
 namespace hogelscope {
 
+/// Which report a journal is of.
+struct JournalHead {
+  std::string key;  ///< the same for the same report alone
+  std::size_t states = 0;
+  std::size_t tests = 0;
+  bool operator==(const JournalHead&) const = default;
+};
+
+/// The figures of a row; its state and test follow from the session.
+struct JournalEntry {
+  std::vector<double> values;
+  std::string problem;
+};
+using JournalEntries = std::map<std::size_t, JournalEntry>;  ///< by the rows' indices
+
+/// "" for a whole run, ".K-N" for a shard: the end of the names of its files.
+std::string endingOf(const std::optional<Shard>& shard);
+
 class ReportJournal {
  public:
-  /// The figures of a row; its state and test follow from the session.
-  struct Entry {
-    std::vector<double> values;
-    std::string problem;
-  };
-
-  /// Resumes the journal in `folder` if it has the same `key`, else replaces it by a new one. A
+  /// Resumes the journal in `folder` if it has the same head, else replaces it by a new one. A
   /// line that was cut off is dropped. Throws InputError: a file of that name is not a journal,
   /// another process uses it, or it cannot be written.
-  ReportJournal(const std::filesystem::path& folder, const std::string& key);
+  ReportJournal(const std::filesystem::path& folder, const JournalHead& head,
+                const std::optional<Shard>& shard = {});
   ReportJournal(const ReportJournal&) = delete;
   ReportJournal& operator=(const ReportJournal&) = delete;
 
-  /// Returns the rows of an earlier run by their indices.
-  [[nodiscard]] const std::map<std::size_t, Entry>& entries() const { return m_entries; }
-  /// Whether there was a journal with another key.
+  /// Returns the rows of an earlier run.
+  [[nodiscard]] const JournalEntries& entries() const { return m_entries; }
+  /// Whether there was a journal with another head.
   [[nodiscard]] bool replacedAnother() const { return m_replacedAnother; }
+  [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
 
   /// Adds a row, which outlives the process once this returns. Throws InputError (full disk).
   void add(std::size_t row, const std::vector<double>& values, const std::string& problem);
@@ -38,12 +55,22 @@ class ReportJournal {
   void remove();
 
  private:
-  std::uintmax_t read(const std::string& head);
-
   std::filesystem::path m_file;
   Descriptor m_descriptor{-1};
-  std::map<std::size_t, Entry> m_entries;
+  JournalEntries m_entries;
   bool m_replacedAnother = false;
 };
+
+/// A journal that a process has left or is writing.
+struct FoundJournal {
+  std::filesystem::path file;
+  std::optional<Shard> shard;  ///< none: of a whole run
+  JournalHead head;
+  JournalEntries entries;
+  bool isInUse = false;
+};
+
+/// The journals in a folder, the whole run's first, then by shards. Throws InputError.
+std::vector<FoundJournal> findJournals(const std::filesystem::path& folder);
 
 }  // namespace hogelscope

@@ -182,10 +182,10 @@ void applyCalibration(Json& document, const Calibration& calibration) {
   }
 }
 
-/// Returns a file name in a document relative to the current folder.
-std::string besideDocument(const fs::path& document, const std::string& file) {
+/// Returns a file name in a document that lies in `folder` relative to the current folder.
+std::string besideDocument(const fs::path& folder, const std::string& file) {
   std::error_code error;
-  const fs::path joined = document.parent_path() / file;
+  const fs::path joined = folder / file;
   fs::path shorter = joined.lexically_normal();
   if (!shorter.has_filename()) shorter = shorter.parent_path();  // "views/" is "views"
   // ".." after a link leads elsewhere than it reads.
@@ -215,23 +215,29 @@ std::optional<DisplayParams> displayOfStore(const LightFieldParams& params) {
 
 }  // namespace
 
+Session parseSession(const std::string& text, const fs::path& folder,
+                     const std::vector<std::string>& overrides,
+                     const std::optional<Calibration>& calibration) {
+  Json document = parseJson(text);
+  if (calibration) applyCalibration(document, *calibration);
+  for (const std::string& change : overrides) applyOverride(document, change);
+  Session session = readSession(document);
+  if (session.lightField.layout != Layout::live)
+    session.lightField.file = besideDocument(folder, session.lightField.file);
+  const auto moved = [&](const std::string& own) { return besideDocument(folder, own); };
+  for (std::string* const own :
+       {&session.lightField.lenslets.white, &session.lightField.lenslets.dark})
+    if (!own->empty()) *own = moved(*own);
+  session.lightField.content.changeFiles(moved);
+  session.display.lensParams.changeFiles(moved);
+  openLenses(session.display);
+  return session;
+}
+
 Session loadSession(const fs::path& file, const std::vector<std::string>& overrides,
                     const std::optional<Calibration>& calibration) {
   try {
-    Json document = parseJson(readTextFile(file));
-    if (calibration) applyCalibration(document, *calibration);
-    for (const std::string& text : overrides) applyOverride(document, text);
-    Session session = readSession(document);
-    if (session.lightField.layout != Layout::live)
-      session.lightField.file = besideDocument(file, session.lightField.file);
-    const auto moved = [&](const std::string& own) { return besideDocument(file, own); };
-    for (std::string* const own :
-         {&session.lightField.lenslets.white, &session.lightField.lenslets.dark})
-      if (!own->empty()) *own = moved(*own);
-    session.lightField.content.changeFiles(moved);
-    session.display.lensParams.changeFiles(moved);
-    openLenses(session.display);
-    return session;
+    return parseSession(readTextFile(file), file.parent_path(), overrides, calibration);
   } catch (const InputError& error) {
     throw error.in(file.string());
   }

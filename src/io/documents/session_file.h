@@ -20,6 +20,12 @@ Session loadSession(const std::filesystem::path& file,
                     const std::vector<std::string>& overrides = {},
                     const std::optional<Calibration>& calibration = {});
 
+/// Reads the text of a session, which names its files relative to `folder`; otherwise as
+/// loadSession(). Throws InputError that names no document.
+Session parseSession(const std::string& text, const std::filesystem::path& folder,
+                     const std::vector<std::string>& overrides = {},
+                     const std::optional<Calibration>& calibration = {});
+
 /// Returns the document, with the light field's file unchanged.
 std::string textOf(const Session& session);
 

@@ -9,10 +9,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <random>
 #include <system_error>
+#include <thread>
 
 #include "core/base/error.h"
 #include "io/files/output_folder.h"
@@ -178,11 +180,16 @@ void requireOurs(const fs::path& path, std::string_view head) {
 }
 
 std::optional<Descriptor> openLocked(const fs::path& path, int moreFlags) {
-  for (;;) {
+  constexpr int tries = 10;  // isLocked() of another process has the lock for a moment
+  for (int failed = 0; failed < tries;) {
     Descriptor file(
         ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | moreFlags, 0666));
     if (file.get() < 0) throw cannotWrite(path, errno);
-    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+      ++failed;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      continue;
+    }
     // The other process may have renamed or deleted the file between open() and flock().
     struct stat locked {};
     struct stat named {};
@@ -190,6 +197,12 @@ std::optional<Descriptor> openLocked(const fs::path& path, int moreFlags) {
         locked.st_ino == named.st_ino && locked.st_dev == named.st_dev)
       return file;
   }
+  return std::nullopt;
+}
+
+bool isLocked(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  return file.get() >= 0 && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0;
 }
 
 }  // namespace hogelscope

@@ -66,4 +66,7 @@ void requireOurs(const std::filesystem::path& path, std::string_view head);
 /// locks it until it is closed; none if another process has the lock. Throws InputError.
 std::optional<Descriptor> openLocked(const std::filesystem::path& path, int moreFlags = 0);
 
+/// Whether a process has locked a file by openLocked(); false for what cannot be opened.
+bool isLocked(const std::filesystem::path& path);
+
 }  // namespace hogelscope

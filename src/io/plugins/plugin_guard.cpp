@@ -62,9 +62,8 @@ class GuardedContent final : public plugin::ContentSource {
     guarded(m_name, [&] { m_content->depths(back, front); });
     if (!(back <= front)) throw pluginError(m_name, "its depths are not back ≤ front");
   }
-  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours,
-             std::span<float> depths) const override {
-    guarded(m_name, [&] { m_content->trace(rays, colours, depths); });
+  void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
+    guarded(m_name, [&] { m_content->trace(rays, colours); });
   }
   [[nodiscard]] plugin::Triangles triangles() const override {
     plugin::Triangles triangles = guarded(m_name, [&] { return m_content->triangles(); });

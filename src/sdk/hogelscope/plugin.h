@@ -83,11 +83,10 @@ class ContentSource {
   [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
   /// The depths z between which there is content, back ≤ front.
   virtual void depths(double& back, double& front) const = 0;
-  /// Sets the light of what each ray meets first and its depth z, NaN where it meets nothing (the
-  /// colour is then the background's). A ray's result does not depend on the others in the call.
-  /// Neighbours in the list are near each other. The three spans have one size.
-  virtual void trace(std::span<const Ray> rays, std::span<Colour> colours,
-                     std::span<float> depths) const = 0;
+  /// Sets the light of what each ray meets first, or of the background. A ray's result does not
+  /// depend on the others in the call. Neighbours in the list are near each other. Both spans have
+  /// one size.
+  virtual void trace(std::span<const Ray> rays, std::span<Colour> colours) const = 0;
   /// Returns what the 3-D scene draws.
   [[nodiscard]] virtual Triangles triangles() const { return {}; }
 };

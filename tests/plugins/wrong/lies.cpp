@@ -20,8 +20,7 @@ class Content final : public plugin::ContentSource {
     back = 1;
     front = std::numeric_limits<double>::quiet_NaN();
   }
-  void trace(std::span<const plugin::Ray>, std::span<plugin::Colour>,
-             std::span<float>) const override {}
+  void trace(std::span<const plugin::Ray>, std::span<plugin::Colour>) const override {}
   [[nodiscard]] plugin::Triangles triangles() const override {
     return {std::vector<float>(9), {0, 1, std::uint32_t(m_corner)}, std::vector<std::uint8_t>(9)};
   }

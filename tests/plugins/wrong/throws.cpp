@@ -21,10 +21,7 @@ class Content final : public plugin::ContentSource {
   }
   [[nodiscard]] std::vector<std::string> files() const override { fail(); }
   void depths(double&, double&) const override { fail(); }
-  void trace(std::span<const plugin::Ray>, std::span<plugin::Colour>,
-             std::span<float>) const override {
-    fail();
-  }
+  void trace(std::span<const plugin::Ray>, std::span<plugin::Colour>) const override { fail(); }
   [[nodiscard]] plugin::Triangles triangles() const override { fail(); }
 };
 

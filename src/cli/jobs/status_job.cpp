@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --status: how far the report in a folder is.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "cli/jobs/all_jobs.h"
+#include "core/base/error.h"
+#include "io/documents/report_journal.h"
+#include "io/files/folders.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "1 to 3, 7".
+std::string rangesText(const std::set<std::size_t>& numbers) {
+  std::string text;
+  for (auto at = numbers.begin(); at != numbers.end();) {
+    const std::size_t first = *at;
+    std::size_t last = first;
+    while (++at != numbers.end() && *at == last + 1) last = *at;
+    if (!text.empty()) text += ", ";
+    text += std::to_string(first);
+    if (last > first) text += (last > first + 1 ? " to " : ", ") + std::to_string(last);
+  }
+  return text;
+}
+
+/// The journals of one report.
+struct Run {
+  JournalHead head;
+  std::vector<const FoundJournal*> journals;
+};
+
+std::vector<Run> runsOf(const std::vector<FoundJournal>& journals) {
+  std::vector<Run> runs;
+  for (const FoundJournal& journal : journals) {
+    auto run = std::ranges::find(runs, journal.head, &Run::head);
+    if (run == runs.end()) run = runs.insert(runs.end(), {journal.head, {}});
+    run->journals.push_back(&journal);
+  }
+  return runs;
+}
+
+void printShards(const Run& run) {
+  std::map<std::size_t, std::map<std::string, std::set<std::size_t>>> byCount;
+  for (const FoundJournal* journal : run.journals) {
+    if (!journal->shard) continue;
+    const bool isDone =
+        journal->entries.size() >= journal->shard->share(run.head.states) * run.head.tests;
+    byCount[journal->shard->count][isDone             ? "done"
+                                   : journal->isInUse ? "at work"
+                                                      : "stopped"]
+        .insert(journal->shard->number);
+  }
+  for (auto& [count, groups] : byCount) {
+    std::set<std::size_t> missing;
+    for (std::size_t k = 1; k <= std::min(count, run.head.states); ++k)
+      if (std::ranges::none_of(groups, [k](const auto& group) { return group.second.contains(k); }))
+        missing.insert(k);
+    if (!missing.empty()) groups["not begun"] = missing;
+    std::cout << count << " shards\n";
+    for (const char* group : {"done", "at work", "stopped", "not begun"})
+      if (groups.contains(group))
+        std::cout << "  " << group << std::string(11 - std::string(group).size(), ' ')
+                  << rangesText(groups[group]) << "\n";
+  }
+}
+
+void print(const Run& run) {
+  std::set<std::size_t> rows;
+  for (const FoundJournal* journal : run.journals)
+    for (const auto& [row, entry] : journal->entries) rows.insert(row);
+  std::cout << rows.size() << " of " << run.head.states * run.head.tests
+            << " views are done; the report is not written\n";
+  printShards(run);
+  for (const FoundJournal* journal : run.journals)
+    if (!journal->shard)
+      std::cout << "whole run    " << (journal->isInUse ? "at work" : "stopped") << "\n";
+}
+
+}  // namespace
+
+int runStatus(const CommandLine& line) {
+  const fs::path folder = line.subject;
+  if (!isFolder(folder)) throw InputError(line.subject, "is not a folder");
+  const std::vector<FoundJournal> journals = findJournals(folder);
+  if (journals.empty()) {
+    if (!fs::is_regular_file(folder / "report.csv"))
+      throw InputError(line.subject, "holds no report, neither finished nor begun");
+    std::cout << "the report is finished: " << (folder / "report.csv").string() << "\n";
+    return 0;
+  }
+  for (const Run& run : runsOf(journals)) print(run);
+  return 1;
+}
+
+}  // namespace hogelscope

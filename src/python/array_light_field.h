@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A light field that lies in an array of somebody else's, such as numpy's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// Views (sub-aperture images) in the order v, u, y, x, colour: view (u, v), pixel (i, j) is hogel
+/// (i, j), direction (u, v).
+struct ViewArray {
+  LightFieldSize size;
+  StoredType type = StoredType::uint8;
+  const std::byte* data = nullptr;
+  std::array<std::ptrdiff_t, 5> strides{};  ///< in bytes, of v, u, y, x, colour
+  std::shared_ptr<const void> owner;        ///< keeps the memory
+};
+
+/// Throws InputError for a value that is not finite, Cancelled.
+void checkFinite(const ViewArray& array, const Progress& progress);
+
+/// Copies nothing of a large array: views read the slices that they need. A small one is copied
+/// into blocks, which are faster. The array must not change.
+class ArrayLightField : public LightFieldFile {
+ public:
+  explicit ArrayLightField(ViewArray array) : m_array(std::move(array)) {}
+
+  [[nodiscard]] LightFieldSize size() const override { return m_array.size; }
+  [[nodiscard]] StoredType type() const override { return m_array.type; }
+  /// Returns none.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override { return {}; }
+  [[nodiscard]] LightField read(const Progress& progress) override;
+  [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
+                                                               const Progress& progress) override;
+  void stream(const HogelRow& row, const Progress& progress) override;
+
+ private:
+  ViewArray m_array;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A light field that Python has opened.
+#include "python/content.h"
+
+#include <sys/stat.h>
+
+#include "core/base/parallel.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// A text that changes when a file is written or replaced.
+std::string stateOf(const std::vector<std::filesystem::path>& files) {
+  std::string state;
+  for (const std::filesystem::path& file : files) {
+    struct stat facts {};
+    if (::stat(file.c_str(), &facts) != 0) continue;
+    for (const auto number :
+         {std::int64_t(facts.st_ino), std::int64_t(facts.st_size),
+          std::int64_t(facts.st_mtim.tv_sec), std::int64_t(facts.st_mtim.tv_nsec)})
+      state += std::to_string(number) + " ";
+  }
+  return state;
+}
+
+}  // namespace
+
+Content::Content(LightFieldParams lightField, DisplayParams display,
+                 std::shared_ptr<LightFieldFile> file, std::vector<std::string> warnings)
+    : m_lightField(std::move(lightField)),
+      m_display(std::move(display)),
+      m_file(std::move(file)),
+      m_warnings(std::move(warnings)),
+      m_state(stateOf(m_file->files())) {
+  for (const std::string& line : m_file->warnings()) m_warnings.push_back(line);
+}
+
+std::shared_ptr<Content> Content::openOf(const Session& session, const Progress& progress) {
+  return std::make_shared<Content>(session.lightField, session.display,
+                                   openLightField(session.lightField, session.display, progress));
+}
+
+std::shared_ptr<const LightFieldSource> Content::source(const Progress& progress) {
+  if (!m_source) m_source = m_file->source({.threads = threadCount()}, progress);
+  return m_source;
+}
+
+bool Content::isFresh() const {
+  return stateOf(m_file->files()) == m_state;
+}
+
+Session Content::in(const Session& session) const {
+  Session result = session;
+  result.lightField = m_lightField;
+  if (!(m_lightField.viewingDistance > 0))
+    result.lightField.viewingDistance = session.lightField.viewingDistance;
+  return result;
+}
+
+}  // namespace hogelscope

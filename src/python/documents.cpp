@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sessions and camera sets for Python, as texts of JSON.
+#include <pybind11/stl.h>
+
+#include "core/base/error.h"
+#include "io/documents/camera_set_file.h"
+#include "io/documents/session_file.h"
+#include "io/plugins/plugin_folders.h"
+#include "python/bindings.h"
+#include "python/stoppable.h"
+
+namespace hogelscope {
+
+namespace py = pybind11;
+
+namespace {
+
+std::string load(const std::string& file, const std::vector<std::string>& overrides,
+                 const std::string& calibration) {
+  const py::gil_scoped_release free;
+  std::optional<Calibration> read;
+  if (!calibration.empty()) read = loadCalibration(calibration);
+  return textOf(loadSession(file, overrides, read));
+}
+
+py::tuple around(const std::string& file, const std::vector<std::string>& overrides,
+                 const py::object& progress) {
+  const OrderedSession found = stoppable(
+      progress, [&](const Progress& hear) { return orderedSessionAround(file, overrides, hear); });
+  std::vector<std::string> warnings = found.order.warnings;
+  if (const std::string line = contradictionOf(found.session.lightField, found.order);
+      !line.empty())
+    warnings.push_back(line);
+  return py::make_tuple(textOf(found.session), warnings);
+}
+
+/// The session has nothing but the new states.
+std::string cameras(const Document& document, const std::string& what,
+                    const std::vector<std::string>& overrides) {
+  const py::gil_scoped_release free;
+  Session session = sessionOf(document);
+  const std::size_t before = session.cameras.size();
+  const CameraSet set = loadCameraSet(what, overrides);
+  session = withCameras(session, set);
+  const std::size_t first = before - (set.params.keepTemplate ? 0 : 1);
+  session.cameras.erase(session.cameras.begin(), session.cameras.begin() + std::ptrdiff_t(first));
+  return textOf(session);
+}
+
+}  // namespace
+
+Session sessionOf(const Document& document) {
+  try {
+    return parseSession(document.text, document.folder);
+  } catch (const InputError& error) {
+    throw document.name.empty() ? error : error.in(document.name);
+  }
+}
+
+void addDocuments(py::module_& module) {
+  py::class_<Document>(module, "Document", "A session's text, its folder and its name.")
+      .def(py::init<std::string, std::string, std::string>(), py::arg("text"), py::arg("folder"),
+           py::arg("name"));
+  module.def(
+      "check", [](const Document& document) { (void)sessionOf(document); }, py::arg("document"),
+      py::call_guard<py::gil_scoped_release>(), "Raises InputError if it is not a session.");
+  module.def(
+      "normal", [](const Document& document) { return textOf(sessionOf(document)); },
+      py::arg("document"), py::call_guard<py::gil_scoped_release>(),
+      "The session as the program writes it: all fields, files relative to the current folder.");
+  module.def("load", &load, py::arg("file"), py::arg("overrides"), py::arg("calibration"),
+             "A session file as normal() gives it, with overrides and a calibration's file.");
+  module.def("around", &around, py::arg("file"), py::arg("overrides"), py::arg("progress"),
+             "A new session around a folder, a picture or a mesh, and warnings.");
+  module.def("cameras", &cameras, py::arg("document"), py::arg("what"), py::arg("overrides"),
+             "The session with the states of a camera set instead of its own.");
+  module.def(
+      "save",
+      [](const Document& document, const std::string& file) {
+        saveSession(file, sessionOf(document));
+      },
+      py::arg("document"), py::arg("file"), py::call_guard<py::gil_scoped_release>(),
+      "Writes a session file.");
+  module.def(
+      "add_plugin_folder", [](const std::string& folder) { addPluginFolder(folder); },
+      py::arg("folder"),
+      "Look for plugins in this folder, too: each is a folder in it. Raises InputError.");
+}
+
+}  // namespace hogelscope

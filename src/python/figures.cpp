@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Metrics and BD-rates for Python.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "core/base/error.h"
+#include "core/metrics/bd_rate.h"
+#include "io/plugins/metric_plugins.h"
+#include "python/bindings.h"
+#include "python/stoppable.h"
+
+namespace hogelscope {
+
+namespace py = pybind11;
+
+namespace {
+
+using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
+using Words = py::array_t<std::uint16_t, py::array::c_style>;
+
+/// Copies a picture (h, w, 3) of uint8 or uint16 and a mask (h, w) of 0 and 1.
+Image imageOf(const py::array& picture, const Bytes& seen) {
+  const bool isDeep = py::isinstance<Words>(picture);
+  if ((!isDeep && !py::isinstance<Bytes>(picture)) || picture.ndim() != 3 || picture.shape(2) != 3)
+    throw InputError("picture", "is " + py::str(picture.attr("shape")).cast<std::string>() +
+                                    " of " + py::str(picture.dtype()).cast<std::string>() +
+                                    "; pictures are (height, width, 3) of uint8 or uint16");
+  if (seen.ndim() != 2 || seen.shape(0) != picture.shape(0) || seen.shape(1) != picture.shape(1))
+    throw InputError("seen", "has not the picture's height and width");
+  constexpr py::ssize_t most = 1000000;
+  if (picture.size() == 0 || picture.shape(0) > most || picture.shape(1) > most)
+    throw InputError("picture", "is " + py::str(picture.attr("shape")).cast<std::string>() +
+                                    "; sizes are 1 to 1000000");
+  Image image(int(picture.shape(1)), int(picture.shape(0)), isDeep ? 16 : 8);
+  if (isDeep) {
+    const auto* const values = static_cast<const std::uint16_t*>(picture.data());
+    constexpr float unit = 257;
+    std::vector<float> codeValues(values, values + picture.size());
+    for (float& value : codeValues) value /= unit;
+    setValues(image, 0, codeValues);
+  } else {
+    const auto* const values = static_cast<const std::uint8_t*>(picture.data());
+    std::copy_n(values, picture.size(), image.rgb.begin());
+  }
+  for (std::size_t k = 0; k < image.seen.size(); ++k) image.seen[k] = seen.data()[k] != 0 ? 255 : 0;
+  return image;
+}
+
+py::dict compare(const py::array& reference, const Bytes& seen, const py::array& test,
+                 const Bytes& testSeen, const std::vector<std::string>& metrics) {
+  const Image a = imageOf(reference, seen);
+  const Image b = imageOf(test, testSeen);
+  if (a.width != b.width || a.height != b.height)
+    throw InputError("test", "is " + std::to_string(b.width) + "×" + std::to_string(b.height) +
+                                 " px, but the reference is " + std::to_string(a.width) + "×" +
+                                 std::to_string(a.height));
+  const MetricSet set = metricsOf(metrics);
+  const std::vector<double> values = stoppable(
+      py::none(), [&](const Progress& hear) { return set.compare(a, b, parallelRows, hear); });
+  py::dict result;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    result[py::str(set.columns()[k].name)] = values[k];
+  return result;
+}
+
+std::vector<RatePoint> pointsOf(const std::vector<std::pair<double, double>>& pairs) {
+  std::vector<RatePoint> points;
+  for (const auto& [rate, quality] : pairs) points.push_back({rate, quality});
+  return points;
+}
+
+py::dict bdRate(const std::vector<std::pair<double, double>>& anchor,
+                const std::vector<std::pair<double, double>>& test) {
+  const BdDelta delta = bdDelta(pointsOf(anchor), pointsOf(test));
+  if (!delta.problem.empty()) throw InputError("rate-distortion curves", delta.problem);
+  py::dict result;
+  result["rate"] = delta.rate;
+  result["quality"] = delta.quality;
+  result["from"] = delta.from;
+  result["to"] = delta.to;
+  return result;
+}
+
+}  // namespace
+
+void addFigures(py::module_& module) {
+  module.def("compare", &compare, py::arg("reference"), py::arg("seen"), py::arg("test"),
+             py::arg("test_seen"), py::arg("metrics"), "Metrics of two pictures.");
+  module.def("bd_rate", &bdRate, py::arg("anchor"), py::arg("test"),
+             "Bjøntegaard's deltas of two lists of (rate, quality).");
+}
+
+}  // namespace hogelscope

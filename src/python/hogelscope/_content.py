@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Light fields: opening files, and what may stand for one in a call."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from typing import Any, Callable, List, Mapping, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _hogelscope
+from ._hogelscope import InputError, LightField
+
+Path = Union[str, "os.PathLike[str]"]
+Progress = Callable[[float], object]
+
+
+def json_text(value: Any) -> str:
+    """The text of JSON, with numpy's numbers and arrays, and paths."""
+
+    def plain(other: Any) -> Any:
+        if isinstance(other, (np.ndarray, np.generic)):
+            return other.tolist()
+        if isinstance(other, os.PathLike):
+            return os.fspath(other)
+        raise TypeError(f"{type(other).__name__} {other!r} cannot stand in a session")
+
+    try:
+        return json.dumps(value, default=plain, allow_nan=False)
+    except ValueError as error:
+        raise InputError(f"a number is not finite, or a value contains itself: {error}") from None
+
+
+def overrides_of(section: str, values: Mapping[str, Any]) -> List[str]:
+    """As --set takes them."""
+    return [f"{section}.{name}={json_text(value)}" for name, value in values.items()]
+
+
+def warn(lines: List[str]) -> None:
+    for line in lines:
+        warnings.warn(line, UserWarning, stacklevel=3)
+
+
+def around(
+    file: str, overrides: List[str], progress: Optional[Progress]
+) -> Tuple[str, List[str]]:
+    """A new session's text around a folder, a picture or a mesh, and warnings."""
+    text, lines = _hogelscope.around(file, overrides, progress)
+    return text, [f"{file}: {line}" for line in lines]
+
+
+def open(  # noqa: A001: as in hogelscope.open
+    file: Path,
+    layout: Optional[str] = None,
+    *,
+    display: Optional[Mapping[str, Any]] = None,
+    progress: Optional[Progress] = None,
+    **settings: Any,
+) -> LightField:
+    """Open a light field of any layout, in memory only when a view needs it.
+
+    Args:
+        file: a picture, a folder or %-pattern of views, a video, an HDF5 file, a store, a mesh.
+        layout: "hogels", "views", "quilt", "lenslets" or "pack", read as a session with these
+            settings says. None: what ``--info`` finds; the order of views is found from their
+            pictures.
+        display: the display's fields that the file does not say, such as
+            {"hogels": [128, 128], "directions": [20, 20]} of layout "hogels".
+        settings: fields of a session's lightField, such as rows="bottom-up", shear=[1, 1].
+        progress: called with the fraction done, 0 to 1.
+
+    Stores larger than memory are read where views need them. What the light field lacks is a
+    UserWarning. Raises InputError.
+    """
+    name = os.fspath(file)
+    lines: List[str] = []
+    if layout is None:
+        overrides = overrides_of("lightField", settings) + overrides_of("display", display or {})
+        text, lines = around(name, overrides, progress)
+    else:
+        own = {"file": name, "layout": layout, **settings}
+        text = json_text({"hogelscope": 1, "display": dict(display or {}), "lightField": own,
+                          "cameras": [{"name": "any"}]})
+    try:
+        light = _hogelscope.open(_hogelscope.Document(text, "", ""), lines, progress)
+    except InputError as error:
+        if name in str(error):
+            raise
+        raise InputError(f"{name}: {error}") from None
+    warn(light.warnings)
+    return light
+
+
+def light_choice(light: Any) -> Any:
+    """What stands for a light field: None, a LightField, an array, or a file as --test takes it."""
+    if light is None or isinstance(light, LightField):
+        return light
+    if isinstance(light, np.ndarray):
+        return LightField(light)
+    if isinstance(light, (str, os.PathLike)):
+        return os.fspath(light)
+    raise TypeError(
+        f"a light field is a LightField, a numpy array or a file's name, not {type(light).__name__}"
+    )

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Metrics and BD-rates."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _hogelscope
+from ._view import View
+
+Picture = Union[View, np.ndarray]
+
+
+def _parts(picture: Picture) -> Tuple[np.ndarray, np.ndarray]:
+    if isinstance(picture, View):
+        return np.ascontiguousarray(picture.image), np.ascontiguousarray(picture.seen)
+    if not isinstance(picture, np.ndarray):
+        raise TypeError(f"a picture is a View or a numpy array, not {type(picture).__name__}")
+    return np.ascontiguousarray(picture), np.ones(picture.shape[:2], np.uint8)
+
+
+def compare(reference: Picture, test: Picture, *, metrics: Sequence[str] = ()) -> Dict[str, float]:
+    """Return the figures of a report for two pictures.
+
+    Args:
+        reference, test: Views, or arrays (h, w, 3) of uint8 or uint16 of one size. Arrays count as
+            seen everywhere, so the columns "…_seen" are for Views.
+        metrics: names of plugins whose figures are wanted, too.
+
+    Returns:
+        {"mse": (code values of 0 to 255) squared, "psnr": dB, "psnr_yuv": dB, "ssim": 0 to 1, …};
+        PSNRs of equal pictures are infinite, NaN where nothing is to be compared. Raises
+        InputError.
+    """
+    first, seen = _parts(reference)
+    second, test_seen = _parts(test)
+    figures: Dict[str, Any] = _hogelscope.compare(first, seen, second, test_seen, list(metrics))
+    return figures
+
+
+def bd_rate(
+    anchor: Iterable[Tuple[float, float]], test: Iterable[Tuple[float, float]]
+) -> Dict[str, float]:
+    """Return Bjøntegaard's deltas of two rate-distortion curves.
+
+    Args:
+        anchor, test: four or more points (rate, quality) each; rates in bits of any kind,
+            qualities such as PSNRs in dB, which rise with the rate.
+
+    Returns:
+        {"rate": percent that the test needs more at equal quality (below 0: fewer), "quality":
+        what it is better by at equal rate, "from", "to": the qualities that both reach}. Raises
+        InputError.
+    """
+    figures: Dict[str, float] = _hogelscope.bd_rate(list(anchor), list(test))
+    return figures

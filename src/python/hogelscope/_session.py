@@ -1,0 +1,298 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sessions: a display, its light field, and cameras."""
+
+from __future__ import annotations
+
+import json
+import os
+from numbers import Integral
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union, overload
+
+from . import _hogelscope
+from ._content import Path, Progress, around, json_text, light_choice, warn
+from ._hogelscope import InputError, LightField
+from ._view import View
+
+State = Union[str, int, Mapping[str, Any]]
+
+
+class Session(Dict[str, Any]):
+    """A session document as a dict: "display", "lightField", "sampling", "metrics", "cameras".
+
+    Args:
+        source: a session file; a folder of views, a picture or a mesh, around which a new session
+            is made as on the command line; a mapping; or the text of a document (begins with {).
+        folder: what the file names of a mapping or a text are relative to; the current folder.
+        overrides: changes as ``--set`` takes them: ["display.fov=[50,50]", "psf.sigma=0"].
+        calibration: a calibration's file for every state, as ``--calibration``.
+        progress: called with the fraction done while views are looked at.
+
+    Lengths are metres, angles degrees; all fields are in the manual's parameters.md. A file is
+    checked when it is read; what is changed afterwards is checked when it is used. Raises
+    InputError.
+
+    The light field is read by the first view and kept in memory with the session, until its files
+    or its settings change.
+    """
+
+    def __init__(
+        self,
+        source: Union[Path, Mapping[str, Any]],
+        *,
+        folder: Path = "",
+        overrides: Sequence[str] = (),
+        calibration: Optional[Path] = None,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        self.folder = os.fspath(folder)
+        self.name = ""
+        self._views: Optional[_hogelscope.SessionViews] = None
+        changes = list(overrides)
+        if isinstance(source, Mapping):
+            document = dict(source)
+            document.setdefault("hogelscope", 1)
+            super().__init__(document)
+            if isinstance(source, Session):
+                self.folder, self.name = source.folder, source.name
+            if changes or calibration is not None:
+                raise InputError("overrides and calibration are for files; change the mapping")
+            return
+        text = os.fspath(source)
+        if text.lstrip().startswith("{"):
+            self._read(text)
+            if changes or calibration is not None:
+                raise InputError("overrides and calibration are for files; change the session")
+        elif os.path.isdir(text) or not text.lower().endswith(".json"):
+            if calibration is not None:
+                raise InputError(f"{text}: a calibration is for a session file")
+            found, lines = around(text, changes, progress)
+            self._read(found)
+            warn(lines)
+        elif changes or calibration is not None:
+            given = "" if calibration is None else os.fspath(calibration)
+            self.name = text
+            self._read(_hogelscope.load(text, changes, given))
+        else:
+            self.name = text
+            self.folder = os.path.dirname(text)
+            _hogelscope.load(text, [], "")  # its words for what is wrong
+            with open(text, encoding="utf-8") as file:
+                self._read(file.read())
+
+    def _read(self, text: str) -> None:
+        _hogelscope.check(_hogelscope.Document(text, self.folder, self.name))
+        super().__init__(json.loads(text))
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {"folder": self.folder, "name": self.name, "_views": None}
+
+    def copy(self) -> "Session":
+        """Return a session of its own, whose parts may be changed."""
+        return Session(json.loads(json_text(self)), folder=self.folder)._named(self.name)
+
+    def _named(self, name: str) -> "Session":
+        self.name = name
+        return self
+
+    def _document(
+        self, cameras: Optional[Sequence[Any]] = None, has_light: bool = True
+    ) -> _hogelscope.Document:
+        """Without its light field it needs none, but keeps how its views converge."""
+        parts: Dict[str, Any] = dict(self)
+        if cameras is not None:
+            parts["cameras"] = list(cameras)
+        if not has_light:
+            own = self.get("lightField")
+            parts["lightField"] = {"file": "none", "layout": "views"}
+            if isinstance(own, Mapping) and "viewingDistance" in own:
+                parts["lightField"]["viewingDistance"] = own["viewingDistance"]
+        return _hogelscope.Document(json_text(parts), self.folder, self.name)
+
+    def check(self) -> None:
+        """Raise InputError if the session is not right; its files are not opened."""
+        _hogelscope.check(self._document())
+
+    def text(self) -> str:
+        """Return the document as the program writes it, with all fields, its files relative to
+        the current folder. Raises InputError."""
+        return _hogelscope.normal(self._document())
+
+    def save(self, file: Path) -> None:
+        """Write a session file, its files relative to it; complete or not at all. Raises
+        InputError."""
+        _hogelscope.save(self._document(), os.fspath(file))
+
+    def light_field(self, *, progress: Optional[Progress] = None) -> LightField:
+        """Open the session's own light field; ``.array()`` of it is what numpy code needs, of live
+        scenes too. Raises InputError."""
+        return _hogelscope.open(self._document(), [], progress)
+
+    @overload
+    def render(
+        self,
+        state: State,
+        light_field: Any = None,
+        *,
+        ideal: bool = False,
+        threads: int = 0,
+        progress: Optional[Progress] = None,
+    ) -> View: ...
+
+    @overload
+    def render(
+        self,
+        state: Optional[Sequence[State]] = None,
+        light_field: Any = None,
+        *,
+        ideal: bool = False,
+        threads: int = 0,
+        progress: Optional[Progress] = None,
+    ) -> List[View]: ...
+
+    def render(
+        self,
+        state: Any = None,
+        light_field: Any = None,
+        *,
+        ideal: bool = False,
+        threads: int = 0,
+        progress: Optional[Progress] = None,
+    ) -> Any:
+        """Render what a camera sees: a View, or a list of Views.
+
+        Args:
+            state: a state's name, its index, or a mapping such as those of cameras() (a name may be
+                left out); a sequence
+                of them, or None for all states of the session, gives a list.
+            light_field: instead of the session's: a LightField, a numpy array (dv, du, ny, nx, 3),
+                or a file as ``--test`` takes it.
+            ideal: the scene itself, without the display; of a live scene alone.
+            threads: 0 for one per core; of the whole process while the call lasts.
+            progress: called with the fraction done, 0 to 1.
+
+        Other threads run meanwhile; Ctrl-C stops it. Raises InputError.
+        """
+        is_one = isinstance(state, (str, Integral, Mapping))
+        wanted: List[Any] = [state] if is_one else [] if state is None else list(state)
+        names: Optional[List[str]] = None
+        cameras: Optional[List[Any]] = None
+        if state is not None and all(isinstance(one, str) for one in wanted):
+            names = wanted
+        elif state is not None:
+            cameras = [self._state(one, k) for k, one in enumerate(wanted)]
+        if state is not None and not wanted:
+            return []
+        if self._views is None:
+            self._views = _hogelscope.SessionViews()
+        light = light_choice(light_field)
+        document = self._document(cameras, not isinstance(light, LightField))
+        rendered = self._views.render(document, names, light, ideal, threads, progress)
+        views = [View(*one) for one in rendered]
+        return views[0] if is_one else views
+
+    def _state(self, state: Any, index: int) -> Any:
+        if isinstance(state, Mapping):
+            return {"name": f"view {index + 1}", **state}
+        own = self.get("cameras", [])
+        if not isinstance(own, list) or not all(isinstance(one, Mapping) for one in own):
+            raise InputError("cameras: is not a list of camera states: [ { … }, … ]")
+        if isinstance(state, str):
+            for one in own:
+                if one.get("name") == state:
+                    return one
+            raise InputError(f'"{state}" is none of the session\'s states')
+        if isinstance(state, Integral):
+            return own[int(state)]
+        raise TypeError(f"a state is a name, an index or a mapping, not {type(state).__name__}")
+
+
+def cameras(
+    session: Session,
+    what: Path = "random",
+    *,
+    region: Optional[Mapping[str, Any]] = None,
+    trace: Optional[Mapping[str, Any]] = None,
+    **settings: Any,
+) -> List[Dict[str, Any]]:
+    """Make a set of camera states, as the job ``--make-cameras`` does; a list of dicts, as in a
+    session's "cameras".
+
+    Args:
+        session: whose display they look at, and whose first state gives lens, PSF, resolution and
+            field of view.
+        what: "uniform" (a regular grid; "grid" is the same), "random", "normal", or a FILE.json or
+            FILE.csv of poses, a path or a viewer's trace.
+        region: fields of cameraRegion, such as {"region": "arc", "distance": [0.4, 0.8]} (m).
+        trace: fields of trace.
+        settings: fields of cameraSet: count, seed, name, template, place.
+
+    The session is not changed: session["cameras"] += cameras(…) adds them. Raises InputError.
+    """
+    kind = os.fspath(what)
+    changes = [
+        f"{section}.{name}={json_text(value)}"
+        for section, values in (("cameraSet", settings), ("cameraRegion", region), ("trace", trace))
+        for name, value in (values or {}).items()
+    ]
+    document = session._document(None, False)
+    text = _hogelscope.cameras(document, "uniform" if kind == "grid" else kind, changes)
+    states: List[Dict[str, Any]] = json.loads(text)["cameras"]
+    return states
+
+
+def report(
+    session: Session,
+    tests: Union[Mapping[str, Any], Iterable[Path]] = (),
+    *,
+    output: Path,
+    light_field: Any = None,
+    cameras: Optional[Sequence[Mapping[str, Any]]] = None,
+    groups: Optional[Mapping[str, Mapping[str, float]]] = None,
+    against: Optional[str] = None,
+    images: bool = False,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> List[Dict[str, Any]]:
+    """Compare light fields over camera states, as ``--report`` does, and write its page and tables.
+
+    Args:
+        session: the reference.
+        tests: {name: light field}, each a LightField, a numpy array or a file; or files' names.
+        light_field: the reference, instead of the session's own, as in Session.render().
+        output: the folder of report.html, report.csv, metrics.csv, summary.csv and others.
+        cameras: states instead of the session's own.
+        groups: {codec: {test: rate}}, rates in bits per directional pixel, four tests or more
+            each: BD-rates of every later codec against the first, in the page and in bd.csv.
+        against: "ideal" compares a live scene's display with the scene itself, too.
+        images: keep every picture.
+        threads, progress: as in Session.render().
+
+    Returns:
+        A row for each state and test: "state", "test", the columns of report.csv and metrics.csv
+        ("mse", "psnr", "psnr_seen", "ssim", …; NaN where there is nothing to compare), "eye_x",
+        "eye_y", "eye_z" (m), "weight" and "problem" ("" if there is none).
+        pandas.DataFrame(rows) makes a table.
+
+    A report that was stopped, by Ctrl-C or otherwise, goes on in the same folder when it is asked
+    for again with the same light fields. Raises InputError.
+    """
+    if against not in (None, "ideal"):
+        raise InputError(f'against: "{against}" is not "ideal"')
+    if isinstance(tests, (str, os.PathLike)):
+        tests = [tests]
+    named = tests if isinstance(tests, Mapping) else {os.fspath(one): one for one in tests}
+    choices = []
+    for name, light in named.items():
+        if light is None:
+            raise TypeError(f"test {name!r} is None, not a light field")
+        choices.append((str(name), light_choice(light)))
+    rates = [(str(name), [(str(test), float(rate)) for test, rate in group.items()])
+             for name, group in (groups or {}).items()]
+    states = None if cameras is None else [dict(state) for state in cameras]
+    light = light_choice(light_field)
+    document = session._document(states, not isinstance(light, LightField))
+    rows: List[Dict[str, Any]] = _hogelscope.report(
+        document, light, choices, rates, os.fspath(output), against is not None, images,
+        threads, progress,
+    )
+    return rows

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a camera sees."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Optional, Union
+
+import numpy as np
+
+from . import _hogelscope
+
+
+class View:
+    """The picture of one camera state. It needs neither its session nor its light field any more.
+
+    Attributes:
+        state: name of the camera state.
+        image: (h, w, 3) uint8, R, G, B; row 0 is the top. The pixels of ``--render``'s PNG.
+        seen: (h, w) bool, whether the display is seen there; the others are black.
+        values: (h, w, 3) float32, the image before rounding, in code values (0 to 255, not
+            limited to them). None if the light field is larger than the memory and could only be
+            read once from the top (a PNG); pack it into a store then.
+    """
+
+    __slots__ = ("state", "image", "seen", "values")
+
+    def __init__(
+        self, state: str, image: np.ndarray, seen: np.ndarray, values: Optional[np.ndarray] = None
+    ) -> None:
+        self.state = state
+        self.image = image
+        self.seen = seen
+        self.values = values
+
+    def __repr__(self) -> str:
+        height, width = self.seen.shape
+        return f"<View {self.state!r}: {width}×{height} px, {self.seen.mean():.0%} see the display>"
+
+    def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
+        """Write the picture: .png as ``--render`` does, .exr and .tif from ``values``, as its
+        ``--format`` does. The file is complete or not there. Raises InputError."""
+        name = os.fspath(file)
+        is_float = name.lower().endswith((".exr", ".tif", ".tiff"))
+        if is_float and self.values is None:
+            raise _hogelscope.InputError(f"{name}: the view has no values: write a PNG")
+        _hogelscope.write(name, np.ascontiguousarray(self.image), self.values if is_float else None)
+
+    def to_vtk(self) -> Any:
+        """Return a new vtkImageData of the picture, for VTK and PyVista.
+
+        Point data: the scalars "image" (3 components, unsigned char) and the array "seen" (0 or
+        1). One pixel is one unit; VTK's rows begin at the bottom, so (0, 0) is the picture's
+        bottom left pixel. Needs Debian's python3-vtk9, or VTK of pip. Raises ImportError.
+        """
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        from vtkmodules.vtkCommonDataModel import vtkImageData
+
+        height, width = self.seen.shape
+        data = vtkImageData()
+        data.SetDimensions(width, height, 1)
+        for name, rows in (("image", self.image), ("seen", self.seen.astype(np.uint8))):
+            flat = np.ascontiguousarray(rows[::-1]).reshape(height * width, -1)
+            array = numpy_to_vtk(flat, deep=True)
+            array.SetName(name)
+            data.GetPointData().AddArray(array)
+        data.GetPointData().SetActiveScalars("image")
+        return data

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Python's LightField: from numpy, from files, and back to numpy.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.h"
+#include "io/scene/scene.h"
+#include "python/array_light_field.h"
+#include "python/bindings.h"
+#include "python/content.h"
+#include "python/stoppable.h"
+
+namespace hogelscope {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr const char* wantedShape =
+    "views in rows and columns are (dv, du, ny, nx, 3): rows of views from the top, columns from "
+    "the left, then the pixels of a view";
+
+std::string shapeText(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
+}
+
+StoredType typeOf(const py::array& array) {
+  if (py::isinstance<py::array_t<std::uint8_t>>(array)) return StoredType::uint8;
+  if (py::isinstance<py::array_t<std::uint16_t>>(array)) return StoredType::uint16;
+  if (py::isinstance<py::array_t<float>>(array)) return StoredType::real;
+  throw InputError("array", "dtype",
+                   "is " + py::str(array.dtype()).cast<std::string>() +
+                       "; allowed are uint8, uint16, and float32 from 0 to 1, in the machine's "
+                       "byte order: array.astype(…) makes one");
+}
+
+LightFieldSize sizeOf(const py::array& array) {
+  if (array.ndim() != 5 || array.shape(4) != 3)
+    throw InputError("array", "shape", "is " + shapeText(array) + "; " + wantedShape);
+  const auto axis = [&](int k) {
+    if (array.shape(k) < 1 || array.shape(k) > std::numeric_limits<std::int32_t>::max())
+      throw InputError("array", "shape",
+                       "is " + shapeText(array) + "; no size may be 0 or above 2^31");
+    return int(array.shape(k));
+  };
+  return {axis(3), axis(2), axis(1), axis(0)};
+}
+
+/// Owns a reference that may be given up by any thread.
+std::shared_ptr<const void> ownerOf(const py::object& object) {
+  PyObject* held = object.inc_ref().ptr();
+  return {held, [](PyObject* reference) {
+            const py::gil_scoped_acquire lock;
+            Py_DECREF(reference);
+          }};
+}
+
+/// An array has no file, so its content stands where a file's name does: reports go on only with
+/// the same one.
+LightFieldParams paramsOf(const std::string& name) {
+  LightFieldParams params;
+  params.file = name;
+  return params;
+}
+
+std::shared_ptr<Content> fromArray(const py::array& array, const py::object& progress) {
+  ViewArray views{sizeOf(array),
+                  typeOf(array),
+                  static_cast<const std::byte*>(array.data()),
+                  {},
+                  ownerOf(array)};
+  std::copy_n(array.strides(), 5, views.strides.begin());
+  runStoppable(progress, [&](const Progress& hear) { checkFinite(views, hear); });
+  DisplayParams display;
+  return std::make_shared<Content>(paramsOf("array"), display,
+                                   std::make_shared<ArrayLightField>(std::move(views)));
+}
+
+std::shared_ptr<Content> openContent(const Document& document,
+                                     const std::vector<std::string>& warnings,
+                                     const py::object& progress) {
+  return stoppable(progress, [&](const Progress& hear) {
+    const Session session = sessionOf(document);
+    return std::make_shared<Content>(session.lightField, session.display,
+                                     openLightField(session.lightField, session.display, hear),
+                                     warnings);
+  });
+}
+
+std::array<std::size_t, 5> shapeOf(const Content& content) {
+  const auto [nx, ny, du, dv] = content.file()->size();
+  return {std::size_t(dv), std::size_t(du), std::size_t(ny), std::size_t(nx), 3};
+}
+
+py::dtype dtypeOf(StoredType type) {
+  if (type == StoredType::uint8) return py::dtype::of<std::uint8_t>();
+  return type == StoredType::uint16 ? py::dtype::of<std::uint16_t>() : py::dtype::of<float>();
+}
+
+/// Puts a hogel row's directions (·, v) where they belong among views.
+template <class T>
+void putRow(const LightFieldSize& size, int j, int v, const T* rgb, T* views) {
+  const auto [nx, ny, du, dv] = size;
+  for (int i = 0; i < nx; ++i)
+    for (int u = 0; u < du; ++u, rgb += 3) {
+      const std::size_t view = std::size_t(v) * std::size_t(du) + std::size_t(u);
+      const std::size_t pixel = (view * std::size_t(ny) + std::size_t(j)) * std::size_t(nx);
+      std::copy_n(rgb, 3, views + 3 * (pixel + std::size_t(i)));
+    }
+}
+
+py::array toArray(Content& content, const py::object& progress) {
+  const LightFieldSize size = content.file()->size();
+  py::array result(dtypeOf(content.file()->type()), shapeOf(content));
+  void* const data = result.mutable_data();
+  runStoppable(progress, [&](const Progress& hear) {
+    const auto lock = lockFor(content.mutex(), hear);
+    content.file()->stream(
+        [&](int j, int v, const StoredRows& row) {
+          std::visit(
+              [&](const auto* rgb) {
+                using T = std::remove_cvref_t<decltype(*rgb)>;
+                putRow(size, j, v, rgb, static_cast<T*>(data));
+              },
+              row);
+        },
+        hear);
+  });
+  return result;
+}
+
+std::vector<std::string> filesOf(const Content& content) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : content.file()->files()) names.push_back(file.string());
+  return names;
+}
+
+}  // namespace
+
+void addLightFields(py::module_& module) {
+  py::class_<Content, std::shared_ptr<Content>>(
+      module, "LightField",
+      "A display's content: views (sub-aperture images) in rows and columns, or files.\n\n"
+      "LightField(array) takes a numpy array of shape (dv, du, ny, nx, 3): dv rows of views from\n"
+      "the top, du columns from the left, each view ny by nx pixels of R, G, B. dtype uint8,\n"
+      "uint16 (65535 is white) or float32 (1.0 is white). View [v, u], pixel [y, x] is the light\n"
+      "that hogel (x, y) sends into direction (u, v). Any strides will do, numpy.memmap too.\n"
+      "Arrays above 100 MB are not copied; do not change them while the LightField is used.\n\n"
+      "hogelscope.open() opens files. Raises InputError.")
+      .def(py::init(&fromArray), py::arg("array"), py::kw_only(), py::arg("progress") = py::none())
+      .def_property_readonly(
+          "shape", [](const Content& content) { return py::tuple(py::cast(shapeOf(content))); },
+          "(dv, du, ny, nx, 3)")
+      .def_property_readonly(
+          "dtype", [](const Content& content) { return dtypeOf(content.file()->type()); },
+          "numpy.dtype of its values: uint8, uint16 or float32")
+      .def_property_readonly("files", &filesOf, "Names of its files; none of an array.")
+      .def_property_readonly(
+          "warnings", [](const Content& content) { return content.warnings(); },
+          "Lines on what it lacks, such as missing views.")
+      .def("array", &toArray, py::kw_only(), py::arg("progress") = py::none(),
+           "Returns all of it as a new numpy array (dv, du, ny, nx, 3). Raises InputError.");
+  module.def("open", &openContent, py::arg("document"), py::arg("warnings"), py::arg("progress"),
+             "Opens a session's own light field.");
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Python extension module _hogelscope.
+#include "core/base/error.h"
+#include "python/bindings.h"
+#include "sdk/hogelscope/plugin.h"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_hogelscope, module) {
+  using namespace hogelscope;
+  module.doc() = "What the package hogelscope is made of; use that.";
+  // A signal or a listener's exception stops work, and is raised itself; this is never the reason.
+  py::register_exception<Cancelled>(module, "Stopped", PyExc_KeyboardInterrupt);
+  auto& error = py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  error.attr("__module__") = "hogelscope";
+  error.attr("__doc__") =
+      "Input that can be put right. The message is \"FILE: WHAT: WHY\", in the program's words.";
+  module.attr("version") = HOGELSCOPE_VERSION;
+  module.attr("plugin_abi") = plugin::abi;
+  addDocuments(module);
+  addLightFields(module);
+  addViews(module);
+  addFigures(module);
+  addReports(module);
+  module.attr("LightField").attr("__module__") = "hogelscope";
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports for Python.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/plugins/metric_plugins.h"
+#include "python/array_light_field.h"
+#include "python/bindings.h"
+#include "python/stoppable.h"
+#include "python/views.h"
+#include "report/file_hash.h"
+#include "report/report_run.h"
+
+namespace hogelscope {
+
+namespace py = pybind11;
+
+namespace {
+
+using Tests = std::vector<std::pair<std::string, LightChoice>>;
+using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::string, double>>>>;
+
+/// What a report is asked for by Python.
+struct Wishes {
+  const Document& document;
+  const LightChoice& reference;
+  const Tests& tests;
+  const Groups& groups;
+  std::string output;
+  bool isAgainstIdeal = false;
+  bool images = false;
+};
+
+/// The name by which an unfinished report knows an array again: its content.
+std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
+  std::string all;
+  file.stream(
+      [&](int, int, const StoredRows& row) {
+        std::visit(
+            [&](const auto* rgb) {
+              all += sha256(std::string(reinterpret_cast<const char*>(rgb),
+                                        3 * sizeof(*rgb) * file.size().width()));
+            },
+            row);
+      },
+      progress);
+  return "array, SHA-256 of its rows " + sha256(all);
+}
+
+/// The session itself if there is no other light field.
+ReportTest testOf(const Session& session, const std::string& name, const LightChoice& light,
+                  const Progress& progress) {
+  if (std::holds_alternative<std::monostate>(light))
+    return {name, session, openLightField(session.lightField, session.display, progress)};
+  if (const auto* file = std::get_if<std::string>(&light)) {
+    const Session other = sessionWith(session, *file);
+    return {name, other, openLightField(other.lightField, other.display, progress)};
+  }
+  const auto& content = std::get<std::shared_ptr<Content>>(light);
+  Session other = content->in(session);
+  if (content->lightField().layout == Layout::live)  // along this display's own rays
+    return {name, other, openLightField(other.lightField, other.display, progress)};
+  if (content->file()->files().empty())
+    other.lightField.file = nameOfArray(*content->file(), progress);
+  (void)resolved(displayOf(other), content->file()->size());
+  return {name, other, content->file()};
+}
+
+std::vector<RateGroup> groupsOf(const Wishes& wishes) {
+  std::vector<RateGroup> groups;
+  for (const auto& [name, rates] : wishes.groups) {
+    RateGroup group{name, {}};
+    for (const auto& [test, rate] : rates) {
+      if (std::ranges::none_of(wishes.tests, [&](const auto& one) { return one.first == test; }))
+        throw InputError("groups", name, "\"" + test + "\" is none of the tests");
+      if (!(rate > 0) || !std::isfinite(rate))
+        throw InputError("groups", name, "the rate of \"" + test + "\" is not a number above 0");
+      group.tests.push_back({test, rate});
+    }
+    if (group.tests.size() < 4)
+      throw InputError("groups", name,
+                       "has " + std::to_string(group.tests.size()) +
+                           " tests, but a rate-distortion curve needs four or more");
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
+  ReportRequest request;
+  const Session session = sessionOf(wishes.document);
+  request.name = wishes.document.name.empty() ? "a session of Python" : wishes.document.name;
+  ReportTest reference = testOf(session, "", wishes.reference, progress);
+  request.session = std::move(reference.session);
+  request.file = std::move(reference.file);
+  request.isAgainstIdeal = wishes.isAgainstIdeal;
+  if (request.isAgainstIdeal) {
+    if (request.session.lightField.layout != Layout::live)
+      throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
+    request.tests.push_back({"display", request.session, request.file});
+  }
+  for (const auto& [name, light] : wishes.tests)
+    request.tests.push_back(testOf(request.session, name, light, progress));
+  if (request.tests.empty()) throw InputError("tests", "is empty: there is nothing to compare");
+  request.metrics = metricsOf(request.session.metrics);
+  request.groups = groupsOf(wishes);
+  request.output = wishes.output;
+  request.command = "hogelscope.report() of Python";
+  request.images = wishes.images;
+  return request;
+}
+
+/// Holds all light fields that are open, each once, in one order for all reports.
+std::vector<std::unique_lock<std::timed_mutex>> lockAll(const LightChoice& reference,
+                                                        const Tests& tests,
+                                                        const Progress& progress) {
+  std::vector<Content*> contents;
+  const auto add = [&](const LightChoice& light) {
+    if (const auto* content = std::get_if<std::shared_ptr<Content>>(&light))
+      contents.push_back(content->get());
+  };
+  add(reference);
+  for (const auto& [name, light] : tests) add(light);
+  std::ranges::sort(contents);
+  contents.erase(std::unique(contents.begin(), contents.end()), contents.end());
+  std::vector<std::unique_lock<std::timed_mutex>> locks;
+  for (Content* const content : contents) locks.push_back(lockFor(content->mutex(), progress));
+  return locks;
+}
+
+py::dict dictOf(const ReportRow& row, const MetricSet& metrics) {
+  py::dict result;
+  result["state"] = row.state;
+  result["test"] = row.test;
+  for (std::size_t k = 0; k < metrics.columns().size(); ++k)
+    result[py::str(metrics.columns()[k].name)] = row.values[k];
+  result["eye_x"] = row.eye.x;
+  result["eye_y"] = row.eye.y;
+  result["eye_z"] = row.eye.z;
+  result["weight"] = row.weight;
+  result["problem"] = row.problem;
+  return result;
+}
+
+py::list report(const Document& document, const LightChoice& lightField, const Tests& tests,
+                const Groups& groups, const std::string& output, bool ideal, bool images,
+                int threads, const py::object& progress) {
+  const ThreadsOfCall limit(threads);
+  const auto [rows, metrics] = stoppable(progress, [&](const Progress& hear) {
+    const auto locks = lockAll(lightField, tests, hear);
+    const ReportRequest request = requestOf(
+        {document, lightField, tests, groups, output, ideal, images}, part(hear, 0, 0.05));
+    ReportListener listener;
+    listener.progress = part(hear, 0.05, 1);
+    return std::pair(makeReport(request, listener).rows, request.metrics);
+  });
+  py::list result;
+  for (const ReportRow& row : rows) result.append(dictOf(row, metrics));
+  return result;
+}
+
+}  // namespace
+
+void addReports(py::module_& module) {
+  module.def("report", &report, py::arg("document"), py::arg("light_field"), py::arg("tests"),
+             py::arg("groups"), py::arg("output"), py::arg("ideal"), py::arg("images"),
+             py::arg("threads"), py::arg("progress"), "Writes a report; the rows of its tables.");
+}
+
+}  // namespace hogelscope

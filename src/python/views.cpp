@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rendering for Python: what a session keeps between views, and views as numpy arrays.
+#include "python/views.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/engine/renderer.h"
+#include "io/documents/session_file.h"
+#include "io/images/image_writer.h"
+#include "io/scene/scene.h"
+#include "python/bindings.h"
+#include "python/content.h"
+#include "python/stoppable.h"
+#include "report/streamed_images.h"
+
+namespace hogelscope {
+
+namespace py = pybind11;
+
+namespace {
+
+/// A state's image, and its values before rounding, which a light field that is too large for the
+/// memory and can only be read from the top does not give.
+struct RenderedView {
+  std::string state;
+  Image image;
+  std::optional<std::vector<float>> values;
+};
+
+/// What is asked for; `light` is null for the session's own.
+struct RenderRequest {
+  Session session;
+  std::shared_ptr<Content> light;
+  bool isIdeal = false;
+};
+
+/// Keeps the session's light field, and tables of lenses, from one view to the next.
+class SessionViews {
+ public:
+  std::vector<RenderedView> render(const RenderRequest& request, const Progress& progress);
+
+ private:
+  std::shared_ptr<Content> ownOf(const Session& session, const Progress& progress);
+
+  std::timed_mutex m_mutex;
+  Session m_session;  ///< whose light field is kept
+  std::shared_ptr<Content> m_own;
+  Renderer m_renderer;
+};
+
+std::shared_ptr<Content> SessionViews::ownOf(const Session& session, const Progress& progress) {
+  if (m_own && readTheSame(session, m_session) && m_own->isFresh()) return m_own;
+  m_own.reset();  // its memory is free before the next one is read
+  m_own = Content::openOf(session, progress);
+  m_session = session;
+  return m_own;
+}
+
+RenderedView renderOne(Renderer& renderer, const RenderJob& job, const Progress& progress) {
+  FloatImage values = renderer.renderFloat(job, progress);
+  RenderedView view{job.state.camera.name, {}, {}};
+  // A picture that a tolerance makes smaller is enlarged after it has been rounded.
+  view.image = job.sampling.tolerance > 0 ? renderer.render(job, progress) : rounded(values);
+  view.values = std::move(values.rgb);
+  return view;
+}
+
+/// Renders while the light field is read once.
+std::vector<RenderedView> renderPassing(const Session& session, LightFieldFile& file,
+                                        const Progress& progress) {
+  const Scene scene = unloadedScene(session, file);
+  std::vector<RenderJob> jobs;
+  for (const CameraState& state : session.cameras) jobs.push_back(scene.job(state));
+  std::vector<StateImage> images =
+      renderStreamed(file, jobs, allowedMemory(), parallelRows, progress);
+  std::vector<RenderedView> views;
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const std::string& name = session.cameras[k].camera.name;
+    if (!images[k].problem.empty()) throw InputError(name, images[k].problem);
+    views.push_back({name, std::move(images[k].image), {}});
+  }
+  return views;
+}
+
+std::vector<RenderedView> SessionViews::render(const RenderRequest& request,
+                                               const Progress& progress) {
+  const auto lock = lockFor(m_mutex, progress);
+  const bool isOwn = !request.light || request.light->lightField().layout == Layout::live;
+  const Session session = request.light ? request.light->in(request.session) : request.session;
+  if (request.isIdeal) requireScene(session);
+  const std::shared_ptr<Content> content =
+      isOwn ? ownOf(session, part(progress, 0, 0.1)) : request.light;
+  const auto contentLock = lockFor(content->mutex(), progress);
+  LightFieldFile& file = *content->file();
+  const DisplayParams display = resolved(displayOf(session), file.size());
+  if (mustPass(file, allowedMemory())) return renderPassing(session, file, progress);
+  const Scene scene{content->source(part(progress, 0.1, 0.5)), display, session.sampling,
+                    request.isIdeal};
+  std::vector<RenderedView> views;
+  const auto count = double(session.cameras.size());
+  for (const CameraState& state : session.cameras) {
+    const auto done = double(views.size());
+    views.push_back(
+        renderOne(m_renderer, scene.job(state),
+                  part(progress, 0.5 + 0.5 * done / count, 0.5 + 0.5 * (done + 1) / count)));
+  }
+  return views;
+}
+
+/// Returns the session with the states of these names, in this order.
+void select(Session& session, const std::vector<std::string>& names, const std::string& document) {
+  std::vector<CameraState> states;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find_if(
+        session.cameras, [&](const CameraState& state) { return state.camera.name == name; });
+    if (found != session.cameras.end()) {
+      states.push_back(*found);
+      continue;
+    }
+    std::string known;
+    constexpr std::size_t longest = 200;
+    for (const CameraState& state : session.cameras)
+      if (known.size() < longest) known += (known.empty() ? "" : ", ") + state.camera.name;
+    throw InputError(document, "\"" + name + "\"", "is none of the states: " + known);
+  }
+  session.cameras = states;
+}
+
+/// A numpy array of a vector's own memory.
+template <class T>
+py::array arrayOf(std::vector<T> values, const std::vector<std::size_t>& shape) {
+  auto* const held = new std::vector<T>(std::move(values));  // NOLINT: the capsule owns it
+  const py::capsule owner(held, [](void* p) { delete static_cast<std::vector<T>*>(p); });  // NOLINT
+  return py::array_t<T>(shape, held->data(), owner);
+}
+
+py::tuple tupleOf(RenderedView view) {
+  const auto height = std::size_t(view.image.height);
+  const auto width = std::size_t(view.image.width);
+  for (std::uint8_t& seen : view.image.seen) seen = seen != 0 ? 1 : 0;
+  const py::array seen = arrayOf(std::move(view.image.seen), {height, width});
+  return py::make_tuple(
+      view.state, arrayOf(std::move(view.image.rgb), {height, width, 3}),
+      seen.attr("view")(py::dtype::of<bool>()),
+      view.values ? py::object(arrayOf(std::move(*view.values), {height, width, 3})) : py::none());
+}
+
+py::list render(SessionViews& views, const Document& document,
+                const std::optional<std::vector<std::string>>& states, const LightChoice& light,
+                bool ideal, int threads, const py::object& progress) {
+  const ThreadsOfCall limit(threads);
+  std::vector<RenderedView> rendered = stoppable(progress, [&](const Progress& hear) {
+    RenderRequest request{sessionOf(document), {}, ideal};
+    if (states) select(request.session, *states, document.name);
+    if (const auto* file = std::get_if<std::string>(&light))
+      request.session = sessionWith(request.session, *file);
+    else if (const auto* content = std::get_if<std::shared_ptr<Content>>(&light))
+      request.light = *content;
+    return views.render(request, hear);
+  });
+  py::list result;
+  for (RenderedView& view : rendered) result.append(tupleOf(std::move(view)));
+  return result;
+}
+
+using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
+using Floats = py::array_t<float, py::array::c_style>;
+
+void write(const std::string& file, const Bytes& image, const std::optional<Floats>& values) {
+  const auto height = int(image.shape(0));
+  const auto width = int(image.shape(1));
+  const auto size = std::size_t(image.size());
+  const std::uint8_t* const rgb = image.data();
+  const float* const floats = values ? values->data() : nullptr;
+  const py::gil_scoped_release free;
+  if (floats != nullptr)
+    writeImage(file, width, height, std::span(floats, size));
+  else
+    writeImage(file, width, height, std::span(rgb, size));
+}
+
+}  // namespace
+
+Session sessionWith(const Session& session, const std::string& file) {
+  try {
+    return withLightField(session, file);
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
+}
+
+void addViews(py::module_& module) {
+  py::class_<SessionViews>(module, "SessionViews", "What a session keeps between views.")
+      .def(py::init<>())
+      .def("render", &render, py::arg("document"), py::arg("states"), py::arg("light_field"),
+           py::arg("ideal"), py::arg("threads"), py::arg("progress"),
+           "Renders states: (name, image, seen, values) of each.");
+  module.def("write", &write, py::arg("file"), py::arg("image"), py::arg("values"),
+             "Writes 8-bit RGB, or values as EXR or TIFF.");
+}
+
+}  // namespace hogelscope

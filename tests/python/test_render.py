@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Views are the program's own, byte for byte; comparisons are its reports'."""
+
+import math
+import os
+import unittest
+
+import numpy as np
+from support import TABLE1, FolderTest, program, random_views, small_session
+
+import hogelscope as hs
+
+
+class Render(FolderTest):
+    def assert_as_program(self, session, file, *options, **named):
+        """All states, pictures and masks."""
+        program("--render", "--session", file, "--output", self.path("o"), "--masks", *options)
+        for view in session.render(**named):
+            for own, name in ((view, f"{view.state}.png"),
+                              (hs.View("", np.repeat(view.seen[..., None], 3, 2) * np.uint8(255),
+                                       view.seen), None)):
+                own.save(self.path("own.png"))
+                if name is None:
+                    continue
+                with open(self.path("own.png"), "rb") as a, open(self.path("o", name), "rb") as b:
+                    self.assertEqual(a.read(), b.read(), view.state)
+            mask = hs.open(self.path("o", view.state + ".mask.png"), "hogels", display={
+                "hogels": [1, 1], "directions": [view.seen.shape[1], view.seen.shape[0]]}).array()
+            self.assertSame(mask[:, :, 0, 0, 0] == 255, view.seen)
+
+    def test_table1(self):
+        self.assert_as_program(hs.Session(TABLE1), TABLE1)
+
+    def test_tolerance_interpolation(self):
+        for document in ({"tolerance": 2.0}, {"reconstruction": "quadrilinear"},
+                         {"samplesPerPixel": 2}):
+            file = self.write("s.json", small_session(
+                display={"hogels": [128, 128], "directions": [20, 20]}, sampling=document,
+                lightField={"file": os.path.abspath("data/scene.png")}))
+            self.assert_as_program(hs.Session(file), file)
+
+    def test_live_and_ideal(self):
+        file = self.write("live.json", small_session(
+            display={"hogels": [64, 48], "directions": [16, 12]},
+            lightField={"layout": "live", "source": "scene"}))
+        s = hs.Session(file)
+        self.assert_as_program(s, file)
+        self.assert_as_program(s, file, "--ideal", ideal=True)
+        self.assertRefuses("only a 3-D scene", hs.Session(TABLE1).render, 0, ideal=True)
+
+    def test_values_and_formats(self):
+        s = hs.Session(TABLE1)
+        v = s.render("Fig 1")
+        self.assertSame(np.clip(np.floor(v.values.astype(float) + 0.5), 0, 255), v.image)
+        self.assertFalse(v.image[~v.seen].any())
+        program("--render", "--session", TABLE1, "--states", "Fig 1", "--format", "exr", "--output",
+                self.path("o"))
+        v.save(self.path("own.exr"))
+        sizes = {"hogels": [1, 1], "directions": [600, 600]}
+        self.assertSame(hs.open(self.path("own.exr"), "hogels", display=sizes).array(),
+                        hs.open(self.path("o", "Fig 1.exr"), "hogels", display=sizes).array())
+        self.assertRefuses("", v.save, self.path("none", "a.png"))
+        self.assertRefuses("", v.save, self.path("a.notapicture"))
+        self.assertEqual(os.listdir(self.folder).count("a.notapicture"), 0)
+
+    def test_states(self):
+        s = hs.Session(TABLE1)
+        named = s.render("Fig 3")
+        self.assertEqual(named.state, "Fig 3")
+        self.assertIn("600×600", repr(named))
+        for same in (s.render(2), s.render(-4), s.render(np.int64(2)), s.render(s["cameras"][2]),
+                     s.render(["Fig 3"])[0], s.render((2,))[0]):
+            self.assertSame(same.image, named.image)
+        self.assertEqual([v.state for v in s.render(["Fig 5", 0])], ["Fig 5", "Fig 1"])
+        self.assertEqual(s.render([]), [])
+        self.assertRefuses('^data/table1.json: "Fig 9": is none of the states: Fig 1, Fig 2',
+                           s.render, "Fig 9")
+        self.assertRefuses(r"cameras\[0\].naem: is not known here; did you mean", s.render,
+                           {"naem": "x"})
+        self.assertRefuses("out of range", s.render, {"res": [100000, 100000]})
+        for wrong in (3.5, [3.5], {1, 2.5}):
+            with self.assertRaises(TypeError):
+                s.render(wrong)
+        with self.assertRaises(IndexError):
+            s.render(17)
+        with self.assertRaises(TypeError):
+            s.render(0, lightfield=None)
+        with self.assertRaises(TypeError):
+            s.render(0, threads=10**12)
+        self.assertRefuses("threads: -1 is below 0", s.render, 0, threads=-1)
+        self.assertRefuses("list of camera states", hs.Session({"cameras": [5]}).render, [0])
+
+    def test_files_that_change(self):
+        """A session reads its light field once, and again when its file was written again."""
+        views = random_views()
+        folder = self.write_views(views)
+        s = hs.Session(small_session(lightField={"file": folder, "layout": "views"}))
+        before = s.render("middle").image
+        self.assertSame(s.render("middle").image, before)
+        inverted = 255 - views
+        for v in range(3):
+            for u in range(4):
+                hs.View("", inverted[v, u], np.ones((12, 10), bool)).save(
+                    os.path.join(folder, f"{v:02}_{u:02}.png"))
+        self.assertSame(s.render("middle").image, s.render("middle", inverted).image)
+        self.assertFalse((s.render("middle").image == before).all())
+
+    def test_compare(self):
+        s = hs.Session(small_session())
+        views = random_views()
+        a, b = s.render("middle", views), s.render("middle", views // 2)
+        figures = hs.compare(a, b)
+        error = (a.image.astype(float) - b.image) ** 2
+        self.assertAlmostEqual(figures["mse"], error.mean(), 9)
+        self.assertAlmostEqual(figures["mse_seen"], error[a.seen & b.seen].mean(), 9)
+        self.assertAlmostEqual(figures["psnr"], 10 * math.log10(255**2 / error.mean()), 9)
+        whole = hs.compare(a.image, b.image)
+        self.assertEqual(whole["mse"], figures["mse"])
+        self.assertAlmostEqual(whole["mse_seen"], error.mean(), 9)  # arrays are seen everywhere
+        self.assertEqual(hs.compare(a, a)["ssim"], 1)
+        self.assertTrue(math.isinf(hs.compare(a, a)["psnr"]))
+        self.assertEqual(hs.compare(a.image[::-1], a.image[::-1])["mse"], 0)
+        deep = np.full((20, 20, 3), 1000, np.uint16)
+        self.assertAlmostEqual(hs.compare(deep, deep + 1)["mse_of_bits"], 1, 9)
+        self.assertRefuses("60×40 px, but the reference is 50×50", hs.compare,
+                           s.render("left", views), a)
+        for wrong in (a.image[..., :2], a.values, a.image[0], a.image[:0], np.zeros(4, np.uint8)):
+            self.assertRefuses("picture: is ", hs.compare, a.image, wrong)
+        self.assertRefuses("plugin ms-sim: is not installed", hs.compare, a, b, metrics=["ms-sim"])
+        with self.assertRaises(TypeError):
+            hs.compare(a, [1, 2])
+
+    def test_bd_rate(self):
+        anchor = [(1, 30), (2, 33), (4, 36), (8, 39)]
+        half = [(rate / 2, quality) for rate, quality in anchor]
+        delta = hs.bd_rate(anchor, half)
+        self.assertAlmostEqual(delta["rate"], -50)
+        self.assertAlmostEqual(delta["quality"], 3, 6)
+        self.assertEqual((delta["from"], delta["to"]), (30, 39))
+        self.assertRefuses("four are needed", hs.bd_rate, anchor[:3], half)
+        self.assertRefuses("nan", hs.bd_rate, [(math.nan, 3)] * 4, half)
+        with self.assertRaises(TypeError):
+            hs.bd_rate([1], [2])
+
+
+if __name__ == "__main__":
+    unittest.main()
