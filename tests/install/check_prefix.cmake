@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 #   -P check_prefix.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${PREFIX})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --strip)  # as packages are
 set(app io.github.hogelscope.Hogelscope)
 set(missing "")
 foreach(file bin/hogelscope ${LIBRARIES}/hogelscope/plugins-1/measured-lens/plugin.json
