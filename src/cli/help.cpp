@@ -3,10 +3,13 @@
 #include "cli/help.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
+#include "cli/completion.h"
 #include "cli/flags.h"
 #include "cli/jobs.h"
+#include "cli/man_page.h"
 #include "cli/manual.h"
 #include "core/base/error.h"
 #include "core/base/parameters.h"
@@ -46,8 +49,10 @@ std::string wrapped(std::string_view text, std::size_t from) {
 std::string entry(std::string_view name, std::string_view value, std::string_view help) {
   std::string head = "  --" + std::string(name);
   if (!value.empty()) head += " " + std::string(value);
-  const std::size_t gap = indent - std::min(columnsOf(head), indent - 2);
-  return head + std::string(gap, ' ') + wrapped(help, indent);
+  const std::size_t columns = columnsOf(head);
+  head +=
+      columns + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - columns, ' ');
+  return head + wrapped(help, indent);
 }
 
 /// Before an option's help, or after it: which jobs it is for.
@@ -74,6 +79,7 @@ std::string overview() {
       "  hogelscope --JOB [OPTION ...]    does a job without a window\n"
       "  hogelscope --help JOB            explains one job: its options, examples\n"
       "  hogelscope --help parameters     lists every parameter that --set knows\n"
+      "  hogelscope --help man            prints the man page; \"completion\" that of bash\n"
       "\n"
       "Try it on the paper's six camera states, from the folder of the sources:\n"
       "  hogelscope --render --session data/table1.json --output out --masks\n"
@@ -129,19 +135,34 @@ std::string explained(const Job& job) {
   return text;
 }
 
+/// What --help prints for programs to read, beside the help on jobs.
+struct Topic {
+  std::string_view name;
+  std::string (*text)();
+};
+
+constexpr std::array topics{Topic{"parameters", parameterManual}, Topic{"man", manPage},
+                            Topic{"completion", bashCompletion}};
+
 }  // namespace
+
+std::vector<std::string_view> helpTopics() {
+  std::vector<std::string_view> names;
+  for (const Topic& topic : topics) names.push_back(topic.name);
+  for (const Job& job : jobs()) names.push_back(job.name);
+  return names;
+}
 
 std::string helpText(const std::string& topic) {
   if (topic.empty()) return overview();
-  if (topic == "parameters") return parameterManual();
-  std::vector<std::string_view> topics{"parameters"};
-  for (const Job& job : jobs()) {
+  for (const auto& [name, text] : topics)
+    if (topic == name) return text();
+  for (const Job& job : jobs())
     if (topic == job.name) return explained(job);
-    topics.push_back(job.name);
-  }
-  const std::string_view nearest = nearestName(topic, topics);
+  const std::string_view nearest = nearestName(topic, helpTopics());
   throw InputError("--help " + topic,
-                   nearest.empty() ? "there is no such topic; a topic is a job or \"parameters\""
+                   nearest.empty() ? "there is no such topic; a topic is a job, \"parameters\", "
+                                     "\"man\" or \"completion\""
                                    : "there is no such topic; did you mean --help " +
                                          std::string(nearest) + "?");
 }

@@ -3,10 +3,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace hogelscope {
 
-/// The help on `topic`: "" for all, "parameters" or a job's name. Throws InputError.
+/// The help on `topic`: "" for all, or one of helpTopics(). Throws InputError.
 std::string helpText(const std::string& topic);
+
+/// "parameters", "man", "completion" and the names of the jobs.
+std::vector<std::string_view> helpTopics();
 
 }  // namespace hogelscope

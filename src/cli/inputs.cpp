@@ -108,7 +108,8 @@ void keepSession(const CommandLine& line, const Session& session) {
   if (!line.has("save-session")) return;
   const std::string file = line.text("save-session");
   if (!isSessionFile(file))
-    throw InputError("--save-session " + file, "cannot be written: a session's name ends in .json");
+    throw InputError("--save-session " + file,
+                     "cannot be written: a session's name ends in .hogelscope or .json");
   checkOutputs({file}, {contentName(session.lightField)});
   makeFolderOf(file);
   saveSession(file, session);

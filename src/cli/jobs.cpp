@@ -57,7 +57,7 @@ const std::vector<Job>& jobs() {
        .run = runReport},
       {.command = Command::makeCameras,
        .name = "make-cameras",
-       .value = "SET",
+       .value = "uniform|random|normal|FILE",
        .help = "Adds camera states to a copy of the session: uniform (a grid), random or normal "
                "over a region, a distribution of your own FILE.json, or a viewer's trace FILE.csv.",
        .details = "--output may be the session itself. With --states only those of the session's "
@@ -104,7 +104,7 @@ const std::vector<Job>& jobs() {
        .run = runPack},
       {.command = Command::exportAs,
        .name = "export",
-       .value = "LAYOUT",
+       .value = "hogels|views|quilt|pack",
        .help = "Writes the session's light field, of any layout or live, as hogels (one image), "
                "views (a folder), quilt or pack (a store).",
        .details = "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
@@ -163,7 +163,9 @@ const std::vector<Job>& jobs() {
        .run = runStatus},
       {.command = Command::help,
        .name = "help",
-       .help = "This text; with a job, or \"parameters\", more of it.",
+       .help =
+           "This text; with a job, or \"parameters\", more of it; with \"man\" or \"completion\" "
+           "what man and bash read.",
        .run = runHelp},
       {.command = Command::version, .name = "version", .help = "The version.", .run = runVersion}};
   return all;

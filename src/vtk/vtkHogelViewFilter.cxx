@@ -100,11 +100,16 @@ int vtkHogelViewFilter::RequestData(
   }
   catch (const std::exception& error)
   {
-    this->ErrorMessage = error.what();
-    vtkErrorMacro(<< this->ErrorMessage);
+    this->Fail(error);
     return 0;
   }
   return 1;
+}
+
+void vtkHogelViewFilter::Fail(const std::exception& error)
+{
+  this->ErrorMessage = error.what();
+  vtkErrorMacro(<< this->ErrorMessage);
 }
 
 void vtkHogelViewFilter::Render(vtkImageData* output)

@@ -13,6 +13,7 @@
 
 #include <vtkImageAlgorithm.h>
 
+#include <exception>
 #include <string>
 
 #include "core/engine/renderer.h"
@@ -83,6 +84,9 @@ public:
 protected:
   vtkHogelViewFilter();
   ~vtkHogelViewFilter() override = default;
+
+  /// Reports an error by GetErrorMessage() and an error event.
+  void Fail(const std::exception& error);
 
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;

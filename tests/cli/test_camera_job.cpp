@@ -172,7 +172,7 @@ void TestCameraJob::mistakes_data() {
   row("no output", {"random"},
       "--output: is missing; --make-cameras needs --output PATH, see --help make-cameras");
   row("output is a folder", {"random", "--output", "."},
-      ".: cannot be written: a session's name ends in .json");
+      ".: cannot be written: a session's name ends in .hogelscope or .json");
 }
 
 void TestCameraJob::mistakes() {

@@ -87,6 +87,9 @@ class TestOptionTable : public QObject {
   void helpOnAJob_data();
   void helpOnAJob();
   void helpSaysWhoseOptionsAre();
+  void manPageHasAll();
+  void bashCompletes_data();
+  void bashCompletes();
 };
 
 void TestOptionTable::everyOptionIsUsedOrRefused_data() {
@@ -218,6 +221,61 @@ void TestOptionTable::helpSaysWhoseOptionsAre() {
       "--fail-below DB --report: exit status 1 if any PSNR over the pixels seen is below."));
   QVERIFY(help.contains("--format png|exr|tif --render: of the pictures: EXR holds"));
   QVERIFY(help.contains("--quiet Prints nothing but errors. Not for --info, --plugins."));
+}
+
+void TestOptionTable::manPageHasAll() {
+  const QString page = QString::fromStdString(helpText("man")).replace("\\-", "-");
+  QVERIFY(page.startsWith(".\\\""));
+  for (const Job& job : jobs())
+    QVERIFY2(page.contains(".TP\n\\fB" + dashed(job.name) + "\\fR"), job.name.data());
+  for (const Flag& flag : allFlags())
+    QVERIFY2(page.contains(".TP\n\\fB" + dashed(flag.name) + "\\fR"), flag.name.data());
+}
+
+void TestOptionTable::bashCompletes_data() {
+  QTest::addColumn<QStringList>("words");  ///< of which the last is completed
+  QTest::addColumn<QStringList>("proposed");
+  const auto row = [](const char* name, const QStringList& words, const QStringList& proposed) {
+    QTest::newRow(name) << words << proposed;
+  };
+  row("a job", {"--re"}, {"--render", "--report"});
+  row("an option of the job", {"--render", "--th"}, {"--threads"});
+  row("none of another job", {"--render", "--fail"}, {});
+  row("none twice", {"--render", "--masks", "--mas"}, {});
+  row("one that may repeat", {"--report", "--test", "a.png", "--tes"}, {"--test"});
+  row("choices", {"--render", "--format", ""}, {"png", "exr", "tif"});
+  row("after =", {"--render", "--format", "=", "e"}, {"exr"});
+  row("the only choice", {"--report", "--against", ""}, {"ideal"});
+  row("layouts", {"--export", "h"}, {"hogels"});
+  row("topics", {"--help", "comp"}, {"completion"});
+  row("a number", {"--render", "--threads", ""}, {});
+  row("files", {"--session", "a"}, {"a folder", "a.hogelscope"});
+  row("a window's file", {"a"}, {"a folder", "a.hogelscope"});
+  row("folders", {"--plugins-path", "a"}, {"a folder"});
+}
+
+void TestOptionTable::bashCompletes() {
+  QFETCH(const QStringList, words);
+  QFETCH(const QStringList, proposed);
+  const QTemporaryDir folder;
+  QVERIFY(QDir(folder.path()).mkdir("a folder"));
+  writeFile(folder.path() + "/a.hogelscope", "{}");
+  writeFile(folder.path() + "/script", helpText("completion").c_str());
+  QProcess bash;
+  bash.setWorkingDirectory(folder.path());
+  bash.start("bash", QStringList{"--norc", "-c",
+                                 ". ./script; COMP_WORDS=(hogelscope \"$@\"); COMP_CWORD=$#; "
+                                 "_hogelscope; printf '%s\\n' \"${COMPREPLY[@]}\"",
+                                 "bash"} +
+                         words);
+  QVERIFY(bash.waitForFinished());
+  QCOMPARE(bash.readAllStandardError(), QByteArray());
+  QStringList lines =
+      QString::fromUtf8(bash.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);
+  QStringList expected = proposed;
+  lines.sort();
+  expected.sort();
+  QCOMPARE(lines, expected);
 }
 
 QTEST_GUILESS_MAIN(TestOptionTable)

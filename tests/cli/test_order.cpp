@@ -97,7 +97,7 @@ class TestOrder : public QObject {
         run({"--render", "--session", "v", "--output", "d", "--save-session", "v/000_000.png"},
             m_folder.path());
     QCOMPARE(name.status, 2);
-    QVERIFY(name.err.endsWith("a session's name ends in .json\n"));
+    QVERIFY(name.err.endsWith("a session's name ends in .hogelscope or .json\n"));
   }
 
  private:

@@ -78,7 +78,7 @@ void TestOutputs::inputsAreKept_data() {
       "link/a.png: cannot be written: it is a.png" + read);
   row("make-cameras over the light field",
       {"--make-cameras", "random", "--session", "s.json", "--output", "a.png"},
-      "a.png: cannot be written: a session's name ends in .json");
+      "a.png: cannot be written: a session's name ends in .hogelscope or .json");
   row("generate over the session",
       {"--generate", "scene", "--session", "s.json", "--output", "s.json"},
       "s.json: cannot be written: it is s.json" + read);

@@ -205,6 +205,15 @@ class TestFiles : public HabitsTest {
     QVERIFY(lines[1].contains("picture.png: needs an open session"));
   }
 
+  void sessionsHaveASuffixOfTheirOwn() {
+    const QString file = m_folder->filePath("copy.hogelscope");
+    saveSession(file.toStdString(), model().session());
+    drop({file});
+    QTRY_COMPARE_WITH_TIMEOUT(model().file(), file, patience);
+    makeWindow({HOGELSCOPE_SOURCE_DIR "/data/scene.png", file});
+    QTRY_COMPARE_WITH_TIMEOUT(model().file(), file, patience);
+  }
+
   void readingCanBeStopped() {
     const QString file = largeSession();
     auto* bar = m_window->findChild<QWidget*>("readingBar");

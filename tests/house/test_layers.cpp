@@ -36,7 +36,7 @@ const std::map<QString, QStringList>& allowedRooms() {
        {"core", "io/files", "io/images", "io/layouts", "io/plugins", "io/store", "sdk/hogelscope"}},
       {"io/order", {"core", "io/files", "io/json", "io/images", "io/layouts", "io/scene"}},
       {"io/documents", {"core", "io"}},
-      {"vtk", {"core"}},
+      {"vtk", {"core", "io"}},
       {"study", {"core"}},
       {"chart", {"core", "study"}},
       {"report/page", {"core"}},

@@ -37,7 +37,7 @@ int runMakeCameras(const CommandLine& line) {
   const Session result = withCameras(session, set);
   const std::string output = line.text("output");
   if (!isSessionFile(output))
-    throw InputError(output, "cannot be written", "a session's name ends in .json");
+    throw InputError(output, "cannot be written", "a session's name ends in .hogelscope or .json");
   // The session itself may be replaced by the one with more states; nothing that it reads may.
   checkOutputs({output}, {line.subject, line.text("calibration"), contentName(session.lightField)});
   makeFolderOf(output);

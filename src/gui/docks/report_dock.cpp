@@ -213,7 +213,7 @@ void ReportDock::askTest() {
   const QStringList files =
       chooseFiles(this, tr("Add test light fields"),
                   tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff "
-                     "*.exr *.json);;All files (*)"));
+                     "*.exr *.hogelscope *.json);;All files (*)"));
   for (const QString& file : files) addTest(file);
 }
 

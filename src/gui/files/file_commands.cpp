@@ -164,7 +164,7 @@ void FileCommands::openAny(const QString& file, bool isFirst) {
   if (isFirst && (isWhole || !(isOpen || isCalibration))) {
     if (mayLeave()) open(file);
   } else if (!isOpen) {
-    Q_EMIT failed(tr("%1: needs an open session (*.json)").arg(file));
+    Q_EMIT failed(tr("%1: needs an open session (*.hogelscope, *.json)").arg(file));
   } else if (isCalibration) {
     importCalibration(file);
   } else {
@@ -193,14 +193,13 @@ bool FileCommands::saveOrAsk() {
 }
 
 bool FileCommands::askSaveAs() {
-  const QString file =
-      chooseNewFile(m_window, tr("Save session as"), QFileInfo(m_model->file()).fileName(),
-                    tr("Sessions (*.json)"));
+  const QString file = chooseNewFile(m_window, tr("Save session as"),
+                                     QFileInfo(m_model->file()).fileName(), sessionFilter());
   return !file.isEmpty() && save(file);
 }
 
 void FileCommands::askOpen() {
-  const QString file = chooseFile(m_window, tr("Open session"), tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_window, tr("Open session"), sessionFilter());
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 

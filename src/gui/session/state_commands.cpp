@@ -146,7 +146,7 @@ bool StateCommands::move(const std::vector<std::size_t>& indices, std::size_t be
 }
 
 void StateCommands::askStates() {
-  const QString file = chooseFile(m_menu, tr("Load states"), tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_menu, tr("Load states"), sessionFilter());
   if (!file.isEmpty()) mergeStatesOf(file);
 }
 
@@ -162,7 +162,7 @@ bool StateCommands::mergeStatesOf(const QString& file) {
 }
 
 void StateCommands::askFile() {
-  const QString file = chooseFile(m_menu, tr("Add states to session"), tr("Sessions (*.json)"));
+  const QString file = chooseFile(m_menu, tr("Add states to session"), sessionFilter());
   if (!file.isEmpty()) appendStatesTo(file);
 }
 
@@ -175,9 +175,8 @@ bool StateCommands::appendStatesTo(const QString& file) {
 }
 
 void StateCommands::askNewFile() {
-  const QString file =
-      chooseNewFile(m_menu, tr("Save states to new session"), QFileInfo(m_model->file()).fileName(),
-                    tr("Sessions (*.json)"));
+  const QString file = chooseNewFile(m_menu, tr("Save states to new session"),
+                                     QFileInfo(m_model->file()).fileName(), sessionFilter());
   if (!file.isEmpty()) saveStatesAs(file);
 }
 

@@ -170,9 +170,9 @@ void ImageCommands::copy() {
 }
 
 void ImageCommands::askFile() {
-  const QString file = chooseFile(
-      m_ui.pictureView, tr("Compare with light field"),
-      tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.json);;All files (*)"));
+  const QString file = chooseFile(m_ui.pictureView, tr("Compare with light field"),
+                                  tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr "
+                                     "*.hogelscope *.json);;All files (*)"));
   if (!file.isEmpty()) compareWith(file);
 }
 

@@ -2,6 +2,7 @@
 // File dialogs.
 #include "gui/widgets/file_dialogs.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QSettings>
@@ -20,6 +21,10 @@ QString lastFolder() {
 
 void rememberFolderOf(const QString& file) {
   if (!file.isEmpty()) QSettings().setValue(key, QFileInfo(file).absolutePath());
+}
+
+QString sessionFilter() {
+  return QCoreApplication::translate("FileDialogs", "Sessions (*.hogelscope *.json)");
 }
 
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter) {

@@ -9,6 +9,9 @@ class QWidget;
 
 namespace hogelscope {
 
+/// Of the dialogs that ask for a session.
+QString sessionFilter();
+
 /// All of them return nothing where the user does not choose. `filter` is as QFileDialog's.
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter);

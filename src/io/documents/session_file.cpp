@@ -314,7 +314,7 @@ bool isSessionFile(const fs::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
-  return extension == ".json";
+  return extension == ".json" || extension == ".hogelscope";
 }
 
 namespace {

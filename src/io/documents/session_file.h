@@ -59,7 +59,7 @@ OrderedSession orderedSessionAround(const std::string& file,
                                     const std::vector<std::string>& overrides = {},
                                     const Progress& progress = {});
 
-/// Whether the name is that of a session document.
+/// Whether the name is that of a session document: FILE.hogelscope or FILE.json.
 bool isSessionFile(const std::filesystem::path& file);
 
 /// Returns the session with another light field, for comparisons: an image, a folder of views, or a

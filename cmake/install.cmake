@@ -1,0 +1,44 @@
+# What cmake --install gives, beside the plugins, the SDK and the libraries, which say it where they
+# are made. Components: program, dev (libraries, headers, CMake package), sdk (the part of it that
+# plugins need), python.
+set(HOGELSCOPE_APP io.github.hogelscope.Hogelscope)
+set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
+
+install(TARGETS hogelscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(FILES ${desktop}/${HOGELSCOPE_APP}.desktop
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+install(FILES ${desktop}/${HOGELSCOPE_APP}.metainfo.xml
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT program)
+install(FILES ${desktop}/${HOGELSCOPE_APP}.svg
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
+install(FILES ${desktop}/${HOGELSCOPE_APP}.xml
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)
+install(FILES data/scene.png data/room.glb
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples COMPONENT program)
+foreach(sample table1 room)
+  install(FILES data/${sample}.json DESTINATION ${CMAKE_INSTALL_DATADIR}/hogelscope/samples
+    RENAME ${sample}.hogelscope COMPONENT program)
+endforeach()
+
+# The program itself writes its man page and completion, so they cannot be out of date.
+set(made ${CMAKE_CURRENT_BINARY_DIR}/share)
+find_program(HOGELSCOPE_GZIP gzip REQUIRED)
+file(MAKE_DIRECTORY ${made})
+add_custom_command(OUTPUT ${made}/hogelscope.1.gz ${made}/hogelscope.bash DEPENDS hogelscope VERBATIM
+  COMMAND $<TARGET_FILE:hogelscope> --help completion > ${made}/hogelscope.bash
+  COMMAND $<TARGET_FILE:hogelscope> --help man > ${made}/hogelscope.1
+  COMMAND ${HOGELSCOPE_GZIP} -9nf ${made}/hogelscope.1)
+add_custom_target(hogelscope_share ALL DEPENDS ${made}/hogelscope.1.gz ${made}/hogelscope.bash)
+install(FILES ${made}/hogelscope.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${made}/hogelscope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  RENAME hogelscope COMPONENT program)
+
+# What has to be built before cmake --install and cpack: neither builds anything.
+add_custom_target(hogelscope_installed DEPENDS hogelscope hogelscope_share hogelscope_core
+  hogelscope_io ViewFilters)
+foreach(target hogelscope_plugin_mesh hogelscope_plugin_measured-lens hogelscope_plugin_ms-ssim
+    hogelscope_vtkPython _hogelscope hogelscope_python)
+  if(TARGET ${target})
+    add_dependencies(hogelscope_installed ${target})
+  endif()
+endforeach()

@@ -1,0 +1,80 @@
+# Debian packages by CPack (packaging/deb.sh): hogelscope, libhogelscope-dev and, where there is
+# something for Python, python3-hogelscope. The revision sorts before those that Debian would give.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME hogelscope)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
+set(CPACK_PACKAGE_CONTACT "The Hogelscope authors <hogelscope@example.org>")
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
+  GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+# Of each package: its name, and the install components in it.
+set(hogelscope_packages "program:hogelscope:program" "dev:libhogelscope-dev:dev,sdk")
+if(HOGELSCOPE_PYTHON_VTK OR TARGET _hogelscope)
+  list(APPEND hogelscope_packages "python:python3-hogelscope:python")
+endif()
+set(documents ${CMAKE_BINARY_DIR}/debian)
+configure_file(${PROJECT_SOURCE_DIR}/packaging/debian/changelog.in ${documents}/changelog.Debian
+  @ONLY)
+execute_process(COMMAND ${HOGELSCOPE_GZIP} -9nf ${documents}/changelog.Debian
+  COMMAND_ERROR_IS_FATAL ANY)
+set(CPACK_COMPONENTS_ALL "")
+foreach(package IN LISTS hogelscope_packages)
+  string(REPLACE ":" ";" package ${package})
+  list(POP_FRONT package group name components)
+  install(FILES ${documents}/changelog.Debian.gz ${PROJECT_SOURCE_DIR}/packaging/debian/copyright
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${group}-documents EXCLUDE_FROM_ALL)
+  string(REPLACE "," ";" components ${components})
+  foreach(component IN LISTS components ITEMS ${group}-documents)
+    string(TOUPPER ${component} upper)
+    set(CPACK_COMPONENT_${upper}_GROUP ${group})
+    list(APPEND CPACK_COMPONENTS_ALL ${component})
+  endforeach()
+endforeach()
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)  # of the VTK module
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 0hogelscope1)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hogelscope)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-qpa-plugins")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "simulated viewing of light field displays
+Hogelscope shows what a viewer, or a camera with a real lens, would see in
+front of a light field display that does not exist yet. It takes the content
+and geometry of the display, a camera with its lens distortion, and the light
+leakage of the display, gives the picture that the camera would take, and
+compares such pictures over many camera positions.
+
+This package has the program, its plugins and sample sessions.")
+
+set(same_version "hogelscope (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libhogelscope-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
+string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_version}, libhdf5-dev, libopencv-dev, "
+ "libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libyaml-dev, libzstd-dev, "
+ "nlohmann-json3-dev, pkg-config")
+set(CPACK_DEBIAN_DEV_DESCRIPTION "simulated viewing of light field displays - development files
+Headers, static libraries and the CMake package of Hogelscope: the renderer,
+the readers of light fields and sessions, the VTK module, and the SDK for
+plugins.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hogelscope)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+ "${same_version}, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-vtk9")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "simulated viewing of light field displays - Python module
+Renders and compares simulated views of light fields that are numpy arrays,
+files, or stores larger than memory.")
+
+include(CPack)

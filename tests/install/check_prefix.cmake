@@ -1,0 +1,43 @@
+cmake_minimum_required(VERSION 3.25)
+# Installs into an empty prefix and checks that all is there, and works there: the program finds its
+# plugins, and renders the installed sample.
+# Run as: cmake -D SOURCE=<repository> -D BUILD=<build folder> -D PREFIX=<empty> -D LIBRARIES=lib
+#   -P check_prefix.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+file(REMOVE_RECURSE ${PREFIX})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --strip)  # as packages are
+set(app io.github.hogelscope.Hogelscope)
+set(missing "")
+foreach(file bin/hogelscope ${LIBRARIES}/hogelscope/plugins-1/measured-lens/plugin.json
+    ${LIBRARIES}/hogelscope/plugins-1/ms-ssim/ms-ssim.so ${LIBRARIES}/hogelscope/lib/libhogelscope_vtk.so
+    ${LIBRARIES}/libhogelscope_core.a ${LIBRARIES}/libhogelscope_io.a
+    ${LIBRARIES}/cmake/Hogelscope/HogelscopeConfig.cmake include/hogelscope-1/sdk/hogelscope/plugin.h
+    include/hogelscope-1/core/engine/renderer.h include/hogelscope-1/io/scene/scene.h
+    include/hogelscope-1/vtk/vtkHogelSessionView.h share/applications/${app}.desktop
+    share/metainfo/${app}.metainfo.xml share/icons/hicolor/scalable/apps/${app}.svg
+    share/mime/packages/${app}.xml share/man/man1/hogelscope.1.gz
+    share/bash-completion/completions/hogelscope share/hogelscope/samples/room.hogelscope)
+  if(NOT EXISTS ${PREFIX}/${file})
+    string(APPEND missing "  ${file}\n")
+  endif()
+endforeach()
+if(missing)
+  message(FATAL_ERROR "cmake --install does not give\n${missing}")
+endif()
+set(program ${PREFIX}/bin/hogelscope)
+run(${program} --plugins)
+if(NOT out MATCHES "\nms-ssim +[^\n]*tests/prefix/${LIBRARIES}/hogelscope/plugins-1/ms-ssim\n")
+  message(FATAL_ERROR "the installed program does not find its plugins:\n${out}")
+endif()
+run(${program} --help man)
+file(WRITE ${PREFIX}/man "${out}")
+run(gzip -dc ${PREFIX}/share/man/man1/hogelscope.1.gz)
+file(READ ${PREFIX}/man expected)
+if(NOT out STREQUAL expected)
+  message(FATAL_ERROR "the installed man page is not what the program says")
+endif()
+run(${program} --render --quiet --session ${PREFIX}/share/hogelscope/samples/table1.hogelscope
+  --states "Fig 4" --output ${PREFIX}/installed)
+run(${BUILD}/bin/hogelscope --render --quiet --session ${SOURCE}/data/table1.json
+  --states "Fig 4" --output ${PREFIX}/built)
+run(${CMAKE_COMMAND} -E compare_files "${PREFIX}/installed/Fig 4.png" "${PREFIX}/built/Fig 4.png")
