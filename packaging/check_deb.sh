@@ -44,7 +44,7 @@ inside hogelscope --render --quiet --session /usr/share/hogelscope/samples/table
 inside hogelscope --render --quiet --session /usr/share/hogelscope/samples/room.hogelscope \
   --output /room
 inside hogelscope --plugins
-inside hogelscope --plugins | grep -q '^mesh .*/usr/lib/.*/hogelscope/plugins-1/mesh$'
+inside hogelscope --plugins | grep -q '^mesh .*/usr/lib/.*hogelscope/plugins-1/mesh$'
 build/release/bin/hogelscope --render --quiet --session data/table1.json --output "$work/out"
 build/release/bin/hogelscope --render --quiet --session data/room.json --output "$work/room"
 diff -r "$work/out" "$root/out"
