@@ -46,8 +46,7 @@ const std::vector<Job>& jobs() {
                   "what is missing, and writes the report.",
        .examples =
            "  hogelscope --report --session s.json --test coded.png --output report\n"
-           "  parallel hogelscope --report --session s.json --test coded.png --output report \\\n"
-           "             --quiet --shard {}/4 ::: 1 2 3 4\n"
+           "  hogelscope --report --session s.json --test coded.png --output report --shard 2/4\n"
            "  hogelscope --report --session s.json --test coded.png --output report --images \\\n"
            "             --fail-below 30\n"
            "  hogelscope --report --session s.json --test a1.jpg … --test b4.jp2 --output report "

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/base/error.h"
@@ -21,9 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::string_view head = "{\"hogelscope hashes\":1}\n";
+constexpr std::string_view head = "hogelscope hashes 1\n";
+constexpr std::size_t hashDigits = 64;
 
 Descriptor lockedCache(const fs::path& cache, const Progress& progress) {
   for (;;) {
@@ -42,22 +40,17 @@ FileHashes::FileHashes(const fs::path& folder) : m_cache(folder / "report.hashes
 
 std::string FileHashes::identityOf(const fs::path& file) {
   std::error_code none;
-  return Json{{"file", fs::absolute(file, none).lexically_normal().string()},
-              {"bytes", fs::file_size(file, none)},
-              {"changed", fs::last_write_time(file, none).time_since_epoch().count()}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);
+  const auto changed = fs::last_write_time(file, none).time_since_epoch().count();
+  return std::to_string(fs::file_size(file, none)) + " " + std::to_string(changed) + " " +
+         fs::absolute(file, none).lexically_normal().string();
 }
 
 /// Lines that a crash or a full disk has cut off count for nothing.
 void FileHashes::read() {
   std::ifstream in(m_cache, std::ios::binary);
-  for (std::string text; std::getline(in, text);) {
-    Json line = Json::parse(text, nullptr, false);
-    if (!line.is_object() || !line.contains("sha256") || !line["sha256"].is_string()) continue;
-    const auto hash = line["sha256"].get<std::string>();
-    line.erase("sha256");
-    m_hashes[line.dump(-1, ' ', false, Json::error_handler_t::replace)] = hash;
-  }
+  for (std::string line; std::getline(in, line);)
+    if (line.size() > hashDigits && line[hashDigits] == ' ' && !in.eof())
+      m_hashes[line.substr(hashDigits + 1)] = line.substr(0, hashDigits);
 }
 
 std::string FileHashes::of(const std::vector<fs::path>& files, const Progress& progress) {
@@ -82,9 +75,8 @@ void FileHashes::complete(const std::vector<fs::path>& files,
     std::string& hash = m_hashes[identities[k]];
     if (!hash.empty()) continue;
     hash = sha256(std::vector<fs::path>{files[k]}, progress);
-    Json line = Json::parse(identities[k]);
-    line["sha256"] = hash;
-    writeAll(cache.get(), "\n" + line.dump() + "\n", m_cache);  // after one that was cut off, too
+    // Begins a line, since the last one may have been cut off.
+    writeAll(cache.get(), "\n" + hash + " " + identities[k] + "\n", m_cache);
   }
 }
 

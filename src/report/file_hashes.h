@@ -11,8 +11,8 @@
 
 namespace hogelscope {
 
-/// FOLDER/report.hashes keeps each file's SHA-256 by its path, size and time of change, a line of
-/// JSON each. While one process reads a file that is not in it, the others wait.
+/// FOLDER/report.hashes keeps each file's SHA-256 by its size, time of change and path, a line
+/// each. While one process reads a file that is not in it, the others wait.
 class FileHashes {
  public:
   /// Throws InputError where a file of that name is another.
@@ -22,7 +22,7 @@ class FileHashes {
   std::string of(const std::vector<std::filesystem::path>& files, const Progress& progress);
 
  private:
-  /// A file as it was when it was read: one line of the cache, but for the hash.
+  /// A file as it is now: a line of the cache, but for the hash.
   [[nodiscard]] static std::string identityOf(const std::filesystem::path& file);
   void complete(const std::vector<std::filesystem::path>& files,
                 const std::vector<std::string>& identities, const Progress& progress);

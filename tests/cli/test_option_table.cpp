@@ -45,18 +45,17 @@ QStringList given(const Flag& flag) {
   static const QMap<QString, QString> values{
       {"set", "psf.sigma=1"}, {"format", "exr"}, {"fail-below", "30"}, {"count", "3"},
       {"region", "box"},      {"seed", "3"},     {"memory", "100"},    {"threads", "2"},
-      {"session", "s.json"},  {"test", "t.png"}, {"output", "out/o"},  {"against", "ideal"}};
+      {"session", "s.json"},  {"test", "t.png"}, {"output", "out/o"},  {"against", "ideal"},
+      {"shard", "1/2"}};
   if (flag.value.empty()) return {dashed(flag.name)};
   return {dashed(flag.name), values.value(text(flag.name), "value")};
 }
 
 /// The job with what it needs.
 QStringList smallest(const Job& job) {
-  static const QMap<QString, QString> values{{"make-cameras", "random"},
-                                             {"generate", "edge"},
-                                             {"pack", "q_qs5x3a1.png"},
-                                             {"export", "hogels"},
-                                             {"info", "s.json"}};
+  static const QMap<QString, QString> values{{"make-cameras", "random"}, {"generate", "edge"},
+                                             {"pack", "q_qs5x3a1.png"},  {"export", "hogels"},
+                                             {"info", "s.json"},         {"status", "out"}};
   QStringList arguments{dashed(job.name)};
   if (!job.value.empty()) arguments << values.value(text(job.name));
   for (const Flag& flag : allFlags())

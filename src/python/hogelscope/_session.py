@@ -63,7 +63,7 @@ class Session(Dict[str, Any]):
             self._read(text)
             if changes or calibration is not None:
                 raise InputError("overrides and calibration are for files; change the session")
-        elif os.path.isdir(text) or not text.lower().endswith(".json"):
+        elif os.path.isdir(text) or not text.lower().endswith((".json", ".hogelscope")):
             if calibration is not None:
                 raise InputError(f"{text}: a calibration is for a session file")
             found, lines = around(text, changes, progress)
