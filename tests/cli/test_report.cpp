@@ -92,8 +92,8 @@ void TestReport::table() {
   const Outcome outcome = report({"--test", "b.png", "--test", "a.png"});
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
-  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "report.csv", "report.html",
-                                        "summary.csv", "views"}));
+  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "report.csv", "report.hashes",
+                                        "report.html", "summary.csv", "views"}));
   const Session session = loadSession("s.json");
   const auto noise = metricsOf(session, loadSession("s.json", {"lightField.file=b.png"}));
   const auto same = metricsOf(session, session);
@@ -179,8 +179,9 @@ void TestReport::testIsAnImageOfAnotherLayout() {
 void TestReport::pictures() {
   QCOMPARE(report({"--test", "b.png", "--test", "a.png", "--images", "--states", "[!a]*"}).status,
            0);
-  QCOMPARE(namesIn("out"), (QStringList{"metrics.csv", "panel_error", "reference", "report.csv",
-                                        "report.html", "summary.csv", "test1", "test2", "views"}));
+  QCOMPARE(namesIn("out"),
+           (QStringList{"metrics.csv", "panel_error", "reference", "report.csv", "report.hashes",
+                        "report.html", "summary.csv", "test1", "test2", "views"}));
   Session session = loadSession("s.json");
   session.cameras.erase(session.cameras.begin());
   const std::vector<Image> references = simulated(session);
