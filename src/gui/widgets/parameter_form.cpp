@@ -14,6 +14,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <algorithm>
 #include <cmath>
 #include <typeinfo>
 #include <vector>
@@ -210,7 +211,9 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
     auto* slider = row->template findChild<QSlider*>(boxName(field, k, isList) + ".slider");
     if (slider == nullptr) continue;
     const QSignalBlocker quietSlider(slider);
-    slider->setValue(qRound((values[k] - field.range.min) / field.range.step));
+    // A value that was left out is below the range, as far as numbers go.
+    const double shown = std::clamp(double(values[k]), field.range.min, field.range.max);
+    slider->setValue(qRound((shown - field.range.min) / field.range.step));
   }
 }
 
