@@ -54,8 +54,8 @@ void FileHashes::read() {
 }
 
 std::string FileHashes::of(const std::vector<fs::path>& files, const Progress& progress) {
-  std::vector<std::string> identities;
-  for (const fs::path& file : files) identities.push_back(identityOf(file));
+  std::vector<std::string> identities(files.size());
+  std::ranges::transform(files, identities.begin(), identityOf);
   const auto isKnown = [this](const std::string& identity) { return m_hashes.contains(identity); };
   if (!std::ranges::all_of(identities, isKnown)) complete(files, identities, progress);
   if (files.size() == 1) return m_hashes[identities.front()];
