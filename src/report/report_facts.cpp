@@ -18,12 +18,19 @@ std::string pixels(int x, int y) {
   return std::to_string(x) + "×" + std::to_string(y);
 }
 
+/// "SHA-256 …" of the files, or what a store says of itself; empty where there are no files.
+std::string contentOf(const LightFieldFile& file, FileHashes& hashes, const Progress& progress) {
+  const std::string own = file.contentHash();
+  if (!own.empty()) return "XXH3-128 of the pages " + own;
+  return file.files().empty() ? "" : "SHA-256 " + hashes.of(file.files(), progress);
+}
+
 /// "scene.png, 64×64 hogels of 32×32 directions, SHA-256 …".
 std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
                       const std::string& hash) {
   const std::string name =
       lightField.layout == Layout::live ? "live " + lightField.source : lightField.file;
-  const std::string content = hash.empty() ? "" : ", SHA-256 " + hash;
+  const std::string content = hash.empty() ? "" : ", " + hash;
   return name + ", " + pixels(size.nx, size.ny) + " hogels of " + pixels(size.du, size.dv) +
          " directions" + content;
 }
@@ -56,7 +63,7 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   };
   const auto lightField = [&](const std::string& name, const Session& of,
                               const LightFieldFile& file) {
-    const std::string hash = file.files().empty() ? "" : hashes.of(file.files(), progress);
+    const std::string hash = contentOf(file, hashes, progress);
     line(name, described(of.lightField, file.size(), hash));
     all += hash;
     const std::vector<std::string> lens = of.display.lensParams.files();

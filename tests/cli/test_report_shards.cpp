@@ -18,6 +18,7 @@ class TestReportShards : public QObject {
   void otherShards();
   void statusOfNothing();
   void hashesAreKept();
+  void hashOfAStore();
   void pictures();
   void wrongShards_data();
   void wrongShards();
@@ -149,6 +150,25 @@ void TestReportShards::hashesAreKept() {
   QVERIFY2(outcome.err.startsWith("hogelscope: kept/report.hashes: "), outcome.err);
   QCOMPARE(outcome.status, 2);
   QCOMPARE(contentOf("kept/report.hashes"), QByteArray("my own notes"));
+}
+
+/// A store says what it holds: nobody reads it whole.
+void TestReportShards::hashOfAStore() {
+  QCOMPARE(runHere({"--pack", "b.png", "--session", "s.json", "--output", "b.tif"}).status, 0);
+  QStringList arguments = report("store");
+  arguments.replaceInStrings("b.png", "b.tif");
+  const Outcome outcome = runHere(arguments);
+  QCOMPARE(outcome.err, QByteArray());
+  const QByteArray page = contentOf("store/report.html");
+  QVERIFY(page.contains("XXH3-128 of the pages "));
+  QVERIFY(!contentOf("store/report.hashes").contains("b.tif"));
+  // Other content is another report.
+  QCOMPARE(runHere({"--pack", "a.png", "--session", "s.json", "--output", "b.tif"}).status, 0);
+  QCOMPARE(runHere(arguments).status, 0);
+  const auto hashIn = [](const QByteArray& text) {
+    return text.mid(text.indexOf("XXH3-128 of the pages "), 60);
+  };
+  QVERIFY(hashIn(contentOf("store/report.html")) != hashIn(page));
 }
 
 void TestReportShards::pictures() {

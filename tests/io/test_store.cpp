@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that a store holds every texel of the light field that it was packed from, for ours and for
 // another reader.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <QTemporaryDir>
 #include <QTest>
+#include <cstring>
+#include <map>
 
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
@@ -49,6 +54,8 @@ class TestStore : public QObject {
   void sliceBeyondTheMemoryAllowed();
   void sizeIsForetold();
   void displayIsKept();
+  void pageNames();
+  void contentHash();
   void recognised();
 
  private:
@@ -132,7 +139,7 @@ void TestStore::blackTilesTakeNoRoom() {
   writeImageFile("a.png", int(size.width()), int(size.height()), black);
   const LightField source = packed(paramsOf("a.png"), displayOf(size));
   // 2 pages of 64 tiles: an entry of the index has 12 bytes, nothing else grows with their number.
-  QVERIFY(QFileInfo("store.tif").size() < 4 * 64 * 12);
+  QVERIFY(QFileInfo("store.tif").size() < 5 * 64 * 12);
   QCOMPARE(firstDifference(LightFieldStore("store.tif").read({}), source), QString());
 }
 
@@ -360,6 +367,69 @@ void TestStore::displayIsKept() {
   other.hogels = {10, 8};
   QVERIFY_EXCEPTION_THROWN((void)openLightField(paramsOf("store.tif", Layout::pack), other),
                            InputError);
+}
+
+/// As the format says; the offsets and sizes by our reader, the bytes and the hash by nobody of
+/// ours.
+void TestStore::pageNames() {
+  constexpr LightFieldSize size{40, 30, 20, 19};
+  const auto image = hogelImage(size);
+  writeImageFile("a.png", int(size.width()), int(size.height()),
+                 [&](int x, int y, int c) { return y < 200 ? 0 : image(x, y, c); });
+  (void)packed(paramsOf("a.png"), displayOf(size));
+  const QByteArray bytes = contentOf("store.tif");
+  const RandomAccessFile file("store.tif");
+  int pages = 0, black = 0;
+  for (TiffLink link = firstLink(file); link.next != 0; ++pages) {
+    const DecodedPage page = readPage(file, link.next);
+    const auto numbers = [&]<class T>(std::uint64_t at, T) {
+      std::vector<T> list(page.page.tiles());
+      std::memcpy(list.data(), bytes.data() + at, list.size() * sizeof(T));
+      return list;
+    };
+    const auto offsets = numbers(page.page.offsetsAt, std::uint64_t{});
+    auto sizes = numbers(page.page.countsAt, std::uint32_t{});
+    std::map<std::uint64_t, int> uses;
+    for (const std::uint64_t offset : offsets) ++uses[offset];
+    QByteArray tiles;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      const bool isBlack = uses[offsets[k]] > 1;
+      if (isBlack) sizes[k] = 0, ++black;
+      tiles += bytes.mid(qsizetype(offsets[k]), sizes[k]);
+    }
+    tiles.append(reinterpret_cast<const char*>(sizes.data()), qsizetype(4 * sizes.size()));
+    const XXH128_hash_t hash = XXH3_128bits(tiles.data(), std::size_t(tiles.size()));
+    QCOMPARE(QString::fromStdString(page.texts.name), QString("XXH3-128 %1%2")
+                                                          .arg(hash.high64, 16, 16, QChar('0'))
+                                                          .arg(hash.low64, 16, 16, QChar('0')));
+    link = page.link;
+  }
+  QVERIFY(pages > 2 && black > 0);
+}
+
+/// The same wherever the texels come from, and another for other texels.
+void TestStore::contentHash() {
+  constexpr LightFieldSize size{19, 17, 20, 19};
+  PictureValue image = hogelImage(size);
+  const auto hashOf = [&](const char* name, const DisplayParams& display) {
+    writeImageFile(name, int(size.width()), int(size.height()), image);
+    (void)packed(paramsOf(name), display);
+    return LightFieldStore("store.tif").contentHash();
+  };
+  DisplayParams display = displayOf(size);
+  const std::string hash = hashOf("a.png", display);
+  QCOMPARE(hash.size(), std::size_t(32));
+  display.size[0] *= 2;
+  QCOMPARE(hashOf("b.png", display), hash);
+  image = [was = image](int x, int y, int c) {
+    return was(x, y, c) + (x == 5 && y == 7 ? 0.1F : 0);
+  };
+  QVERIFY(hashOf("a.png", display) != hash);
+  QByteArray bytes = contentOf("store.tif");
+  const qsizetype last = bytes.lastIndexOf("XXH3-128 ");
+  bytes[last] = '-';
+  writeFile("store.tif", bytes);
+  QCOMPARE(LightFieldStore("store.tif").contentHash(), std::string());
 }
 
 void TestStore::recognised() {

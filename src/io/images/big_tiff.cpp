@@ -24,6 +24,7 @@ enum Tag : std::uint16_t {
   imageDescription = 270,
   samplesPerPixel = 277,
   planarConfiguration = 284,
+  pageName = 285,
   tileWidth = 322,
   tileLength = 323,
   tileOffsets = 324,
@@ -38,7 +39,7 @@ constexpr std::uint16_t rgbPhotometric = 2;
 constexpr std::size_t entryBytes = 20;
 constexpr std::size_t inlineBytes = 8;  ///< values up to this size are stored in the entry
 constexpr std::array<char, 8> magic{'I', 'I', 43, 0, 8, 0, 0, 0};
-constexpr std::uint64_t longestDescription = 1U << 20U;
+constexpr std::uint64_t longestText = 1U << 20U;
 
 std::size_t fieldBytes(std::uint16_t type) {
   switch (type) {
@@ -82,6 +83,9 @@ class DirectoryWriter {
   }
   void add(Tag tag, std::uint16_t value) { add(tag, shortInt, 1, &value); }
   void add(Tag tag, std::uint32_t value) { add(tag, longInt, 1, &value); }
+  void addText(Tag tag, const std::string& text) {
+    if (!text.empty()) add(tag, ascii, text.size() + 1, text.c_str());
+  }
   void addForEachChannel(Tag tag, std::uint16_t value) {
     const std::array values{value, value, value};
     add(tag, shortInt, values.size(), values.data());
@@ -152,10 +156,11 @@ class DirectoryReader {
     if (number(tag, type) != value) refuse();
   }
 
-  [[nodiscard]] std::string description() const {
-    const auto found = m_entries.find(imageDescription);
+  /// Returns a text, empty where there is none.
+  [[nodiscard]] std::string text(Tag tag) const {
+    const auto found = m_entries.find(tag);
     if (found == m_entries.end()) return {};
-    if (found->second.type != ascii || found->second.count > longestDescription) refuse();
+    if (found->second.type != ascii || found->second.count > longestText) refuse();
     std::string text(found->second.count, '\0');
     m_file.read(found->second.valueAt, std::as_writable_bytes(std::span(text)));
     return text.substr(0, text.find('\0'));
@@ -198,7 +203,7 @@ std::string tiffHeader() {
 }
 
 EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& offsets,
-                        const std::vector<std::uint32_t>& counts, const std::string& description,
+                        const std::vector<std::uint32_t>& counts, const PageTexts& texts,
                         std::uint64_t at) {
   const bool isReal = page.type == StoredType::real;
   DirectoryWriter directory(at);  // tags in ascending order
@@ -207,10 +212,10 @@ EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& 
   directory.addForEachChannel(bitsPerSample, std::uint16_t(pixelBytes(page.type) * 8 / 3));
   directory.add(compression, zstdCompression);
   directory.add(photometric, rgbPhotometric);
-  if (!description.empty())
-    directory.add(imageDescription, ascii, description.size() + 1, description.c_str());
+  directory.addText(imageDescription, texts.description);
   directory.add(samplesPerPixel, std::uint16_t{3});
   directory.add(planarConfiguration, std::uint16_t{1});
+  directory.addText(pageName, texts.name);
   directory.add(tileWidth, tileSide);
   directory.add(tileLength, tileSide);
   directory.add(tileOffsets, longInt8, offsets.size(), offsets.data());
@@ -245,7 +250,7 @@ DecodedPage readPage(const RandomAccessFile& file, std::uint64_t directoryAt) {
   if (tiles == 0) directory.refuse();
   result.page.offsetsAt = directory.entry(tileOffsets, longInt8, tiles).valueAt;
   result.page.countsAt = directory.entry(tileByteCounts, longInt, tiles).valueAt;
-  result.description = directory.description();
+  result.texts = {directory.text(imageDescription), directory.text(pageName)};
   result.link = directory.link();
   // Pages of this program ascend; a chain that goes back would have no end.
   if (result.link.next != 0 && result.link.next <= directoryAt) directory.refuse();

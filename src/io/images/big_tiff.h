@@ -55,14 +55,19 @@ struct TiffLink {
 std::string tiffHeader();
 inline constexpr std::uint64_t firstLinkAt = 8;
 
-/// Index, description and directory as encoded for the file position `at`. `offsets` and
+struct PageTexts {
+  std::string description;
+  std::string name;
+};
+
+/// Index, texts and directory as encoded for the file position `at`. `offsets` and
 /// `counts` are the tiles', row by row; the directory comes last, its link in the last 8 bytes.
 struct EncodedPage {
   std::string bytes;
   std::uint64_t directoryAt = 0;
 };
 EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& offsets,
-                        const std::vector<std::uint32_t>& counts, const std::string& description,
+                        const std::vector<std::uint32_t>& counts, const PageTexts& texts,
                         std::uint64_t at);
 
 /// Returns the first page's link; `next` is 0 if the file is not a BigTIFF of this program.
@@ -71,7 +76,7 @@ TiffLink firstLink(const RandomAccessFile& file);
 /// Throws InputError for a page that we cannot have written.
 struct DecodedPage {
   TiffPage page;
-  std::string description;
+  PageTexts texts;
   TiffLink link;
 };
 DecodedPage readPage(const RandomAccessFile& file, std::uint64_t directoryAt);

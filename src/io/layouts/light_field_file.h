@@ -36,6 +36,8 @@ class LightFieldFile {
   [[nodiscard]] virtual int bits() const { return type() == StoredType::uint8 ? 8 : 16; }
   /// Returns lines for the user on what it lacks, such as missing views.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+  /// Returns what the files themselves say of their content (io/files/content_hash.h), if they do.
+  [[nodiscard]] virtual std::string contentHash() const { return {}; }
   /// Reads it into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 

@@ -102,7 +102,8 @@ bool LightFieldStore::isStore(const fs::path& path) {
   try {
     const RandomAccessFile file(path);
     const TiffLink link = firstLink(file);
-    return link.next != 0 && parseStoreHeader(readPage(file, link.next).description).has_value();
+    return link.next != 0 &&
+           parseStoreHeader(readPage(file, link.next).texts.description).has_value();
   } catch (const InputError&) {
     return false;
   }
@@ -112,19 +113,29 @@ void LightFieldStore::openPages() {
   TiffLink link = firstLink(m_file);
   if (link.next == 0) throw InputError("", "is not a Hogelscope store");
   const DecodedPage first = readPage(m_file, link.next);
-  const std::optional<StoreHeader> header = parseStoreHeader(first.description);
+  const std::optional<StoreHeader> header = parseStoreHeader(first.texts.description);
   if (!header) throw InputError("", "is a TIFF, but not a Hogelscope store");
   m_header = *header;
   const int wanted = m_header.blocks().j + 1;
+  StoreHeader content = m_header;
+  content.source.clear();
+  content.display.reset();
+  ContentHash hash;
+  const auto add = [&hash](const std::string& text) { hash.add(std::as_bytes(std::span(text))); };
+  add(textOf(content));
+  bool hasAll = true;
   while (link.next != 0 && int(m_pages.size()) < wanted) {
     const DecodedPage page = readPage(m_file, link.next);
     checkPage(int(m_pages.size()), page.page);
     m_pages.push_back(page.page);
+    hasAll = hasAll && isPageName(page.texts.name);
+    add(page.texts.name);
     link = page.link;
   }
   if (int(m_pages.size()) < wanted)
     throw InputError("", "is not complete: it has " + std::to_string(m_pages.size()) + " of " +
                              std::to_string(wanted) + " pages");
+  if (hasAll) m_contentHash = hash.hex();
 }
 
 void LightFieldStore::checkPage(int number, const TiffPage& page) const {

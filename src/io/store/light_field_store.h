@@ -34,6 +34,8 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
     return {m_file.path()};
   }
 
+  [[nodiscard]] std::string contentHash() const override { return m_contentHash; }
+
   /// Reads the whole light field into memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
   /// Returns a store that fetches blocks, if the whole takes more than `use.memory` bytes.
@@ -78,6 +80,7 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
   bool m_incoming;
   int m_threads;
   StoreHeader m_header;
+  std::string m_contentHash;
   std::vector<TiffPage> m_pages;  ///< the overview's is the last
   std::unique_ptr<BlockCache> m_cache;
   mutable std::mutex m_sliceMutex;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* versionKey = "hogelscope-store";
 constexpr int storeVersion = 1;
+constexpr std::string_view hashName = "XXH3-128 ";
 constexpr int side = int(tileSide);
 constexpr std::array<const char*, 3> typeNames{"uint8", "uint16", "float"};
 
@@ -146,6 +147,15 @@ std::string textOf(const StoreHeader& header) {
       object["viewingDistance"] = distance;
   }
   return object.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string pageNameOf(const ContentHash& tiles) {
+  return std::string(hashName) + tiles.hex();
+}
+
+bool isPageName(const std::string& name) {
+  constexpr std::size_t digits = 32;
+  return name.starts_with(hashName) && name.size() == hashName.size() + digits;
 }
 
 std::optional<StoreHeader> parseStoreHeader(const std::string& text) {

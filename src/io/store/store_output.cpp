@@ -38,7 +38,7 @@ Descriptor lockedPart(const fs::path& part, const fs::path& file) {
 void requireStore(const RandomAccessFile& part) {
   try {
     const std::uint64_t first = firstLink(part).next;
-    if (first == 0 || parseStoreHeader(readPage(part, first).description)) return;
+    if (first == 0 || parseStoreHeader(readPage(part, first).texts.description)) return;
   } catch (const InputError&) {
   }
   throw InputError(part.path().string(), "cannot be written",
@@ -72,7 +72,7 @@ void StoreOutput::goOn(const RandomAccessFile& part) {
   TiffLink link = firstLink(part);
   while (link.next != 0) {
     const DecodedPage page = readPage(part, link.next);
-    if (m_pages == 0 && page.description != m_description) return;
+    if (m_pages == 0 && page.texts.description != m_description) return;
     link = page.link;
     m_linkAt = link.nextAt;
     m_end = link.nextAt + sizeof(link.next);
@@ -117,21 +117,32 @@ void StoreOutput::add(const TileBytes& tiles) {
     at += count;
   }
   append(tiles.bytes.data(), tiles.bytes.size());
+  m_hash.add(tiles.bytes);
 }
 
 void StoreOutput::finishPage(const TiffPage& page) {
   const std::string padding((8 - m_end % 8) % 8, '\0');
   append(padding.data(), padding.size());
-  const EncodedPage encoded =
-      encodedPage(page, m_offsets, m_counts, m_pages == 0 ? m_description : "", m_end);
+  const PageTexts texts{m_pages == 0 ? m_description : "", pageName()};
+  const EncodedPage encoded = encodedPage(page, m_offsets, m_counts, texts, m_end);
   append(encoded.bytes.data(), encoded.bytes.size());
   sync();
   writeAt(m_linkAt, &encoded.directoryAt, sizeof(encoded.directoryAt));
   m_linkAt = m_end - sizeof(std::uint64_t);
   m_offsets.clear();
   m_counts.clear();
+  m_hash = {};
   m_blackAt = 0;
   ++m_pages;
+}
+
+/// Black tiles count as of no bytes: where they are is part of the content.
+std::string StoreOutput::pageName() {
+  std::vector<std::uint32_t> sizes = m_counts;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    if (m_offsets[k] == m_blackAt) sizes[k] = 0;
+  m_hash.add(std::as_bytes(std::span(sizes)));
+  return pageNameOf(m_hash);
 }
 
 void StoreOutput::commit() {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 
+#include "io/files/content_hash.h"
 #include "io/images/big_tiff.h"
 #include "io/store/store_header.h"
 
@@ -37,6 +38,7 @@ class StoreOutput {
   void commit();
 
  private:
+  [[nodiscard]] std::string pageName();
   void goOn(const RandomAccessFile& part);
   void append(const void* bytes, std::size_t count);
   void writeAt(std::uint64_t at, const void* bytes, std::size_t count) const;
@@ -52,6 +54,7 @@ class StoreOutput {
   int m_pages = 0;
   std::vector<std::uint64_t> m_offsets;
   std::vector<std::uint32_t> m_counts;
+  ContentHash m_hash;           ///< of the page
   std::uint64_t m_blackAt = 0;  ///< file position of the page's only black tile; 0: none
 };
 
