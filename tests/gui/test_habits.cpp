@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What users expect of any desktop program, in the real window: layout, errors, colours, manual.
 #include <vtkVersion.h>
+#include <QAbstractButton>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
+#include <QTabBar>
 #include <QTextBlock>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -55,6 +58,94 @@ class TestHabits : public HabitsTest {
     QVERIFY(camera->isVisible());
     QCOMPARE(m_window->dockWidgetArea(camera), Qt::RightDockWidgetArea);
     QCOMPARE(m_window->size(), QSize(1111, 850));
+  }
+
+  void oneKeyShowsTheViewAlone() {
+    auto* view = m_window->findChild<QWidget*>("pictureView");
+    auto* scene = m_window->findChild<QWidget*>("sceneArea");
+    auto* camera = m_window->findChild<QDockWidget*>("cameraDock");
+    auto* report = m_window->findChild<QDockWidget*>("reportDock");
+    QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
+    const int width = view->width();
+    QTest::keyClick(m_window.get(), Qt::Key_F11);
+    QVERIFY(view->isVisible() && !scene->isVisible() && !camera->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(view->width() > 3 * width / 2, patience);
+    QTest::keyClick(m_window.get(), Qt::Key_F11, Qt::ShiftModifier);
+    QVERIFY(!view->isVisible() && scene->isVisible() && !camera->isVisible());
+    QTest::keyClick(m_window.get(), Qt::Key_F11, Qt::ShiftModifier);
+    QVERIFY(view->isVisible() && scene->isVisible() && camera->isVisible());
+    QVERIFY(!report->isVisible());
+    QTest::mouseDClick(view, Qt::LeftButton);
+    QVERIFY(view->isVisible() && !scene->isVisible());
+    QTest::mouseDClick(view, Qt::LeftButton);
+    QVERIFY(scene->isVisible() && camera->isVisible());
+    QTest::mouseDClick(m_window->findChild<QWidget*>("sceneWidget"), Qt::LeftButton);
+    QVERIFY(!view->isVisible() && scene->isVisible());
+    QVERIFY(m_window->close());  // the docks come back at the next start
+    makeWindow({m_session});
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QDockWidget*>("cameraDock")->isVisible(),
+                             patience);
+  }
+
+  void layoutsForTasks() {
+    const auto shown = [this] {
+      QStringList names;
+      for (const char* name : {"sceneArea", "pictureView", "statesDock", "cameraDock",
+                               "distortionDock", "reportDock", "tradeoffDock"})
+        if (!m_window->findChild<QWidget*>(name)->isHidden()) names << name;
+      return names.join(' ');
+    };
+    const QString first = shown();
+    QApplication::setActiveWindow(m_window.get());
+    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::AltModifier);
+    QCOMPARE(shown(), QString("pictureView cameraDock distortionDock"));
+    QVERIFY(!m_window->findChild<QWidget*>("distortionArea")->visibleRegion().isEmpty());
+    QTest::keyClick(m_window.get(), Qt::Key_3, Qt::AltModifier);
+    QCOMPARE(shown(), QString("pictureView statesDock"));
+    QTest::keyClick(m_window.get(), Qt::Key_4, Qt::AltModifier);
+    QCOMPARE(shown(), QString("sceneArea pictureView reportDock"));
+    QTest::keyClick(m_window.get(), Qt::Key_5, Qt::AltModifier);
+    QCOMPARE(shown(), QString("pictureView statesDock tradeoffDock"));
+    QTest::keyClick(m_window.get(), Qt::Key_1, Qt::AltModifier);
+    QCOMPARE(shown(), first);
+    QVERIFY(!m_window->findChild<QWidget*>("cameraArea")->visibleRegion().isEmpty());
+  }
+
+  /// At any size of the screen's, and no dock takes more than 300 px of a small one.
+  void theFirstStartFitsTheScreen() {
+    QSettings().clear();
+    makeWindow({m_session});
+    const QRect screen = m_window->screen()->availableGeometry();
+    QTRY_VERIFY_WITH_TIMEOUT(screen.contains(m_window->frameGeometry()), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QWidget*>("cameraDock")->width() <= 300, patience);
+    for (const auto* tabs : m_window->findChildren<QTabBar*>())
+      for (int k = 0; tabs->isVisible() && k < tabs->count(); ++k)
+        QVERIFY2(tabs->rect().contains(tabs->tabRect(k)), qPrintable(tabs->tabText(k)));
+    for (const char* area : {"cameraArea", "displayArea", "distortionArea", "psfArea"}) {
+      auto* scrolled = m_window->findChild<QScrollArea*>(area);
+      QVERIFY2(scrolled->widget()->minimumSizeHint().width() <= 272, area);
+    }
+  }
+
+  void homePage() {
+    QVERIFY(m_window->close());
+    makeWindow({});
+    auto* home = m_window->findChild<QWidget*>("homePage");
+    QVERIFY(home->isVisible() && !m_window->findChild<QWidget*>("pictureView")->isVisible());
+    QVERIFY(files(*m_window).open(m_session));
+    QVERIFY(!home->isVisible() && m_window->findChild<QWidget*>("pictureView")->isVisible());
+    QVERIFY(m_window->close());
+    makeWindow({});
+    home = m_window->findChild<QWidget*>("homePage");
+    auto* recent = home->findChild<QAbstractButton*>("recentSession");
+    QCOMPARE(recent->toolTip(), m_session);
+    QTest::mouseClick(recent, Qt::LeftButton);
+    QCOMPARE(model().file(), m_session);
+    QVERIFY(m_window->close());
+    makeWindow({});
+    action("newAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
+    QCOMPARE(model().session().lightField.source, std::string("scene"));
   }
 
   void errorsStayUntilTheNextAction() {

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A form shows the parameters it is made from, and takes over exactly what a user changed.
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QtTest>
 
+#include "core/cameras/camera_region.h"
 #include "core/optics/session.h"
 #include "gui/widgets/parameter_form.h"
 
@@ -93,6 +99,122 @@ class TestParameterForm : public QObject {
     QTest::keyClick(box, Qt::Key_Return);
     QCOMPARE(box->text(), QString("not given"));
     QVERIFY((intrinsics == IntrinsicsParams{320.5, notGiven, notGiven, notGiven}));
+  }
+
+  void labelsAreWords() {
+    CameraState state;
+    const ParameterForm camera([&](ParameterVisitor& v) { describe(v, state.camera); });
+    const ParameterForm psf([&](ParameterVisitor& v) { describe(v, state.psf); });
+    const ParameterForm lens([&](ParameterVisitor& v) { describe(v, state.distortion); });
+    const auto labelOf = [](const ParameterForm& form, const char* name) {
+      QWidget* row = form.findChild<QWidget*>(name);
+      const auto* layout = form.findChild<QFormLayout*>();
+      while (layout->labelForField(row) == nullptr) row = row->parentWidget();
+      return qobject_cast<QLabel*>(layout->labelForField(row))->text();
+    };
+    QCOMPARE(labelOf(camera, "lookat.0"), QString("Look at"));
+    QCOMPARE(labelOf(camera, "fov"), QString("Vertical field of view"));
+    QCOMPARE(labelOf(camera, "weight"), QString("Weight"));
+    QCOMPARE(labelOf(psf, "windowSize"), QString("Window size"));
+    QCOMPARE(labelOf(lens, "k1"), QString("k1"));
+    QCOMPARE(psf.findChild<QLabel*>("heading")->text(), QString("PSF"));
+    QVERIFY(psf.findChild<QComboBox*>("border")->toolTip().contains("psf.border"));
+  }
+
+  /// A slider covers what people use; a larger value makes it longer.
+  void slidersGrow() {
+    CameraState state;
+    const ParameterForm form([&](ParameterVisitor& v) { describe(v, state.distortion); });
+    const auto* slider = form.findChild<QSlider*>("p1.slider");
+    QCOMPARE(slider->maximum(), 400);  // -0.2 … 0.2 by 0.001
+    form.findChild<QDoubleSpinBox*>("p1")->setValue(-0.7);
+    QCOMPARE(state.distortion.p1, -0.7);
+    QCOMPARE(slider->minimum(), -500);
+    QCOMPARE(slider->value(), -500);
+    form.findChild<QSlider*>("p1.slider")->setValue(200);
+    QCOMPARE(state.distortion.p1, 0.0);
+    QCOMPARE(slider->minimum(), -500);
+  }
+
+  void fiveDigitsAreShown() {
+    CameraState state;
+    state.camera.eye = {0.123456789, -1234.56789, 1234567};
+    const ParameterForm form([&](ParameterVisitor& v) { describe(v, state.camera); });
+    const auto textOf = [&](const char* name) {
+      return form.findChild<QDoubleSpinBox*>(name)->text();
+    };
+    QCOMPARE(textOf("eye.0"), QString("0.12346 m"));
+    QCOMPARE(textOf("eye.1"), QLocale().toString(-1234.6, 'g', 5) + " m");
+    QCOMPARE(textOf("eye.2"), QLocale().toString(1000000.0, 'g', 7) + " m");  // of its range
+    form.findChild<QDoubleSpinBox*>("eye.1")->setValue(2);
+    QCOMPARE(state.camera.eye.x, 0.123456789);
+  }
+
+  void onlyWhatCounts() {
+    CameraRegionParams region;
+    region.region = RegionShape::arc;
+    const ParameterForm form([&](ParameterVisitor& v) { describe(v, region); });
+    const auto isShown = [&](const char* name) {
+      return form.findChild<QWidget*>(name)->isVisibleTo(&form);
+    };
+    QVERIFY(isShown("angle.0") && isShown("distance.1") && isShown("target.0"));
+    QVERIFY(!isShown("centre.0") && !isShown("extent.2"));
+    form.findChild<QComboBox*>("region")->setCurrentText("box");
+    QVERIFY(!isShown("angle.0") && isShown("centre.0") && isShown("extent.2"));
+    form.findChild<QComboBox*>("lookat")->setCurrentText("nearest");
+    QVERIFY(!isShown("target.0") && !isShown("jitter.0"));
+  }
+
+  void rightClickOffersTheDefault() {
+    CameraState state;
+    state.psf = {1.5, 7};
+    state.camera.up = {1, 0, 0};
+    ParameterForm psf([&](ParameterVisitor& v) { describe(v, state.psf); },
+                      [](ParameterVisitor& v) {
+                        PsfParams defaults;
+                        describe(v, defaults);
+                      });
+    ParameterForm camera([&](ParameterVisitor& v) { describe(v, state.camera); },
+                         [](ParameterVisitor& v) {
+                           CameraParams defaults;
+                           describe(v, defaults);
+                         });
+    const auto choose = [](QWidget* on) {
+      QContextMenuEvent event(QContextMenuEvent::Mouse, {2, 2}, on->mapToGlobal(QPoint(2, 2)));
+      QCoreApplication::sendEvent(on, &event);
+      auto* menu = on->findChild<QMenu*>();
+      if (menu == nullptr) return QString("no menu");
+      auto* action = menu->findChild<QAction*>("defaultAction");
+      const QString text = action->text();
+      action->trigger();
+      delete menu;
+      return text;
+    };
+    psf.show();
+    camera.show();
+    QCOMPARE(choose(psf.findChild<QSpinBox*>("windowSize")), QString("&Default: 1 px"));
+    QCOMPARE(state.psf.windowSize, PsfParams{}.windowSize);
+    QCOMPARE(state.psf.sigma, 1.5);
+    QCOMPARE(choose(camera.findChild<QDoubleSpinBox*>("up.1")->findChild<QLineEdit*>()),
+             QString("&Default: 0, 1, 0"));
+    QVERIFY((state.camera.up == Vec3{0, 1, 0}));
+  }
+
+  void escapeTakesNothing() {
+    CameraState state;
+    ParameterForm form([&](ParameterVisitor& v) { describe(v, state.psf); });
+    const QSignalSpy left(&form, &ParameterForm::entered);
+    auto* box = form.findChild<QDoubleSpinBox*>("sigma");
+    const QString was = box->text();
+    box->selectAll();
+    QTest::keyClicks(box, "1.75");
+    QTest::keyClick(box, Qt::Key_Escape);
+    QCOMPARE(left.count(), 1);
+    QCOMPARE(box->text(), was);
+    QCOMPARE(state.psf.sigma, PsfParams{}.sigma);
+    QTest::keyClick(box, Qt::Key_Return);
+    QCOMPARE(left.count(), 2);
+    QCOMPARE(state.psf.sigma, PsfParams{}.sigma);
   }
 
   void refreshShowsChanges() {

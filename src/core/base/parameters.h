@@ -21,6 +21,18 @@ struct Range {
   double max = 0;
   double step = 1;
   bool mayBeLeftOut = false;  ///< if so: notGiven for a real number, min - 1 for an integer
+  /// What a slider covers, where the allowed values are more than people use; else all of them.
+  double slideMin = 0;
+  double slideMax = 0;
+};
+
+/// The name in documents, and what a form says in its place; without that a form says the name,
+/// "windowSize" as "Window size".
+struct FieldName {
+  std::string_view name;
+  std::string_view label = {};
+  FieldName(const char* document) : name(document) {}  // NOLINT: a name alone is one
+  FieldName(const char* document, const char* form) : name(document), label(form) {}
 };
 
 /// The value of a real number that was left out; it is outside every range.
@@ -32,6 +44,8 @@ struct Field {
   std::string_view unit = {};
   Range range = {};
   std::span<const std::string_view> choices = {};  ///< names of an enumeration's values, in order
+  std::string_view label = {};
+  bool counts = true;  ///< false: another field's value makes it meaningless; forms hide it
 };
 
 class ParameterVisitor {
@@ -40,43 +54,45 @@ class ParameterVisitor {
 
   /// Begins a section. Every `describe` calls it first.
   virtual void group(std::string_view name, std::string_view help) = 0;
+  /// Whether the fields that follow count, by what other fields say.
+  void count(bool doCount) { m_count = doCount; }
 
-  void field(std::string_view name, double& value, Range range, std::string_view unit,
+  void field(const FieldName& name, double& value, Range range, std::string_view unit,
              std::string_view help) {
-    numbers({name, help, unit, range}, {&value, 1}, false);
+    numbers(described(name, help, unit, range), {&value, 1}, false);
   }
-  void field(std::string_view name, int& value, Range range, std::string_view unit,
+  void field(const FieldName& name, int& value, Range range, std::string_view unit,
              std::string_view help) {
-    integers({name, help, unit, range}, {&value, 1}, false);
+    integers(described(name, help, unit, range), {&value, 1}, false);
   }
   template <std::size_t N>
-  void field(std::string_view name, std::array<double, N>& value, Range range,
+  void field(const FieldName& name, std::array<double, N>& value, Range range,
              std::string_view unit, std::string_view help) {
-    numbers({name, help, unit, range}, value, true);
+    numbers(described(name, help, unit, range), value, true);
   }
   template <std::size_t N>
-  void field(std::string_view name, std::array<int, N>& value, Range range, std::string_view unit,
+  void field(const FieldName& name, std::array<int, N>& value, Range range, std::string_view unit,
              std::string_view help) {
-    integers({name, help, unit, range}, value, true);
+    integers(described(name, help, unit, range), value, true);
   }
-  void field(std::string_view name, Vec3& value, Range range, std::string_view unit,
+  void field(const FieldName& name, Vec3& value, Range range, std::string_view unit,
              std::string_view help) {
     std::array<double, 3> list{value.x, value.y, value.z};
-    numbers({name, help, unit, range}, list, true);
+    numbers(described(name, help, unit, range), list, true);
     value = {list[0], list[1], list[2]};
   }
-  void field(std::string_view name, bool& value, std::string_view help) {
-    flag({name, help}, value);
+  void field(const FieldName& name, bool& value, std::string_view help) {
+    flag(described(name, help), value);
   }
-  void field(std::string_view name, std::string& value, std::string_view help) {
-    text({name, help}, value);
+  void field(const FieldName& name, std::string& value, std::string_view help) {
+    text(described(name, help), value);
   }
   template <class Enum>
   requires std::is_enum_v<Enum>
-  void field(std::string_view name, Enum& value, std::span<const std::string_view> names,
+  void field(const FieldName& name, Enum& value, std::span<const std::string_view> names,
              std::string_view help) {
     int index = static_cast<int>(value);
-    choice({name, help, {}, {}, names}, index);
+    choice(described(name, help, {}, {}, names), index);
     value = static_cast<Enum>(index);
   }
 
@@ -87,6 +103,15 @@ class ParameterVisitor {
   virtual void flag(const Field& field, bool& value) = 0;
   virtual void text(const Field& field, std::string& value) = 0;
   virtual void choice(const Field& field, int& index) = 0;
+
+ private:
+  [[nodiscard]] Field described(const FieldName& name, std::string_view help,
+                                std::string_view unit = {}, const Range& range = {},
+                                std::span<const std::string_view> choices = {}) const {
+    return {name.name, help, unit, range, choices, name.label, m_count};
+  }
+
+  bool m_count = true;
 };
 
 /// Returns the name nearest to a mistyped one (edit distance), or "" if none is near.

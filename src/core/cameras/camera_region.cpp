@@ -88,19 +88,27 @@ void describe(ParameterVisitor& v, CameraRegionParams& p) {
           "A regular grid, uniform random, or Gaussian about the region's middle.");
   v.field("region", region, regionNames,
           "A box, a plane parallel to the panel, or an arc about the panel's centre.");
+  const bool isArc = region == RegionShape::arc;
+  v.count(!isArc);
   v.field("centre", centre, {-1e4, 1e4, 0.01}, "m", "Box, plane: the middle.");
   v.field("extent", extent, {0, 1e4, 0.01}, "m",
           "Box, plane: full width, height and depth; a plane has no depth.");
+  v.count(isArc);
   v.field("distance", distance, {1e-6, 1e4, 0.01}, "m", "Arc: least and most, from the centre.");
   v.field("angle", angle, {-89, 89, 1}, "°", "Arc: from and to, below 0 is left of the normal.");
   v.field("elevation", elevation, {-89, 89, 1}, "°", "Arc: from and to, above 0 is upwards.");
+  v.count(distribution == CameraSpread::normal);
   v.field("deviation", deviation, {0.01, 10, 0.01}, "",
           "Normal: standard deviation as a share of the region's full width along each side.");
-  v.field("lookat", lookat, lookatNames,
+  v.count(true);
+  v.field({"lookat", "Look at"}, lookat, lookatNames,
           "At the target, at the panel's point nearest to the eye, or near the target.");
+  v.count(lookat != LookAt::nearest);
   v.field("target", target, {-1e4, 1e4, 0.01}, "m", "Fixed, jittered: where the cameras look.");
+  v.count(lookat == LookAt::jittered);
   v.field("jitter", jitter, {0, 1e4, 0.01}, "m",
           "Jittered: farthest shift of the target along x and along y, uniform random.");
+  v.count(true);
 }
 
 void check(const CameraRegionParams& region, const std::string& path) {

@@ -38,14 +38,15 @@ bool isYuv(const LightFieldParams& params) {
 
 void describeYuv(ParameterVisitor& v, YuvParams& p) {
   auto& [size, sampling, bits, matrix, range] = p;
-  v.field("yuvSize", size, {1, 1e6, 1, true}, "px",
+  v.field({"yuvSize", "YUV size"}, size, {1, 1e6, 1, true}, "px",
           "Width and height of the picture, or of each view, in raw YUV.");
-  v.field("yuvSampling", sampling, samplingNames,
+  v.field({"yuvSampling", "YUV sampling"}, sampling, samplingNames,
           "4:2:0: Cb and Cr have half the width and height, rounded up; 4:4:4: all of it.");
-  v.field("yuvBits", bits, {8, 10, 2}, "bits",
+  v.field({"yuvBits", "YUV bits"}, bits, {8, 10, 2}, "bits",
           "Bits of a sample: 8, a byte; 10, in 16 with the low byte first.");
-  v.field("yuvMatrix", matrix, matrixNames, "What Y, Cb and Cr are made of: BT.709 or BT.601.");
-  v.field("yuvRange", range, rangeNames,
+  v.field({"yuvMatrix", "YUV matrix"}, matrix, matrixNames,
+          "What Y, Cb and Cr are made of: BT.709 or BT.601.");
+  v.field({"yuvRange", "YUV range"}, range, rangeNames,
           "limited: 8-bit Y is 16 … 235, Cb and Cr 16 … 240; full: all values.");
 }
 
@@ -85,7 +86,7 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
           "picture taken through lenslets, a store of blocks; live: a 3-D scene, of which a view's "
           "rays are traced.");
   if (layout != Layout::live)
-    v.field("incoming", incoming,
+    v.field({"incoming", "Recorded looking in"}, incoming,
             "Directions were recorded looking into the scene: both u and v are flipped.");
   if (layout == Layout::views) {
     v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");

@@ -26,13 +26,13 @@ void describe(ParameterVisitor& v, DisplayParams& p) {
           "Columns and rows of hogels; may be left out where the light field's file says it.");
   v.field("directions", directions, {1, 65536, 1, true}, "px",
           "Directional pixels of a hogel, across and down; may be left out likewise.");
-  v.field("fov", fov, {0.01, 179.9, 1}, "°",
+  v.field({"fov", "Field of view"}, fov, {0.01, 179.9, 1}, "°",
           "Full angles into which a hogel sends light, across and down.");
-  v.field("lens", lens, hogelLensNames(),
+  v.field({"lens", "Hogel lens"}, lens, hogelLensNames(),
           "How a hogel's lens spreads its pixels: evenly in slope, evenly in angle, or as a plugin "
           "says.");
   if (lens == HogelLensModel::plugin)
-    v.field("lensSource", lensSource,
+    v.field({"lensSource", "Lens plugin"}, lensSource,
             "The plugin, such as \"measured-lens\"; its parameters are an object of that name.");
 }
 

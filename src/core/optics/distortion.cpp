@@ -35,11 +35,12 @@ double norm(const Vec2& a) {
 void describe(ParameterVisitor& v, DistortionParams& p) {
   auto& [k1, k2, p1, p2, k3] = p;
   v.group("distortion", "Lens distortion of the camera: Brown-Conrady, OpenCV's coefficients.");
-  v.field("k1", k1, {-10, 10, 0.001}, "", "Radial, r²: below 0 barrel, above 0 pincushion.");
-  v.field("k2", k2, {-10, 10, 0.001}, "", "Radial, r⁴.");
-  v.field("p1", p1, {-10, 10, 0.001}, "", "Tangential, vertical.");
-  v.field("p2", p2, {-10, 10, 0.001}, "", "Tangential, horizontal.");
-  v.field("k3", k3, {-10, 10, 0.001}, "", "Radial, r⁶.");
+  v.field("k1", k1, {-10, 10, 0.001, false, -1, 1}, "",
+          "Radial, r²: below 0 barrel, above 0 pincushion.");
+  v.field("k2", k2, {-10, 10, 0.001, false, -1, 1}, "", "Radial, r⁴.");
+  v.field("p1", p1, {-10, 10, 0.001, false, -0.2, 0.2}, "", "Tangential, vertical.");
+  v.field("p2", p2, {-10, 10, 0.001, false, -0.2, 0.2}, "", "Tangential, horizontal.");
+  v.field("k3", k3, {-10, 10, 0.001, false, -1, 1}, "", "Radial, r⁶.");
 }
 
 Vec2 Distortion::distort(const Vec2& p) const {

@@ -17,13 +17,13 @@ constexpr std::array<std::string_view, 2> lightNames{"encoded", "linear"};
 void describe(ParameterVisitor& v, PsfParams& p) {
   auto& [sigma, windowSize, border, light] = p;
   v.group("psf", "Light leakage between the directional pixels of a hogel: a Gaussian window.");
-  v.field("sigma", sigma, {0, 20, 0.01}, "px",
+  v.field("sigma", sigma, {0, 20, 0.01, false, 0, 3}, "px",
           "Standard deviation; above 0 unless windowSize is 1.");
-  v.field("windowSize", windowSize, {1, 99, 2}, "px",
+  v.field("windowSize", windowSize, {1, 99, 2, false, 1, 25}, "px",
           "Full width of the window, odd: 1, 3, 5, …; 1 is no leakage.");
   v.field("border", border, borderNames,
           "At the hogel's edge: weigh what is inside, repeat the edge pixel, or lose the light.");
-  v.field("light", light, lightNames,
+  v.field({"light", "Light is summed"}, light, lightNames,
           "Sum the stored values, as the paper does, or sum linear light (decoded from sRGB).");
 }
 

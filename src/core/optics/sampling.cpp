@@ -13,13 +13,13 @@ constexpr std::array<std::string_view, 3> reconstructionNames{"nearest", "biline
 void describe(ParameterVisitor& v, SamplingParams& p) {
   auto& [mapping, reconstruction, samplesPerPixel, tolerance] = p;
   v.group("sampling", "How the simulated view is taken.");
-  v.field("mapping", mapping, mappingNames,
+  v.field({"mapping", "Lens mapping"}, mapping, mappingNames,
           "Lens: exact inverts the distortion, as a real camera; direct applies it, as the paper.");
   v.field("reconstruction", reconstruction, reconstructionNames,
           "The display as built, or interpolated between directions, or between hogels too.");
-  v.field("samplesPerPixel", samplesPerPixel, {1, 64, 1}, "",
+  v.field({"samplesPerPixel", "Rays a pixel, n × n"}, samplesPerPixel, {1, 64, 1, false, 1, 8}, "",
           "n takes n×n rays in each pixel; rays that see nothing count as black.");
-  v.field("tolerance", tolerance, {0, 100, 0.1}, "code values",
+  v.field("tolerance", tolerance, {0, 100, 0.1, false, 0, 10}, "code values",
           "RMS error up to which a cheaper way to the picture is taken; 0: none.");
 }
 

@@ -14,8 +14,10 @@
 
 #include "gui/app/colours.h"
 #include "gui/app/help_commands.h"
+#include "gui/app/home_page.h"
 #include "gui/app/messages.h"
 #include "gui/app/window_layout.h"
+#include "gui/docks/camera_dock.h"
 #include "gui/docks/display_dock.h"
 #include "gui/docks/distortion_dock.h"
 #include "gui/docks/light_field_dock.h"
@@ -46,6 +48,9 @@ MainWindow::MainWindow(QWidget* parent)
   m_ui->setupUi(this);
   m_messages = new Messages(this);
   m_ui->splitter->setSizes({1000, 1000});
+  m_home = new HomePage(*m_ui);
+  m_ui->centralLayout->addWidget(m_home);
+  m_ui->splitter->hide();  // until there is a session
   m_scene = new SceneController(*m_ui, m_model, this);
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
@@ -73,8 +78,7 @@ void MainWindow::addDocks() {
   auto* display = new DisplayDock(m_model);
   m_ui->displayArea->setWidget(display);
   connect(display, &DisplayDock::failed, m_messages, &Messages::showError);
-  m_ui->cameraArea->setWidget(stackWidgets(
-      {stateForm(m_model, &CameraState::camera), stateForm(m_model, &CameraState::intrinsics)}));
+  m_ui->cameraArea->setWidget(new CameraDock(m_model));
   m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
   m_ui->psfArea->setWidget(new PsfDock(m_model));
   auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
@@ -108,6 +112,8 @@ void MainWindow::arrangeDocks() {
   m_ui->cameraDock->raise();
   const int states = m_ui->statesDock->sizeHint().height();  // a few rows
   resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {states, 800 - states}, Qt::Vertical);
+  constexpr int narrow = 290;  // px: the view gets the window
+  resizeDocks({m_ui->statesDock}, {narrow}, Qt::Horizontal);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
@@ -149,6 +155,8 @@ void MainWindow::connectDocks() {
           });
   m_ui->reportPanel->setModel(m_model);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
+  connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this,
+          [this](const QString& file) { m_imageCommands->compareWith(file); });
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetWidget::failed, m_messages, &Messages::showError);
@@ -238,13 +246,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 /// Files, help, colours, layout: classes that only need to be there.
 void MainWindow::addHabits() {
   m_files = new FileCommands(*m_ui, m_model, this);
+  connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
   new HelpCommands(*m_ui, this);
   new Colours(m_ui->coloursMenu, this);
-  m_layout = new WindowLayout(this, m_ui->splitter);
-  connect(m_ui->resetLayoutAction, &QAction::triggered, m_layout, &WindowLayout::reset);
+  m_layout = new WindowLayout(this, *m_ui);
   m_sayReading = new QTimer(this);
   m_sayReading->setSingleShot(true);
   connect(m_sayReading, &QTimer::timeout, this, &MainWindow::showReading);
@@ -295,6 +303,8 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showSession() {
+  m_home->hide();
+  m_ui->splitter->show();
   m_method.reset();
   m_isNew = true;
   m_ui->tradeoffView->forgetChoice();

@@ -20,6 +20,7 @@ namespace hogelscope {
 
 class DistortionDock;
 class FileCommands;
+class HomePage;
 class LightFieldDock;
 class Messages;
 class ImageCommands;
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   SessionModel* m_model;
   ViewWorker* m_worker;
   Messages* m_messages = nullptr;
+  HomePage* m_home = nullptr;
   FileCommands* m_files = nullptr;
   WindowLayout* m_layout = nullptr;
   ReadingBar* m_readingBar = nullptr;

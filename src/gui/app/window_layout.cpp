@@ -5,16 +5,22 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QMouseEvent>
+#include <QProxyStyle>
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
+#include <QTabBar>
+#include <utility>
+
+#include "ui_main_window.h"
 
 namespace hogelscope {
 
 namespace {
 
 /// Another one, and layouts that were saved before no longer count.
-constexpr int version = 1;
+constexpr int version = 2;
 
 /// One that is hidden, or behind another one, comes to the front; one that can be seen is closed.
 void toggle(QDockWidget* dock) {
@@ -27,18 +33,125 @@ void toggle(QDockWidget* dock) {
   dock->toggleViewAction()->setChecked(!dock->isHidden());
 }
 
+/// Tabs of docks whose words fit into a narrow window.
+class NarrowTabs : public QProxyStyle {
+ public:
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override {
+    constexpr int space = 10;  // px, both sides of a word
+    return metric == PM_TabBarTabHSpace ? space : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
+
 }  // namespace
 
-WindowLayout::WindowLayout(QMainWindow* window, QSplitter* splitter)
+WindowLayout::WindowLayout(QMainWindow* window, const Ui::MainWindow& ui)
     : QObject(window),
       m_window(window),
-      m_splitter(splitter),
+      m_ui(ui),
       m_docks(window->saveState(version)),
-      m_split(splitter->saveState()) {
-  for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+      m_split(ui.splitter->saveState()),
+      m_tabStyle(new NarrowTabs) {
+  connectDocks();
+  connectTasks();
+  connectParts();
+  connect(ui.resetLayoutAction, &QAction::triggered, this, &WindowLayout::reset);
+}
+
+void WindowLayout::narrow(QTabBar* tabs) {
+  tabs->setStyle(m_tabStyle);
+  tabs->setElideMode(Qt::ElideNone);
+}
+
+void WindowLayout::connectDocks() {
+  m_tabStyle->setParent(this);
+  for (QTabBar* tabs : m_window->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    narrow(tabs);
+  m_window->installEventFilter(this);
+  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
     QAction* action = dock->toggleViewAction();
     disconnect(action, &QAction::triggered, dock, nullptr);  // Qt's would close a dock behind
     connect(action, &QAction::triggered, this, [dock] { toggle(dock); });
+  }
+}
+
+/// What each task shows; the last dock is the one in front.
+void WindowLayout::connectTasks() {
+  const auto on = [this](QAction* action, const QList<QDockWidget*>& docks,
+                         const QList<QWidget*>& parts) {
+    connect(action, &QAction::triggered, this, [=, this] { arrange(docks, parts); });
+  };
+  QWidget* const scene = m_ui.sceneArea;
+  QWidget* const view = m_ui.pictureView;
+  const QList<QDockWidget*> forms{m_ui.statesDock,     m_ui.lightFieldDock, m_ui.displayDock,
+                                  m_ui.distortionDock, m_ui.psfDock,        m_ui.cameraDock};
+  on(m_ui.layoutViewAction, forms, {scene, view});
+  on(m_ui.layoutLensAction, {m_ui.cameraDock, m_ui.psfDock, m_ui.distortionDock}, {view});
+  on(m_ui.layoutCompareAction, {m_ui.statesDock}, {view});
+  on(m_ui.layoutReportAction, {m_ui.reportDock}, {scene, view});
+  on(m_ui.layoutMeasureAction, {m_ui.statesDock, m_ui.tradeoffDock}, {view});
+}
+
+void WindowLayout::connectParts() {
+  for (const auto& [action, part] :
+       {std::pair(m_ui.onlyViewAction, static_cast<QWidget*>(m_ui.pictureView)),
+        std::pair(m_ui.onlySceneAction, static_cast<QWidget*>(m_ui.sceneArea))})
+    connect(action, &QAction::triggered, this, [this, a = action, p = part] { showOnly(a, p); });
+  m_ui.pictureView->installEventFilter(this);
+  m_ui.sceneWidget->installEventFilter(this);
+}
+
+void WindowLayout::arrange(const QList<QDockWidget*>& docks, const QList<QWidget*>& parts) {
+  showAll();
+  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>())
+    dock->setVisible(docks.contains(dock));
+  for (QWidget* part : {m_ui.sceneArea, static_cast<QWidget*>(m_ui.pictureView)})
+    part->setVisible(parts.contains(part));
+  docks.back()->raise();
+}
+
+/// Once more, and everything is as it was before.
+void WindowLayout::showOnly(QAction* action, QWidget* part) {
+  const bool begins = action->isChecked();
+  const QByteArray docks = m_before.isEmpty() ? m_window->saveState(version) : m_before;
+  showAll();
+  if (!begins) return;
+  m_before = docks;
+  action->setChecked(true);
+  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) dock->hide();
+  for (QWidget* other : {m_ui.sceneArea, static_cast<QWidget*>(m_ui.pictureView)})
+    other->setVisible(other == part);
+}
+
+void WindowLayout::showAll() {
+  for (QAction* action : {m_ui.onlyViewAction, m_ui.onlySceneAction}) action->setChecked(false);
+  m_ui.sceneArea->show();
+  m_ui.pictureView->show();
+  if (!m_before.isEmpty()) m_window->restoreState(std::exchange(m_before, {}), version);
+}
+
+/// A double click is the key. Qt makes the tabs of docks as they are needed.
+bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ChildPolished) {
+    auto* tabs = qobject_cast<QTabBar*>(static_cast<const QChildEvent*>(event)->child());
+    if (tabs != nullptr) narrow(tabs);
+  }
+  if (event->type() != QEvent::MouseButtonDblClick ||
+      static_cast<const QMouseEvent*>(event)->button() != Qt::LeftButton)
+    return false;
+  (watched == m_ui.pictureView ? m_ui.onlyViewAction : m_ui.onlySceneAction)->trigger();
+  return true;
+}
+
+/// With its frame, whatever the screen's scale.
+void WindowLayout::fitScreen() {
+  const QRect screen = m_window->screen()->availableGeometry();
+  const QSize frame = m_window->frameSize() - m_window->size();
+  m_window->resize(m_window->size().boundedTo(screen.size() - frame));
+  QRect placed = m_window->frameGeometry();
+  if (!screen.contains(placed)) {
+    placed.moveCenter(screen.center());
+    m_window->move(placed.topLeft());
   }
 }
 
@@ -46,29 +159,28 @@ void WindowLayout::save() const {
   QSettings settings;
   settings.setValue("window/version", version);
   settings.setValue("window/geometry", m_window->saveGeometry());
-  settings.setValue("window/docks", m_window->saveState(version));
-  settings.setValue("window/splitter", m_splitter->saveState());
+  settings.setValue("window/docks", m_before.isEmpty() ? m_window->saveState(version) : m_before);
+  settings.setValue("window/splitter", m_ui.splitter->saveState());
 }
 
 void WindowLayout::restore() {
   const QSettings settings;
   if (settings.value("window/version").toInt() != version) {
-    // Once it is shown: docks let a window grow while they are laid out for the first time.
-    const auto fit = [this] {
-      m_window->resize(m_window->size().boundedTo(m_window->screen()->availableSize()));
-    };
-    fit();
-    QMetaObject::invokeMethod(m_window, fit, Qt::QueuedConnection);
+    fitScreen();
+    // Again once it is shown: it has its frame then, and docks let a window grow while they are
+    // laid out for the first time.
+    QMetaObject::invokeMethod(this, &WindowLayout::fitScreen, Qt::QueuedConnection);
     return;
   }
   m_window->restoreGeometry(settings.value("window/geometry").toByteArray());
   m_window->restoreState(settings.value("window/docks").toByteArray(), version);
-  m_splitter->restoreState(settings.value("window/splitter").toByteArray());
+  m_ui.splitter->restoreState(settings.value("window/splitter").toByteArray());
 }
 
 void WindowLayout::reset() {
+  showAll();
   m_window->restoreState(m_docks, version);
-  m_splitter->restoreState(m_split);
+  m_ui.splitter->restoreState(m_split);
 }
 
 }  // namespace hogelscope

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the window and its docks are, from one start to the next; kept in the settings. What a
-// dock's key does.
+// Where the window and its docks are: from one start to the next, for a task, and with the
+// simulated view or the scene alone. What a dock's key does.
 #pragma once
 
 #include <QByteArray>
 #include <QObject>
 
+class QAction;
+class QDockWidget;
 class QMainWindow;
-class QSplitter;
+class QStyle;
+class QTabBar;
+class QWidget;
+
+namespace Ui {
+class MainWindow;
+}
 
 namespace hogelscope {
 
@@ -16,7 +24,7 @@ class WindowLayout : public QObject {
 
  public:
   /// What the window is now, with all its docks, is what reset() goes back to. `window` owns it.
-  WindowLayout(QMainWindow* window, QSplitter* splitter);
+  WindowLayout(QMainWindow* window, const Ui::MainWindow& ui);
 
   void save() const;
   void restore();
@@ -24,10 +32,22 @@ class WindowLayout : public QObject {
   void reset();
 
  private:
+  void connectDocks();
+  void connectTasks();
+  void connectParts();
+  void arrange(const QList<QDockWidget*>& docks, const QList<QWidget*>& parts);
+  void showOnly(QAction* action, QWidget* part);
+  void showAll();
+  void fitScreen();
+  void narrow(QTabBar* tabs);
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
   QMainWindow* m_window;
-  QSplitter* m_splitter;
+  const Ui::MainWindow& m_ui;
   QByteArray m_docks;
   QByteArray m_split;
+  QStyle* m_tabStyle;
+  QByteArray m_before;  ///< the docks before one part was shown alone; empty: none is
 };
 
 }  // namespace hogelscope

@@ -23,7 +23,6 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "gui/docks/report_images_widget.h"
 #include "gui/docks/report_table.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
@@ -77,8 +76,7 @@ ReportDock::ReportDock(QWidget* parent)
       m_progress(new PolledBar([this] { return m_task->share(); })),
       m_note(new QLabel),
       m_stale(new QLabel(tr("The session has been edited since this report was made."))),
-      m_rows(new QTableView),
-      m_images(new ReportImagesWidget) {
+      m_rows(new QTableView) {
   m_sorted->setSourceModel(m_table);
   m_sorted->setSortRole(ReportTable::sortRole);
   m_rows->setObjectName("reportTable");
@@ -97,8 +95,7 @@ ReportDock::ReportDock(QWidget* parent)
   auto* parts = new QSplitter;
   parts->addWidget(makeSettings());
   parts->addWidget(m_rows);
-  parts->addWidget(m_images);
-  parts->setSizes({280, 420, 800});
+  parts->setSizes({280, 1200});
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
   layout->addWidget(parts);
@@ -191,7 +188,6 @@ void ReportDock::forget() {
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
-  m_images->clear();
   emitPsnr();
   showIdle();
 }
@@ -265,11 +261,9 @@ void ReportDock::start(const MetricSet& metrics) {
   if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
   m_request.output = m_folder->text().toStdString();
   m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
-  m_request.images = true;  // what a click on a row shows
   m_request.reference = m_reference;
   m_table->begin(m_request.session.cameras.size() * m_tests.size(), metrics);
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
-  m_images->clear();
   m_test = 0;
   emitPsnr();
   m_note->clear();
@@ -312,6 +306,7 @@ void ReportDock::showReport(const Report& report) {
       QString::fromStdString(summaryText(report.summaries.back().summary, report.rows)));
   m_pageButton->setEnabled(true);
   if (!chosenRow()) chooseState(m_model->currentIndex());
+  compare();
 }
 
 void ReportDock::showTimeLeft() {
@@ -321,7 +316,6 @@ void ReportDock::showTimeLeft() {
 
 void ReportDock::showRow(std::size_t index, const ReportRow& row) {
   m_table->set(index, row);
-  if (chosenRow() == index) showImages(index);
   emitPsnr();
 }
 
@@ -350,29 +344,20 @@ void ReportDock::showChosen() {
     m_test = test;
     emitPsnr();
   }
-  showImages(*row);
+  if (!m_follows) compare();
   m_model->setCurrentIndex(order().state(*row));
 }
 
-void ReportDock::showImages(std::size_t index) {
-  const std::optional<ReportRow>& row = m_table->row(index);
-  if (!row) return m_images->clear();
-  QImage reference;
-  QImage test;
-  if (row->problem.empty()) {
-    const auto load = [](QImage& image, const std::filesystem::path& file) {
-      image.load(QString::fromStdString(file.string()));
-    };
-    load(reference, referenceImage(m_request.output, row->state));
-    load(test, testImage(m_request.output, order().test(index), row->state));
-  }
-  m_images->setImages(QString::fromStdString(row->state), reference, test);
+void ReportDock::compare() {
+  Q_EMIT comparisonAsked(QString::fromStdString(m_tests[m_test]));
 }
 
 void ReportDock::chooseState(std::size_t state) {
   const std::size_t row = order().row(state, m_test);
   if (m_tests.empty() || row >= std::size_t(m_table->rowCount()) || chosenRow() == row) return;
+  m_follows = true;
   m_rows->selectRow(m_sorted->mapFromSource(m_table->index(int(row), 0)).row());
+  m_follows = false;
 }
 
 }  // namespace hogelscope

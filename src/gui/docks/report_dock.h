@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock: test light fields, a run in the background, its rows, and the images of the
-// row that is chosen.
+// The report dock: test light fields, a run in the background, and its rows; the test of the row
+// that is chosen is compared in the view.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,7 +18,6 @@ class QTableView;
 namespace hogelscope {
 
 class PolledBar;
-class ReportImagesWidget;
 class ReportTable;
 class SessionModel;
 class Task;
@@ -39,6 +38,8 @@ class ReportDock : public QWidget {
   /// Of every state under the test of the chosen row, dB; not a number where there is none (yet).
   /// Empty while there is none at all.
   void psnrChanged(const std::vector<double>& dB);
+  /// The view is to show this light field beside the session's own.
+  void comparisonAsked(const QString& file);
   void failed(const QString& line);
 
  private:
@@ -59,7 +60,7 @@ class ReportDock : public QWidget {
   void showTimeLeft();
   void showRow(std::size_t index, const ReportRow& row);
   void showChosen();
-  void showImages(std::size_t index);
+  void compare();
   void emitPsnr();
   [[nodiscard]] std::optional<std::size_t> chosenRow() const;
   [[nodiscard]] ReportOrder order() const { return {m_tests.size()}; }
@@ -69,6 +70,7 @@ class ReportDock : public QWidget {
   ReportRequest m_request;           ///< of the rows that are shown
   std::vector<std::string> m_tests;  ///< likewise
   std::size_t m_test = 0;            ///< of the chosen row
+  bool m_follows = false;            ///< chooses the row of a state that was chosen elsewhere
   Task* m_task;
   ReportTable* m_table;
   QSortFilterProxyModel* m_sorted;
@@ -80,7 +82,6 @@ class ReportDock : public QWidget {
   QLabel* m_note;
   QLabel* m_stale;  ///< shown while the session is not what the rows are of
   QTableView* m_rows;
-  ReportImagesWidget* m_images;
   QElapsedTimer m_clock;
 };
 

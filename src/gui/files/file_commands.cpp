@@ -30,6 +30,9 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
       m_recent(new RecentFiles(ui.recentMenu, this)),
       m_task(new Task(this)),
       m_autosave(new Autosave(model, this)) {
+  connect(ui.newAction, &QAction::triggered, this, [this] {
+    if (mayLeave()) m_model->openNew(newSession());
+  });
   connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
   connect(ui.openLightFieldAction, &QAction::triggered, this, &FileCommands::askLightField);
   connect(ui.openFolderAction, &QAction::triggered, this, &FileCommands::askFolder);

@@ -20,17 +20,21 @@ RecentFiles::RecentFiles(QMenu* menu, QObject* parent) : QObject(parent), m_menu
   connect(m_menu, &QMenu::aboutToShow, this, &RecentFiles::fill);
 }
 
+QStringList RecentFiles::files() {
+  return QSettings().value(key).toStringList();
+}
+
 void RecentFiles::add(const QString& file) {
   const QString path = QFileInfo(file).absoluteFilePath();
-  QStringList files = QSettings().value(key).toStringList();
-  files.removeAll(path);
-  files.prepend(path);
-  QSettings().setValue(key, files.mid(0, mostFiles));
+  QStringList list = files();
+  list.removeAll(path);
+  list.prepend(path);
+  QSettings().setValue(key, list.mid(0, mostFiles));
 }
 
 void RecentFiles::fill() {
   m_menu->clear();
-  for (const QString& file : QSettings().value(key).toStringList()) {
+  for (const QString& file : files()) {
     const auto number = int(m_menu->actions().size()) + 1;
     QString name = QFileInfo(file).fileName().replace("&", "&&");
     const QString form = number < 10 ? tr("&%1  %2") : tr("%1  %2");

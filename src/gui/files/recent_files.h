@@ -15,6 +15,8 @@ class RecentFiles : public QObject {
   /// Fills `menu` whenever it is about to be shown; files that are missing are grey.
   RecentFiles(QMenu* menu, QObject* parent);
 
+  /// The latest first.
+  static QStringList files();
   /// To the head of the list, which holds ten.
   void add(const QString& file);
 

@@ -25,11 +25,16 @@ QPushButton* button(const char* name, const QString& text, const QString& help);
 /// A part of the current state.
 template <class Part>
 ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
-  auto* form = new ParameterForm([model, part](ParameterVisitor& visitor) {
-    CameraState state = model->current();
-    describe(visitor, state.*part);
-    model->setCurrent(state);
-  });
+  auto* form = new ParameterForm(
+      [model, part](ParameterVisitor& visitor) {
+        CameraState state = model->current();
+        describe(visitor, state.*part);
+        model->setCurrent(state);
+      },
+      [](ParameterVisitor& visitor) {
+        Part defaults;
+        describe(visitor, defaults);
+      });
   follow(model, form);
   return form;
 }
@@ -37,11 +42,16 @@ ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
 /// The display, the light field or the sampling.
 template <class Part>
 ParameterForm* contentForm(SessionModel* model, Part Session::*part) {
-  auto* form = new ParameterForm([model, part](ParameterVisitor& visitor) {
-    Session content = model->session();
-    describe(visitor, content.*part);
-    model->setContent(content);
-  });
+  auto* form = new ParameterForm(
+      [model, part](ParameterVisitor& visitor) {
+        Session content = model->session();
+        describe(visitor, content.*part);
+        model->setContent(content);
+      },
+      [](ParameterVisitor& visitor) {
+        Part defaults;
+        describe(visitor, defaults);
+      });
   follow(model, form);
   return form;
 }
@@ -54,17 +64,22 @@ ParameterForm* checkedForm(SessionModel* model, Part Session::*part,
                            void (*visit)(ParameterVisitor&, Part&),
                            Part (*complete)(const Part& before, Part after),
                            std::function<void(const QString&)> fail) {
-  auto* form = new ParameterForm([=](ParameterVisitor& visitor) {
-    Session content = model->session();
-    const Part before = content.*part;
-    visit(visitor, content.*part);
-    try {
-      content.*part = complete(before, content.*part);
-      model->setContent(content);
-    } catch (const std::exception& error) {
-      fail(QString::fromUtf8(error.what()));
-    }
-  });
+  auto* form = new ParameterForm(
+      [=](ParameterVisitor& visitor) {
+        Session content = model->session();
+        const Part before = content.*part;
+        visit(visitor, content.*part);
+        try {
+          content.*part = complete(before, content.*part);
+          model->setContent(content);
+        } catch (const std::exception& error) {
+          fail(QString::fromUtf8(error.what()));
+        }
+      },
+      [=](ParameterVisitor& visitor) {
+        Part defaults;
+        visit(visitor, defaults);
+      });
   follow(model, form);
   return form;
 }

@@ -9,12 +9,16 @@
 namespace hogelscope {
 
 Comparison::Comparison(QObject* parent) : QObject(parent) {
-  connect(&m_task, &Task::failed, this, &Comparison::failed);
+  connect(&m_task, &Task::failed, this, [this](const QString& line) {
+    m_file.clear();
+    Q_EMIT failed(line);
+  });
 }
 
 void Comparison::start(const Session& session, const QString& file) {
   const Session other = withLightField(session, file.toStdString());
   const bool hasOwnDisplay = isSessionFile(file.toStdString());
+  m_file = file;
   m_task.start([=, this](const Progress& progress) {
     return [=, this, scene = loadScene(other, progress)] {
       m_other = scene;
@@ -28,6 +32,7 @@ void Comparison::start(const Session& session, const QString& file) {
 
 void Comparison::startIdeal() {
   m_task.abandon();
+  m_file.clear();
   m_other.reset();
   m_isIdeal = true;
   m_name = tr("ideal view");
@@ -36,6 +41,7 @@ void Comparison::startIdeal() {
 
 void Comparison::stop() {
   m_task.abandon();
+  m_file.clear();
   m_isIdeal = false;
   m_other.reset();
   m_name.clear();

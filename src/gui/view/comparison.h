@@ -23,6 +23,8 @@ class Comparison : public QObject {
   void start(const Session& session, const QString& file);
   /// Compares with the ideal view of the session's own light field, as long as that is live.
   void startIdeal();
+  /// Whether this file is what is compared, or read for that.
+  [[nodiscard]] bool isWith(const QString& file) const { return !file.isEmpty() && m_file == file; }
   void stop();
   /// The session's own light field; none while it is read.
   void setScene(const std::optional<Scene>& own) { m_own = own; }
@@ -46,6 +48,7 @@ class Comparison : public QObject {
   std::optional<Scene> m_other;
   bool m_isIdeal = false;
   QString m_name;
+  QString m_file;  ///< isWith()
   bool m_hasOwnDisplay = false;  ///< other()
   Task m_task;
 };

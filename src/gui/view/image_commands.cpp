@@ -132,6 +132,7 @@ void ImageCommands::stopReading() {
 }
 
 bool ImageCommands::compareWith(const QString& file) {
+  if (m_comparison->isWith(file)) return true;
   try {
     m_comparison->start(m_model->session(), file);
   } catch (const std::exception& error) {

@@ -6,12 +6,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <algorithm>
@@ -32,6 +35,7 @@ template <class Box>
 class LeavableBox : public Box {
  public:
   using Box::Box;
+  using Box::textFromValue;
   using Value = decltype(std::declval<Box>().value());
 
   [[nodiscard]] Value valueFromText(const QString& text) const override {
@@ -53,12 +57,13 @@ class LeavableBox : public Box {
   }
 };
 
-/// Shows as many digits as the value has, not a fixed number.
+/// Shows five digits, or all of a whole part; the value keeps more.
 class RealBox : public LeavableBox<QDoubleSpinBox> {
  public:
   explicit RealBox(QWidget* parent) : LeavableBox(parent) { setDecimals(12); }
   [[nodiscard]] QString textFromValue(double value) const override {
-    return locale().toString(value, 'g', 9);
+    const int whole = value == 0 ? 1 : 1 + int(std::floor(std::log10(std::abs(value))));
+    return locale().toString(value, 'g', std::max(5, whole));
   }
 };
 
@@ -74,6 +79,33 @@ class BoxRow : public QWidget {
 };
 
 namespace {
+
+/// What a form says for a name of a document: "windowSize" is "Window size", and what nobody can
+/// pronounce is "PSF", or "k1".
+QString inWords(const QString& name) {
+  if (!name.contains(QRegularExpression("[aeiouyAEIOUY]")))
+    return name.size() < 3 ? name : name.toUpper();
+  QString words = QString(name).replace('-', ' ');
+  words.replace(QRegularExpression("([a-z])([A-Z])"), "\\1 \\2");
+  return words.left(1).toUpper() + words.mid(1).toLower();
+}
+
+QString labelOf(const Field& field) {
+  return field.label.empty() ? inWords(toQString(field.name)) : toQString(field.label);
+}
+
+/// The values that a slider covers.
+Range slideOf(const Range& range) {
+  const bool isDeclared = range.slideMin < range.slideMax;
+  return {isDeclared ? range.slideMin : range.min, isDeclared ? range.slideMax : range.max,
+          range.step};
+}
+
+/// Wide enough for a value that it holds as yet.
+void growTo(QSlider& slider, const Range& slide, double value) {
+  const int at = qRound((value - slide.min) / slide.step);
+  slider.setRange(std::min(slider.minimum(), at), std::max(slider.maximum(), at));
+}
 
 QString boxName(const Field& field, std::size_t k, bool isList) {
   const QString name = toQString(field.name);
@@ -91,12 +123,14 @@ int valueInRange(const WholeBox& box, const Range& range) {
 
 }  // namespace
 
-ParameterForm::ParameterForm(Visit visit, QWidget* parent)
+ParameterForm::ParameterForm(Visit visit, Visit defaults, QWidget* parent)
     : QWidget(parent),
       m_visit(std::move(visit)),
+      m_defaults(std::move(defaults)),
       m_layout(new QFormLayout(this)),
       m_heading(new QLabel(this)) {
   m_layout->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
   m_heading->setObjectName("heading");
   QFont bold = font();
   bold.setBold(true);
@@ -114,13 +148,68 @@ void ParameterForm::refresh() {
       m_layout->setRowVisible(row, m_visited.contains(row));
 }
 
-/// Editors take their value and leave the key to the form.
+void ParameterForm::hideField(const QString& name, bool isHidden) {
+  if (isHidden == m_hidden.contains(name)) return;
+  if (isHidden)
+    m_hidden.insert(name);
+  else
+    m_hidden.remove(name);
+  refresh();
+}
+
+/// Editors take their value and leave the keys to the form.
 void ParameterForm::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+  const int key = event->key();
+  if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Escape)
     return QWidget::keyPressEvent(event);
+  if (key == Qt::Key_Escape) refresh();
   Q_EMIT entered();
 }
 
+bool ParameterForm::eventFilter(QObject* watched, QEvent* event) {
+  const QString key = watched->property("row").toString();
+  if (event->type() != QEvent::ContextMenu || key.isEmpty()) return false;
+  const auto& asked = static_cast<const QContextMenuEvent&>(*event);
+  showMenu(qobject_cast<QWidget*>(watched), key, asked.globalPos());
+  return true;
+}
+
+/// That of a line of text, if it is one, and the default.
+void ParameterForm::showMenu(QWidget* on, const QString& key, const QPoint& at) {
+  auto* line = qobject_cast<QLineEdit*>(on);
+  QMenu* menu = line != nullptr ? line->createStandardContextMenu() : new QMenu(on);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (line != nullptr) menu->addSeparator();
+  offerDefault(menu, key);
+  menu->popup(at);
+}
+
+void ParameterForm::offerDefault(QMenu* menu, const QString& key) {
+  m_default.clear();
+  walkDefaults(Pass::sayDefault, key);
+  if (m_default.isEmpty()) return;
+  QAction* action = menu->addAction(tr("&Default: %1").arg(m_default.join(", ")));
+  action->setObjectName("defaultAction");
+  connect(action, &QAction::triggered, this, [this, key] {
+    walkDefaults(Pass::showDefault, key);
+    applyEdit(m_rows[key]);
+  });
+}
+
+/// Only for the row of that key.
+void ParameterForm::walkDefaults(Pass pass, const QString& key) {
+  if (!m_defaults) return;
+  m_wanted = key;
+  m_pass = pass;
+  m_defaults(*this);
+}
+
+bool ParameterForm::passesBy(const QWidget* row) const {
+  const bool isOfDefaults = m_pass == Pass::sayDefault || m_pass == Pass::showDefault;
+  return isOfDefaults && row->property("row").toString() != m_wanted;
+}
+
+/// Takes the value of an editor, or of all that are in a row.
 void ParameterForm::applyEdit(QObject* editor) {
   m_pass = Pass::apply;
   m_edited = editor;
@@ -130,7 +219,8 @@ void ParameterForm::applyEdit(QObject* editor) {
 
 void ParameterForm::group(std::string_view name, std::string_view help) {
   setObjectName(toQString(name) + "Form");
-  m_heading->setText(toQString(name));
+  m_group = toQString(name);
+  m_heading->setText(inWords(m_group));
   setToolTip(toQString(help));
 }
 
@@ -139,21 +229,33 @@ void ParameterForm::group(std::string_view name, std::string_view help) {
 template <class Make>
 auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
   using Editor = std::remove_pointer_t<decltype(make())>;
-  const QString key = m_heading->text() + " " + toQString(field.name) + " " + typeid(Editor).name();
+  const QString key = keyOf(field, typeid(Editor).name());
   QWidget*& known = m_rows[key];
   if (known == nullptr) {
     known = make();
-    addRow(field, known);
+    addRow(field, key, known);
   }
-  m_visited.insert(known);
+  if (field.counts && !m_hidden.contains(toQString(field.name))) m_visited.insert(known);
   return static_cast<Editor*>(known);
 }
 
-void ParameterForm::addRow(const Field& field, QWidget* editor) {
-  auto* label = new QLabel(toQString(field.name), this);
+QString ParameterForm::keyOf(const Field& field, const char* kind) const {
+  return m_group + " " + toQString(field.name) + " " + kind;
+}
+
+void ParameterForm::addRow(const Field& field, const QString& key, QWidget* editor) {
+  auto* label = new QLabel(labelOf(field), this);
   label->setBuddy(editor);
+  QList<QWidget*> parts = editor->findChildren<QWidget*>();
+  parts << label << editor;
+  for (QWidget* part : std::as_const(parts)) {
+    part->setProperty("row", key);
+    part->installEventFilter(this);
+  }
   for (QWidget* widget : {static_cast<QWidget*>(label), editor})
-    widget->setToolTip(toQString(field.help));
+    widget->setToolTip(
+        tr("<p>%1</p><p>In documents: <b>%2.%3</b></p>")
+            .arg(toQString(field.help).toHtmlEscaped(), m_group, toQString(field.name)));
   m_layout->addRow(label, editor);
 }
 
@@ -166,7 +268,10 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
     auto* box = new Box(row);
     box->setObjectName(boxName(field, k, isList));
     box->setKeyboardTracking(false);
-    box->setMinimumWidth(fontMetrics().horizontalAdvance("-00.0000 px") + 24);
+    const bool isNarrow = count > 2;  // the wheel and the arrow keys still step it
+    if (isNarrow) box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setMinimumWidth(fontMetrics().horizontalAdvance(isNarrow ? "-0.0000 m" : "-00.0000 px") +
+                         (isNarrow ? 8 : 24));
     using Value = decltype(box->value());
     box->setRange(Value(field.range.min), Value(field.range.max));
     box->setSingleStep(Value(field.range.step));
@@ -184,7 +289,7 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
 template <class Box>
 void ParameterForm::addSlider(const Field& field, Box* box, QWidget* row) {
   constexpr double mostSteps = 1e5;
-  const Range range = field.range;
+  const Range range = slideOf(field.range);
   const double steps = (range.max - range.min) / range.step;
   if (steps > mostSteps) return;
   auto* slider = new QSlider(Qt::Horizontal, row);
@@ -200,10 +305,17 @@ void ParameterForm::addSlider(const Field& field, Box* box, QWidget* row) {
 template <class Box, class Number>
 void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isList) {
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
+  if (passesBy(row)) return;
   for (std::size_t k = 0; k < values.size(); ++k) {
     Box* box = row->boxes[k];
+    if (m_pass == Pass::sayDefault) {
+      m_default << (field.range.mayBeLeftOut && values[k] < field.range.min
+                        ? box->specialValueText()
+                        : box->textFromValue(values[k]) + box->suffix());
+      continue;
+    }
     if (m_pass == Pass::apply) {
-      if (box == m_edited) values[k] = valueInRange(*box, field.range);
+      if (box == m_edited || row == m_edited) values[k] = valueInRange(*box, field.range);
       continue;
     }
     const QSignalBlocker quiet(box);
@@ -213,7 +325,9 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
     const QSignalBlocker quietSlider(slider);
     // A value that was left out is below the range, as far as numbers go.
     const double shown = std::clamp(double(values[k]), field.range.min, field.range.max);
-    slider->setValue(qRound((shown - field.range.min) / field.range.step));
+    const Range slide = slideOf(field.range);
+    if (values[k] >= field.range.min) growTo(*slider, slide, shown);
+    slider->setValue(qRound((shown - slide.min) / slide.step));
   }
 }
 
@@ -232,9 +346,11 @@ void ParameterForm::flag(const Field& field, bool& value) {
     connect(created, &QCheckBox::toggled, this, [this, created] { applyEdit(created); });
     return created;
   });
+  if (passesBy(box)) return;
+  if (m_pass == Pass::sayDefault) m_default << (value ? tr("on") : tr("off"));
   if (m_pass == Pass::apply && box == m_edited) value = box->isChecked();
   const QSignalBlocker quiet(box);
-  if (m_pass == Pass::show) box->setChecked(value);
+  if (shows()) box->setChecked(value);
 }
 
 void ParameterForm::text(const Field& field, std::string& value) {
@@ -244,10 +360,12 @@ void ParameterForm::text(const Field& field, std::string& value) {
     connect(created, &QLineEdit::editingFinished, this, [this, created] { applyEdit(created); });
     return created;
   });
+  if (passesBy(line)) return;
+  if (m_pass == Pass::sayDefault) m_default << "\"" + QString::fromStdString(value) + "\"";
   if (m_pass == Pass::apply && line == m_edited) value = line->text().toStdString();
   const QSignalBlocker quiet(line);
   const QString shown = QString::fromStdString(value);
-  if (m_pass == Pass::show && line->text() != shown) line->setText(shown);
+  if (shows() && line->text() != shown) line->setText(shown);
 }
 
 void ParameterForm::choice(const Field& field, int& index) {
@@ -259,9 +377,11 @@ void ParameterForm::choice(const Field& field, int& index) {
             [this, created] { applyEdit(created); });
     return created;
   });
+  if (passesBy(box)) return;
+  if (m_pass == Pass::sayDefault) m_default << toQString(field.choices[std::size_t(index)]);
   if (m_pass == Pass::apply && box == m_edited) index = box->currentIndex();
   const QSignalBlocker quiet(box);
-  if (m_pass == Pass::show) box->setCurrentIndex(index);
+  if (shows()) box->setCurrentIndex(index);
 }
 
 }  // namespace hogelscope

@@ -5,6 +5,7 @@
 
 #include <QHash>
 #include <QSet>
+#include <QStringList>
 #include <QWidget>
 #include <functional>
 #include <string>
@@ -13,14 +14,16 @@
 
 class QFormLayout;
 class QLabel;
+class QMenu;
 
 namespace hogelscope {
 
 template <class Box>
 class BoxRow;
 
-/// A field gets its row when it is visited first; the row hides while the field is not visited. The
-/// editors are named after their fields: "sigma", "sigma.slider", "eye.0".
+/// A field gets its row when it is visited first; the row hides while the field is not visited or
+/// does not count. The editors are named after their fields: "sigma", "sigma.slider", "eye.0". A
+/// right click on a row offers the default.
 class ParameterForm : public QWidget, private ParameterVisitor {
   Q_OBJECT
 
@@ -28,20 +31,26 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   /// Visits the parameters as they are now, and takes over what the visitor changed.
   using Visit = std::function<void(ParameterVisitor&)>;
 
-  explicit ParameterForm(Visit visit, QWidget* parent = nullptr);
+  /// `defaults` visits the parameters as they are where nobody has set them; without it, no default
+  /// is offered.
+  explicit ParameterForm(Visit visit, Visit defaults = {}, QWidget* parent = nullptr);
 
+  /// Hides a field's row, or shows it again.
+  void hideField(const QString& name, bool isHidden);
   /// Shows the parameters as they are now.
   void refresh();
 
  Q_SIGNALS:
-  /// Return was pressed in an editor, which has taken its value.
+  /// Return was pressed in an editor, which has taken its value, or Escape, and it has not.
   void entered();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  /// Shows the menu of a row.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Pass { show, apply };
+  enum class Pass { show, apply, sayDefault, showDefault };
 
   void group(std::string_view name, std::string_view help) override;
   void numbers(const Field& field, std::span<double> values, bool isList) override;
@@ -58,16 +67,27 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   void addSlider(const Field& field, Box* box, QWidget* row);
   template <class Make>
   auto editor(const Field& field, Make make) -> decltype(make());
-  void addRow(const Field& field, QWidget* editor);
+  void addRow(const Field& field, const QString& key, QWidget* editor);
+  [[nodiscard]] QString keyOf(const Field& field, const char* kind) const;
   void applyEdit(QObject* editor);
+  void walkDefaults(Pass pass, const QString& key);
+  [[nodiscard]] bool passesBy(const QWidget* row) const;
+  [[nodiscard]] bool shows() const { return m_pass == Pass::show || m_pass == Pass::showDefault; }
+  void showMenu(QWidget* on, const QString& key, const QPoint& at);
+  void offerDefault(QMenu* menu, const QString& key);
 
   Visit m_visit;
+  Visit m_defaults;
   QFormLayout* m_layout;
   QLabel* m_heading;
+  QString m_group;
   Pass m_pass = Pass::show;
   QObject* m_edited = nullptr;  ///< the editor that a user changed
+  QString m_wanted;             ///< the row whose default is said or shown
+  QStringList m_default;        ///< its values
   QHash<QString, QWidget*> m_rows;
   QSet<QWidget*> m_visited;  ///< of m_rows, in this walk
+  QSet<QString> m_hidden;    ///< names of fields
 };
 
 }  // namespace hogelscope

@@ -384,6 +384,17 @@ bool takeGeometry(Session& session, const DisplayParams& given) {
 
 }  // namespace
 
+Session newSession() {
+  Session session;
+  session.display.hogels = {256, 256};
+  session.display.directions = {100, 100};
+  session.lightField.layout = Layout::live;
+  session.lightField.source = "scene";
+  session.lightField.content = contentOf(session.lightField.source);
+  session.cameras = {inFrontOf(session.display)};
+  return session;
+}
+
 OrderedSession orderedSessionAround(const std::string& file,
                                     const std::vector<std::string>& overrides,
                                     const Progress& progress) {

@@ -40,6 +40,9 @@ std::vector<CameraState> loadStates(const std::filesystem::path& file);
 /// file is replaced atomically. Throws InputError.
 void appendStates(const std::filesystem::path& file, const std::vector<CameraState>& states);
 
+/// A display with one state in front of it, whose content is the built-in scene.
+Session newSession();
+
 /// Makes a session around a light field: an image, a quilt by its name, a folder of views, or a
 /// mesh, which is read. The display has its shape; one state is in front of it. Views get the order
 /// and shear that their pictures say, unless the overrides do. For a hogel image the hogels and

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the window shows while no session is open.
+#include "gui/app/home_page.h"
+
+#include <QAction>
+#include <QCommandLinkButton>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <tuple>
+
+#include "gui/files/recent_files.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// As it is installed, or as it lies beside a build tree; empty where there is none.
+QString sampleFile(const QString& name) {
+  const QString program = QCoreApplication::applicationDirPath();
+  for (const QString& file : {program + "/../share/hogelscope/samples/" + name + ".hogelscope",
+                              program + "/../../../data/" + name + ".json"})
+    if (QFileInfo::exists(file)) return QFileInfo(file).canonicalFilePath();
+  return {};
+}
+
+QLabel* heading(const QString& text, int larger) {
+  auto* label = new QLabel(text);
+  QFont font = label->font();
+  font.setPointSize(font.pointSize() + larger);
+  font.setBold(true);
+  label->setFont(font);
+  return label;
+}
+
+/// A button for an action, with its key.
+QCommandLinkButton* buttonFor(QAction* action) {
+  const QString key = action->shortcut().toString(QKeySequence::NativeText);
+  auto* button = new QCommandLinkButton(action->text().remove('&') + "   " + key);
+  button->setObjectName(action->objectName() + "Button");
+  button->setDescription(action->toolTip());
+  QObject::connect(button, &QCommandLinkButton::clicked, action, &QAction::trigger);
+  return button;
+}
+
+}  // namespace
+
+HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QWidget(parent) {
+  setObjectName("homePage");
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(40);
+  columns->addWidget(makeActions(ui), 1);
+  columns->addWidget(makeFiles(), 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(48, 24, 48, 24);
+  layout->addStretch(1);
+  layout->addWidget(heading(tr("Hogelscope"), 12));
+  auto* line =
+      new QLabel(tr("What a viewer sees on a light field display that does not exist yet, "
+                    "and how good it is"));
+  line->setWordWrap(true);
+  layout->addWidget(line);
+  layout->addSpacing(24);
+  layout->addLayout(columns);
+  layout->addStretch(2);
+}
+
+QWidget* HomePage::makeActions(const Ui::MainWindow& ui) {
+  auto* part = new QWidget;
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Begin"), 2));
+  for (QAction* action :
+       {ui.openLightFieldAction, ui.openFolderAction, ui.openAction, ui.newAction})
+    layout->addWidget(buttonFor(action));
+  auto* hint =
+      new QLabel(tr("Or drop files here: a hogel image, a quilt, a folder of views, a "
+                    "store, a mesh, a session."));
+  hint->setWordWrap(true);
+  layout->addWidget(hint);
+  layout->addStretch();
+  return part;
+}
+
+QWidget* HomePage::makeFiles() {
+  auto* part = new QWidget;
+  auto* layout = new QVBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Samples"), 2));
+  for (const auto& [name, text, what] :
+       {std::tuple("table1", tr("Table I"), tr("A hogel image and the paper's six camera states")),
+        std::tuple("room", tr("Room"), tr("A 3-D scene, traced as it is looked at"))})
+    if (const QString file = sampleFile(name); !file.isEmpty()) {
+      QWidget* button = fileButton(file, text, what);
+      button->setObjectName(QString(name) + "Sample");
+      layout->addWidget(button);
+    }
+  layout->addWidget(heading(tr("Recent sessions"), 2));
+  m_recent = new QVBoxLayout;
+  layout->addLayout(m_recent);
+  layout->addStretch();
+  return part;
+}
+
+QWidget* HomePage::fileButton(const QString& file, const QString& text,
+                              const QString& description) {
+  auto* button = new QCommandLinkButton(text, description);
+  button->setToolTip(file);
+  connect(button, &QCommandLinkButton::clicked, this, [this, file] { Q_EMIT chosen(file); });
+  return button;
+}
+
+void HomePage::showEvent(QShowEvent* event) {
+  fillRecent();
+  QWidget::showEvent(event);
+}
+
+void HomePage::fillRecent() {
+  while (QLayoutItem* item = m_recent->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  constexpr int most = 6;  // the menu has them all
+  for (const QString& file : RecentFiles::files()) {
+    const QFileInfo info(file);
+    if (!info.exists() || m_recent->count() == most) continue;
+    QWidget* button = fileButton(file, info.fileName(), info.path());
+    button->setObjectName("recentSession");
+    m_recent->addWidget(button);
+  }
+  if (m_recent->isEmpty()) m_recent->addWidget(new QLabel(tr("None yet")));
+}
+
+}  // namespace hogelscope
