@@ -17,9 +17,9 @@ CameraDock::CameraDock(SessionModel* model, QWidget* parent)
       m_isCalibrated(new QCheckBox(tr("Calibrated camera"))),
       m_intrinsics(stateForm(model, &CameraState::intrinsics)) {
   m_isCalibrated->setObjectName("calibrated");
-  m_isCalibrated->setToolTip(
-      tr("Focal lengths and centre in pixels in place of the field of view; the first ones take the "
-         "same picture"));
+  m_isCalibrated->setToolTip(tr(
+      "Focal lengths and centre in pixels in place of the field of view; the first ones take the "
+      "same picture"));
   auto* choice = new QWidget;
   auto* row = new QVBoxLayout(choice);
   row->setContentsMargins(9, 0, 9, 0);

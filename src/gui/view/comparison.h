@@ -48,7 +48,7 @@ class Comparison : public QObject {
   std::optional<Scene> m_other;
   bool m_isIdeal = false;
   QString m_name;
-  QString m_file;  ///< isWith()
+  QString m_file;                ///< isWith()
   bool m_hasOwnDisplay = false;  ///< other()
   Task m_task;
 };
