@@ -61,6 +61,8 @@ Session sessionAroundFile(const CommandLine& line) {
   const LightFieldParams& used = around.session.lightField;
   for (const std::string& warning : around.order.warnings) warn(line, warning);
   warn(line, contradictionOf(used, around.order));
+  if (!line.has("quiet") && !around.assumed.empty())
+    std::cerr << "hogelscope: " << line.text("session") << ": " << around.assumed << "\n";
   if (!line.has("quiet") && used.layout == Layout::views)
     std::cerr << "hogelscope: " << line.text("session") << ": rows " << nameOf(used.rows)
               << ", columns " << nameOf(used.columns) << " (" << nameOf(around.order.sureness)

@@ -2,6 +2,7 @@
 // Tests the new session that a light field opens with.
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "io/documents/session_file.h"
 #include "io/plugins/display_json.h"
@@ -67,6 +68,68 @@ class TestSessionAround : public QObject {
     (void)loadScene(session, {});
     session.display.directions = {10, 0};
     QVERIFY(errorOf([&] { check(session); }).startsWith("display.directions: has one number"));
+  }
+
+  void hogelsAreFoundInThePicture_data() {
+    QTest::addColumn<int>("nx");
+    QTest::addColumn<int>("ny");
+    QTest::addColumn<int>("du");
+    QTest::addColumn<int>("dv");
+    QTest::addColumn<double>("depth");
+    QTest::addColumn<QString>("name");
+    for (const double depth : {-0.3, -0.11, 0.0, 0.12})
+      for (const auto& [nx, ny, du, dv] : {std::array{40, 30, 24, 18},
+                                           {50, 30, 21, 15},
+                                           {30, 40, 8, 8},
+                                           {24, 20, 16, 32},
+                                           {100, 60, 5, 3},
+                                           {11, 13, 40, 10}})
+        for (const char* name : {"g.png", "g.jpg"})
+          QTest::addRow("%d %d %d %d at %g, %s", nx, ny, du, dv, depth, name)
+              << nx << ny << du << dv << depth << QString(name);
+  }
+
+  /// A wall with texture and noise, as a display would show it; JPEG at its usual quality.
+  void hogelsAreFoundInThePicture() {
+    QFETCH(const int, nx);
+    QFETCH(const int, ny);
+    QFETCH(const int, du);
+    QFETCH(const int, dv);
+    QFETCH(const double, depth);
+    QFETCH(const QString, name);
+    const auto light = [&](int px, int py, int channel) {
+      const double x = (px / du + 0.5) / nx - 0.5 + depth * ((px % du + 0.5) / du - 0.5);
+      const double y = (py / dv + 0.5) / ny - 0.5 - depth * ((py % dv + 0.5) / dv - 0.5);
+      const double texture = std::sin(31 * x + 5 * y + channel) + std::sin(17 * y - 8 * x) +
+                             0.5 * std::sin(90 * x * y + 40 * y);
+      const double noise = double((px * 7919 + py * 104729 + channel * 31) % 97) / 97;
+      return float(0.5 + 0.15 * texture + 0.01 * noise);
+    };
+    writeImageFile(file(qPrintable(name)), nx * du, ny * dv, light);
+    const OrderedSession around = orderedSessionAround(file(qPrintable(name)).toStdString());
+    QVERIFY((around.session.display.hogels == std::array{nx, ny}));
+    QVERIFY((around.session.display.directions == std::array{du, dv}));
+    QCOMPARE(around.assumed, std::to_string(nx) + "×" + std::to_string(ny) + " hogels of " +
+                                 std::to_string(du) + "×" + std::to_string(dv) +
+                                 " directions, found by their borders in the picture");
+    (void)loadScene(around.session, {});
+  }
+
+  /// Noise and a photograph's like have none, and what is said counts.
+  void whereThereAreNoHogels() {
+    for (int seed = 0; seed < 20; ++seed) {
+      const auto noise = [seed](int x, int y, int c) {
+        return float((x * 7919 + y * 104729 + x * y * 31 + c * 7 + seed * 1009) % 251) / 251;
+      };
+      writeImageFile(file("n.png"), 240, 180, noise);
+      QCOMPARE(orderedSessionAround(file("n.png").toStdString()).assumed, std::string());
+    }
+    writeImageFile(file("flat.png"), 60, 40, [](int, int, int) { return 0.5F; });
+    QCOMPARE(orderedSessionAround(file("flat.png").toStdString()).assumed, std::string());
+    const OrderedSession said = orderedSessionAround(
+        file("n.png").toStdString(), {"display.hogels=[24,18]", "display.directions=[10,10]"});
+    QCOMPARE(said.assumed, std::string());
+    QVERIFY((said.session.display.hogels == std::array{24, 18}));
   }
 
   void whatIsNoPictureIsTold() {

@@ -60,36 +60,22 @@ bool FileCommands::guarded(Action action) {
   }
 }
 
-namespace {
-
-/// Whether the file has to be read before a session can be made around it.
-bool mustBeRead(const QString& file) {
-  const std::string name = file.toStdString();
-  return QFileInfo(file).isDir() || isMeshFile(name) || quiltTilesFromName(name)[0] > 0;
-}
-
-}  // namespace
-
 bool FileCommands::open(const QString& file) {
-  if (mustBeRead(file)) {
+  if (!isSessionFile(file.toStdString()) || QFileInfo(file).isDir()) {
     openLater(file);
     return true;
   }
   m_task->abandon();
   return guarded([&] {
-    if (isSessionFile(file.toStdString())) {
-      m_model->open(file);
-      m_recent->add(file);
-      checkOrder(file);
-    } else {
-      m_model->openNew(sessionAround(file.toStdString()));
-    }
+    m_model->open(file);
+    m_recent->add(file);
+    checkOrder(file);
     rememberFolderOf(file);
   });
 }
 
-/// On another thread: it has to be read to know which display fits it, or in which order its views
-/// are.
+/// On another thread: it has to be read to know which display fits it, how many hogels it has, or
+/// in which order its views are.
 void FileCommands::openLater(const QString& file) {
   m_task->start([this, file](const Progress& progress) {
     return [this, file, around = orderedSessionAround(file.toStdString(), {}, progress)] {
@@ -98,6 +84,8 @@ void FileCommands::openLater(const QString& file) {
       const LightFieldParams& used = around.session.lightField;
       for (const std::string& warning : around.order.warnings)
         Q_EMIT failed(file + ": " + QString::fromStdString(warning));
+      if (!around.assumed.empty())
+        Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
       if (used.layout == Layout::views)
         Q_EMIT done(
             tr("%1: rows %2, columns %3 (%4)")

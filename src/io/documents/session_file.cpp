@@ -14,6 +14,7 @@
 #include "io/json/json_parameters.h"
 #include "io/layouts/capture_geometry.h"
 #include "io/layouts/view_layouts.h"
+#include "io/order/hogel_grid.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
@@ -344,6 +345,21 @@ bool canBeOpened(const Session& session) {
          (session.display.hogels[0] > 0 && session.display.directions[0] > 0);
 }
 
+/// Puts what a hogel image shows of its hogels into the display; says so.
+std::string findHogels(const LightFieldParams& lightField, DisplayParams& display,
+                       const Progress& progress) {
+  ImageFile image{fs::path(lightField.file), lightField.yuv};
+  const std::optional<HogelGrid> grid = findHogelGrid(image, progress);
+  if (!grid) return "";
+  display.hogels = grid->hogels;
+  display.directions = grid->directions;
+  const auto pair = [](const std::array<int, 2>& numbers) {
+    return std::to_string(numbers[0]) + "×" + std::to_string(numbers[1]);
+  };
+  return pair(grid->hogels) + " hogels of " + pair(grid->directions) +
+         " directions, found by their borders in the picture";
+}
+
 /// `given` may say how many directions the views of one running number have.
 DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
   DisplayParams display;
@@ -412,6 +428,8 @@ OrderedSession orderedSessionAround(const std::string& file,
       session.lightField = result.order.found;
     }
     session.display = displayAround(session.lightField, said.display);
+    if (!canBeOpened(said))
+      result.assumed = findHogels(session.lightField, session.display, progress);
     if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
         distance > 0)
       session.lightField.viewingDistance = distance;
