@@ -221,7 +221,7 @@ void TestReportDock::aRowShowsItsImages() {
   for (int y = 0; y < 60; y += 7)
     for (int x = 0; x < 80; x += 5)
       QCOMPARE(qRed(shown.pixel(x, y)),
-               std::min(255, difference->gain() *
+               std::min(255, int(difference->gain()) *
                                  std::abs(qRed(wanted.pixel(x, y)) - qRed(other.pixel(x, y)))));
   QCOMPARE(m_window->findChild<QComboBox*>("stateBox")->currentText(), QString("s2"));
   // zoomed together

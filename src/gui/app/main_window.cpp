@@ -158,6 +158,7 @@ void MainWindow::connectDocks() {
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
   connect(m_lightField, &LightFieldDock::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::otherChanged, this, &MainWindow::render);
+  connect(m_imageCommands, &ImageCommands::compared, m_ui->reportPanel, &ReportDock::offerTest);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
 }

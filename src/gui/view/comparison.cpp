@@ -20,6 +20,7 @@ void Comparison::start(const Session& session, const QString& file) {
       m_other = scene;
       m_isIdeal = false;
       m_name = QFileInfo(file).fileName();
+      m_file = file;
       m_hasOwnDisplay = hasOwnDisplay;
       Q_EMIT changed();
     };
@@ -30,6 +31,7 @@ void Comparison::startIdeal() {
   m_task.abandon();
   m_other.reset();
   m_isIdeal = true;
+  m_file.clear();
   m_name = tr("ideal view");
   Q_EMIT changed();
 }
@@ -39,6 +41,7 @@ void Comparison::stop() {
   m_isIdeal = false;
   m_other.reset();
   m_name.clear();
+  m_file.clear();
   Q_EMIT changed();
 }
 

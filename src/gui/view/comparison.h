@@ -32,6 +32,8 @@ class Comparison : public QObject {
   [[nodiscard]] std::optional<Scene> other(const Session& session) const;
   /// Its file's name, or what it is.
   [[nodiscard]] const QString& name() const { return m_name; }
+  /// Its file; "" where it is none.
+  [[nodiscard]] const QString& file() const { return m_file; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
   /// How much has been read, 0 … 1; to be polled (PolledBar).
   [[nodiscard]] double readShare() const { return m_task.share(); }
@@ -46,6 +48,7 @@ class Comparison : public QObject {
   std::optional<Scene> m_other;
   bool m_isIdeal = false;
   QString m_name;
+  QString m_file;
   bool m_hasOwnDisplay = false;  ///< other()
   Task m_task;
 };
