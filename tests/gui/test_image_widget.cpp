@@ -408,7 +408,7 @@ class TestImageWidget : public QObject {
 
   void markedPixelsHaveAFrame() {
     const QImage plain = grabbed();
-    m_view->markPixels({{50, 25}});
+    m_view->markPixels(QRect(50, 25, 1, 1));
     const QImage marked = grabbed();
     QVERIFY(marked.copy(QRect(QPoint(80, 30) * ratio(), QSize(42, 42) * ratio())) !=
             plain.copy(QRect(QPoint(80, 30) * ratio(), QSize(42, 42) * ratio())));

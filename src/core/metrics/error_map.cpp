@@ -66,7 +66,7 @@ ErrorMap::ErrorMap(const Params& params) : m_params(params), m_full(fullOf(param
         params.hasFalseColour ? falseColour(double(k) / 255) : std::array{grey, grey, grey};
   }
   if (params.hasFalseColour || params.kind == ErrorKind::luma) return;
-  m_channels.reserve(256 * 256);
+  m_channels.reserve(std::size_t{256} * 256);
   for (int reference = 0; reference < 256; ++reference)
     for (int test = 0; test < 256; ++test)
       m_channels.push_back(quantised(255 * placeOf(errorOf(params.kind, reference, test))));

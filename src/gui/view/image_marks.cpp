@@ -3,41 +3,49 @@
 #include "gui/view/image_marks.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace hogelscope {
 
 namespace {
 
 /// White on black: seen on any image.
-void paintFrame(QPainter& painter, const QRect& clip, const QRect& frame, Qt::PenStyle style) {
+void paintOutline(QPainter& painter, const QRect& clip, const QPainterPath& outline,
+                  Qt::PenStyle style) {
   painter.save();
   painter.setClipRect(clip);
-  for (const auto& [colour, width, line] :
-       {std::tuple(Qt::black, 3, Qt::SolidLine), std::tuple(Qt::white, 1, style)}) {
-    painter.setPen(QPen(colour, width, line));
-    painter.drawRect(frame);
-  }
+  painter.strokePath(outline, QPen(Qt::black, 3));
+  painter.strokePath(outline, QPen(Qt::white, 1, style));
   painter.restore();
 }
 
-QRect inDevice(const Placement& at, const QRect& pixels) {
-  return {at.toDevice(pixels.topLeft()).toPoint(),
-          at.toDevice(pixels.bottomRight() + QPoint(1, 1)).toPoint()};
+QPainterPath around(const QRectF& box) {
+  QPainterPath path;
+  path.addRect(box);
+  return path;
+}
+
+QRectF inDevice(const Placement& at, const QRectF& pixels) {
+  return {at.toDevice(pixels.topLeft()), at.toDevice(pixels.bottomRight())};
 }
 
 }  // namespace
 
-void paintPixelMark(QPainter& painter, const QRect& clip, const Placement& at,
-                    const QPoint& pixel) {
-  constexpr int smallest = 9;
-  const QRect drawn = inDevice(at, {pixel, QSize(1, 1)});
-  const int grow = std::max(0, (smallest - drawn.width()) / 2) + 1;
-  paintFrame(painter, clip, drawn.adjusted(-grow, -grow, grow - 1, grow - 1), Qt::SolidLine);
+void paintPixelMarks(QPainter& painter, const QRect& clip, const Placement& at,
+                     const QPainterPath& outline) {
+  if (outline.isEmpty()) return;
+  constexpr double smallest = 9;
+  const QRectF box = inDevice(at, outline.boundingRect());
+  const double grow = std::max(0.0, (smallest - std::min(box.width(), box.height())) / 2) + 1;
+  if (grow > 1) {
+    paintOutline(painter, clip, around(box.adjusted(-grow, -grow, grow, grow)), Qt::SolidLine);
+  } else {
+    const QTransform toDevice(at.zoom, 0, 0, at.zoom, at.origin.x(), at.origin.y());
+    paintOutline(painter, clip, toDevice.map(outline), Qt::SolidLine);
+  }
 }
 
 void paintRegion(QPainter& painter, const QRect& clip, const Placement& at, const QRect& region) {
-  paintFrame(painter, clip, inDevice(at, region).adjusted(-1, -1, 0, 0), Qt::DashLine);
+  paintOutline(painter, clip, around(inDevice(at, region)), Qt::DashLine);
 }
 
 void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const QString& unit) {
@@ -57,7 +65,7 @@ void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const
   const QRect ground(area.right() - barWidth - textWidth - 4 * gap,
                      area.center().y() - height / 2 - 2 * line, barWidth + textWidth + 3 * gap,
                      height + 3 * line);
-  painter.fillRect(ground, QColor(0, 0, 0, 170));
+  painter.fillRect(ground, QColor(0, 0, 0, 220));
   const QRect bar(ground.left() + gap, ground.top() + 2 * line, barWidth, height);
   for (int y = 0; y < height; ++y) {
     const auto [red, green, blue] = map.colourAt(1 - double(y) / (height - 1));

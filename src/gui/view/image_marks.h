@@ -3,14 +3,16 @@
 #pragma once
 
 #include <QPainter>
+#include <QPainterPath>
 
 #include "core/metrics/error_map.h"
 #include "gui/view/image_placement.h"
 
 namespace hogelscope {
 
-/// A frame around a pixel, large enough to be found however small the pixel is drawn.
-void paintPixelMark(QPainter& painter, const QRect& clip, const Placement& at, const QPoint& pixel);
+/// A line around pixels, large enough to be found however small they are drawn.
+void paintPixelMarks(QPainter& painter, const QRect& clip, const Placement& at,
+                     const QPainterPath& outline);
 
 void paintRegion(QPainter& painter, const QRect& clip, const Placement& at, const QRect& region);
 

@@ -102,6 +102,7 @@ void ImageWidget::setImages(const QImage& image, const QImage& other) {
   updateDifference();
   setRegion(m_region);
   setViewport(m_viewport);
+  Q_EMIT imagesChanged();
 }
 
 void ImageWidget::setMask(const QImage& seen, const QImage& otherSeen) {
@@ -169,8 +170,11 @@ void ImageWidget::setGamma(double gamma) {
   setTone({gain(), std::round(10 * gamma) / 10});
 }
 
-void ImageWidget::markPixels(const std::vector<QPoint>& pixels) {
-  m_marks = pixels;
+void ImageWidget::markPixels(const QRegion& pixels) {
+  m_marked = pixels;
+  m_marks.clear();
+  m_marks.addRegion(pixels);
+  m_marks = m_marks.simplified();
   update();
 }
 

@@ -3,11 +3,12 @@
 // read-out, and what is marked in it.
 #pragma once
 
+#include <QPainterPath>
+#include <QRegion>
 #include <QWidget>
 #include <array>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/metrics/error_map.h"
 #include "gui/view/zoomable_image.h"
@@ -43,8 +44,8 @@ class ImageWidget : public QWidget {
   void setGain(double gain);
   /// Likewise, 0.2 … 5.
   void setGamma(double gamma);
-  /// Pixels with a frame around them.
-  void markPixels(const std::vector<QPoint>& pixels);
+  /// Pixels with a line around them.
+  void markPixels(const QRegion& pixels);
   /// A rectangle of pixels; null: none.
   void setRegion(const QRect& region);
   /// Share of the width, 0 … 1, left of the line: there the first image is shown.
@@ -63,7 +64,7 @@ class ImageWidget : public QWidget {
   [[nodiscard]] const QImage& seen() const { return m_images[0].seen; }
   [[nodiscard]] const QImage& otherSeen() const { return m_images[1].seen; }
   [[nodiscard]] const QRect& region() const { return m_region; }
-  [[nodiscard]] const std::vector<QPoint>& markedPixels() const { return m_marks; }
+  [[nodiscard]] const QRegion& markedPixels() const { return m_marked; }
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
   [[nodiscard]] double wipe() const { return m_wipe; }
   [[nodiscard]] double gain() const { return shownTone().gain; }
@@ -74,6 +75,7 @@ class ImageWidget : public QWidget {
   [[nodiscard]] QString readOut() const;
 
  Q_SIGNALS:
+  void imagesChanged();
   /// A click that was no drag.
   void pixelPicked(int x, int y);
   /// While it is drawn, too.
@@ -160,7 +162,8 @@ class ImageWidget : public QWidget {
   double m_wipe = 0.5;
   QTimer* m_turns;         ///< while the images blink
   std::size_t m_turn = 0;  ///< the image that is shown then
-  std::vector<QPoint> m_marks;
+  QRegion m_marked;
+  QPainterPath m_marks;  ///< their outline
   QRect m_region;
   QString m_notice;
   std::optional<QPointF> m_pointer;  ///< widget coordinates, as the next

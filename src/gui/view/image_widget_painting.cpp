@@ -97,8 +97,7 @@ void ImageWidget::paintDifference(QPainter& painter, const QRect& pane) const {
 
 void ImageWidget::paintMarks(QPainter& painter, const QRect& clip, const Placement& at) const {
   paintPixelGrid(painter, clip, at, image().size());
-  for (const QPoint& pixel : m_marks)
-    if (image().rect().contains(pixel)) paintPixelMark(painter, clip, at, pixel);
+  paintPixelMarks(painter, clip, at, m_marks);
   if (!m_region.isNull()) paintRegion(painter, clip, at, m_region);
 }
 
