@@ -48,7 +48,7 @@ class TestDockDrawings : public DocksTest {
   void theKernelIsDrawnAndItsLossTold() {
     openSmall();
     child<QDockWidget>("psfDock")->raise();
-    auto* kernel = m_window->findChild<KernelWidget*>();
+    auto* kernel = m_window->findChild<KernelWidget*>("kernelView");
     auto* energy = child<QLabel>("energyLabel");
     QTRY_VERIFY_WITH_TIMEOUT(kernel->isVisible(), patience);
     editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(2);

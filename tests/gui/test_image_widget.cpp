@@ -9,9 +9,11 @@
 #include <QtTest>
 #include <cmath>
 
-#include "gui/view/image_difference.h"
+#include "core/base/colour_map.h"
+#include "gui/view/error_image.h"
 #include "gui/view/view_pace.h"
 #include "tests/gui/patience.h"
+#include "tests/gui/shown_image.h"
 
 using namespace hogelscope;
 
@@ -59,10 +61,10 @@ class TestImageWidget : public QObject {
     m_view->setImages(coordinates(200, 150, firstBlue), coordinates(200, 150, secondBlue));
   }
   /// At once, not when the display server says so.
-  void mouse(QEvent::Type type, const QPoint& position) {
+  void mouse(QEvent::Type type, const QPoint& position, Qt::KeyboardModifiers modifiers = {}) {
     const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
     QMouseEvent event(type, QPointF(position), m_view->mapToGlobal(QPointF(position)), button,
-                      Qt::LeftButton, Qt::NoModifier);
+                      Qt::LeftButton, modifiers);
     QApplication::sendEvent(m_view.get(), &event);
   }
   void look(const QPoint& position) { mouse(QEvent::MouseMove, position); }
@@ -282,22 +284,138 @@ class TestImageWidget : public QObject {
     m_view->setGain(1);
     QCOMPARE(at({201, 151}), QColor(0, 0, secondBlue - firstBlue));
     key(Qt::Key_Up, Qt::ShiftModifier);
-    QCOMPARE(m_view->gain(), 2);
+    QCOMPARE(m_view->gain(), 2.0);
     QCOMPARE(at({201, 151}), QColor(0, 0, 80));
     for (int k = 0; k < 9; ++k) key(Qt::Key_Up, Qt::ShiftModifier);
-    QCOMPARE(m_view->gain(), 128);
+    QCOMPARE(m_view->gain(), 128.0);
     QCOMPARE(at({201, 151}), QColor(0, 0, 255));
     for (int k = 0; k < 9; ++k) key(Qt::Key_Down, Qt::ShiftModifier);
-    QCOMPARE(m_view->gain(), 1);
+    QCOMPARE(m_view->gain(), 1.0);
     QCOMPARE(m_view->shownImage(),
-             differenceImage(coordinates(200, 150, 90), coordinates(200, 150, 50), 1));
-    QVERIFY(differenceImage(coordinates(2, 3, 0), coordinates(3, 2, 0), 1).isNull());
+             errorImage(coordinates(200, 150, firstBlue), coordinates(200, 150, secondBlue),
+                        ErrorMap({ErrorKind::absolute, {1, 1}})));
+    QVERIFY(errorImage(coordinates(2, 3, 0), coordinates(3, 2, 0), ErrorMap({})).isNull());
     QImage light(1, 1, QImage::Format_RGB888);
     QImage dark = light;
     light.fill(QColor(10, 200, 30));
     dark.fill(QColor(13, 100, 30));
-    QCOMPARE(differenceImage(light, dark, 2).pixelColor(0, 0), QColor(6, 200, 0));
-    QCOMPARE(differenceImage(light, dark, 4).pixelColor(0, 0), QColor(12, 255, 0));
+    const auto map = [](double gain) { return ErrorMap({ErrorKind::absolute, {gain, 1}}); };
+    QCOMPARE(errorImage(light, dark, map(2)).pixelColor(0, 0), QColor(6, 200, 0));
+    QCOMPARE(errorImage(light, dark, map(4)).pixelColor(0, 0), QColor(12, 255, 0));
+  }
+
+  /// The other is 40 bluer.
+  void errorMapsAndTheirScale() {
+    compare();
+    m_view->setMode(ImageWidget::Mode::difference);
+    m_view->setGain(2);
+    const auto shows = [&](ErrorKind kind, const QColor& colour) {
+      m_view->setErrorMap(kind, false);
+      return at({201, 151}) == colour;
+    };
+    QVERIFY(shows(ErrorKind::absolute, QColor(0, 0, 80)));
+    QVERIFY(shows(ErrorKind::signedError, QColor(128, 128, 168)));
+    QVERIFY(shows(ErrorKind::squared, QColor(0, 0, 25)));
+    QVERIFY(shows(ErrorKind::relative, QColor(0, 0, 255)));
+    QVERIFY(shows(ErrorKind::luma, QColor(6, 6, 6)));
+    look({201, 151});
+    QVERIFY2(m_view->readOut().contains("luma error 2.888"), qPrintable(m_view->readOut()));
+    lookAway();
+    const auto [red, green, blue] = falseColour(std::round(255 * 2 * 40 / 3.0 / 255) / 255);
+    m_view->setErrorMap(ErrorKind::absolute, true);
+    QCOMPARE(at({201, 151}), QColor(red, green, blue));
+    // The scale reaches from violet to yellow, at the right, and is no part of what is saved.
+    const auto [topRed, topGreen, topBlue] = falseColour(1);
+    const QImage image = grabbed();
+    QVERIFY(count(image.copy(image.width() - 120, 0, 120, image.height()),
+                  QColor(topRed, topGreen, topBlue), 12) > 0);
+    QCOMPARE(count(m_view->shownImage(), QColor(topRed, topGreen, topBlue), 12), 0);
+    m_view->setErrorMap(ErrorKind::absolute, false);
+    QCOMPARE(at({201, 151}), QColor(0, 0, 80));
+  }
+
+  void gainAndGammaChangeWhatIsShown() {
+    key(Qt::Key_Up, Qt::ShiftModifier);
+    QCOMPARE(at({201, 151}), QColor(200, 150, 2 * firstBlue));
+    key(Qt::Key_Down, Qt::ShiftModifier);
+    key(Qt::Key_Down, Qt::ShiftModifier);
+    QCOMPARE(m_view->gain(), 0.5);
+    QCOMPARE(at({201, 151}), QColor(50, 38, firstBlue / 2));
+    key(Qt::Key_R);
+    for (int k = 0; k < 5; ++k) key(Qt::Key_Up, Qt::ControlModifier);
+    QCOMPARE(m_view->gamma(), 2.0);
+    QCOMPARE(at({201, 151}).blue(), int(std::round(std::sqrt(255.0 * firstBlue))));
+    look({201, 151});
+    QVERIFY(m_view->readOut().contains("100 75 50"));  // code values stay what they are
+    lookAway();
+    // The error has a tone of its own.
+    compare();
+    m_view->setMode(ImageWidget::Mode::difference);
+    QCOMPARE(m_view->gain(), 8.0);
+    QCOMPARE(m_view->gamma(), 1.0);
+    key(Qt::Key_R);
+    m_view->setMode(ImageWidget::Mode::single);
+    QCOMPARE(m_view->gamma(), 2.0);
+    key(Qt::Key_R);
+    QCOMPARE(at({201, 151}), QColor(100, 75, firstBlue));
+  }
+
+  void blinkingTakesTurns() {
+    compare();
+    m_view->setMode(ImageWidget::Mode::blink);
+    QTRY_COMPARE_WITH_TIMEOUT(at({201, 151}).blue(), secondBlue, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(at({201, 151}).blue(), firstBlue, patience);
+    key(Qt::Key_Space);
+    const int now = at({201, 151}).blue();
+    QTest::qWait(700);  // none takes a turn by itself now
+    QCOMPARE(at({201, 151}).blue(), now);
+    QCOMPARE(m_view->shownImage().pixelColor(0, 0).blue(), now);
+    key(Qt::Key_Space);
+    QCOMPARE(at({201, 151}).blue(), firstBlue + secondBlue - now);
+  }
+
+  void shiftAndADragMarkARectangle() {
+    const QSignalSpy changed(m_view.get(), &ImageWidget::regionChanged);
+    const QImage plain = grabbed();
+    const auto mark = [&](const QPoint& from, const QPoint& to) {
+      mouse(QEvent::MouseButtonPress, from, Qt::ShiftModifier);
+      mouse(QEvent::MouseMove, to, Qt::ShiftModifier);
+      mouse(QEvent::MouseButtonRelease, to, Qt::ShiftModifier);
+      lookAway();
+    };
+    mark({41, 61}, {121, 81});
+    QCOMPARE(m_view->region(), QRect(QPoint(20, 30), QPoint(60, 40)));
+    QCOMPARE(changed.back()[0].toRect(), m_view->region());
+    QVERIFY(m_view->viewport().fits);
+    QVERIFY(grabbed() != plain);
+    mark({121, 81}, {41, 61});  // whichever way it is drawn
+    QCOMPARE(m_view->region(), QRect(QPoint(20, 30), QPoint(60, 40)));
+    mark({301, 201}, {600, 500});  // beyond the image
+    QCOMPARE(m_view->region(), QRect(QPoint(150, 100), QPoint(199, 149)));
+    mark({11, 11}, {11, 11});
+    QVERIFY(m_view->region().isNull());
+    mark({41, 61}, {121, 81});
+    key(Qt::Key_Delete);
+    QVERIFY(m_view->region().isNull());
+    QCOMPARE(grabbed(), plain);
+    // Side by side in the second picture.
+    compare();
+    mark({241, 101}, {281, 141});
+    const QRect inSecond = m_view->region();
+    mark({40, 101}, {80, 141});
+    QCOMPARE(m_view->region(), inSecond);
+  }
+
+  void markedPixelsHaveAFrame() {
+    const QImage plain = grabbed();
+    m_view->markPixels(QRect(50, 25, 1, 1));
+    const QImage marked = grabbed();
+    QVERIFY(marked.copy(QRect(QPoint(80, 30) * ratio(), QSize(42, 42) * ratio())) !=
+            plain.copy(QRect(QPoint(80, 30) * ratio(), QSize(42, 42) * ratio())));
+    QCOMPARE(at({101, 51}), QColor(50, 25, firstBlue));  // the pixel itself is seen
+    QCOMPARE(marked.pixel(300, 200), plain.pixel(300, 200));
+    m_view->markPixels({});
+    QCOMPARE(grabbed(), plain);
   }
 
   void readsOutPixels() {

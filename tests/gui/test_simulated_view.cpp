@@ -2,19 +2,26 @@
 // Drives the real window: compares with a second light field, and moves a slider fast.
 #include <QClipboard>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QImage>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QtTest>
 
 #include "core/engine/fast_simulation.h"
+#include "core/metrics/metric.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/comparison.h"
+#include "gui/view/error_image.h"
+#include "gui/view/histogram_widget.h"
 #include "gui/view/image_commands.h"
-#include "gui/view/image_difference.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
@@ -128,7 +135,7 @@ class TestSimulatedView : public QObject {
     QCOMPARE(view()->shownImage().size(), QSize(2 * side, side));
     QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier);
     QVERIFY(action("differenceAction")->isChecked());
-    QCOMPARE(view()->shownImage(), differenceImage(own, other, view()->gain()));
+    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({})));
     QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier);
     QCOMPARE(view()->shownImage().size(), QSize(side, side));
     const QRect left(0, 0, 55, side);
@@ -140,6 +147,105 @@ class TestSimulatedView : public QObject {
     QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
     QVERIFY(action("sideBySideAction")->isChecked() && !action("singleAction")->isChecked());
     QCOMPARE(view()->shownImage().copy(side, 0, side, side), other);
+  }
+
+  void theBarIsThereWhileComparing() {
+    auto* bar = m_window->findChild<QWidget*>("comparisonBar");
+    openSample();
+    QVERIFY(!bar->isVisible() && !action("blinkAction")->isEnabled());
+    compare();
+    QVERIFY(bar->isVisible());
+    for (auto* button : bar->findChildren<QToolButton*>()) {
+      QVERIFY(!button->text().isEmpty() && !button->toolTip().isEmpty());
+      QVERIFY(button->isVisible() && bar->rect().contains(button->geometry()));
+    }
+    const auto press = [&](const char* name) {
+      for (auto* button : bar->findChildren<QToolButton*>())
+        if (button->defaultAction() == action(name))
+          QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(5, 5));
+    };
+    press("wipeAction");
+    QVERIFY(action("wipeAction")->isChecked());
+    press("differenceAction");
+    const QImage own = view()->image();
+    const QImage other = view()->otherImage();
+    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({})));
+    press("falseColourAction");
+    QCOMPARE(view()->shownImage(), errorImage(own, other, ErrorMap({.hasFalseColour = true})));
+    QTest::keyClick(m_window.get(), Qt::Key_7, Qt::ControlModifier);
+    QVERIFY(action("blinkAction")->isChecked());
+    // The kind is chosen in any mode.
+    QTest::keyClick(m_window.get(), Qt::Key_3, Qt::AltModifier);
+    QVERIFY(action("differenceAction")->isChecked());
+    QCOMPARE(
+        view()->shownImage(),
+        errorImage(own, other, ErrorMap({.kind = ErrorKind::squared, .hasFalseColour = true})));
+    m_window->grab().save(QCoreApplication::applicationDirPath() + "/compared.png");
+    action("stopComparingAction")->trigger();
+    QVERIFY(!bar->isVisible());
+  }
+
+  /// By the functions of the report, of what is seen and of the rectangle.
+  void figuresAreThoseOfTheReport() {
+    openSample();
+    compare();
+    auto* figures = m_window->findChild<QLabel*>("comparisonFigures");
+    const CameraState state = loadSession(m_sampleFile.toStdString()).cameras[0];
+    const Image own = expected(m_ownFile, state);
+    const Image other = expected(m_otherFile, state);
+    const auto words = [](const std::vector<double>& values) {
+      return QString("PSNR seen %1 dB, SSIM seen %2, Seen")
+          .arg(values[psnrSeenColumn], 0, 'f', 2)
+          .arg(values[ssimSeenColumn], 0, 'f', 4);
+    };
+    const QString whole = words(MetricSet().compare(own, other));
+    QTRY_VERIFY2_WITH_TIMEOUT(figures->text().startsWith(whole),
+                              qPrintable(figures->text() + whole), patience);
+    const QRect part(30, 40, 50, 20);
+    const auto cut = [&](const Image& image) {
+      Image result(part.width(), part.height());
+      for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+          const auto to = std::size_t(y * result.width + x);
+          const auto from = std::size_t((y + part.y()) * image.width + x + part.x());
+          result.seen[to] = image.seen[from];
+          for (std::size_t k = 0; k < 3; ++k) result.rgb[3 * to + k] = image.rgb[3 * from + k];
+        }
+      return result;
+    };
+    view()->setRegion(part);
+    const QString inside = words(MetricSet().compare(cut(own), cut(other)));
+    QVERIFY(inside != whole);
+    QTRY_VERIFY2_WITH_TIMEOUT(figures->text().contains("\nRectangle 50 × 20 at 30, 40: " + inside),
+                              qPrintable(figures->text() + inside), patience);
+    QVERIFY(figures->text().startsWith(whole));
+    QTest::keyClick(m_window.get(), Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+    auto* histogram = m_window->findChild<HistogramWidget*>();
+    QVERIFY(histogram->isVisible());
+    const std::vector<Histogram> counts{lumaHistogram(cut(own)), lumaHistogram(cut(other))};
+    QTRY_VERIFY_WITH_TIMEOUT(histogram->histograms() == counts, patience);
+    action("stopComparingAction")->trigger();  // of the one picture there still is one
+    QTRY_COMPARE_WITH_TIMEOUT(histogram->histograms().size(), std::size_t(1), patience);
+    QVERIFY(figures->text().isEmpty());
+  }
+
+  void whatIsComparedIsOfferedToTheReport() {
+    openSample();
+    m_window->findChild<QDockWidget*>("reportDock")->show();
+    auto* add = m_window->findChild<QPushButton*>("addComparedButton");
+    QVERIFY(!add->isVisible());
+    compare();
+    QVERIFY(add->isVisible());
+    QCOMPARE(add->text(), QString("A&dd other.png"));
+    add->click();
+    auto* tests = m_window->findChild<QListWidget*>("testList");
+    QCOMPARE(tests->count(), 1);
+    QCOMPARE(tests->item(0)->text(), m_otherFile);
+    QVERIFY(!add->isVisible());
+    m_window->findChild<QPushButton*>("removeTestButton")->click();
+    QVERIFY(add->isVisible());
+    action("stopComparingAction")->trigger();
+    QVERIFY(!add->isVisible());
   }
 
   /// From the View menu, wherever the focus is.

@@ -96,9 +96,9 @@ void MainWindow::addDocks() {
 /// In the order of the line, one behind the other below the list of states: each is seen whole, and
 /// all fits into 1280 × 800.
 void MainWindow::arrangeDocks() {
-  const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
-                                        m_ui->cameraDock,     m_ui->distortionDock,
-                                        m_ui->psfDock,        m_ui->cameraSetDock};
+  const std::vector<QDockWidget*> parts{
+      m_ui->lightFieldDock, m_ui->displayDock,   m_ui->cameraDock,   m_ui->distortionDock,
+      m_ui->psfDock,        m_ui->cameraSetDock, m_ui->inspectorDock};
   m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
@@ -107,7 +107,8 @@ void MainWindow::arrangeDocks() {
   for (QDockWidget* dock : {m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
   tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
-  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
+  for (QDockWidget* dock :
+       {m_ui->cameraSetDock, m_ui->inspectorDock, m_ui->reportDock, m_ui->tradeoffDock})
     dock->hide();
   m_ui->cameraDock->raise();
   const int states = m_ui->statesDock->sizeHint().height();  // a few rows
@@ -128,6 +129,7 @@ void MainWindow::connectActions() {
                             m_ui->lightFieldDock, m_ui->displayDock, m_ui->statesDock})
     dock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key(digit++));
   m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
+  m_ui->inspectorDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
   m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
   m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
 }
@@ -161,11 +163,13 @@ void MainWindow::connectDocks() {
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetWidget::failed, m_messages, &Messages::showError);
   connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
+  m_ui->inspector->follow(m_scene, m_ui->pictureView);
   m_imageCommands = new ImageCommands(*m_ui, m_model, this);
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
   connect(m_lightField, &LightFieldDock::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::otherChanged, this, &MainWindow::render);
+  connect(m_imageCommands, &ImageCommands::compared, m_ui->reportPanel, &ReportDock::offerTest);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
 }

@@ -33,9 +33,13 @@ KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {
 }
 
 void KernelWidget::setParams(const PsfParams& params) {
-  m_params = params;
   const bool hasKernel = params.windowSize == 1 || params.sigma > 0;
-  m_weights = hasKernel ? psfKernel(params) : std::vector<double>{};
+  setWeights(params, hasKernel ? psfKernel(params) : std::vector<double>{});
+}
+
+void KernelWidget::setWeights(const PsfParams& params, const std::vector<double>& weights) {
+  m_params = params;
+  m_weights = weights;
   setAccessibleName(tr("Kernel of %1×%1 taps").arg(params.windowSize));
   update();
 }

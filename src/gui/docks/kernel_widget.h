@@ -15,6 +15,8 @@ class KernelWidget : public QWidget {
   explicit KernelWidget(QWidget* parent = nullptr);
 
   void setParams(const PsfParams& params);
+  /// Of one direction of a hogel (psfKernelAt).
+  void setWeights(const PsfParams& params, const std::vector<double>& weights);
   /// None where the parameters give no kernel.
   [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
   /// What the tap at a position weighs, as the drawing says it; "" beside the drawing.

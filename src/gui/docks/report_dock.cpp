@@ -68,6 +68,7 @@ ReportDock::ReportDock(QWidget* parent)
       m_sorted(new QSortFilterProxyModel(this)),
       m_testList(new QListWidget),
       m_folder(new QLineEdit),
+      m_addOffered(button("addComparedButton", {}, tr("What the picture is compared with"))),
       m_makeButton(button("makeReportButton", {},
                           tr("Renders every state from the session's light "
                              "field and from each test, and compares"))),
@@ -124,6 +125,7 @@ QWidget* ReportDock::makeSettings() {
   connect(addFile, &QPushButton::clicked, this, &ReportDock::askTest);
   connect(addFolder, &QPushButton::clicked, this, &ReportDock::askTestFolder);
   connect(choose, &QPushButton::clicked, this, &ReportDock::askFolder);
+  connect(m_addOffered, &QPushButton::clicked, this, [this] { addTest(m_offered); });
   connect(remove, &QPushButton::clicked, this, [this] {
     delete m_testList->currentItem();
     showIdle();
@@ -134,6 +136,7 @@ QWidget* ReportDock::makeSettings() {
   layout->addWidget(new QLabel(tr("Test light fields")));
   layout->addWidget(m_testList);
   layout->addWidget(makeRow({addFile, addFolder, remove}));
+  layout->addWidget(m_addOffered);
   layout->addWidget(new QLabel(tr("Report folder")));
   layout->addWidget(makeRow({m_folder, choose}));
   layout->addWidget(makeRow({m_makeButton, m_pageButton}));
@@ -224,6 +227,18 @@ void ReportDock::addTest(const QString& file) {
   showIdle();
 }
 
+void ReportDock::offerTest(const QString& file) {
+  m_offered = file;
+  showOffer();
+}
+
+/// Not what is in the list already.
+void ReportDock::showOffer() {
+  const bool isNew = m_testList->findItems(m_offered, Qt::MatchExactly).isEmpty();
+  m_addOffered->setVisible(!m_offered.isEmpty() && isNew);
+  m_addOffered->setText(tr("A&dd %1").arg(QFileInfo(m_offered).fileName().replace('&', "&&")));
+}
+
 void ReportDock::askFolder() {
   const QString folder = chooseFolder(this, tr("Folder of the report"));
   if (!folder.isEmpty()) setFolder(folder);
@@ -292,6 +307,7 @@ void ReportDock::stop() {
 
 /// Changes nothing while a report is made.
 void ReportDock::showIdle() {
+  showOffer();
   if (m_task->isRunning()) return;
   m_makeButton->setText(tr("&Make report"));
   m_makeButton->setEnabled(m_model != nullptr && !m_model->session().cameras.empty() &&

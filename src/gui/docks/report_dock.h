@@ -32,6 +32,8 @@ class ReportDock : public QWidget {
   /// What is in memory already; none while it is read.
   void setReference(const std::optional<Scene>& scene);
   void addTest(const QString& file);
+  /// What is compared in the picture, to be added by one click; "": nothing.
+  void offerTest(const QString& file);
   void setFolder(const QString& folder);
 
  Q_SIGNALS:
@@ -48,6 +50,7 @@ class ReportDock : public QWidget {
   void chooseState(std::size_t state);
   QWidget* makeSettings();
   void connectAll();
+  void showOffer();
   void askTest();
   void askTestFolder();
   void askFolder();
@@ -76,6 +79,8 @@ class ReportDock : public QWidget {
   QSortFilterProxyModel* m_sorted;
   QListWidget* m_testList;
   QLineEdit* m_folder;
+  QString m_offered;
+  QPushButton* m_addOffered;
   QPushButton* m_makeButton;
   QPushButton* m_pageButton;
   PolledBar* m_progress;

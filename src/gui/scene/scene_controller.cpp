@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/engine/hogel_pixels.h"
 #include "core/optics/panel_view.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_text.h"
@@ -18,17 +19,20 @@ namespace hogelscope {
 
 namespace {
 
-/// Of the overview: to fetch all directions of one hogel from a store takes longer than a click
-/// should.
 VtkImage hogelImageOf(const LightFieldSource& lightField, int i, int j) {
   try {
-    const auto small = lightField.overview();
-    const int smallI = i * small->size().nx / lightField.size().nx;
-    const int smallJ = j * small->size().ny / lightField.size().ny;
-    return toVtkImage(hogelErrorImage(*small, smallI, smallJ), {0, 0, 0});
+    return toVtkImage(hogelImage(lightField, i, j), {0, 0, 0});
   } catch (const InputError&) {  // it is damaged: the simulated view says so
     return toVtkImage(Image(1, 1), {0, 0, 0});
   }
+}
+
+QRegion regionOf(const std::vector<PixelRun>& runs) {
+  std::vector<QRect> rows;
+  for (const PixelRun& run : runs) rows.emplace_back(run.x0, run.y, run.x1 - run.x0, 1);
+  QRegion region;
+  region.setRects(rows.data(), int(rows.size()));
+  return region;
 }
 
 }  // namespace
@@ -94,6 +98,7 @@ void SceneController::connectModel() {
   });
   connect(m_model, &SessionModel::edited, this, [this] {
     tracePixel();
+    markHogel();
     refresh();
   });
 }
@@ -241,7 +246,10 @@ void SceneController::nameAt(int x, int y) {
 
 void SceneController::forgetPicks() {
   m_pixel.reset();
+  m_hogel.reset();
+  m_seers.abandon();
   m_pickText.clear();
+  m_form.pictureView->markPixels({});
   m_scene->picked().hideHogel();
   m_scene->picked().hideRay();
 }
@@ -256,9 +264,30 @@ void SceneController::showHogel(int i, int j) {
   forgetPicks();
   if (!m_loaded) return;
   m_scene->picked().showHogel(m_display, i, j, hogelImageOf(*m_loaded->lightField, i, j));
+  m_hogel = QPoint(i, j);
   m_pickText = SceneText::hogel(m_display, i, j);
+  markHogel();
   showText();
   m_scene->redraw();
+}
+
+/// The pixels that see the picked hogel.
+void SceneController::markHogel() {
+  const std::optional<RenderJob> view = job();
+  if (!m_hogel || !view) return;
+  m_seers.start([this, job = *view, hogel = *m_hogel](const Progress& progress) -> Task::Answer {
+    try {
+      const auto runs = pixelsSeeing(job, hogel.x(), hogel.y(), parallelRows, progress);
+      return [this, region = regionOf(runs)] { m_form.pictureView->markPixels(region); };
+    } catch (const InputError&) {  // a camera without a frame: the simulated view says so
+      return [this] { m_form.pictureView->markPixels({}); };
+    }
+  });
+}
+
+std::optional<RenderJob> SceneController::job() const {
+  if (!m_loaded || m_model->session().cameras.empty()) return {};
+  return m_loaded->job(m_model->current());
 }
 
 void SceneController::showPixel(int x, int y) {
@@ -272,12 +301,14 @@ void SceneController::tracePixel() {
   if (!m_pixel) return;
   const QPoint pixel = *m_pixel;
   forgetPicks();
-  const CameraState state = m_model->current();
-  const auto [width, height] = state.camera.res;
-  if (!m_loaded || !QRect(0, 0, width, height).contains(pixel)) return;
+  const std::optional<RenderJob> view = job();
+  if (!view) return;
+  const auto [width, height] = view->state.camera.res;
+  if (!QRect(0, 0, width, height).contains(pixel)) return;
   try {
-    const PixelTrace traced = pixelTrace(m_loaded->job(state), pixel.x(), pixel.y());
+    const PixelTrace traced = pixelTrace(*view, pixel.x(), pixel.y());
     m_pixel = pixel;
+    m_form.pictureView->markPixels(QRect(pixel, QSize(1, 1)));
     m_pickText = SceneText::pixel(pixel.x(), pixel.y(), traced);
     if (traced.end == RayEnd::noRay) return;
     m_scene->picked().showRay(traced.eye, traced.target);
@@ -292,6 +323,7 @@ void SceneController::tracePixel() {
 
 void SceneController::showText() {
   m_form.sceneForgetAction->setEnabled(!m_pickText.isEmpty());
+  Q_EMIT pickChanged();
   if (m_model->session().cameras.empty()) return m_form.sceneReadout->clear();
   const QString hint = tr("Click a frustum, a hogel, or a pixel of the simulated view.");
   m_form.sceneReadout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/scene/scene_worker.h"
+#include "gui/widgets/task.h"
 #include "io/scene/scene.h"
 
 namespace Ui {
@@ -37,6 +38,16 @@ class SceneController : public QObject {
   void showPixel(int x, int y);
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
 
+  /// The current state's view of what has been read; none without either.
+  [[nodiscard]] std::optional<RenderJob> job() const;
+  [[nodiscard]] const std::optional<QPoint>& pickedPixel() const { return m_pixel; }
+  /// That was clicked in the scene.
+  [[nodiscard]] const std::optional<QPoint>& pickedHogel() const { return m_hogel; }
+
+ Q_SIGNALS:
+  /// What is picked, or what is said of it.
+  void pickChanged();
+
  private:
   void connectActions();
   void connectModel();
@@ -49,6 +60,7 @@ class SceneController : public QObject {
   void pickAt(int x, int y);
   void nameAt(int x, int y);
   void showHogel(int i, int j);
+  void markHogel();
   void tracePixel();
   void showText();
   void renderPanel();
@@ -62,7 +74,9 @@ class SceneController : public QObject {
   DisplayParams m_display;        ///< as far as it is known
   std::optional<Scene> m_loaded;  ///< none while a light field is read
   std::optional<QPoint> m_pixel;  ///< picked, of the current state's view
+  std::optional<QPoint> m_hogel;
   QString m_pickText;
+  Task m_seers;  ///< finds the pixels that see the hogel
 };
 
 }  // namespace hogelscope

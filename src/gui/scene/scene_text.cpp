@@ -38,6 +38,15 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
                 .arg(number(trace.colour->r, 1), number(trace.colour->g, 1),
                      number(trace.colour->b, 1));
   if (trace.taps > 0) text += tr(" · %n leakage taps", "", trace.taps);
+  return text;
+}
+
+QString SceneText::ray(const PixelTrace& trace) {
+  if (trace.end == RayEnd::noRay) return {};
+  const auto point = [](const Vec3& p) {
+    return tr("(%1, %2, %3) m").arg(number(p.x, 4), number(p.y, 4), number(p.z, 4));
+  };
+  QString text = tr("\nray from %1 to %2").arg(point(trace.eye), point(trace.target));
   if (!trace.place) return text;
   const Hit& at = *trace.place;
   if (trace.end != RayEnd::misses)
@@ -50,6 +59,32 @@ QString SceneText::pixel(int x, int y, const PixelTrace& trace) {
   return text + tr("\npanel x %1 m, y %2 m · slopes dx/dz %3, dy/dz %4")
                     .arg(number(trace.position.x, 4), number(trace.position.y, 4),
                          number(trace.slopes.x, 4), number(trace.slopes.y, 4));
+}
+
+QString SceneText::verdict(const PixelTrace& trace, const DisplayParams& display) {
+  switch (fateOf(trace)) {
+    case PixelFate::noRay:
+      return tr(
+          "Black, no ray: the lens folds nearer to the centre, so that no light gets to this "
+          "pixel.");
+    case PixelFate::dark:
+      return tr("Black, dark content: it sees the display, which sends no light this way.");
+    case PixelFate::lit:
+      return tr("Sees the display.");
+    case PixelFate::outside:
+      break;
+  }
+  if (!trace.place)
+    return tr("Black, outside the viewing zone: its ray does not come to the panel's front.");
+  if (trace.end == RayEnd::misses) return tr("Black, outside the panel: its ray passes beside it.");
+  return tr("Black, outside the viewing zone: the hogel lights %1° × %2°, and direction u %3, v %4 "
+            "is none of its %5 × %6.")
+      .arg(display.fov[0])
+      .arg(display.fov[1])
+      .arg(floorIndex(trace.place->u))
+      .arg(floorIndex(trace.place->v))
+      .arg(display.directions[0])
+      .arg(display.directions[1]);
 }
 
 QString SceneText::hogelName(int i, int j) {

@@ -5,7 +5,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "core/optics/pixel_trace.h"
+#include "core/optics/pixel_inspection.h"
 
 namespace hogelscope {
 
@@ -15,8 +15,12 @@ class SceneText {
  public:
   /// Whether the display's light reaches a state's eye.
   static QString eye(const CameraState& state, const DisplayParams& display);
-  /// A picked pixel, its ray and what that meets.
+  /// A pixel in one line.
   static QString pixel(int x, int y, const PixelTrace& trace);
+  /// Its ray and what that meets, in lines that follow; "" where there is none.
+  static QString ray(const PixelTrace& trace);
+  /// What it shows, and if that is black, why.
+  static QString verdict(const PixelTrace& trace, const DisplayParams& display);
   /// A hogel's indices, short enough for the scene.
   static QString hogelName(int i, int j);
   /// A picked hogel.

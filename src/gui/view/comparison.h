@@ -23,8 +23,6 @@ class Comparison : public QObject {
   void start(const Session& session, const QString& file);
   /// Compares with the ideal view of the session's own light field, as long as that is live.
   void startIdeal();
-  /// Whether this file is what is compared, or read for that.
-  [[nodiscard]] bool isWith(const QString& file) const { return !file.isEmpty() && m_file == file; }
   void stop();
   /// The session's own light field; none while it is read.
   void setScene(const std::optional<Scene>& own) { m_own = own; }
@@ -34,6 +32,8 @@ class Comparison : public QObject {
   [[nodiscard]] std::optional<Scene> other(const Session& session) const;
   /// Its file's name, or what it is.
   [[nodiscard]] const QString& name() const { return m_name; }
+  /// The file that is compared or read for that; "" where it is none.
+  [[nodiscard]] const QString& file() const { return m_file; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
   /// How much has been read, 0 … 1; to be polled (PolledBar).
   [[nodiscard]] double readShare() const { return m_task.share(); }
@@ -48,7 +48,7 @@ class Comparison : public QObject {
   std::optional<Scene> m_other;
   bool m_isIdeal = false;
   QString m_name;
-  QString m_file;                ///< isWith()
+  QString m_file;
   bool m_hasOwnDisplay = false;  ///< other()
   Task m_task;
 };

@@ -2,11 +2,11 @@
 // The Picture menu.
 #include "gui/view/image_commands.h"
 
-#include <QActionGroup>
 #include <QClipboard>
 #include <QFileInfo>
 
 #include "gui/session/session_model.h"
+#include "gui/view/comparison_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/reading_bar.h"
@@ -32,7 +32,7 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
       m_ui(ui),
       m_model(model),
       m_comparison(new Comparison(this)),
-      m_modes(new QActionGroup(this)),
+      m_comparing(new ComparisonCommands(ui, this)),
       m_bar(new ReadingBar(
           tr("Other light field"), [this] { return m_comparison->readShare(); }, ui.statusBar)) {
   const auto connectAction = [this](QAction* action, void (ImageCommands::*does)()) {
@@ -49,26 +49,15 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
   connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &ImageWidget::showMask);
   connect(m_comparison, &Comparison::changed, this, &ImageCommands::otherChanged);
   connect(m_comparison, &Comparison::changed, this, &ImageCommands::showComparison);
+  connect(m_comparison, &Comparison::changed, this,
+          [this] { Q_EMIT compared(m_comparison->file()); });
   connect(m_comparison, &Comparison::failed, this, &ImageCommands::failed);
   connect(m_comparison, &Comparison::failed, this, &ImageCommands::showComparison);
   connect(m_model, &SessionModel::opened, m_comparison, &Comparison::stop);
   m_bar->setObjectName("otherReadingBar");
   m_ui.statusBar->addPermanentWidget(m_bar);
   connect(m_bar, &ReadingBar::stopAsked, this, &ImageCommands::stopReading);
-  addModes();
   drop(tr("No view yet: open a session (Ctrl+O)"));
-}
-
-void ImageCommands::addModes() {
-  using Mode = ImageWidget::Mode;
-  for (const auto& [action, mode] :
-       {std::pair(m_ui.singleAction, Mode::single),
-        std::pair(m_ui.sideBySideAction, Mode::sideBySide), std::pair(m_ui.wipeAction, Mode::wipe),
-        std::pair(m_ui.differenceAction, Mode::difference)}) {
-    m_modes->addAction(action);
-    connect(action, &QAction::triggered, this, [this, m = mode] { m_ui.pictureView->setMode(m); });
-  }
-  m_ui.sideBySideAction->setChecked(true);
 }
 
 void ImageCommands::setScene(const std::optional<Scene>& own) {
@@ -105,7 +94,8 @@ bool ImageCommands::isRight() const {
 void ImageCommands::showComparison() {
   const bool hasImage = !m_ui.pictureView->image().isNull();
   m_bar->setVisible(m_comparison->isReading());
-  m_modes->setEnabled(other().has_value());
+  m_comparing->setComparing(other().has_value());
+  m_comparing->measure();
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasImage);
   m_ui.compareFolderAction->setEnabled(hasImage);
@@ -123,6 +113,7 @@ void ImageCommands::showComparison() {
 void ImageCommands::stopComparing() {
   m_comparison->stop();
   m_ui.pictureView->setImages(m_ui.pictureView->image());
+  m_comparing->measure();
 }
 
 /// What was compared before goes too, as with every stop.
@@ -132,7 +123,7 @@ void ImageCommands::stopReading() {
 }
 
 bool ImageCommands::compareWith(const QString& file) {
-  if (m_comparison->isWith(file)) return true;
+  if (m_comparison->file() == file) return true;
   try {
     m_comparison->start(m_model->session(), file);
   } catch (const std::exception& error) {

@@ -6,14 +6,13 @@
 
 #include "gui/view/comparison.h"
 
-class QActionGroup;
-
 namespace Ui {
 class MainWindow;
 }
 
 namespace hogelscope {
 
+class ComparisonCommands;
 class ReadingBar;
 class SessionModel;
 struct RenderedView;
@@ -41,11 +40,12 @@ class ImageCommands : public QObject {
 
  Q_SIGNALS:
   void otherChanged();  ///< what other() says
+  /// With another light field's file; "": with none.
+  void compared(const QString& file);
   void done(const QString& line);
   void failed(const QString& line);
 
  private:
-  void addModes();
   [[nodiscard]] bool isRight() const;
   void stopComparing();
   void stopReading();
@@ -58,7 +58,7 @@ class ImageCommands : public QObject {
   const Ui::MainWindow& m_ui;
   SessionModel* m_model;
   Comparison* m_comparison;
-  QActionGroup* m_modes;
+  ComparisonCommands* m_comparing;
   ReadingBar* m_bar;
 };
 

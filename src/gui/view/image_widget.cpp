@@ -6,16 +6,20 @@
 #include <QAction>
 #include <QApplication>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "gui/view/image_difference.h"
+#include "gui/view/error_image.h"
 
 namespace hogelscope {
 
-ImageWidget::ImageWidget(QWidget* parent) : QWidget(parent) {
+ImageWidget::ImageWidget(QWidget* parent) : QWidget(parent), m_turns(new QTimer(this)) {
+  constexpr int turn = 500;  // milliseconds
+  m_turns->setInterval(turn);
+  connect(m_turns, &QTimer::timeout, this, &ImageWidget::takeTurn);
   setMinimumSize(160, 120);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -49,10 +53,25 @@ void ImageWidget::addCommands() {
   addCommand("wipeRightAction", tr("Line to the &right"),
              tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Right},
              Mode::wipe, &View::wipeRight);
-  addCommand("moreGainAction", tr("&Double the gain"), tr("Twice the difference, up to 128 times"),
-             {Qt::SHIFT | Qt::Key_Up}, Mode::difference, &View::moreGain);
-  addCommand("lessGainAction", tr("&Halve the gain"), tr("Half the difference, down to once"),
-             {Qt::SHIFT | Qt::Key_Down}, Mode::difference, &View::lessGain);
+  addCommand("flipAction", tr("The &other picture"),
+             tr("Shows the other one; they take turns no longer, until blinking is chosen again"),
+             {Qt::Key_Space}, Mode::blink, &View::flip);
+  addCommand("moreGainAction", tr("&Double the gain"),
+             tr("Shows the picture, or the error, twice as bright"), {Qt::SHIFT | Qt::Key_Up}, {},
+             &View::moreGain);
+  addCommand("lessGainAction", tr("&Halve the gain"),
+             tr("Shows the picture, or the error, half as bright"), {Qt::SHIFT | Qt::Key_Down}, {},
+             &View::lessGain);
+  addCommand("moreGammaAction", tr("More &gamma"),
+             tr("Brightens dark parts of what is shown; code values are raised to 1/gamma"),
+             {Qt::CTRL | Qt::Key_Up}, {}, &View::moreGamma);
+  addCommand("lessGammaAction", tr("L&ess gamma"), tr("Darkens dark parts of what is shown"),
+             {Qt::CTRL | Qt::Key_Down}, {}, &View::lessGamma);
+  addCommand("resetToneAction", tr("&Reset gain and gamma"),
+             tr("The picture as it is, or the error 8 times"), {Qt::Key_R}, {}, &View::resetTone);
+  addCommand("removeRegionAction", tr("Re&move the rectangle"),
+             tr("Shift and a drag mark a rectangle, whose figures are shown too"), {Qt::Key_Delete},
+             {}, &View::removeRegion);
   showActions();
 }
 
@@ -77,10 +96,13 @@ void ImageWidget::showActions() {
 
 void ImageWidget::setImages(const QImage& image, const QImage& other) {
   const bool hasOther = !other.isNull() && other.size() == image.size();
-  m_images[0].image = ZoomableImage(image);
-  m_images[1].image = ZoomableImage(hasOther ? other : QImage());
+  m_images[0].image = image;
+  m_images[1].image = hasOther ? other : QImage();
+  updateTones();
   updateDifference();
+  setRegion(m_region);
   setViewport(m_viewport);
+  Q_EMIT imagesChanged();
 }
 
 void ImageWidget::setMask(const QImage& seen, const QImage& otherSeen) {
@@ -103,6 +125,18 @@ void ImageWidget::setNotice(const QString& notice) {
 
 void ImageWidget::setMode(Mode mode) {
   m_mode = mode;
+  m_turn = 0;
+  if (mode == Mode::blink)
+    m_turns->start();
+  else
+    m_turns->stop();
+  updateDifference();
+}
+
+void ImageWidget::setErrorMap(ErrorKind kind, bool hasFalseColour) {
+  m_error.kind = kind;
+  m_error.hasFalseColour = hasFalseColour;
+  m_map.reset();
   updateDifference();
 }
 
@@ -111,9 +145,45 @@ void ImageWidget::showMask(bool isShown) {
   updateHatch();
 }
 
-void ImageWidget::setGain(int gain) {
-  m_gain = std::clamp(gain, 1, 128);
-  updateDifference();
+const Tone& ImageWidget::shownTone() const {
+  return shownMode() == Mode::difference ? m_error.tone : m_tone;
+}
+
+void ImageWidget::setTone(const Tone& tone) {
+  const bool isError = shownMode() == Mode::difference;
+  const Tone next{std::clamp(tone.gain, isError ? 1.0 : 1.0 / 16, 128.0),
+                  std::clamp(tone.gamma, 0.2, 5.0)};
+  if (isError) {
+    m_error.tone = next;
+    m_map.reset();
+    return updateDifference();
+  }
+  m_tone = next;
+  updateTones();
+}
+
+void ImageWidget::setGain(double gain) {
+  setTone({gain, gamma()});
+}
+
+void ImageWidget::setGamma(double gamma) {
+  setTone({gain(), std::round(10 * gamma) / 10});
+}
+
+void ImageWidget::markPixels(const QRegion& pixels) {
+  m_marked = pixels;
+  m_marks.clear();
+  m_marks.addRegion(pixels);
+  m_marks = m_marks.simplified();
+  update();
+}
+
+void ImageWidget::setRegion(const QRect& region) {
+  const QRect inside = region & image().rect();
+  if (inside == m_region) return;
+  m_region = inside;
+  update();
+  Q_EMIT regionChanged(m_region);
 }
 
 void ImageWidget::setWipe(double share) {
@@ -121,10 +191,16 @@ void ImageWidget::setWipe(double share) {
   update();
 }
 
+void ImageWidget::updateTones() {
+  for (Shown& shown : m_images) shown.toned = ZoomableImage(toned(shown.image, m_tone));
+  update();
+}
+
 void ImageWidget::updateDifference() {
-  m_difference = shownMode() == Mode::difference
-                     ? ZoomableImage(differenceImage(image(), otherImage(), m_gain))
-                     : ZoomableImage();
+  const bool isShown = shownMode() == Mode::difference;
+  if (isShown && !m_map) m_map = std::make_unique<const ErrorMap>(m_error);
+  m_difference =
+      isShown ? ZoomableImage(errorImage(image(), otherImage(), *m_map)) : ZoomableImage();
   showActions();
   update();
 }
@@ -246,18 +322,61 @@ void ImageWidget::wipeRight() {
 }
 
 void ImageWidget::moreGain() {
-  setGain(2 * m_gain);
+  setGain(2 * gain());
 }
 
 void ImageWidget::lessGain() {
-  setGain(m_gain / 2);
+  setGain(gain() / 2);
+}
+
+void ImageWidget::moreGamma() {
+  setGamma(gamma() + 0.2);
+}
+
+void ImageWidget::lessGamma() {
+  setGamma(gamma() - 0.2);
+}
+
+void ImageWidget::resetTone() {
+  setTone(shownMode() == Mode::difference ? ErrorMap::Params().tone : Tone());
+}
+
+/// By hand.
+void ImageWidget::flip() {
+  m_turns->stop();
+  takeTurn();
+}
+
+void ImageWidget::takeTurn() {
+  m_turn = 1 - m_turn;
+  update();
+}
+
+void ImageWidget::removeRegion() {
+  setRegion({});
+}
+
+/// From where the button was pressed, in the pane that this is in.
+QRect ImageWidget::regionTo(const QPointF& position) const {
+  const Placement at = placement(paneAt(inDevice(m_pressed)));
+  const auto pixel = [&](const QPointF& place) {
+    const QPointF point = at.toImage(inDevice(place));
+    return QPoint(std::clamp(int(std::floor(point.x())), 0, image().width() - 1),
+                  std::clamp(int(std::floor(point.y())), 0, image().height() - 1));
+  };
+  const QPoint from = pixel(m_pressed);
+  const QPoint to = pixel(position);
+  return {QPoint(std::min(from.x(), to.x()), std::min(from.y(), to.y())),
+          QPoint(std::max(from.x(), to.x()), std::max(from.y(), to.y()))};
 }
 
 void ImageWidget::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   m_pressed = event->position();
   m_draggedFrom = m_viewport;
-  m_drag = isOnLine(m_pressed) ? Drag::wipe : Drag::press;
+  const bool isRegion = event->modifiers().testFlag(Qt::ShiftModifier) && !image().isNull();
+  m_drag = isRegion ? Drag::region : isOnLine(m_pressed) ? Drag::wipe : Drag::press;
+  if (isRegion) removeRegion();
 }
 
 void ImageWidget::mouseMoveEvent(QMouseEvent* event) {
@@ -266,6 +385,8 @@ void ImageWidget::mouseMoveEvent(QMouseEvent* event) {
   const bool isFar = (position - m_pressed).manhattanLength() >= QApplication::startDragDistance();
   if (m_drag == Drag::press && isFar) m_drag = Drag::pan;
   if (m_drag == Drag::wipe) setWipe(position.x() / width());
+  if (m_drag == Drag::region && isFar) setRegion(regionTo(position));
+  Q_EMIT pointed(pixelAt(position).value_or(QPoint(-1, -1)));
   if (m_drag == Drag::pan && !image().isNull())
     setViewport(moved(m_draggedFrom, paneAt({}), image().size(), inDevice(position - m_pressed)));
   setCursor(isOnLine(position) ? Qt::SplitHCursor : Qt::CrossCursor);
@@ -285,6 +406,7 @@ void ImageWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ImageWidget::leaveEvent(QEvent*) {
   m_pointer.reset();
+  Q_EMIT pointed(QPoint(-1, -1));
   update();
 }
 

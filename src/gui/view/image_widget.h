@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows an image, or compares two of the same size: zoom, pan, mask and pixel read-out.
+// Shows an image, or compares two of the same size: zoom, pan, tone, error maps, mask, pixel
+// read-out, and what is marked in it.
 #pragma once
 
+#include <QPainterPath>
+#include <QRegion>
 #include <QWidget>
 #include <array>
+#include <memory>
 #include <optional>
 
+#include "core/metrics/error_map.h"
 #include "gui/view/zoomable_image.h"
 
 class QAction;
+class QTimer;
 
 namespace hogelscope {
 
@@ -16,7 +22,7 @@ class ImageWidget : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Mode { single, sideBySide, wipe, difference };
+  enum class Mode { single, sideBySide, wipe, blink, difference };
 
   explicit ImageWidget(QWidget* parent = nullptr);
 
@@ -29,11 +35,19 @@ class ImageWidget : public QWidget {
   /// Stands in the place of an image, or on it: then it is not what it should be, is dimmed, and
   /// no pixel of it is read out or picked. Empty: the image is right.
   void setNotice(const QString& notice);
-  /// How two images are compared.
+  /// How two images are compared. Blinking, they take turns, twice a second.
   void setMode(Mode mode);
+  /// What Mode::difference shows.
+  void setErrorMap(ErrorKind kind, bool hasFalseColour);
   void showMask(bool isShown);
-  /// Factor of the difference, 1 … 128.
-  void setGain(int gain);
+  /// Of what is shown: the pictures, 1/16 … 128, or their error, 1 … 128.
+  void setGain(double gain);
+  /// Likewise, 0.2 … 5.
+  void setGamma(double gamma);
+  /// Pixels with a line around them.
+  void markPixels(const QRegion& pixels);
+  /// A rectangle of pixels; null: none.
+  void setRegion(const QRect& region);
   /// Share of the width, 0 … 1, left of the line: there the first image is shown.
   void setWipe(double share);
   void setViewport(const Viewport& viewport);
@@ -44,20 +58,30 @@ class ImageWidget : public QWidget {
   /// One pixel of the image on one of the screen.
   void oneToOne();
 
-  [[nodiscard]] const QImage& image() const { return m_images[0].image.image(); }
+  [[nodiscard]] const QImage& image() const { return m_images[0].image; }
   [[nodiscard]] const QString& notice() const { return m_notice; }
-  [[nodiscard]] const QImage& otherImage() const { return m_images[1].image.image(); }
+  [[nodiscard]] const QImage& otherImage() const { return m_images[1].image; }
+  [[nodiscard]] const QImage& seen() const { return m_images[0].seen; }
+  [[nodiscard]] const QImage& otherSeen() const { return m_images[1].seen; }
+  [[nodiscard]] const QRect& region() const { return m_region; }
+  [[nodiscard]] const QRegion& markedPixels() const { return m_marked; }
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
   [[nodiscard]] double wipe() const { return m_wipe; }
-  [[nodiscard]] int gain() const { return m_gain; }
+  [[nodiscard]] double gain() const { return shownTone().gain; }
+  [[nodiscard]] double gamma() const { return shownTone().gamma; }
   /// The whole image as the mode shows it, pixel for pixel, without mask and grid.
   [[nodiscard]] QImage shownImage() const;
   /// Place, code values and zoom under the pointer; "" where no pixel is.
   [[nodiscard]] QString readOut() const;
 
  Q_SIGNALS:
+  void imagesChanged();
   /// A click that was no drag.
   void pixelPicked(int x, int y);
+  /// While it is drawn, too.
+  void regionChanged(const QRect& region);
+  /// The pixel under the pointer; (-1, -1): there is none.
+  void pointed(const QPoint& pixel);
   void viewportChanged(const hogelscope::Viewport& viewport);
 
  protected:
@@ -71,12 +95,13 @@ class ImageWidget : public QWidget {
 
  private:
   struct Shown {
-    ZoomableImage image;
+    QImage image;
+    ZoomableImage toned;
     QImage seen;
     ZoomableImage hatch;
     QString title;
   };
-  enum class Drag { none, press, pan, wipe };
+  enum class Drag { none, press, pan, wipe, region };
 
   void addCommands();
   void addCommand(const char* name, const QString& text, const QString& help,
@@ -94,8 +119,16 @@ class ImageWidget : public QWidget {
   void wipeRight();
   void moreGain();
   void lessGain();
+  void moreGamma();
+  void lessGamma();
+  void resetTone();
+  void flip();
+  void takeTurn();
+  void removeRegion();
 
   [[nodiscard]] Mode shownMode() const;
+  [[nodiscard]] const Tone& shownTone() const;
+  void setTone(const Tone& tone);
   [[nodiscard]] QRect deviceRect() const;
   [[nodiscard]] QPointF inDevice(const QPointF& position) const;
   [[nodiscard]] QRect paneAt(const QPointF& device) const;
@@ -103,7 +136,9 @@ class ImageWidget : public QWidget {
   [[nodiscard]] std::optional<QPoint> pixelAt(const QPointF& position) const;
   [[nodiscard]] int wipeColumn() const;
   [[nodiscard]] bool isOnLine(const QPointF& position) const;
+  [[nodiscard]] QRect regionTo(const QPointF& position) const;
   void zoomBy(int steps, const QPointF& device);
+  void updateTones();
   void updateDifference();
   void updateHatch();
 
@@ -111,16 +146,25 @@ class ImageWidget : public QWidget {
   void paintOne(QPainter& painter, const QRect& pane, const QRect& clip, std::size_t which) const;
   void paintDifference(QPainter& painter, const QRect& pane) const;
   void paintOtherPointer(QPainter& painter) const;
+  void paintMarks(QPainter& painter, const QRect& clip, const Placement& at) const;
   void paintTexts(QPainter& painter) const;
+  [[nodiscard]] QString heading() const;
   void paintNotice(QPainter& painter) const;
 
   std::array<Shown, 2> m_images;
-  ZoomableImage m_difference;  ///< only in its mode
+  ZoomableImage m_difference;  ///< only in its mode, as the next
+  std::unique_ptr<const ErrorMap> m_map;
+  ErrorMap::Params m_error;
+  Tone m_tone;  ///< of the pictures
   Viewport m_viewport;
   Mode m_mode = Mode::sideBySide;
   bool m_showsMask = false;
-  int m_gain = 8;
   double m_wipe = 0.5;
+  QTimer* m_turns;         ///< while the images blink
+  std::size_t m_turn = 0;  ///< the image that is shown then
+  QRegion m_marked;
+  QPainterPath m_marks;  ///< their outline
+  QRect m_region;
   QString m_notice;
   std::optional<QPointF> m_pointer;  ///< widget coordinates, as the next
   QPointF m_pressed;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/view/error_image.h"
+#include "gui/view/image_marks.h"
 #include "gui/view/image_widget.h"
 
 namespace hogelscope {
@@ -63,6 +65,8 @@ void ImageWidget::paintImages(QPainter& painter) const {
   switch (shownMode()) {
     case Mode::single:
       return paintOne(painter, all, all, 0);
+    case Mode::blink:
+      return paintOne(painter, all, all, m_turn);
     case Mode::sideBySide:
       paintOne(painter, left, left, 0);
       return paintOne(painter, right, right, 1);
@@ -79,16 +83,22 @@ void ImageWidget::paintImages(QPainter& painter) const {
 void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& clip,
                            std::size_t which) const {
   const Placement at = placement(pane);
-  m_images[which].image.paint(painter, clip, at);
+  m_images[which].toned.paint(painter, clip, at);
   m_images[which].hatch.paint(painter, clip, at);
-  paintPixelGrid(painter, clip, at, image().size());
+  paintMarks(painter, clip, at);
 }
 
 void ImageWidget::paintDifference(QPainter& painter, const QRect& pane) const {
   const Placement at = placement(pane);
   m_difference.paint(painter, pane, at);
   for (const Shown& image : m_images) image.hatch.paint(painter, pane, at);
-  paintPixelGrid(painter, pane, at, image().size());
+  paintMarks(painter, pane, at);
+}
+
+void ImageWidget::paintMarks(QPainter& painter, const QRect& clip, const Placement& at) const {
+  paintPixelGrid(painter, clip, at, image().size());
+  paintPixelMarks(painter, clip, at, m_marks);
+  if (!m_region.isNull()) paintRegion(painter, clip, at, m_region);
 }
 
 /// Side by side: where the pointer would be in the other pane.
@@ -106,16 +116,25 @@ void ImageWidget::paintOtherPointer(QPainter& painter) const {
   }
 }
 
+/// Of the whole, or of the first image.
+QString ImageWidget::heading() const {
+  const Mode mode = shownMode();
+  const QString what = mode == Mode::difference ? ErrorText::name(m_error.kind)
+                       : mode == Mode::single   ? QString()
+                       : mode == Mode::blink    ? m_images[m_turn].title
+                                                : m_images[0].title;
+  return (what + ' ' + ErrorText::tone(shownTone())).trimmed();
+}
+
 void ImageWidget::paintTexts(QPainter& painter) const {
   const Mode mode = shownMode();
   const auto corner = [](Qt::AlignmentFlag side, Qt::AlignmentFlag end) { return side | end; };
-  if (mode == Mode::difference)
-    paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop),
-              tr("Difference × %1").arg(m_gain));
+  paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), heading());
+  if (mode == Mode::difference && m_error.hasFalseColour)
+    paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind));
   if (mode == Mode::sideBySide || mode == Mode::wipe) {
     QRect second = rect();
     if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
-    paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), m_images[0].title);
     paintText(painter, second,
               corner(mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignTop),
               m_images[1].title);
@@ -131,7 +150,7 @@ QString ImageWidget::readOut() const {
   if (!pixel) return {};
   const auto valuesOf = [&](const Shown& image) {
     const bool isUnseen = image.seen.valid(*pixel) && qGray(image.seen.pixel(*pixel)) == 0;
-    return isUnseen ? tr("not seen") : values(image.image.image().pixelColor(*pixel));
+    return isUnseen ? tr("not seen") : values(image.image.pixelColor(*pixel));
   };
   QString text = tr("x %1, y %2: ").arg(pixel->x()).arg(pixel->y()) + valuesOf(m_images[0]);
   if (!otherImage().isNull())
@@ -139,27 +158,33 @@ QString ImageWidget::readOut() const {
         tr(" | %1, difference %2")
             .arg(valuesOf(m_images[1]),
                  values(difference(image().pixelColor(*pixel), otherImage().pixelColor(*pixel))));
+  if (shownMode() == Mode::difference && m_error.kind != ErrorKind::absolute)
+    text += tr(", %1 %2").arg(
+        ErrorText::name(m_error.kind).toLower(),
+        ErrorText::values(m_error.kind, image().pixel(*pixel), otherImage().pixel(*pixel)));
   const double zoom = placement(paneAt(inDevice(*m_pointer))).zoom;
   return text + tr(" (%1 %)").arg(100 * zoom, 0, 'f', 0);
 }
 
 QImage ImageWidget::shownImage() const {
   const Mode mode = shownMode();
-  if (mode == Mode::single) return image();
+  const QImage& first = m_images[0].toned.image();
+  const QImage& second = m_images[1].toned.image();
+  if (mode == Mode::single) return first;
+  if (mode == Mode::blink) return m_images[m_turn].toned.image();
   if (mode == Mode::difference) return m_difference.image();
   const bool isWipe = mode == Mode::wipe;
   const int split =
       isWipe ? int(std::round(placement(deviceRect()).toImage(QPointF(wipeColumn(), 0)).x()))
-             : image().width();
-  QImage shown(isWipe ? image().size() : QSize(2 * image().width(), image().height()),
-               image().format());
+             : first.width();
+  QImage shown(isWipe ? first.size() : QSize(2 * first.width(), first.height()), first.format());
   QPainter painter(&shown);
-  painter.drawImage(0, 0, image());
-  const int from = std::clamp(split, 0, image().width());
+  painter.drawImage(0, 0, first);
+  const int from = std::clamp(split, 0, first.width());
   if (isWipe)
-    painter.drawImage(from, 0, otherImage(), from, 0);
+    painter.drawImage(from, 0, second, from, 0);
   else
-    painter.drawImage(from, 0, otherImage());
+    painter.drawImage(from, 0, second);
   return shown;
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which pixels of a view see a hogel.
+#pragma once
+
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/optics/simulate.h"
+
+namespace hogelscope {
+
+/// Pixels [x0, x1) of row y.
+struct PixelRun {
+  int y = 0;
+  int x0 = 0;
+  int x1 = 0;
+  bool operator==(const PixelRun&) const = default;
+};
+
+/// Returns the pixels whose middle ray meets hogel (i, j) inside its angular field, from the top.
+/// Throws InputError as Simulation does, and Cancelled.
+std::vector<PixelRun> pixelsSeeing(const RenderJob& job, int i, int j,
+                                   const ParallelRows& parallelRows, const Progress& progress = {});
+
+}  // namespace hogelscope

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inspector.
+#include "gui/docks/inspector.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "gui/docks/kernel_widget.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/scene/scene_text.h"
+#include "gui/view/image_widget.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// One look for each fate: hatched where no light can come from, plain where it does.
+QPixmap swatchOf(const PixelTrace& trace) {
+  constexpr int side = 32;
+  QPixmap swatch(side, side);
+  QPainter painter(&swatch);
+  painter.fillRect(swatch.rect(), Qt::black);
+  const PixelFate fate = fateOf(trace);
+  if (fate == PixelFate::noRay)
+    painter.fillRect(swatch.rect(), QBrush(QColor(255, 64, 200), Qt::DiagCrossPattern));
+  if (fate == PixelFate::outside)
+    painter.fillRect(swatch.rect(), QBrush(QColor(255, 176, 0), Qt::BDiagPattern));
+  if (fate == PixelFate::lit)
+    painter.fillRect(swatch.rect(), QColor(quantised(trace.colour->r), quantised(trace.colour->g),
+                                           quantised(trace.colour->b)));
+  painter.setPen(Qt::gray);
+  painter.drawRect(swatch.rect().adjusted(0, 0, -1, -1));
+  return swatch;
+}
+
+QLabel* textLabel(const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByKeyboard | Qt::TextSelectableByMouse);
+  return label;
+}
+
+ImageWidget* imageWidget(const char* name, const QString& help) {
+  auto* image = new ImageWidget;
+  image->setObjectName(name);
+  image->setToolTip(help);
+  image->setMinimumHeight(150);
+  return image;
+}
+
+QPoint cellOf(double a, double b) {
+  return {int(std::floor(a)), int(std::floor(b))};
+}
+
+}  // namespace
+
+Inspector::Inspector(QWidget* parent)
+    : QWidget(parent),
+      m_swatch(new QLabel),
+      m_verdict(textLabel("inspectorVerdict")),
+      m_neighbours(imageWidget("inspectorNeighbours", tr("The pixels around"))),
+      m_values(textLabel("inspectorValues")),
+      m_hogelTitle(textLabel("inspectorHogelTitle")),
+      m_hogel(imageWidget("inspectorHogel",
+                          tr("The hogel's picture, a pixel for each direction: in a frame the "
+                             "direction that is seen, dashed the window of its light leakage"))),
+      m_weights(new KernelWidget) {
+  m_weights->setObjectName("inspectorWeights");
+  m_weights->setMinimumHeight(150);
+  auto* head = new QHBoxLayout;
+  head->addWidget(m_swatch, 0, Qt::AlignTop);
+  head->addWidget(m_verdict, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(head);
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{m_neighbours, m_values, m_hogelTitle, m_hogel, m_weights})
+    layout->addWidget(part);
+  layout->addStretch();
+  showNothing({});
+}
+
+void Inspector::follow(SceneController* scene, ImageWidget* picture) {
+  m_scene = scene;
+  m_picture = picture;
+  connect(scene, &SceneController::pickChanged, this, &Inspector::refresh);
+  connect(picture, &ImageWidget::imagesChanged, this, &Inspector::refresh);
+  connect(picture, &ImageWidget::pointed, this, &Inspector::point);
+}
+
+void Inspector::showEvent(QShowEvent*) {
+  refresh();
+}
+
+/// What is not in memory would have to be fetched faster than the pointer moves.
+void Inspector::point(const QPoint& pixel) {
+  if (!isVisible() || m_scene == nullptr) return;
+  const std::optional<RenderJob> job = m_scene->job();
+  const bool isQuick = job && job->lightField->isInMemory();
+  const std::optional<QPoint> next =
+      isQuick && pixel.x() >= 0 ? std::optional(pixel) : std::nullopt;
+  if (next == m_pointed) return;
+  m_pointed = next;
+  refresh();
+}
+
+void Inspector::refresh() {
+  if (!isVisible() || m_scene == nullptr || m_picture == nullptr) return;
+  const std::optional<RenderJob> job = m_scene->job();
+  const std::optional<QPoint> pixel = m_pointed ? m_pointed : m_scene->pickedPixel();
+  if (!job) return showNothing(tr("There is no light field."));
+  try {
+    const QRect image(QPoint(), QSize(job->state.camera.res[0], job->state.camera.res[1]));
+    if (pixel && image.contains(*pixel)) return showPixel(*job, *pixel);
+    if (m_scene->pickedHogel()) return showHogel(*job, *m_scene->pickedHogel());
+    showNothing(tr("Point at a pixel of the picture, or click one, or a hogel of the scene."));
+  } catch (const InputError& error) {  // no camera frame, or damaged content
+    showNothing(QString::fromUtf8(error.what()));
+  }
+}
+
+void Inspector::showNothing(const QString& hint) {
+  m_verdict->setText(hint);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_swatch, m_neighbours, m_values,
+                                                       m_hogelTitle, m_hogel, m_weights})
+    part->hide();
+}
+
+void Inspector::showPixel(const RenderJob& job, const QPoint& pixel) {
+  const PixelTrace trace = pixelTrace(job, pixel.x(), pixel.y());
+  showNothing(SceneText::verdict(trace, job.display));
+  m_swatch->setPixmap(swatchOf(trace));
+  m_swatch->show();
+  showNeighbours(pixel);
+  m_values->setText(SceneText::pixel(pixel.x(), pixel.y(), trace) + valuesAt(pixel) +
+                    SceneText::ray(trace));
+  m_values->show();
+  if (trace.end != RayEnd::seen && trace.end != RayEnd::outsideField) return;
+  showPictureOf(job, cellOf(trace.place->i, trace.place->j));
+  if (trace.end == RayEnd::seen) showDirection(job, *trace.place);
+}
+
+void Inspector::showHogel(const RenderJob& job, const QPoint& hogel) {
+  showNothing(SceneText::hogel(job.display, hogel.x(), hogel.y()));
+  showPictureOf(job, hogel);
+}
+
+void Inspector::showNeighbours(const QPoint& pixel) {
+  constexpr double zoom = 12;
+  m_neighbours->setImages(m_picture->image(), m_picture->otherImage());
+  m_neighbours->setNotice(m_picture->notice());
+  m_neighbours->setViewport(
+      {false, zoom * devicePixelRatioF(), QPointF(pixel) + QPointF(0.5, 0.5)});
+  m_neighbours->markPixels(QRect(pixel, QSize(1, 1)));
+  m_neighbours->show();
+}
+
+/// As they are shown, in whole code values.
+QString Inspector::valuesAt(const QPoint& pixel) const {
+  QStringList texts;
+  for (const QImage* image : {&m_picture->image(), &m_picture->otherImage()}) {
+    if (!image->rect().contains(pixel)) continue;
+    const QColor colour = image->pixelColor(pixel);
+    texts << QStringLiteral("%1 %2 %3").arg(colour.red()).arg(colour.green()).arg(colour.blue());
+  }
+  if (texts.size() < 2) return {};
+  return tr("\nshown %1, other %2").arg(texts[0], texts[1]);
+}
+
+void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
+  const Image image = hogelImage(*job.lightField, hogel.x(), hogel.y());
+  m_hogel->setImages(
+      QImage(image.rgb.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888)
+          .copy());
+  m_hogel->markPixels({});
+  m_hogel->setRegion({});
+  m_hogel->show();
+  const auto [du, dv] = job.display.directions;
+  QString title = tr("Hogel %1, %2").arg(hogel.x()).arg(hogel.y());
+  if (image.width != du || image.height != dv)
+    title += tr(" (near it: %1 × %2 of its %3 × %4 directions)")
+                 .arg(image.width)
+                 .arg(image.height)
+                 .arg(du)
+                 .arg(dv);
+  m_hogelTitle->setText(title);
+  m_hogelTitle->show();
+}
+
+/// In the hogel's picture, which may have fewer directions.
+void Inspector::showDirection(const RenderJob& job, const Hit& place) {
+  const auto [du, dv] = job.display.directions;
+  const QPoint seen = cellOf(place.u, place.v);
+  const QSize size = m_hogel->image().size();
+  const auto inPicture = [&](const QPoint& at) {
+    return QPoint(at.x() * size.width() / du, at.y() * size.height() / dv);
+  };
+  m_hogel->markPixels(QRect(inPicture(seen), QSize(1, 1)));
+  const PsfParams& psf = job.state.psf;
+  if (psf.windowSize == 1) return;
+  const QPoint reach(psf.windowSize / 2, psf.windowSize / 2);
+  const QRect window = QRect(seen - reach, seen + reach) & QRect(0, 0, du, dv);
+  m_hogel->setRegion({inPicture(window.topLeft()), inPicture(window.bottomRight())});
+  m_weights->setWeights(psf, psfKernelAt(psf, job.lightField->size(), seen.x(), seen.y()));
+  m_weights->show();
+}
+
+}  // namespace hogelscope

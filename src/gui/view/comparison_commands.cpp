@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How two pictures are compared.
+#include "gui/view/comparison_commands.h"
+
+#include <QActionGroup>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/view/comparison_figures.h"
+#include "gui/view/error_image.h"
+#include "gui/view/histogram_widget.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+ComparisonCommands::ComparisonCommands(const Ui::MainWindow& ui, QObject* parent)
+    : QObject(parent),
+      m_ui(ui),
+      m_view(ui.pictureView),
+      m_modes(new QActionGroup(this)),
+      m_kinds(new QActionGroup(this)),
+      m_errorMenu(new QMenu(tr("Err&or map"), ui.pictureMenu)),
+      m_bar(new QWidget),
+      m_figures(new QLabel),
+      m_histogram(new HistogramWidget),
+      m_meter(new ComparisonMeter(this)) {
+  addModes();
+  addErrorMaps();
+  addHistogram();
+  addBar();
+  connect(m_view, &ImageWidget::regionChanged, this, &ComparisonCommands::measure);
+  connect(m_meter, &ComparisonMeter::measured, this, [this](const ComparisonFigures& figures) {
+    m_figures->setText(textOf(figures));
+    m_histogram->setHistograms(figures.histograms);
+  });
+}
+
+QAction* ComparisonCommands::add(QMenu* menu, const char* name, const QString& text,
+                                 const QString& help, const QKeySequence& key) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setToolTip(help);
+  action->setShortcut(key);
+  action->setCheckable(true);
+  menu->insertAction(menu == m_ui.pictureMenu ? m_ui.maskAction : nullptr, action);
+  return action;
+}
+
+void ComparisonCommands::addModes() {
+  using Mode = ImageWidget::Mode;
+  QAction* blink =
+      add(m_ui.pictureMenu, "blinkAction", tr("Bl&ink"),
+          tr("The two pictures take turns, twice a second; Space: by hand"), Qt::CTRL | Qt::Key_7);
+  m_ui.pictureMenu->insertAction(m_ui.differenceAction, blink);
+  for (const auto& [action, word, mode] :
+       {std::tuple(m_ui.singleAction, tr("One"), Mode::single),
+        std::tuple(m_ui.sideBySideAction, tr("Both"), Mode::sideBySide),
+        std::tuple(m_ui.wipeAction, tr("Wipe"), Mode::wipe),
+        std::tuple(blink, tr("Blink"), Mode::blink),
+        std::tuple(m_ui.differenceAction, tr("Error"), Mode::difference)}) {
+    action->setIconText(word);
+    m_modes->addAction(action);
+    connect(action, &QAction::triggered, this, [this, m = mode] { m_view->setMode(m); });
+  }
+  m_ui.sideBySideAction->setChecked(true);
+}
+
+void ComparisonCommands::addErrorMaps() {
+  struct Choice {
+    ErrorKind kind;
+    const char* name;
+    QString help;
+  };
+  const std::array choices{
+      Choice{ErrorKind::absolute, "absoluteErrorAction", tr("|t − r| of each channel")},
+      Choice{ErrorKind::signedError, "signedErrorAction",
+             tr("t − r of each channel; 0 is the middle of the scale")},
+      Choice{ErrorKind::squared, "squaredErrorAction",
+             tr("(t − r)² of each channel, of which MSE is the mean")},
+      Choice{ErrorKind::relative, "relativeErrorAction",
+             tr("|t − r| / max(r, 1) of each channel, in percent")},
+      Choice{ErrorKind::luma, "lumaErrorAction", tr("|Y(t) − Y(r)|, Y of BT.709")}};
+  int digit = Qt::Key_1;
+  for (const Choice& choice : choices) {
+    QAction* action =
+        add(m_errorMenu, choice.name, ErrorText::name(choice.kind),
+            tr("Shows %1 for the other picture's value t and the session's own r").arg(choice.help),
+            Qt::ALT | Qt::Key(digit++));
+    action->setData(int(choice.kind));
+    m_kinds->addAction(action);
+    connect(action, &QAction::triggered, m_ui.differenceAction, &QAction::trigger);
+  }
+  m_kinds->actions().front()->setChecked(true);
+  connect(m_kinds, &QActionGroup::triggered, this, &ComparisonCommands::showErrorMap);
+  m_errorMenu->addSeparator();
+  m_errorMenu->setToolTipsVisible(true);
+  m_falseColour = add(m_errorMenu, "falseColourAction", tr("&False colour"),
+                      tr("Shows the mean error of the channels in the colours of a scale"),
+                      Qt::ALT | Qt::Key_6);
+  m_falseColour->setIconText(tr("Colours"));
+  connect(m_falseColour, &QAction::toggled, this, &ComparisonCommands::showErrorMap);
+  connect(m_falseColour, &QAction::triggered, m_ui.differenceAction, &QAction::trigger);
+  m_ui.pictureMenu->insertMenu(m_ui.maskAction, m_errorMenu);
+}
+
+void ComparisonCommands::showErrorMap() {
+  m_view->setErrorMap(ErrorKind(m_kinds->checkedAction()->data().toInt()),
+                      m_falseColour->isChecked());
+}
+
+void ComparisonCommands::addHistogram() {
+  m_showHistogram = add(m_ui.pictureMenu, "histogramAction", tr("&Histogram"),
+                        tr("Below the picture: how many pixels have which luma"),
+                        Qt::CTRL | Qt::SHIFT | Qt::Key_H);
+  m_histogram->setObjectName("histogram");
+  m_histogram->hide();
+  m_ui.pictureLayout->addWidget(m_histogram);
+  connect(m_showHistogram, &QAction::toggled, m_histogram, &QWidget::setVisible);
+  connect(m_showHistogram, &QAction::toggled, this, &ComparisonCommands::measure);
+}
+
+/// The menu's own commands, and the picture's.
+void ComparisonCommands::addBar() {
+  const auto own = [this](const char* name, const QString& word) {
+    auto* action = m_view->findChild<QAction*>(name);
+    action->setIconText(word);
+    return action;
+  };
+  QList<QAction*> actions = m_modes->actions();
+  actions << m_falseColour << own("lessGainAction", tr("÷2")) << own("moreGainAction", tr("×2"))
+          << m_showHistogram;
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(0);
+  for (QAction* action : actions) {
+    auto* button = new QToolButton;
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);  // keys stay the picture's
+    button->setDefaultAction(action);
+    if (action == m_ui.differenceAction) {
+      button->setMenu(m_errorMenu);
+      button->setPopupMode(QToolButton::MenuButtonPopup);
+    }
+    buttons->addWidget(button);
+  }
+  buttons->addStretch();
+  m_figures->setObjectName("comparisonFigures");
+  m_figures->setMargin(2);
+  m_figures->setWordWrap(true);
+  m_figures->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_figures->setToolTip(
+      tr("The report's metrics of the 8-bit pictures that are shown; Shift and a drag over the "
+         "picture mark a rectangle, whose figures are shown too"));
+  m_bar->setObjectName("comparisonBar");
+  auto* rows = new QVBoxLayout(m_bar);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addLayout(buttons);
+  rows->addWidget(m_figures);
+  m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the picture
+  m_ui.pictureLayout->insertWidget(0, m_bar);
+  m_ui.pictureLayout->setStretchFactor(m_view, 1);
+}
+
+void ComparisonCommands::setComparing(bool isComparing) {
+  m_modes->setEnabled(isComparing);
+  m_kinds->setEnabled(isComparing);
+  m_falseColour->setEnabled(isComparing);
+  m_bar->setVisible(isComparing);
+}
+
+/// Nothing of a picture that is not right, or that nobody looks at.
+void ComparisonCommands::measure() {
+  const bool isWanted = !m_view->otherImage().isNull() || m_showHistogram->isChecked();
+  if (m_view->image().isNull() || !m_view->notice().isEmpty() || !isWanted)
+    return m_meter->forget();
+  m_meter->measure({m_view->image(), m_view->seen(), m_view->otherImage(), m_view->otherSeen(),
+                    m_view->region()});
+}
+
+}  // namespace hogelscope
