@@ -41,6 +41,8 @@ class Shooting {
     QTest::qWait(300);
     m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
     QTest::qWait(300);
+    QImage home = m_window.grab().toImage();
+    home.save(m_folder + "/window_home.png");
     files(m_window).open(sample);
     wait([this] { return !view()->image().isNull(); });
     shoot("sample");

@@ -97,16 +97,16 @@ class TestHabits : public HabitsTest {
     };
     const QString first = shown();
     QApplication::setActiveWindow(m_window.get());
-    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::AltModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), QString("pictureView cameraDock distortionDock"));
     QVERIFY(!m_window->findChild<QWidget*>("distortionArea")->visibleRegion().isEmpty());
-    QTest::keyClick(m_window.get(), Qt::Key_3, Qt::AltModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), QString("pictureView statesDock"));
-    QTest::keyClick(m_window.get(), Qt::Key_4, Qt::AltModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), QString("sceneArea pictureView reportDock"));
-    QTest::keyClick(m_window.get(), Qt::Key_5, Qt::AltModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), QString("pictureView statesDock tradeoffDock"));
-    QTest::keyClick(m_window.get(), Qt::Key_1, Qt::AltModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), first);
     QVERIFY(!m_window->findChild<QWidget*>("cameraArea")->visibleRegion().isEmpty());
   }

@@ -66,7 +66,7 @@ Colours::Colours(QMenu* menu, QObject* parent) : QObject(parent) {
     action->setToolTip(tip);
     action->setCheckable(true);
     action->setChecked(scheme == last);
-    action->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_1 + int(scheme)));
+    action->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_7 + int(scheme)));
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, scheme] {
       QSettings().setValue("colours", int(scheme));

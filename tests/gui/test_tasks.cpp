@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a person has to do for three tasks, in the real window: clicks, keys and typed names. The
+// steps are the shortest way that the menus and docks show; a change that needs more fails.
+#include <QAbstractButton>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTimer>
+
+#include "gui/view/image_widget.h"
+#include "tests/gui/window_test.h"
+
+using namespace hogelscope;
+
+class TestTasks : public WindowTest {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void theFirstPictureOfAForeignHogelImage();
+  void aReportOfTwoJpegs();
+  void whyIsThisPixelBlack();
+
+ private:
+  void press(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) {
+    key(which, modifiers);
+    ++m_steps;
+  }
+  void click(const char* name) {
+    auto* button = child<QAbstractButton>(name);
+    QVERIFY(button != nullptr && button->isEnabled() && !button->visibleRegion().isEmpty());
+    QTest::mouseClick(button, Qt::LeftButton);
+    ++m_steps;
+  }
+  /// Types names of files into the dialog that the next step opens, and Return.
+  void typeNames(const QString& names) {
+    QTimer::singleShot(0, this, [this, names] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return typeNames(names);
+      auto* line = dialog->findChild<QLineEdit*>("fileNameEdit");
+      line->setText(names);
+      QTest::keyClick(line, Qt::Key_Return);
+      m_steps += 2;
+    });
+  }
+  [[nodiscard]] bool hasPicture() const {
+    const auto* view = child<ImageWidget>("pictureView");
+    return !view->image().isNull() && view->notice().isEmpty() && view->isVisible();
+  }
+
+  int m_steps = 0;
+};
+
+void TestTasks::init() {
+  QVERIFY(QDir::setCurrent(m_folder.path()));
+  QSettings().clear();
+  m_steps = 0;
+}
+
+/// From the home page: one key, its name, Return. The size of its hogels is nobody's to say.
+void TestTasks::theFirstPictureOfAForeignHogelImage() {
+  writeImageFile("theirs.png", 960, 540, [](int px, int py, int c) {
+    const double x = (px / 24 + 0.5) / 40 - 0.2 * (px % 24) / 24;
+    const double y = (py / 18 + 0.5) / 30 + 0.2 * (py % 18) / 18;
+    return float(0.5 + 0.2 * std::sin(31 * x + 5 * y + c) + 0.2 * std::sin(17 * y - 8 * x));
+  });
+  showWindow({1280, 800});
+  typeNames(m_folder.filePath("theirs.png"));
+  press(Qt::Key_O, Qt::ControlModifier | Qt::AltModifier);
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  QVERIFY((m_model->session().display.hogels == std::array{40, 30}));
+  QCOMPARE(m_steps, 3);
+}
+
+/// The layout, Add, their names, Return, Make report.
+void TestTasks::aReportOfTwoJpegs() {
+  for (const char* name : {"q90.jpg", "q50.jpg"})
+    writeImageFile(name, 64, 64, [name](int x, int y, int c) {
+      return float((x * 5 + y * 3 + c * 40 + (name[1] == '5' ? 9 * (x % 3) : 0)) % 200 + 20) / 255;
+    });
+  start();
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  press(Qt::Key_4, Qt::ControlModifier | Qt::AltModifier);
+  typeNames(
+      QString("\"%1\" \"%2\"").arg(m_folder.filePath("q90.jpg"), m_folder.filePath("q50.jpg")));
+  click("addTestButton");
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 6);
+  QCOMPARE(m_steps, 5);
+}
+
+/// The inspector's key, and a click on the pixel: it says why, in words.
+void TestTasks::whyIsThisPixelBlack() {
+  start();
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  m_model->edit("far away", [](Session& session) {  // the panel is small in the picture
+    for (CameraState& state : session.cameras) state.camera.eye.z = 3;
+  });
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  press(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* view = child<ImageWidget>("pictureView");
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() + QPoint(0, 100));
+  ++m_steps;
+  QTRY_VERIFY_WITH_TIMEOUT(
+      child<QLabel>("inspectorVerdict")->text().startsWith("Black, outside the panel"), patience);
+  QCOMPARE(m_steps, 2);
+}
+
+int main(int argc, char** argv) {
+  return runWindowTest<TestTasks>(argc, argv);
+}
+#include "test_tasks.moc"
