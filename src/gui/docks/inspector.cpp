@@ -49,7 +49,7 @@ ImageWidget* imageWidget(const char* name, const QString& help) {
   auto* image = new ImageWidget;
   image->setObjectName(name);
   image->setToolTip(help);
-  image->setMinimumHeight(150);
+  image->setMinimumHeight(130);
   return image;
 }
 
@@ -77,9 +77,12 @@ Inspector::Inspector(QWidget* parent)
   head->addWidget(m_verdict, 1);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(head);
-  for (QWidget* part :
-       std::initializer_list<QWidget*>{m_neighbours, m_values, m_hogelTitle, m_hogel, m_weights})
+  for (QWidget* part : std::initializer_list<QWidget*>{m_neighbours, m_values, m_hogelTitle})
     layout->addWidget(part);
+  auto* directions = new QHBoxLayout;
+  directions->addWidget(m_hogel, 1);
+  directions->addWidget(m_weights, 1);
+  layout->addLayout(directions);
   layout->addStretch();
   showNothing({});
 }
