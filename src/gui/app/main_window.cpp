@@ -95,6 +95,7 @@ void MainWindow::arrangeDocks() {
   const std::vector<QDockWidget*> parts{
       m_ui->lightFieldDock, m_ui->displayDock,   m_ui->cameraDock,   m_ui->distortionDock,
       m_ui->psfDock,        m_ui->cameraSetDock, m_ui->inspectorDock};
+  m_ui->inspectorDock->hide();  // before its tab could widen them all
   m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
@@ -103,8 +104,7 @@ void MainWindow::arrangeDocks() {
   for (QDockWidget* dock : {m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
   tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
-  for (QDockWidget* dock :
-       {m_ui->cameraSetDock, m_ui->inspectorDock, m_ui->reportDock, m_ui->tradeoffDock})
+  for (QDockWidget* dock : {m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     dock->hide();
   m_ui->cameraDock->raise();
   const int states = m_ui->statesDock->sizeHint().height();  // a few rows

@@ -71,7 +71,7 @@ Inspector::Inspector(QWidget* parent)
                              "direction that is seen, dashed the window of its light leakage"))),
       m_weights(new KernelWidget) {
   m_weights->setObjectName("inspectorWeights");
-  m_weights->setMinimumHeight(150);
+  m_weights->setMinimumHeight(190);  // numbers fit into 5 × 5 taps
   auto* head = new QHBoxLayout;
   head->addWidget(m_swatch, 0, Qt::AlignTop);
   head->addWidget(m_verdict, 1);
