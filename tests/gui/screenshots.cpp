@@ -47,7 +47,8 @@ class Shooting {
     wait([this] { return !view()->image().isNull(); });
     shoot("sample");
     lens();
-    wipe();
+    compare();
+    inspect();
     report();
     keys();
     dark();
@@ -88,12 +89,30 @@ class Shooting {
     raise("cameraDock");
   }
 
-  void wipe() {
+  void compare() {
     m_window.findChild<ImageCommands*>()->compareWith(m_test);
     wait([this] { return !view()->otherImage().isNull(); });
     trigger("wipeAction");
     shoot("wipe");
+    trigger("lumaErrorAction");
+    trigger("falseColourAction");
+    trigger("histogramAction");
+    view()->setRegion({200, 250, 160, 60});
+    QTest::qWait(1500);
+    shoot("error");
+    view()->setRegion({});
+    trigger("histogramAction");
     trigger("stopComparingAction");
+  }
+
+  void inspect() {
+    raise("inspectorDock");
+    Q_EMIT view()->pixelPicked(380, 420);
+    QTest::qWait(500);
+    shoot("inspector");
+    trigger("sceneForgetAction");
+    m_window.findChild<QDockWidget*>("inspectorDock")->close();
+    raise("cameraDock");
   }
 
   void report() {

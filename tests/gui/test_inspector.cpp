@@ -84,6 +84,7 @@ class TestInspector : public SceneTest {
     QCOMPARE(hogel()->region(), window & QRect(0, 0, 6, 6));
     QCOMPARE(child<KernelWidget>("inspectorWeights")->weights(),
              psfKernelAt(job.state.psf, job.lightField->size(), int(place.u), int(place.v)));
+    QTest::qWait(50);
     m_window->grab().save(QCoreApplication::applicationDirPath() + "/inspector.png");
     // The picture's mark and the scene's ray stay, and go together.
     QCOMPARE(view()->markedPixels(), QRegion(70, 80, 1, 1));
@@ -106,23 +107,25 @@ class TestInspector : public SceneTest {
     QVERIFY(said("inspectorValues").startsWith("Pixel (70, 80)"));
   }
 
-  /// Each with words and a look of its own.
+  /// Each with words of its own; no ray, outside and dark each with a look of its own.
   void saysWhyAPixelIsBlack() {
-    std::vector<QImage> looks;
     const auto black = [&](const QPoint& pixel, const QString& why) {
       point(pixel);
       QVERIFY2(verdict().startsWith(why), qPrintable(verdict()));
-      for (const QImage& look : looks) QVERIFY(look != swatch());
-      looks.push_back(swatch());
     };
     show(1);
     black({0, 0}, "Black, no ray: the lens folds");
+    const QImage noRay = swatch();
+    QVERIFY(count(noRay, QColor(255, 64, 200)) > 50);
     show(3);
     black({0, 0}, "Black, outside the panel: its ray passes beside it");
     QVERIFY(!hogel()->isVisible());
+    const QImage outside = swatch();
+    QVERIFY(count(outside, QColor(255, 176, 0)) > 50);
     show(0);
     m_model->edit("narrow", [](Session& session) { session.display.fov = {4, 4}; });
     black({80, 60}, "Black, outside the viewing zone: the hogel lights 4° × 4°, and direction u ");
+    QCOMPARE(swatch(), outside);
     QVERIFY(hogel()->isVisible() && hogel()->markedPixels().isEmpty());
   }
 
@@ -137,38 +140,38 @@ class TestInspector : public SceneTest {
     QVERIFY2(verdict().startsWith("Black, dark content: it sees the display"),
              qPrintable(verdict()));
     QVERIFY(hogel()->isVisible() && !hogel()->markedPixels().isEmpty());
-    QCOMPARE(swatch().pixelColor(16, 16), QColor(Qt::black));
+    QCOMPARE(count(swatch(), Qt::black), 30 * 30);  // but for its frame
   }
 
   void aHogelMarksThePixelsThatSeeIt() {
     press(Qt::Key_F5);
-    const Hit place = *pixelTrace(m_loaded.job(m_session.cameras[0]), 90, 40).place;
-    const QPoint picked(int(place.i), int(place.j));
+    const QPoint picked(100, 20);
     const Vec2 middle =
         hogelscope::Display(m_loaded.display).position(picked.x() + 0.5, picked.y() + 0.5);
     click(onScreen({middle.x, middle.y, 0}));
-    const auto expected = [&](std::size_t state) {
-      QRegion seeing;
-      const RenderJob job = m_loaded.job(m_model->session().cameras[state]);
-      for (int y = 0; y < 120; ++y)
-        for (int x = 0; x < 120; ++x)
-          if (const PixelTrace traced = pixelTrace(job, x, y); traced.end == RayEnd::seen &&
-                                                               int(traced.place->i) == picked.x() &&
-                                                               int(traced.place->j) == picked.y())
-            seeing += QRect(x, y, 1, 1);
-      return seeing;
+    const auto isRight = [&] {  // near it, since a trace takes milliseconds
+      const RenderJob job = *controller()->job();
+      const QRegion& marked = view()->markedPixels();
+      const QRect box = marked.boundingRect().adjusted(-1, -1, 1, 1) & QRect(0, 0, 120, 120);
+      for (int y = box.top(); y <= box.bottom(); ++y)
+        for (int x = box.left(); x <= box.right(); ++x) {
+          const PixelTrace traced = pixelTrace(job, x, y);
+          const bool isSeer = traced.end == RayEnd::seen && int(traced.place->i) == picked.x() &&
+                              int(traced.place->j) == picked.y();
+          if (isSeer != marked.contains(QPoint(x, y))) return false;
+        }
+      return !marked.isEmpty();
     };
-    const QRegion seeing = expected(0);
-    QVERIFY(!seeing.isEmpty());
-    QTRY_COMPARE_WITH_TIMEOUT(view()->markedPixels(), seeing, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->markedPixels().isEmpty(), patience);
+    QVERIFY(isRight());
     const QString name = QString("Hogel i %1, j %2 at x ").arg(picked.x()).arg(picked.y());
     QVERIFY2(verdict().startsWith(name), qPrintable(verdict()));
     QVERIFY(equals(hogel()->image(), hogelImage(*m_loaded.lightField, picked.x(), picked.y())));
     // An edit moves them.
+    const QRegion before = view()->markedPixels();
     edit("eye.1", 0.2);
-    const QRegion moved = expected(0);
-    QVERIFY(moved != seeing);
-    QTRY_COMPARE_WITH_TIMEOUT(view()->markedPixels(), moved, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(view()->markedPixels() != before, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
     press(Qt::Key_Escape);
     QVERIFY(view()->markedPixels().isEmpty());
   }

@@ -94,8 +94,9 @@ class TestScenePicking : public SceneTest {
     const int side = std::min(view->width(), view->height());
     const QPoint at = view->rect().center() + QPoint(side / 10, side / 7);
     QTest::mouseClick(view, Qt::LeftButton, {}, at);
-    const QStringList lines = readout().split('\n');
-    QCOMPARE(lines.size(), 4);
+    const QString before = readout();  // the inspector says more
+    const QStringList lines = before.split('\n');
+    QCOMPARE(lines.size(), 2);
     static const QRegularExpression pixel(R"(Pixel \((\d+), (\d+)\): sees)");
     const QRegularExpressionMatch match = pixel.match(lines[1]);
     QVERIFY2(match.hasMatch(), qPrintable(readout()));
@@ -105,19 +106,15 @@ class TestScenePicking : public SceneTest {
     const PixelTrace traced = pixelTrace(m_loaded.job(m_session.cameras[0]), x, y);
     QVERIFY2(lines[1].contains(QString::number(traced.colour->g, 'f', 1)), qPrintable(lines[1]));
     QVERIFY(lines[1].endsWith("25 leakage taps"));
-    QVERIFY2(lines[2].startsWith(QString("hogel i %1, j %2 · direction u %3, v %4")
-                                     .arg(int(traced.place->i))
-                                     .arg(int(traced.place->j))
-                                     .arg(int(traced.place->u))
-                                     .arg(int(traced.place->v))),
-             qPrintable(lines[2]));
-    QVERIFY(lines[3].contains(QString::number(traced.slopes.y, 'f', 4)));
+    QCOMPARE(scene().picked().label(), std::string("hogel ") +
+                                           std::to_string(int(traced.place->i)) + ", " +
+                                           std::to_string(int(traced.place->j)));
     QVERIFY(scene().picked().hasRay() && !scene().picked().label().empty());
     press(Qt::Key_F7);
     QVERIFY(count(drawn(), rayColour) > 50);
     // An edit moves the ray; another state has none.
     edit("eye.1", 0.05);
-    QVERIFY(readout().split('\n')[3] != lines[3]);
+    QVERIFY(readout() != before);
     child<QComboBox>("stateBox")->setCurrentIndex(1);
     QVERIFY(!scene().picked().hasRay() && scene().picked().label().empty());
     controller()->showPixel(0, 0);

@@ -105,7 +105,7 @@ void TestStoreView::aPixelIsTraced() {
   QTRY_VERIFY_WITH_TIMEOUT(shows(m_states[0]), patience);
   Q_EMIT view()->pixelPicked(300, 300);
   const QString text = m_window->findChild<QLabel*>("sceneReadout")->text();
-  QVERIFY2(text.contains("hogel i 64, j 64"), qPrintable(text));
+  QVERIFY2(text.contains("Pixel (300, 300): sees the display"), qPrintable(text));
   const QRgb shown = view()->image().pixel(300, 300);
   QVERIFY2(text.contains(QString("colour %1").arg(qRed(shown) / 10)), qPrintable(text));
 }

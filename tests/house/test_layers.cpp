@@ -51,7 +51,8 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"gui/view", {"core", "io", "vtk", "study", "gui/session", "gui/widgets"}},
       {"gui/scene", {"core", "io", "vtk", "sdk/hogelscope", "gui/session", "gui/widgets"}},
       {"gui/docks",
-       {"core", "io", "study", "chart", "report", "gui/session", "gui/view", "gui/widgets"}},
+       {"core", "io", "study", "chart", "report", "gui/session", "gui/view", "gui/scene",
+        "gui/widgets"}},
       {"gui/app", {"core", "io", "vtk", "study", "chart", "report", "gui"}},
       {"main", {"core", "io", "cli", "gui"}}};
   return rooms;

@@ -96,25 +96,26 @@ void MainWindow::addDocks() {
 /// In the order of the line, one behind the other below the list of states: each is seen whole, and
 /// all fits into 1280 × 800.
 void MainWindow::arrangeDocks() {
-  const std::vector<QDockWidget*> parts{
-      m_ui->lightFieldDock, m_ui->displayDock,   m_ui->cameraDock,   m_ui->distortionDock,
-      m_ui->psfDock,        m_ui->cameraSetDock, m_ui->inspectorDock};
+  const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
+                                        m_ui->cameraDock,     m_ui->distortionDock,
+                                        m_ui->psfDock,        m_ui->cameraSetDock};
   m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
     if (k > 0) tabifyDockWidget(parts[k - 1], parts[k]);
   }
-  for (QDockWidget* dock : {m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
+  for (QDockWidget* dock :
+       {m_ui->inspectorDock, m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
     m_ui->viewMenu->addAction(dock->toggleViewAction());
   tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
   for (QDockWidget* dock :
-       {m_ui->cameraSetDock, m_ui->inspectorDock, m_ui->reportDock, m_ui->tradeoffDock})
+       {m_ui->inspectorDock, m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
     dock->hide();
   m_ui->cameraDock->raise();
   const int states = m_ui->statesDock->sizeHint().height();  // a few rows
   resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {states, 800 - states}, Qt::Vertical);
   constexpr int narrow = 290;  // px: the view gets the window
-  resizeDocks({m_ui->statesDock}, {narrow}, Qt::Horizontal);
+  resizeDocks({m_ui->statesDock, m_ui->inspectorDock}, {narrow, narrow}, Qt::Horizontal);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }

@@ -49,7 +49,7 @@ ImageWidget* imageWidget(const char* name, const QString& help) {
   auto* image = new ImageWidget;
   image->setObjectName(name);
   image->setToolTip(help);
-  image->setMinimumHeight(150);
+  image->setMinimumHeight(130);
   return image;
 }
 
@@ -71,15 +71,16 @@ Inspector::Inspector(QWidget* parent)
                              "direction that is seen, dashed the window of its light leakage"))),
       m_weights(new KernelWidget) {
   m_weights->setObjectName("inspectorWeights");
-  m_weights->setMinimumHeight(150);
+  m_weights->setMinimumHeight(190);  // numbers fit into 5 × 5 taps
   auto* head = new QHBoxLayout;
   head->addWidget(m_swatch, 0, Qt::AlignTop);
   head->addWidget(m_verdict, 1);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(head);
-  for (QWidget* part :
-       std::initializer_list<QWidget*>{m_neighbours, m_values, m_hogelTitle, m_hogel, m_weights})
+  for (QWidget* part : std::initializer_list<QWidget*>{m_neighbours, m_values, m_hogelTitle})
     layout->addWidget(part);
+  layout->addWidget(m_hogel);
+  layout->addWidget(m_weights);
   layout->addStretch();
   showNothing({});
 }
@@ -173,9 +174,9 @@ QString Inspector::valuesAt(const QPoint& pixel) const {
 
 void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
   const Image image = hogelImage(*job.lightField, hogel.x(), hogel.y());
-  m_hogel->setImages(
-      QImage(image.rgb.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888)
-          .copy());
+  m_hogel->setImages(QImage(image.rgb.data(), image.width, image.height, qsizetype{3} * image.width,
+                            QImage::Format_RGB888)
+                         .copy());
   m_hogel->markPixels({});
   m_hogel->setRegion({});
   m_hogel->show();
@@ -193,17 +194,18 @@ void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
 
 /// In the hogel's picture, which may have fewer directions.
 void Inspector::showDirection(const RenderJob& job, const Hit& place) {
-  const auto [du, dv] = job.display.directions;
+  const QSize directions(job.display.directions[0], job.display.directions[1]);
   const QPoint seen = cellOf(place.u, place.v);
   const QSize size = m_hogel->image().size();
   const auto inPicture = [&](const QPoint& at) {
-    return QPoint(at.x() * size.width() / du, at.y() * size.height() / dv);
+    return QPoint(at.x() * size.width() / directions.width(),
+                  at.y() * size.height() / directions.height());
   };
   m_hogel->markPixels(QRect(inPicture(seen), QSize(1, 1)));
   const PsfParams& psf = job.state.psf;
   if (psf.windowSize == 1) return;
   const QPoint reach(psf.windowSize / 2, psf.windowSize / 2);
-  const QRect window = QRect(seen - reach, seen + reach) & QRect(0, 0, du, dv);
+  const QRect window = QRect(seen - reach, seen + reach) & QRect(QPoint(), directions);
   m_hogel->setRegion({inPicture(window.topLeft()), inPicture(window.bottomRight())});
   m_weights->setWeights(psf, psfKernelAt(psf, job.lightField->size(), seen.x(), seen.y()));
   m_weights->show();

@@ -29,6 +29,7 @@ VtkImage hogelImageOf(const LightFieldSource& lightField, int i, int j) {
 
 QRegion regionOf(const std::vector<PixelRun>& runs) {
   std::vector<QRect> rows;
+  rows.reserve(runs.size());
   for (const PixelRun& run : runs) rows.emplace_back(run.x0, run.y, run.x1 - run.x0, 1);
   QRegion region;
   region.setRects(rows.data(), int(rows.size()));

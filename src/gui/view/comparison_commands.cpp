@@ -129,8 +129,7 @@ void ComparisonCommands::addBar() {
     return action;
   };
   QList<QAction*> actions = m_modes->actions();
-  actions << m_falseColour << own("lessGainAction", tr("÷2")) << own("moreGainAction", tr("×2"))
-          << m_showHistogram;
+  actions << m_falseColour << own("lessGainAction", tr("÷2")) << own("moreGainAction", tr("×2"));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(0);
   for (QAction* action : actions) {

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <cmath>
 
 namespace hogelscope {
 
@@ -12,8 +13,9 @@ HistogramWidget::HistogramWidget(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setAccessibleName(tr("Histogram"));
   setToolTip(
-      tr("How many seen pixels have which luma, 0 at the left to 255 at the right: filled the "
-         "session's own picture, as a line the other; of the marked rectangle where there is one"));
+      tr("How many seen pixels have which luma, 0 at the left to 255 at the right, heights being "
+         "square roots: filled the session's own picture, as a line the other; of the marked "
+         "rectangle where there is one"));
 }
 
 void HistogramWidget::setHistograms(const std::vector<Histogram>& histograms) {
@@ -33,7 +35,7 @@ void HistogramWidget::paintEvent(QPaintEvent*) {
     const double step = double(width()) / double(counts.size());
     QPainterPath line(QPointF(0, height()));
     for (std::size_t k = 0; k < counts.size(); ++k) {
-      const double y = height() * (1 - 0.95 * double(counts[k]) / double(most));
+      const double y = height() * (1 - 0.95 * std::sqrt(double(counts[k]) / double(most)));
       line.lineTo(step * double(k), y);
       line.lineTo(step * double(k + 1), y);
     }

@@ -348,6 +348,7 @@ void ImageWidget::flip() {
 }
 
 void ImageWidget::takeTurn() {
+  if (shownMode() != Mode::blink) return;
   m_turn = 1 - m_turn;
   update();
 }
