@@ -55,7 +55,7 @@ class TestDocks : public DocksTest {
     camera->setFloating(true);
     QVERIFY(camera->isWindow() && camera->isVisible());
     camera->setFloating(false);
-    QCOMPARE(m_window->tabifiedDockWidgets(child<QDockWidget>("cameraDock")).size(), 6);
+    QCOMPARE(m_window->tabifiedDockWidgets(child<QDockWidget>("cameraDock")).size(), 5);
   }
 
   /// A dock's key closes what can be seen, and brings to the front what cannot.

@@ -90,7 +90,7 @@ class TestHabits : public HabitsTest {
   void layoutsForTasks() {
     const auto shown = [this] {
       QStringList names;
-      for (const char* name : {"sceneArea", "pictureView", "statesDock", "cameraDock",
+      for (const char* name : {"sceneArea", "pictureArea", "statesDock", "cameraDock",
                                "distortionDock", "reportDock", "tradeoffDock"})
         if (!m_window->findChild<QWidget*>(name)->isHidden()) names << name;
       return names.join(' ');
@@ -98,14 +98,14 @@ class TestHabits : public HabitsTest {
     const QString first = shown();
     QApplication::setActiveWindow(m_window.get());
     QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("pictureView cameraDock distortionDock"));
+    QCOMPARE(shown(), QString("pictureArea cameraDock distortionDock"));
     QVERIFY(!m_window->findChild<QWidget*>("distortionArea")->visibleRegion().isEmpty());
     QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("pictureView statesDock"));
+    QCOMPARE(shown(), QString("pictureArea statesDock"));
     QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("sceneArea pictureView reportDock"));
+    QCOMPARE(shown(), QString("sceneArea pictureArea reportDock"));
     QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("pictureView statesDock tradeoffDock"));
+    QCOMPARE(shown(), QString("pictureArea statesDock tradeoffDock"));
     QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), first);
     QVERIFY(!m_window->findChild<QWidget*>("cameraArea")->visibleRegion().isEmpty());

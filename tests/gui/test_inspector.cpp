@@ -48,7 +48,7 @@ class TestInspector : public SceneTest {
   }
   void show(std::size_t state) {
     child<QComboBox>("stateBox")->setCurrentIndex(int(state));
-    QTRY_VERIFY_WITH_TIMEOUT(!view()->image().isNull() && message().contains("views/s"), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->image().isNull() && message().contains(" ms"), patience);
   }
 
  private Q_SLOTS:

@@ -63,7 +63,7 @@ class TestSimulatedView : public QObject {
   QAction* action(const char* name) const { return m_window->findChild<QAction*>(name); }
   QString message() const { return m_window->statusBar()->currentMessage(); }
   /// The image that is shown is not a smaller one.
-  bool isFull() const { return message().contains("views/s") && !message().contains("resolution"); }
+  bool isFull() const { return message().contains(" ms") && !message().contains("resolution"); }
   void openSample() {
     QVERIFY(files(*m_window).open(m_sampleFile));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(), patience);

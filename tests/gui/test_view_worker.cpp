@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that the rendering thread leaves what takes minutes for a newer request.
+#include "gui/view/picture_rate.h"
 #include "gui/view/view_worker.h"
 
 #include <QSignalSpy>
@@ -35,6 +36,14 @@ class TestViewWorker : public QObject {
   void initTestCase() {
     m_session = loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
     m_session.cameras.resize(1);
+  }
+
+  void picturesOfTheLastSecond() {
+    using namespace std::chrono_literals;
+    PictureRate rate;
+    const PictureRate::Clock::time_point start;
+    for (int k = 0; k < 20; ++k) QCOMPARE(rate.shown(start + k * 100ms), std::min(k + 1, 10));
+    QCOMPARE(rate.shown(start + 10s), 1);
   }
 
   void leavesTheRaysOfAHardLens() {

@@ -15,6 +15,7 @@
 #include "gui/app/colours.h"
 #include "gui/app/help_commands.h"
 #include "gui/app/home_page.h"
+#include "gui/app/icons.h"
 #include "gui/app/messages.h"
 #include "gui/app/window_layout.h"
 #include "gui/docks/camera_dock.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_stateBox(new QComboBox(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
+  addIcons(*m_ui);
   m_messages = new Messages(this);
   m_ui->splitter->setSizes({1000, 1000});
   m_home = new HomePage(*m_ui);
@@ -209,14 +211,12 @@ void MainWindow::render() {
 void MainWindow::showView(const RenderedView& view) {
   m_imageCommands->show(view);
   loadWhatWaits();
-  const int views = view.otherImage.isNull() ? 1 : 2;
-  const QString form = views == 1 ? tr("%1 × %2 px in %3 ms, %4 views/s, %5")
-                                  : tr("%1 × %2 px, both in %3 ms, %4 views/s, %5");
-  QString line = form.arg(view.image.width())
-                     .arg(view.image.height())
-                     .arg(view.milliseconds, 0, 'f', 1)
-                     .arg(1000 * views / view.milliseconds, 0, 'f', 0)
-                     .arg(view.plan);
+  const QString form =
+      view.otherImage.isNull() ? tr("%1 × %2 px in %3 ms") : tr("%1 × %2 px, both in %3 ms");
+  QString line =
+      form.arg(view.image.width()).arg(view.image.height()).arg(view.milliseconds, 0, 'f', 1);
+  if (const int rate = m_rate.shown(); rate > 1) line += tr(", %1 shown in a second").arg(rate);
+  line += ", " + view.plan;
   if (view.isOverview)
     line += tr(", overview: the rest is being fetched");
   else if (view.scale > 1)

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/optics/session.h"
+#include "gui/view/picture_rate.h"
 #include "io/scene/scene.h"
 #include "study/tradeoff.h"
 
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
   ImageCommands* m_imageCommands = nullptr;
   DistortionDock* m_distortion = nullptr;
   LightFieldDock* m_lightField = nullptr;
+  PictureRate m_rate;
   DisplayParams m_display;              ///< resolved
   bool m_isNew = false;                 ///< the session: the scene has to be fitted to it
   std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be

@@ -82,7 +82,7 @@ void WindowLayout::connectTasks() {
     connect(action, &QAction::triggered, this, [=, this] { arrange(docks, parts); });
   };
   QWidget* const scene = m_ui.sceneArea;
-  QWidget* const view = m_ui.pictureView;
+  QWidget* const view = m_ui.pictureArea;
   const QList<QDockWidget*> forms{m_ui.statesDock,     m_ui.lightFieldDock, m_ui.displayDock,
                                   m_ui.distortionDock, m_ui.psfDock,        m_ui.cameraDock};
   on(m_ui.layoutViewAction, forms, {scene, view});
@@ -94,7 +94,7 @@ void WindowLayout::connectTasks() {
 
 void WindowLayout::connectParts() {
   for (const auto& [action, part] :
-       {std::pair(m_ui.onlyViewAction, static_cast<QWidget*>(m_ui.pictureView)),
+       {std::pair(m_ui.onlyViewAction, m_ui.pictureArea),
         std::pair(m_ui.onlySceneAction, static_cast<QWidget*>(m_ui.sceneArea))})
     connect(action, &QAction::triggered, this, [this, a = action, p = part] { showOnly(a, p); });
   m_ui.pictureView->installEventFilter(this);
@@ -105,8 +105,7 @@ void WindowLayout::arrange(const QList<QDockWidget*>& docks, const QList<QWidget
   showAll();
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>())
     dock->setVisible(docks.contains(dock));
-  for (QWidget* part : {m_ui.sceneArea, static_cast<QWidget*>(m_ui.pictureView)})
-    part->setVisible(parts.contains(part));
+  for (QWidget* part : {m_ui.sceneArea, m_ui.pictureArea}) part->setVisible(parts.contains(part));
   docks.back()->raise();
 }
 
@@ -119,14 +118,13 @@ void WindowLayout::showOnly(QAction* action, QWidget* part) {
   m_before = docks;
   action->setChecked(true);
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) dock->hide();
-  for (QWidget* other : {m_ui.sceneArea, static_cast<QWidget*>(m_ui.pictureView)})
-    other->setVisible(other == part);
+  for (QWidget* other : {m_ui.sceneArea, m_ui.pictureArea}) other->setVisible(other == part);
 }
 
 void WindowLayout::showAll() {
   for (QAction* action : {m_ui.onlyViewAction, m_ui.onlySceneAction}) action->setChecked(false);
   m_ui.sceneArea->show();
-  m_ui.pictureView->show();
+  m_ui.pictureArea->show();
   if (!m_before.isEmpty()) m_window->restoreState(std::exchange(m_before, {}), version);
 }
 
