@@ -72,6 +72,32 @@ class TestScene : public SceneTest {
     QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
   }
 
+  void aDarkPanelShowsWhereItIs() {
+    press(Qt::Key_F5);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
+    press(Qt::Key_F7);  // along the panel
+    scene().turn(-4, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().panel().gridLines() > 10, patience);
+    press(Qt::Key_F5);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
+  }
+
+  /// Of panel and frusta, in the window's height or width.
+  void theSceneFillsItsWindow() {
+    for (const Qt::Key key : {Qt::Key_0, Qt::Key_F5, Qt::Key_F6, Qt::Key_F7}) {
+      press(key, key == Qt::Key_0 ? Qt::ControlModifier : Qt::NoModifier);
+      QRect all;
+      std::vector<Vec3> points{
+          {-0.25, -0.25, 0}, {0.25, -0.25, 0}, {-0.25, 0.25, 0}, {0.25, 0.25, 0}};
+      for (const CameraState& state : m_session.cameras) points.push_back(state.camera.eye);
+      for (const Vec3& point : points) all |= QRect(onScreen(point), QSize(1, 1));
+      QVERIFY(widget()->rect().contains(all));
+      const double share = std::max(double(all.width()) / widget()->width(),
+                                    double(all.height()) / widget()->height());
+      QVERIFY2(share > 0.75, qPrintable(QString::number(share)));
+    }
+  }
+
   void theBallsKeepTheirSizeOnTheScreen() {
     press(Qt::Key_F7);
     // How wide it is on the screen, across the frustum's axis.

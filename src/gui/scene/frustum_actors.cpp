@@ -85,6 +85,19 @@ void FrustumActors::setImage(std::size_t state, vtkImageData* image) {
   m_images.setImage(state, image);
 }
 
+std::vector<Vec3> FrustumActors::points() const {
+  std::vector<Vec3> all;
+  for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get()}) {
+    source->Update();
+    vtkPolyData* lines = source->GetOutput(0);
+    for (vtkIdType k = 0; k < lines->GetNumberOfPoints(); ++k) {
+      const double* p = lines->GetPoint(k);
+      all.push_back({p[0], p[1], p[2]});
+    }
+  }
+  return all;
+}
+
 std::vector<int> FrustumActors::statesAt(vtkRenderer* renderer, const ScreenPlace& place) const {
   vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
       renderer->GetTiledAspectRatio(), -1, 1);

@@ -63,6 +63,7 @@ class SceneController : public QObject {
   std::optional<Scene> m_loaded;  ///< none while a light field is read
   std::optional<QPoint> m_pixel;  ///< picked, of the current state's view
   QString m_pickText;
+  bool m_isPanelDark = false;  ///< no light reaches the scene's eye: the grid shows where it is
 };
 
 }  // namespace hogelscope
