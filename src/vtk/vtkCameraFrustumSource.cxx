@@ -28,7 +28,8 @@ using Corners = std::array<Vec3, 6>;
 Corners cornersOf(const CameraFrustum& frustum)
 {
   const hogelscope::Camera camera(frustum.Camera, frustum.Intrinsics);
-  const double distance = 0.25 * hogelscope::length(frustum.Camera.lookat - frustum.Camera.eye);
+  const double distance =
+    frustum.Length * hogelscope::length(frustum.Camera.lookat - frustum.Camera.eye);
   const auto [width, height] = frustum.Camera.res;
   const auto at = [&](double px, double py)
   {

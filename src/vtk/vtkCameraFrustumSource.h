@@ -4,7 +4,7 @@
  * @brief   camera states as lines, at their true field of view and aspect ratio
  *
  * Port 0 has for each camera the edges from the eye to the corners of the image on its near plane
- * (a quarter of the way to lookat), the image's outline there, and a triangle on its upper edge.
+ * (a share of the way to lookat), the image's outline there, and a triangle on its upper edge.
  * The cell data are the colour as scalars and the number as "State". Port 1 has the images'
  * rectangles on the near planes, quads with texture coordinates of an atlas with a tile for each
  * number, and "State".
@@ -32,6 +32,7 @@ struct CameraFrustum
   int State = 0;
   std::array<unsigned char, 3> Colour{ 255, 255, 255 };
   bool IsDashed = false;
+  double Length = 0.25; ///< the near plane's share of the way to lookat
   bool operator==(const CameraFrustum&) const = default;
 };
 }

@@ -72,6 +72,32 @@ class TestScene : public SceneTest {
     QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
   }
 
+  void aDarkPanelShowsWhereItIs() {
+    press(Qt::Key_F5);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
+    press(Qt::Key_F7);  // along the panel
+    scene().turn(-4, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().panel().gridLines() > 10, patience);
+    press(Qt::Key_F5);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
+  }
+
+  /// Of panel and frusta, in the window's height or width.
+  void theSceneFillsItsWindow() {
+    for (const Qt::Key key : {Qt::Key_0, Qt::Key_F5, Qt::Key_F6, Qt::Key_F7}) {
+      press(key, key == Qt::Key_0 ? Qt::ControlModifier : Qt::NoModifier);
+      QRect all;
+      std::vector<Vec3> points{
+          {-0.25, -0.25, 0}, {0.25, -0.25, 0}, {-0.25, 0.25, 0}, {0.25, 0.25, 0}};
+      for (const CameraState& state : m_session.cameras) points.push_back(state.camera.eye);
+      for (const Vec3& point : points) all |= QRect(onScreen(point), QSize(1, 1));
+      QVERIFY(widget()->rect().contains(all));
+      const double share = std::max(double(all.width()) / widget()->width(),
+                                    double(all.height()) / widget()->height());
+      QVERIFY2(share > 0.75, qPrintable(QString::number(share)));
+    }
+  }
+
   void theBallsKeepTheirSizeOnTheScreen() {
     press(Qt::Key_F7);
     // How wide it is on the screen, across the frustum's axis.
@@ -241,6 +267,37 @@ class TestScene : public SceneTest {
     QTRY_VERIFY2_WITH_TIMEOUT(meanError() < 25, qPrintable(QString::number(meanError())), patience);
     press(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY_WITH_TIMEOUT(meanError() > 60, patience);
+  }
+
+  /// All frusta of 30 states but the current one are a fifth as long as those of 29.
+  void manyFrustaAreSmall() {
+    Session many = m_session;
+    const CameraState first = m_session.cameras[3];  // looks at the middle of the panel
+    const double distance = length(first.camera.eye - first.camera.lookat);
+    const auto farthest = [&](std::size_t count) {
+      many.cameras.assign(count, first);
+      for (std::size_t k = 1; k < count; ++k) {
+        many.cameras[k].camera.name = "s" + std::to_string(k);
+        many.cameras[k].camera.eye = many.cameras[0].camera.eye + Vec3{10, 0, 0};
+        many.cameras[k].camera.lookat = many.cameras[0].camera.lookat + Vec3{10, 0, 0};
+      }
+      open(many);
+      double current = 0;
+      double others = 0;
+      for (const Vec3& point : scene().frusta().points()) {
+        const bool isCurrent = point.x < 5;
+        const Vec3& eye = many.cameras[isCurrent ? 0 : 1].camera.eye;
+        (isCurrent ? current : others) =
+            std::max(isCurrent ? current : others, length(point - eye) / distance);
+      }
+      return std::pair(current, others);
+    };
+    const auto [few, otherFew] = farthest(29);
+    const auto [current, others] = farthest(30);
+    QVERIFY(few > 0.25 && few < 0.5);
+    QVERIFY(std::abs(otherFew - few) < 1e-3);
+    QVERIFY(std::abs(current - few) < 1e-3);
+    QVERIFY(std::abs(5 * others - few) < 1e-3);
   }
 
   void impossibleCamerasAndManyStatesDoNoHarm() {

@@ -11,9 +11,11 @@
 #include <vtkRenderer.h>
 
 #include <QTimer>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/optics/fitted_eye.h"
 #include "core/optics/panel_view.h"
 #include "gui/scene/vtk_widget.h"
 #include "vtk/line_picker.h"
@@ -96,12 +98,41 @@ void DisplayScene::look(const Vec3& target, const Vec3& from, const Vec3& up) {
   camera->SetViewUp(up.x, up.y, up.z);
 }
 
-/// Goes back or forth until all of it fills the window.
+/// Panel, frusta and mesh; the world's axes, balls and labels are not worth the room.
+std::vector<Vec3> DisplayScene::corners() const {
+  std::vector<Vec3> points = m_frusta.points();
+  const auto addBox = [&](const double* bounds) {
+    for (const int x : {0, 1})
+      for (const int y : {2, 3})
+        for (const int z : {4, 5}) points.push_back({bounds[x], bounds[y], bounds[z]});
+  };
+  if (m_mesh.isShown()) addBox(m_mesh.bounds());
+  const RigidTransform worldFromDisplay =
+      transformFromPose(m_display.position, m_display.orientation);
+  constexpr double scaleBar = 0.12;  // below the panel, with its label
+  const auto [width, height] = m_display.size;
+  for (const double x : {-width / 2, width / 2})
+    for (const double y : {-height / 2 - scaleBar * std::max(width, height), height / 2})
+      points.push_back(worldFromDisplay.point({x, y, 0}));
+  return points;
+}
+
+/// Goes back or forth, and across, until all of it fills the window.
 void DisplayScene::fitDistance() {
-  m_handles.setSceneEye(eye().eye);
-  m_renderer->GetActiveCamera()->SetViewAngle(30);
-  m_renderer->ResetCamera();
-  m_renderer->GetActiveCamera()->Dolly(1.2);  // ResetCamera leaves room for the corners of a sphere
+  constexpr double fov = 30;      // degrees, down
+  constexpr double share = 0.94;  // of the window, so that nothing touches its edges
+  const QSize window = m_widget.deviceSize();
+  const double tangent = share * std::tan(radians(fov) / 2);
+  const double aspect = double(std::max(1, window.width())) / std::max(1, window.height());
+  const CameraParams from = eye();
+  const Vec3 towards = normalise(from.eye - from.lookat);
+  const Vec3 right = normalise(cross(from.up, towards));
+  const Vec3 up = cross(towards, right);
+  const FittedEye fitted =
+      fittedEye(corners(), {right, up, towards, {}}, {aspect * tangent, tangent});
+  look(fitted.target, fitted.eye, up);
+  m_renderer->GetActiveCamera()->SetViewAngle(fov);
+  m_handles.setSceneEye(fitted.eye);
   redraw();
 }
 

@@ -72,6 +72,7 @@ class DisplayScene : public QObject {
 
  private:
   void adjustToEye();
+  [[nodiscard]] std::vector<Vec3> corners() const;
   void fitDistance();
   void look(const Vec3& target, const Vec3& from, const Vec3& up);
 

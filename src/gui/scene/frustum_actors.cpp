@@ -27,6 +27,9 @@ using Colour = std::array<unsigned char, 3>;
 constexpr Colour currentColour{255, 166, 38};
 constexpr Colour otherColour{140, 191, 153};
 constexpr Colour outsideColour{200, 120, 120};
+constexpr double fullLength = 0.25;   // of the way to lookat
+constexpr double shortLength = 0.05;  // where so many at full length would hide each other
+constexpr std::size_t manyStates = 30;
 
 }  // namespace
 
@@ -62,13 +65,15 @@ void FrustumActors::showPsnr(const std::vector<double>& values) {
 void FrustumActors::update() {
   std::vector<CameraFrustum> others;
   std::vector<CameraFrustum> marked;
+  const double otherLength = m_states.size() < manyStates ? fullLength : shortLength;
   for (std::size_t k = 0; k < m_states.size(); ++k) {
     const CameraParams& camera = m_states[k].camera;
     const bool isOutside = shareSeenFrom(m_display, camera.eye) == 0;
     Colour colour = k == m_current ? currentColour : isOutside ? outsideColour : otherColour;
     if (m_psnr.hasValue(k)) colour = m_psnr.colour(k);
     (k == m_current ? marked : others)
-        .push_back({camera, m_states[k].intrinsics, int(k), colour, isOutside});
+        .push_back({camera, m_states[k].intrinsics, int(k), colour, isOutside,
+                    k == m_current ? fullLength : otherLength});
   }
   m_others->SetFrusta(others);
   m_marked->SetFrusta(marked);
@@ -83,6 +88,19 @@ void FrustumActors::setImagesVisible(bool areVisible) {
 
 void FrustumActors::setImage(std::size_t state, vtkImageData* image) {
   m_images.setImage(state, image);
+}
+
+std::vector<Vec3> FrustumActors::points() const {
+  std::vector<Vec3> all;
+  for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get()}) {
+    source->Update();
+    vtkPolyData* lines = source->GetOutput(0);
+    for (vtkIdType k = 0; k < lines->GetNumberOfPoints(); ++k) {
+      const double* p = lines->GetPoint(k);
+      all.push_back({p[0], p[1], p[2]});
+    }
+  }
+  return all;
 }
 
 std::vector<int> FrustumActors::statesAt(vtkRenderer* renderer, const ScreenPlace& place) const {

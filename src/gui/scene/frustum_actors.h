@@ -33,6 +33,8 @@ class FrustumActors {
   void setImagesVisible(bool areVisible);
   void setImage(std::size_t state, vtkImageData* image);
   void clearImages() { m_images.clear(); }
+  /// Of all their lines, in the world.
+  [[nodiscard]] std::vector<Vec3> points() const;
   /// The states whose frusta are drawn at a place of the screen, in ascending order.
   [[nodiscard]] std::vector<int> statesAt(vtkRenderer* renderer, const ScreenPlace& place) const;
 

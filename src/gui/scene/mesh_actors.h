@@ -30,6 +30,8 @@ class MeshActors {
   void setDisplay(const DisplayParams& display);
   void setVisible(bool isVisible);
   [[nodiscard]] bool isShown() const;
+  /// In the world: least and most x, y, z.
+  [[nodiscard]] const double* bounds() const { return m_actor->GetBounds(); }
 
  private:
   vtkNew<vtkPolyDataMapper> m_mapper;

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/engine/hogel_pixels.h"
 #include "core/optics/panel_view.h"
+#include "core/optics/viewing_zone.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_text.h"
 #include "gui/scene/vtk_image.h"
@@ -109,7 +110,7 @@ void SceneController::connectScene() {
   connect(m_form.sceneWidget, &VtkWidget::hovered, this, &SceneController::nameAt);
   connect(m_scene.get(), &DisplayScene::eyeChanged, this, &SceneController::renderPanel);
   connect(m_worker, &SceneWorker::panelRendered, this, [this](const VtkImage& image) {
-    if (!m_form.scenePanelPictureAction->isChecked()) return;
+    if (!m_form.scenePanelPictureAction->isChecked() || m_isPanelDark) return;
     m_scene->panel().setImage(image);
     m_scene->redraw();
   });
@@ -191,7 +192,8 @@ void SceneController::renderPanel() {
   const auto [width, height] = m_display.size;
   const std::optional<CameraState> state =
       panelState(m_display, m_scene->eye().eye, {pixels(width), pixels(height)});
-  if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || !state) {
+  m_isPanelDark = !state || shareSeenFrom(m_display, m_scene->eye().eye) == 0;
+  if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || m_isPanelDark) {
     m_scene->panel().setImage(nullptr);
     return m_scene->redraw();
   }
