@@ -8,6 +8,7 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 #include "core/base/parallel.h"
 #include "core/base/step_progress.h"
@@ -314,6 +315,9 @@ void ReportRun::writeAll() {
   for (const auto& projection : m_projections) projection->remove();
   std::error_code none;
   for (const fs::path& file : m_shardFiles) fs::remove(file, none);
+  std::set<fs::path> folders;
+  for (const fs::path& file : filesOf(m_request)) folders.insert(file.parent_path());
+  for (const fs::path& folder : folders) removeLeftovers(folder);
 }
 
 Report ReportRun::run() {

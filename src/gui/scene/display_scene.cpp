@@ -138,7 +138,7 @@ void DisplayScene::fitDistance() {
 
 void DisplayScene::fit() {
   const double size = std::max(m_display.size[0], m_display.size[1]);
-  look(m_display.position, m_display.position + size * Vec3{1.2, 0.8, 2.6}, {0, 1, 0});
+  look(m_display.position, m_display.position + size * Vec3{0.6, 0.5, 2.6}, {0, 1, 0});
   fitDistance();
 }
 

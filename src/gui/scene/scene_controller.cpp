@@ -4,6 +4,7 @@
 
 #include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/engine/hogel_pixels.h"
@@ -126,7 +127,7 @@ void SceneController::connectScene() {
   const auto moved = [this](Vec3 CameraParams::*point) {
     return [this, point](const Vec3& to) {
       CameraState state = m_model->current();
-      state.camera.*point = to;
+      state.camera.*point = rounded(to);
       m_model->setCurrent(state);
     };
   };
@@ -174,9 +175,16 @@ void SceneController::showMesh() {
   m_scene->redraw();
 }
 
+/// To the decimal that a pixel of the screen can tell.
+Vec3 SceneController::rounded(const Vec3& place) const {
+  const double perMetre = std::pow(10, -std::floor(std::log10(m_scene->pixelOnPanel())));
+  const auto round = [perMetre](double x) { return std::round(x * perMetre) / perMetre; };
+  return {round(place.x), round(place.y), round(place.z)};
+}
+
 void SceneController::moveMesh(const Vec3& origin) {
-  const Vec3 place =
-      transformFromPose(m_display.position, m_display.orientation).inverse().point(origin);
+  const Vec3 place = rounded(
+      transformFromPose(m_display.position, m_display.orientation).inverse().point(origin));
   m_model->edit(tr("Move the mesh"), [&](Session& session) {
     session.lightField.content.set("position", std::vector<double>{place.x, place.y, place.z});
   });

@@ -55,6 +55,7 @@ class SceneController : public QObject {
   void refresh();
   void showMesh();
   void moveMesh(const Vec3& origin);
+  [[nodiscard]] Vec3 rounded(const Vec3& place) const;
   void forgetPicks();
   void removePicks();
   void pickAt(int x, int y);

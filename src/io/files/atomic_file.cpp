@@ -43,13 +43,16 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
+constexpr std::string_view temporaryHead = ".hogelscope-";
+constexpr std::string_view temporaryEnd = ".part";
+
 /// Returns a name beside `path` that cannot be guessed.
 fs::path randomNameFor(const fs::path& path) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device random;
-  std::string name = ".hogelscope-";
+  std::string name(temporaryHead);
   for (int k = 0; k < 12; ++k) name += letters[random() % letters.size()];
-  return folderOf(path) / (name + ".part");
+  return folderOf(path) / (name += temporaryEnd);
 }
 
 /// Returns the path by which linkat() finds a file without a name; needs /proc.
@@ -198,6 +201,15 @@ std::optional<Descriptor> openLocked(const fs::path& path, int moreFlags) {
       return file;
   }
   return std::nullopt;
+}
+
+void removeLeftovers(const fs::path& folder) {
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(temporaryHead) && name.ends_with(temporaryEnd))
+      fs::remove(entry.path(), none);
+  }
 }
 
 bool isLocked(const fs::path& path) {

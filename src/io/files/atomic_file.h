@@ -66,6 +66,10 @@ void requireOurs(const std::filesystem::path& path, std::string_view head);
 /// locks it until it is closed; none if another process has the lock. Throws InputError.
 std::optional<Descriptor> openLocked(const std::filesystem::path& path, int moreFlags = 0);
 
+/// Removes what a process that was killed left in a folder between the writing of a file and its
+/// naming. Nobody may be writing there.
+void removeLeftovers(const std::filesystem::path& folder);
+
 /// Whether a process has locked a file by openLocked(); false for what cannot be opened.
 bool isLocked(const std::filesystem::path& path);
 
