@@ -183,8 +183,8 @@ Vec3 SceneController::rounded(const Vec3& place) const {
 }
 
 void SceneController::moveMesh(const Vec3& origin) {
-  const Vec3 place = rounded(
-      transformFromPose(m_display.position, m_display.orientation).inverse().point(origin));
+  const Vec3 place =
+      rounded(transformFromPose(m_display.position, m_display.orientation).inverse().point(origin));
   m_model->edit(tr("Move the mesh"), [&](Session& session) {
     session.lightField.content.set("position", std::vector<double>{place.x, place.y, place.z});
   });

@@ -78,7 +78,7 @@ class SceneController : public QObject {
   std::optional<QPoint> m_hogel;
   QString m_pickText;
   bool m_isPanelDark = false;  ///< no light reaches the scene's eye: the grid shows where it is
-  Task m_seers;  ///< finds the pixels that see the hogel
+  Task m_seers;                ///< finds the pixels that see the hogel
 };
 
 }  // namespace hogelscope
