@@ -105,6 +105,8 @@ int main(int argc, char** argv) {
   QTest::qWait(500);
   DisplayScene& scene = window.findChild<SceneController*>()->scene();
   std::printf("%-28s %5.1f\n", "scenes drawn for an edit", scenes / 30.0);
+  const QSize size = sceneWidget->deviceSize();
+  std::printf("%-28s %5d x %d px\n", "the scene's size", size.width(), size.height());
   sayCost("turn of the scene", [&](int) {
     scene.turn(3, 0);
     sceneWidget->repaint();
