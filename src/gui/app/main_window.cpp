@@ -27,6 +27,7 @@
 #include "gui/files/file_commands.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
+#include "gui/scene/scene_output.h"
 #include "gui/session/camera_commands.h"
 #include "gui/session/edit_commands.h"
 #include "gui/session/session_forms.h"
@@ -255,6 +256,9 @@ void MainWindow::addHabits() {
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
+  auto* sceneOutput = new SceneOutput(*m_ui, m_scene, m_model, this);
+  connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
+  connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
   new HelpCommands(*m_ui, this);
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, *m_ui);
