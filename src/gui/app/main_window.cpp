@@ -22,6 +22,7 @@
 #include "gui/docks/display_dock.h"
 #include "gui/docks/distortion_dock.h"
 #include "gui/docks/light_field_dock.h"
+#include "gui/docks/plot_saver.h"
 #include "gui/docks/psf_dock.h"
 #include "gui/docks/state_dock.h"
 #include "gui/files/file_commands.h"
@@ -169,6 +170,10 @@ void MainWindow::connectDocks() {
   connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
   m_ui->inspector->follow(m_scene, m_ui->pictureView);
   m_imageCommands = new ImageCommands(*m_ui, m_model, this);
+  for (const PlotSaver* saver : findChildren<PlotSaver*>()) {
+    connect(saver, &PlotSaver::done, m_messages, &Messages::showMessage);
+    connect(saver, &PlotSaver::failed, m_messages, &Messages::showError);
+  }
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
   connect(m_lightField, &LightFieldDock::failed, m_messages, &Messages::showError);
