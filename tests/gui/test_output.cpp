@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes what the real window shows: views, scene, plots, animations; and reads the files back.
+#include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
+#include <vtkCompositeDataIterator.h>
 #include <vtkDataArray.h>
+#include <vtkGLTFReader.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -318,7 +322,7 @@ void TestOutput::sceneAsVtp() {
   QVERIFY(std::abs(all->GetBounds()[5] - m_session.cameras[0].camera.eye.z) < 1e-3);
 }
 
-/// A panel with its picture, and points at the eyes.
+/// A panel with its picture, and frusta and cameras at the eyes.
 void TestOutput::sceneAsGltf() {
   const QString file = path("out/scene.gltf");
   QVERIFY(exported(file).contains("Saved " + file));
@@ -327,6 +331,34 @@ void TestOutput::sceneAsGltf() {
   QCOMPARE(root["asset"]["version"].toString(), QString("2.0"));
   QCOMPARE(root["meshes"].toArray().size(), 3);
   QCOMPARE(root["images"].toArray().size(), 1);
+  QCOMPARE(root["cameras"].toArray().size(), qsizetype(m_session.cameras.size()));
+  const CameraState& state = m_session.cameras[3];
+  const QJsonObject node = root["nodes"].toArray()[3 + 3].toObject();
+  QCOMPARE(node["name"].toString().toStdString(), state.camera.name);
+  const QJsonObject lens = root["cameras"].toArray()[3].toObject()["perspective"].toObject();
+  QVERIFY(std::abs(lens["yfov"].toDouble() - radians(state.camera.fov)) < 1e-9);
+  QCOMPARE(lens["aspectRatio"].toDouble(), 1.0);
+  const auto column = [matrix = node["matrix"].toArray()](int k) {
+    return Vec3{matrix[4 * k].toDouble(), matrix[4 * k + 1].toDouble(),
+                matrix[4 * k + 2].toDouble()};
+  };
+  QCOMPARE(node["matrix"].toArray()[15].toDouble(), 1.0);
+  QVERIFY(isNear(column(3), state.camera.eye, 1e-9));
+  QVERIFY(isNear(-1.0 * column(2), normalise(state.camera.lookat - state.camera.eye), 1e-9));
+  QVERIFY(column(1).y > 0.5);
+  QVERIFY(isNear(cross(column(0), column(1)), column(2), 1e-9));
+  const vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName(file.toUtf8().constData());
+  reader->Update();
+  const vtkNew<vtkAppendPolyData> all;
+  const vtkSmartPointer<vtkCompositeDataIterator> each = vtk::TakeSmartPointer(
+      vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0))->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    all->AddInputData(vtkPolyData::SafeDownCast(each->GetCurrentDataObject()));
+  all->Update();
+  QCOMPARE(all->GetOutput()->GetNumberOfPolys(), 2);
+  QCOMPARE(all->GetOutput()->GetNumberOfLines(),
+           2 * 129 + 10 * vtkIdType(m_session.cameras.size()));
   double farthest = 0;
   for (const QJsonValue& accessor : root["accessors"].toArray())
     if (accessor["type"].toString() == "VEC3" && accessor["max"].isArray())

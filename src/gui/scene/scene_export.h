@@ -20,9 +20,10 @@ struct SceneParts {
 };
 
 /// Writes panel, hogel grid, frusta and mesh. `.gltf`: an object each, the panel with its picture,
-/// all in one file. `.vtp`: one polydata with the cell arrays Part (0 panel, 1 hogel grid, 2
-/// frusta, 3 mesh) and State (the camera state's index, else -1) and the point array Colour. May
-/// run on any thread. Throws InputError: another extension, or it cannot be written.
+/// and a camera for each state, all in one file. `.vtp`: one polydata with the cell arrays Part (0
+/// panel, 1 hogel grid, 2 frusta, 3 mesh) and State (the camera state's index, else -1) and the
+/// point array Colour. May run on any thread. Throws InputError: another extension, or it cannot be
+/// written.
 void exportScene(const std::filesystem::path& file, const SceneParts& parts);
 
 }  // namespace hogelscope

@@ -3,7 +3,6 @@
 #include "gui/scene/scene_picture.h"
 
 #include <vtkActor.h>
-#include <vtkActorCollection.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
@@ -11,6 +10,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -18,37 +18,66 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "core/base/error.h"
+#include "io/files/system_limits.h"
 
 namespace hogelscope {
 
 namespace {
 
-constexpr int samples = 4;  // of a pixel: all that software has
-
 /// The actors of all renderers, those inside axes and the like too.
-void forActors(vtkRenderWindow& window, const std::function<void(vtkActor*)>& visit) {
+std::vector<vtkActor*> actorsOf(vtkRenderWindow& window) {
   const vtkNew<vtkPropCollection> actors;
   vtkRendererCollection* renderers = window.GetRenderers();
   renderers->InitTraversal();
   while (vtkRenderer* renderer = renderers->GetNextItem()) {
-    vtkPropCollection* props = renderer->GetViewProps();
     vtkCollectionSimpleIterator at = nullptr;
-    props->InitTraversal(at);
-    while (vtkProp* prop = props->GetNextProp(at)) prop->GetActors(actors);
+    renderer->GetViewProps()->InitTraversal(at);
+    while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(at)) prop->GetActors(actors);
   }
+  std::vector<vtkActor*> all;
   actors->InitTraversal();
-  while (vtkProp* actor = actors->GetNextProp()) visit(vtkActor::SafeDownCast(actor));
+  while (vtkProp* actor = actors->GetNextProp()) all.push_back(vtkActor::SafeDownCast(actor));
+  return all;
 }
 
-void scaleLines(vtkRenderWindow& window, double factor) {
-  forActors(window, [factor](vtkActor* actor) {
-    vtkProperty* look = actor->GetProperty();
-    look->SetLineWidth(float(factor) * look->GetLineWidth());
-  });
+/// So many times as thick, as long as it lives. Plain lines are one pixel wide, tubes are not.
+class ThickerLines {
+ public:
+  ThickerLines(vtkRenderWindow& window, double factor) {
+    for (vtkActor* actor : actorsOf(window)) {
+      vtkProperty* look = actor->GetProperty();
+      m_before.push_back({look, look->GetLineWidth(), look->GetRenderLinesAsTubes()});
+    }
+    for (const Look& look : m_before) {
+      look.property->SetLineWidth(float(factor) * look.width);
+      look.property->RenderLinesAsTubesOn();
+    }
+  }
+  ~ThickerLines() {
+    for (const Look& look : m_before) {
+      look.property->SetLineWidth(look.width);
+      look.property->SetRenderLinesAsTubes(look.areTubes);
+    }
+  }
+  ThickerLines(const ThickerLines&) = delete;
+  ThickerLines& operator=(const ThickerLines&) = delete;
+
+ private:
+  struct Look {
+    vtkSmartPointer<vtkProperty> property;
+    float width;
+    bool areTubes;
+  };
+  std::vector<Look> m_before;
+};
+
+/// Of a pixel. Four is all that software has, at 8 bytes each: a large picture does without.
+int samplesFor(const QSize& size) {
+  constexpr int largest = 4096;
+  return std::max(size.width(), size.height()) <= largest ? 4 : 0;
 }
 
 std::vector<std::uint8_t> topFirst(vtkUnsignedCharArray& rgb, const QSize& size) {
@@ -65,6 +94,9 @@ std::vector<std::uint8_t> topFirst(vtkUnsignedCharArray& rgb, const QSize& size)
 }  // namespace
 
 std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
+  constexpr std::size_t bytesPerPixel = 20;  // colour, depth, what is read of them
+  checkFits(bytesPerPixel * std::size_t(size.width()) * std::size_t(size.height()),
+            "the scene's picture", {});
   window.MakeCurrent();
   const int largest = vtkTextureObject::GetMaximumTextureSize(&window);
   if (std::max(size.width(), size.height()) > largest)
@@ -78,14 +110,13 @@ std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, con
   state->Reset();
   state->Push();
   state->vtkglDepthFunc(GL_LEQUAL);
-  scaleLines(window, factor);
+  const ThickerLines lines(window, factor);
   window.SetSize(size.width(), size.height());
   window.SetDPI(std::max(1, int(std::lround(dpi * factor))));
-  window.SetMultiSamples(samples);
+  window.SetMultiSamples(samplesFor(size));
   window.Render();
   const vtkNew<vtkUnsignedCharArray> rgb;
   window.GetPixelData(0, 0, size.width() - 1, size.height() - 1, 0, rgb.Get(), 0);
-  scaleLines(window, 1 / factor);
   window.SetMultiSamples(0);
   window.SetDPI(dpi);
   window.SetSize(before.width(), before.height());
