@@ -4,8 +4,10 @@
 
 #include <vtkActor.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkOpenGLState.h>
+#include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -43,23 +45,35 @@ std::vector<vtkActor*> actorsOf(vtkRenderWindow& window) {
   return all;
 }
 
-/// So many times as thick, as long as it lives. Plain lines are one pixel wide, tubes are not.
+bool hasLinesAlone(vtkActor* actor) {
+  auto* data = vtkPolyData::SafeDownCast(
+      actor->GetMapper() != nullptr ? actor->GetMapper()->GetInput() : nullptr);
+  return data != nullptr && data->GetNumberOfLines() > 0 &&
+         data->GetNumberOfLines() == data->GetNumberOfCells();
+}
+
+/// So many times as thick, as long as it lives. Plain lines are one pixel wide, tubes are not; but
+/// these have a dark side where there is light.
 class ThickerLines {
  public:
   ThickerLines(vtkRenderWindow& window, double factor) {
     for (vtkActor* actor : actorsOf(window)) {
+      if (!hasLinesAlone(actor)) continue;
       vtkProperty* look = actor->GetProperty();
-      m_before.push_back({look, look->GetLineWidth(), look->GetRenderLinesAsTubes()});
+      m_before.push_back(
+          {look, look->GetLineWidth(), look->GetRenderLinesAsTubes(), look->GetLighting()});
     }
     for (const Look& look : m_before) {
       look.property->SetLineWidth(float(factor) * look.width);
       look.property->RenderLinesAsTubesOn();
+      look.property->LightingOff();
     }
   }
   ~ThickerLines() {
     for (const Look& look : m_before) {
       look.property->SetLineWidth(look.width);
       look.property->SetRenderLinesAsTubes(look.areTubes);
+      look.property->SetLighting(look.isLit);
     }
   }
   ThickerLines(const ThickerLines&) = delete;
@@ -70,6 +84,7 @@ class ThickerLines {
     vtkSmartPointer<vtkProperty> property;
     float width;
     bool areTubes;
+    bool isLit;
   };
   std::vector<Look> m_before;
 };
