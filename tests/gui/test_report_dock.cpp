@@ -431,7 +431,6 @@ void TestReportDock::addsCameraSets() {
 }
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
   QApplication application(argc, argv);
   TestReportDock test;
   return QTest::qExec(&test, argc, argv);

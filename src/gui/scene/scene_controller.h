@@ -33,6 +33,8 @@ class SceneController : public QObject {
   void setScene(const std::optional<Scene>& scene);
   /// Colours the frusta, by state, in dB; empty: no longer. Infinite is identical, NaN no view.
   void showPsnr(const std::vector<double>& dB);
+  /// States that are not in the session yet, beside its own; empty: none.
+  void showPreview(const std::vector<CameraState>& states);
   /// A pixel of the current state's simulated view: its ray and what that meets. A pixel outside
   /// the image ends that.
   void showPixel(int x, int y);

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/engine/renderer.h"
 #include "core/optics/panel_view.h"
 #include "core/optics/viewing_zone.h"
@@ -79,7 +80,7 @@ void SceneOutput::savePicture(const QString& file, const QSize& size) {
   const std::optional<RenderJob> current = m_controller->job();
   std::optional<RenderJob> panel;
   if (current && m_ui.scenePanelPictureAction->isChecked())
-    panel = panelJob(*current, scene.eye().eye,
+    panel = panelJob(*current, scene.viewpoint(),
                      scene.pixelOnPanel() * m_ui.sceneWidget->deviceSize().height() /
                          std::max(1, size.height()));
   m_task->start([this, panel, file, size](const Progress& progress) {
@@ -93,6 +94,8 @@ void SceneOutput::savePicture(const QString& file, const QSize& size) {
 
 void SceneOutput::draw(const QString& file, const QSize& size) {
   try {
+    if (m_ui.sceneWidget->image().isNull())  // also makes OpenGL ready where it was never shown
+      throw InputError("the scene's picture", "OpenGL 3.2 is not available");
     const auto rgb = scenePicture(*m_ui.sceneWidget->renderWindow(), size);
     m_controller->scene().redraw();
     m_task->start([this, rgb, file, size](const Progress& progress) {
@@ -113,7 +116,7 @@ void SceneOutput::exportTo(const QString& file) {
   if (current) {
     parts.display = current->display;
     const double side = std::max(parts.display.size[0], parts.display.size[1]);
-    panel = panelJob(*current, m_controller->scene().eye().eye, side / pixelsOfPanel);
+    panel = panelJob(*current, m_controller->scene().viewpoint(), side / pixelsOfPanel);
   }
   m_task->start([this, parts, current, panel, file](const Progress& progress) mutable {
     parts.panelImage = imageOf(panel, progress);

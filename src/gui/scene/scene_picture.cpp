@@ -6,7 +6,6 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
-#include <vtkOpenGLState.h>
 #include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
@@ -15,8 +14,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <qopengl.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,10 +118,6 @@ std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, con
   const QSize before(own[0], own[1]);
   const int dpi = window.GetDPI();
   const double factor = double(size.height()) / std::max(1, before.height());
-  vtkOpenGLState* state = window.GetState();
-  state->Reset();
-  state->Push();
-  state->vtkglDepthFunc(GL_LEQUAL);
   const ThickerLines lines(window, factor);
   window.SetSize(size.width(), size.height());
   window.SetDPI(std::max(1, int(std::lround(dpi * factor))));
@@ -135,7 +128,6 @@ std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, con
   window.SetMultiSamples(0);
   window.SetDPI(dpi);
   window.SetSize(before.width(), before.height());
-  state->Pop();
   return topFirst(*rgb, size);
 }
 
