@@ -384,10 +384,16 @@ void TestOutput::plots() {
     plot->actions().first()->trigger();
     QVERIFY(message().contains("Saved " + file));
   };
-  QTRY_VERIFY_WITH_TIMEOUT(child<QWidget>("lensView")->actions().first()->isEnabled(), patience);
+  CameraState state = m_model->current();
+  state.distortion = {};
+  state.distortion.k1 = 0.296;
+  state.distortion.k2 = -1.035;  // folds within the picture
+  m_model->setCurrent(state);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QWidget>("lensView")->isEnabled(), patience);
   save(child<QWidget>("lensView"), path("out/lens.svg"));
   const QString lens = QString::fromUtf8(contentsOf(path("out/lens.svg")));
   QVERIFY(lens.contains("<title>Lens</title>") && lens.contains("<polyline"));
+  QVERIFY(lens.contains("#c82828"));  // the fold
   save(child<QWidget>("kernelView"), path("out/kernel.png"));
   QCOMPARE(QImage(path("out/kernel.png")).size(), QSize(800, 848));
   auto* chart = child<TradeoffChartWidget>("tradeoffChart");

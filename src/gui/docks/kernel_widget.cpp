@@ -4,6 +4,7 @@
 
 #include <QHelpEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -145,14 +146,17 @@ void KernelWidget::paintNumbers(QPainter& painter, const QRectF& square) const {
 /// A circle of radius sigma around the middle tap, clipped to the window.
 void KernelWidget::paintSigma(QPainter& painter, const QRectF& square) const {
   const double radius = m_params.sigma * square.width() / m_params.windowSize;
-  painter.save();
-  painter.setClipRect(square);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 160), 3.5));
-  painter.drawEllipse(square.center(), radius, radius);
-  painter.setPen(QPen(Qt::white, 1.5, Qt::DashLine));
-  painter.drawEllipse(square.center(), radius, radius);
-  painter.restore();
+  QPainterPath window;
+  window.addRect(square);
+  QPainterPath circle;
+  circle.addEllipse(square.center(), radius, radius);
+  const auto draw = [&](const QPen& pen) {
+    // Not by a clip, which Qt's SVG leaves out.
+    const QPainterPath line = QPainterPathStroker(pen).createStroke(circle);
+    painter.fillPath(line.intersected(window), pen.brush());
+  };
+  draw(QPen(QColor(0, 0, 0, 160), 3.5));
+  draw(QPen(Qt::white, 1.5, Qt::DashLine));
 }
 
 }  // namespace hogelscope

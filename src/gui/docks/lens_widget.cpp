@@ -100,9 +100,10 @@ void LensWidget::paintFold(QPainter& painter, const QTransform& transform) const
   QPainterPath image;
   image.addRect(border());
   painter.fillPath(transform.map(image.subtracted(foldPath())), QBrush(fold, Qt::BDiagPattern));
-  painter.setClipRect(transform.mapRect(border()));
-  painter.strokePath(transform.map(foldPath()), QPen(fold, 2));
-  painter.setClipping(false);
+  // Not by a clip, which Qt's SVG leaves out.
+  const QPainterPath line =
+      QPainterPathStroker(QPen(fold, 2)).createStroke(transform.map(foldPath()));
+  painter.fillPath(line.intersected(transform.map(image)), fold);
 }
 
 }  // namespace hogelscope

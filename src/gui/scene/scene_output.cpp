@@ -55,7 +55,13 @@ SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, 
     : QObject(parent), m_ui(ui), m_controller(controller), m_model(model), m_task(new Task(this)) {
   connect(ui.saveSceneAction, &QAction::triggered, this, &SceneOutput::askPicture);
   connect(ui.exportSceneAction, &QAction::triggered, this, &SceneOutput::askExport);
-  connect(model, &SessionModel::opened, this, &SceneOutput::showState);
+  connect(model, &SessionModel::opened, this, [this] {
+    // What comes after would be of another scene.
+    if (m_task->isRunning())
+      Q_EMIT failed(tr("%1: not written: another session opens").arg(m_file));
+    m_task->abandon();
+    showState();
+  });
   connect(m_task, &Task::failed, this, [this](const QString& line) {
     showState();
     Q_EMIT failed(line);
@@ -76,6 +82,7 @@ void SceneOutput::finish(const QString& file) {
 /// The panel is rendered and the file written on the thread, the scene drawn in the window's, which
 /// has OpenGL.
 void SceneOutput::savePicture(const QString& file, const QSize& size) {
+  m_file = file;
   DisplayScene& scene = m_controller->scene();
   const std::optional<RenderJob> current = m_controller->job();
   std::optional<RenderJob> panel;
@@ -98,6 +105,7 @@ void SceneOutput::draw(const QString& file, const QSize& size) {
       throw InputError("the scene's picture", "OpenGL 3.2 is not available");
     const auto rgb = scenePicture(*m_ui.sceneWidget->renderWindow(), size);
     m_controller->scene().redraw();
+    m_controller->renderPanel();  // the fine one is slow to turn
     m_task->start([this, rgb, file, size](const Progress& progress) {
       writeImage(file.toStdString(), size.width(), size.height(), rgb, progress);
       return [this, file] { finish(file); };
@@ -109,6 +117,7 @@ void SceneOutput::draw(const QString& file, const QSize& size) {
 }
 
 void SceneOutput::exportTo(const QString& file) {
+  m_file = file;
   constexpr double pixelsOfPanel = 1024;
   SceneParts parts{displayOf(m_model->session()), m_model->session().cameras, nullptr, nullptr};
   const std::optional<RenderJob> current = m_controller->job();

@@ -42,6 +42,7 @@ class SceneOutput : public QObject {
   const Ui::MainWindow& m_ui;
   SceneController* m_controller;
   SessionModel* m_model;
+  QString m_file;  ///< that the task is for
   Task* m_task;
 };
 
