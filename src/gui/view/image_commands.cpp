@@ -170,8 +170,8 @@ void ImageCommands::askFolder() {
 
 void ImageCommands::askImage() {
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file =
-      chooseNewFile(m_ui.pictureView, tr("Save picture"), name, tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
+  const QString file = chooseNewFile(m_ui.pictureView, tr("Save picture"), name,
+                                     tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
   if (!file.isEmpty()) saveImage(file);
 }
 
