@@ -113,6 +113,8 @@ class TestOutput : public SceneTest {
   void sceneAsVtp();
   void sceneAsGltf();
   void scenesThatCannotBeWritten();
+  void aSceneEndsWithItsSession();
+  void nothingIsLeftByAClosedWindow();
   void plots();
   void anAnimationIsAllStates();
   void anAnimationIsStopped();
@@ -373,6 +375,30 @@ void TestOutput::scenesThatCannotBeWritten() {
   QVERIFY(savedScene(path("out/huge.png"), {200000, 20}).contains("OpenGL ends at"));
   QCOMPARE(leftIn(path("out")), QString());
   QVERIFY(child<QAction>("saveSceneAction")->isEnabled());
+}
+
+/// It would be of another scene.
+void TestOutput::aSceneEndsWithItsSession() {
+  QSignalSpy done(scenes(), &SceneOutput::done);
+  QSignalSpy failed(scenes(), &SceneOutput::failed);
+  scenes()->savePicture(path("out/a.png"), {3000, 3000});
+  QVERIFY(child<ReadingBar>("sceneOutputBar")->isVisible());
+  QVERIFY(!child<QAction>("saveSceneAction")->isEnabled());
+  open(m_session);
+  QCOMPARE(done.size(), 0);
+  QCOMPARE(failed.size(), 1);
+  QVERIFY(failed[0][0].toString().contains("a.png: not written: another session opens"));
+  QCOMPARE(leftIn(path("out")), QString());
+  QVERIFY(!child<ReadingBar>("sceneOutputBar")->isVisible());
+  QVERIFY(child<QAction>("saveSceneAction")->isEnabled());
+}
+
+/// Closing the window stops what is written.
+void TestOutput::nothingIsLeftByAClosedWindow() {
+  views()->saveAnimation(path("out/frames"), 30, {}, 10);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("out/frames")), patience);
+  m_window.reset();
+  QCOMPARE(leftIn(path("out/frames")), QString());
 }
 
 void TestOutput::plots() {

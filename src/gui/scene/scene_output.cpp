@@ -17,6 +17,7 @@
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/reading_bar.h"
 #include "gui/widgets/size_dialog.h"
 #include "gui/widgets/task.h"
 #include "io/images/image_writer.h"
@@ -52,7 +53,22 @@ VtkImage imageOf(const std::optional<RenderJob>& panel, const Progress& progress
 
 SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, SessionModel* model,
                          QObject* parent)
-    : QObject(parent), m_ui(ui), m_controller(controller), m_model(model), m_task(new Task(this)) {
+    : QObject(parent),
+      m_ui(ui),
+      m_controller(controller),
+      m_model(model),
+      m_task(new Task(this)),
+      m_bar(new ReadingBar(
+          tr("Scene"), [this] { return m_task->share(); }, ui.statusBar,
+          tr("How much of the scene has been drawn and written"),
+          tr("Stops, and leaves no file behind"))) {
+  m_bar->setObjectName("sceneOutputBar");
+  ui.statusBar->addPermanentWidget(m_bar);
+  connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
+  connect(m_task, &Task::stopped, this, [this] {
+    showState();
+    Q_EMIT done(tr("Stopped; nothing was written"));
+  });
   connect(ui.saveSceneAction, &QAction::triggered, this, &SceneOutput::askPicture);
   connect(ui.exportSceneAction, &QAction::triggered, this, &SceneOutput::askExport);
   connect(model, &SessionModel::opened, this, [this] {
@@ -70,6 +86,7 @@ SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, 
 }
 
 void SceneOutput::showState() {
+  m_bar->setVisible(m_task->isRunning());
   for (QAction* action : {m_ui.saveSceneAction, m_ui.exportSceneAction})
     action->setEnabled(!m_model->session().cameras.empty() && !m_task->isRunning());
 }

@@ -11,6 +11,7 @@ class MainWindow;
 
 namespace hogelscope {
 
+class ReadingBar;
 class SceneController;
 class SessionModel;
 class Task;
@@ -44,6 +45,7 @@ class SceneOutput : public QObject {
   SessionModel* m_model;
   QString m_file;  ///< that the task is for
   Task* m_task;
+  ReadingBar* m_bar;
 };
 
 }  // namespace hogelscope
