@@ -2,31 +2,20 @@
 // The 3-D scene as a file for other programs.
 #include "gui/scene/scene_export.h"
 
-#include <vtkActor.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkGLTFExporter.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkIntArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
-#include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <QByteArray>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "core/base/error.h"
+#include "gui/scene/gltf_text.h"
 #include "io/files/atomic_file.h"
 #include "vtk/vtkCameraFrustumSource.h"
 #include "vtk/vtkHogelDisplaySource.h"
@@ -35,7 +24,6 @@ namespace hogelscope {
 
 namespace {
 
-using Part = vtkSmartPointer<vtkPolyData>;
 using Colour = std::array<unsigned char, 3>;
 
 constexpr Colour gridColour{128, 148, 179};
@@ -43,8 +31,8 @@ constexpr Colour frustumColour{140, 191, 153};
 constexpr Colour meshColour{200, 200, 200};  // of one without colours
 
 /// A copy that has no arrays but the texture's coordinates.
-Part bare(vtkPolyData* source) {
-  auto part = Part::New();
+VtkMesh bare(vtkPolyData* source) {
+  auto part = VtkMesh::New();
   part->CopyStructure(source);
   part->GetPointData()->SetTCoords(source->GetPointData()->GetTCoords());
   return part;
@@ -59,33 +47,33 @@ void setColour(vtkPolyData& part, const Colour& colour) {
   part.GetPointData()->SetScalars(colours);
 }
 
-std::array<Part, 2> panelAndGrid(const DisplayParams& display) {
+std::array<VtkMesh, 2> panelAndGrid(const DisplayParams& display) {
   const vtkNew<vtkHogelDisplaySource> source;
   source->SetDisplay(display);
   source->Update();
-  std::array<Part, 2> parts{bare(source->GetOutput(0)), bare(source->GetOutput(1))};
+  std::array<VtkMesh, 2> parts{bare(source->GetOutput(0)), bare(source->GetOutput(1))};
   setColour(*parts[0], SceneWorker::panelColour);
   setColour(*parts[1], gridColour);
   return parts;
 }
 
 /// With its cell array State.
-Part frusta(const std::vector<CameraState>& states) {
+VtkMesh frusta(const std::vector<CameraState>& states) {
   std::vector<CameraFrustum> all;
   for (std::size_t k = 0; k < states.size(); ++k)
     all.push_back({states[k].camera, states[k].intrinsics, int(k)});
   const vtkNew<vtkCameraFrustumSource> source;
   source->SetFrusta(all);
   source->Update();
-  Part part = bare(source->GetOutput(0));
+  VtkMesh part = bare(source->GetOutput(0));
   part->GetCellData()->AddArray(source->GetOutput(0)->GetCellData()->GetArray("State"));
   setColour(*part, frustumColour);
   return part;
 }
 
 /// In the world.
-Part meshIn(const DisplayParams& display, vtkPolyData* mesh) {
-  Part part = bare(mesh);
+VtkMesh meshIn(const DisplayParams& display, vtkPolyData* mesh) {
+  VtkMesh part = bare(mesh);
   const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
   const vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(mesh->GetNumberOfPoints());
@@ -107,9 +95,9 @@ Part meshIn(const DisplayParams& display, vtkPolyData* mesh) {
 }
 
 /// Panel, hogel grid, frusta, mesh.
-std::vector<Part> partsOf(const SceneParts& scene) {
+std::vector<VtkMesh> partsOf(const SceneParts& scene) {
   const auto [panel, grid] = panelAndGrid(scene.display);
-  std::vector<Part> parts{panel, grid, frusta(scene.states)};
+  std::vector<VtkMesh> parts{panel, grid, frusta(scene.states)};
   if (scene.mesh != nullptr) parts.push_back(meshIn(scene.display, scene.mesh));
   return parts;
 }
@@ -123,7 +111,7 @@ void addNumbers(vtkPolyData& part, const char* name, int number) {
   part.GetCellData()->AddArray(numbers);
 }
 
-std::string vtpOf(const std::vector<Part>& parts) {
+std::string vtpOf(const std::vector<VtkMesh>& parts) {
   const vtkNew<vtkAppendPolyData> all;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     addNumbers(*parts[k], "Part", int(k));
@@ -138,84 +126,6 @@ std::string vtpOf(const std::vector<Part>& parts) {
   return writer->GetOutputString();
 }
 
-/// A camera of glTF looks along its -z, +y being up. Lens and principal point are left out.
-QJsonObject cameraNode(const CameraState& state, int index) {
-  const auto [right, down, forward, eye] = Camera(state.camera, state.intrinsics).worldFromCamera();
-  const Vec3 up = -1.0 * down;
-  const Vec3 back = -1.0 * forward;
-  const QJsonArray matrix{right.x, right.y, right.z, 0, up.x,  up.y,  up.z,  0,
-                          back.x,  back.y,  back.z,  0, eye.x, eye.y, eye.z, 1};
-  return {
-      {"name", QString::fromStdString(state.camera.name)}, {"camera", index}, {"matrix", matrix}};
-}
-
-QJsonObject cameraOf(const CameraState& state) {
-  const auto [width, height] = state.camera.res;
-  const Vec2 focal = Camera(state.camera, state.intrinsics).focalLength();
-  const double nearest = 1e-3;  // metres
-  return {{"name", QString::fromStdString(state.camera.name)},
-          {"type", "perspective"},
-          {"perspective", QJsonObject{{"yfov", 2 * std::atan(height / 2.0 / focal.y)},
-                                      {"aspectRatio", width / focal.x * focal.y / height},
-                                      {"znear", nearest}}}};
-}
-
-/// Gives the parts names, and in place of the exporter's one camera, whose matrix VTK 9.1 writes
-/// inverted, those of the states.
-std::string withCameras(const std::string& gltf, const std::vector<CameraState>& states) {
-  QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(gltf)).object();
-  QJsonArray nodes;
-  QJsonArray children;
-  const auto add = [&](const QJsonObject& node) {
-    children.append(nodes.size());
-    nodes.append(node);
-  };
-  const QStringList names{"panel", "hogel grid", "frusta", "mesh"};
-  for (qsizetype k = 0; k < root["meshes"].toArray().size(); ++k)
-    add({{"name", names[k]}, {"mesh", k}});
-  QJsonArray cameras;
-  for (const CameraState& state : states) {
-    if (!hasFrame(state.camera)) continue;
-    add(cameraNode(state, int(cameras.size())));
-    cameras.append(cameraOf(state));
-  }
-  root["nodes"] = nodes;
-  root["scenes"] = QJsonArray{QJsonObject{{"nodes", children}}};
-  root["scene"] = 0;
-  if (cameras.isEmpty())
-    root.remove("cameras");
-  else
-    root["cameras"] = cameras;
-  return QJsonDocument(root).toJson(QJsonDocument::Compact).toStdString();
-}
-
-/// As objects of a window that is never shown.
-std::string gltfOf(const SceneParts& scene) {
-  const std::vector<Part> parts = partsOf(scene);
-  const vtkNew<vtkRenderer> renderer;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(parts[k]);
-    const vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    if (k == 0 && scene.panelImage != nullptr) {
-      mapper->ScalarVisibilityOff();  // a texture is multiplied by the colour
-      const vtkNew<vtkTexture> texture;
-      texture->SetInputData(scene.panelImage);
-      actor->SetTexture(texture);
-    }
-    renderer->AddActor(actor);
-  }
-  const vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetReadyForRendering(false);
-  window->AddRenderer(renderer);
-  renderer->ResetCamera();
-  const vtkNew<vtkGLTFExporter> exporter;
-  exporter->SetRenderWindow(window);
-  exporter->InlineDataOn();
-  return withCameras(exporter->WriteToString(), scene.states);
-}
-
 }  // namespace
 
 void exportScene(const std::filesystem::path& file, const SceneParts& parts) {
@@ -223,7 +133,9 @@ void exportScene(const std::filesystem::path& file, const SceneParts& parts) {
   if (extension != ".gltf" && extension != ".vtp")
     throw InputError(file.string(), "cannot be written",
                      "a scene's extension is .gltf or .vtp, not \"" + extension + "\"");
-  const std::string text = extension == ".vtp" ? vtpOf(partsOf(parts)) : gltfOf(parts);
+  const std::string text = extension == ".vtp"
+                               ? vtpOf(partsOf(parts))
+                               : gltfText(partsOf(parts), parts.states, parts.panelImage);
   if (text.empty()) throw InputError(file.string(), "cannot be written", "VTK made nothing of it");
   writeTextFile(file, text);
 }
