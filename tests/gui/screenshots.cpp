@@ -16,8 +16,11 @@
 
 #include "gui/docks/report_dock.h"
 #include "gui/keys/key_dialog.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
+#include "io/documents/session_file.h"
 #include "tests/gui/window_files.h"
 
 using namespace hogelscope;
@@ -51,6 +54,7 @@ class Shooting {
     keys();
     dark();
     live();
+    scene();
   }
 
  private:
@@ -146,6 +150,37 @@ class Shooting {
     trigger("sideBySideAction");
     raise("lightFieldDock");
     shoot("live");
+  }
+
+  /// An arc of states before the display, their views on their near planes, and the viewing zone.
+  void scene() {
+    trigger("stopComparingAction");
+    Session session = loadSession("data/room.json");
+    const CameraState first = session.cameras.front();
+    const double distance = 1.6 * std::max(session.display.size[0], session.display.size[1]);
+    session.cameras.clear();
+    for (int degrees = -24; degrees <= 24; degrees += 6) {
+      CameraState state = first;
+      state.camera.name = std::to_string(degrees) + "°";
+      const double angle = radians(degrees);
+      state.camera.eye = {distance * std::sin(angle), 0, distance * std::cos(angle)};
+      session.cameras.push_back(state);
+    }
+    session.lightField.file = std::string(HOGELSCOPE_SOURCE_DIR "/data/") + "room.glb";
+    const std::string file = m_temporary.filePath("arc.json").toStdString();
+    saveSession(file, session);
+    files(m_window).open(QString::fromStdString(file));
+    m_window.findChild<QComboBox*>("stateBox")->setCurrentIndex(2);
+    trigger("singleAction");
+    trigger("sceneZoneAction");
+    trigger("sceneStatePicturesAction");
+    DisplayScene& scene = m_window.findChild<SceneController*>()->scene();
+    trigger("sceneFrontAction");
+    scene.turn(50, 18);
+    trigger("fitAction");
+    wait([this] { return !view()->image().isNull() && view()->notice().isEmpty(); });
+    QTest::qWait(2000);
+    shoot("scene");
   }
 
   QString m_folder;

@@ -84,8 +84,7 @@ class TestMainWindow : public QObject {
     waitForSample();
     editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.3);
     QTRY_VERIFY_WITH_TIMEOUT(
-        count(m_window->findChild<VtkWidget*>()->image(), QColor(140, 191, 153)) > 50,
-        patience);
+        count(m_window->findChild<VtkWidget*>()->image(), QColor(140, 191, 153)) > 50, patience);
   }
 
   void movingASliderChangesTheImage() {

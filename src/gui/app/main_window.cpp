@@ -389,7 +389,7 @@ void MainWindow::onSceneLoaded(const Scene& scene) {
     showContent();
   else
     showScene();
-  if (std::exchange(m_isNew, false)) m_scene->scene().fit();
+  if (std::exchange(m_isNew, false)) m_scene->scene().reset();
 }
 
 /// A light field that is in memory is not read again where only the panel's pose, size or lens or

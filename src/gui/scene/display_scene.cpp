@@ -128,7 +128,7 @@ void DisplayScene::adjustToEye() {
 
 /// What filled the window before goes on filling it, until somebody moves the eye.
 void DisplayScene::adjustToWindow() {
-  if (m_fitted && *m_fitted == eye()) fitDistance();
+  if (m_fitted == eye()) fitDistance();
   m_eyeTimer->start();
 }
 
@@ -186,6 +186,10 @@ void DisplayScene::fitDistance() {
 }
 
 void DisplayScene::fit() {
+  m_fitted == eye() ? reset() : fitDistance();
+}
+
+void DisplayScene::reset() {
   const double size = std::max(m_display.size[0], m_display.size[1]);
   look(m_display.position, m_display.position + size * Vec3{0.6, 0.5, 2.6}, {0, 1, 0});
   fitDistance();

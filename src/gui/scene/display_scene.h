@@ -50,6 +50,9 @@ class DisplayScene : public QObject {
   void redraw();
 
   /// Looks at all of it from the front, a little from the right and above.
+  void reset();
+  /// Goes where all of it fills the window, in the direction that the eye has; where it is there
+  /// already, reset().
   void fit();
   void lookFrom(SceneSide side);
   /// Lengths across the view are the same at any distance.

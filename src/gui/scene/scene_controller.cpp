@@ -50,7 +50,7 @@ SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model
   connectModel();
   connectScene();
   showText();
-  m_scene->fit();
+  m_scene->reset();
 }
 
 SceneController::~SceneController() = default;
@@ -114,7 +114,7 @@ void SceneController::connectModel() {
     m_scene->frusta().showPsnr({});
     forgetPicks();
     setScene(std::nullopt);
-    m_scene->fit();
+    m_scene->reset();
   });
   connect(m_model, &SessionModel::currentChanged, this, [this] {
     forgetPicks();

@@ -57,6 +57,9 @@ ZoneActors::ZoneActors(vtkRenderer* renderer) {
   m_someEdges->GetProperty()->SetOpacity(0.35);
   addLines(renderer, m_body, m_whole);
   m_body->GetProperty()->SetOpacity(0.07);
+  // It surrounds the scene's eye, which would leave the rest little of the depth buffer.
+  m_body->UseBoundsOff();
+  m_someEdges->UseBoundsOff();
   setVisible(false);
 }
 
