@@ -29,6 +29,7 @@
 
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
+#include "gui/scene/scene_export.h"
 #include "gui/scene/scene_output.h"
 #include "gui/view/view_output.h"
 #include "gui/widgets/reading_bar.h"
@@ -112,6 +113,7 @@ class TestOutput : public SceneTest {
   void sceneInOtherFormats();
   void sceneAsVtp();
   void sceneAsGltf();
+  void aMeshStandsInTheWorld();
   void scenesThatCannotBeWritten();
   void aSceneEndsWithItsSession();
   void nothingIsLeftByAClosedWindow();
@@ -366,6 +368,38 @@ void TestOutput::sceneAsGltf() {
     if (accessor["type"].toString() == "VEC3" && accessor["max"].isArray())
       farthest = std::max(farthest, accessor["max"][2].toDouble());
   QVERIFY(std::abs(farthest - m_session.cameras[0].camera.eye.z) < 1e-3);
+}
+
+/// It comes in the display's frame.
+void TestOutput::aMeshStandsInTheWorld() {
+  plugin::Triangles triangle;
+  triangle.points = {0.1F, 0, 0, 0, 0.2F, 0, 0, 0, 0.3F};
+  triangle.corners = {0, 1, 2};
+  triangle.colours = {10, 20, 30, 40, 50, 60, 70, 80, 90};
+  SceneParts parts{m_loaded.display, {}, toVtkMesh(triangle), nullptr};
+  parts.display.position = {1, 2, 3};
+  parts.display.orientation = {0, 90, 0};  // its x is the world's -z, its z the world's x
+  exportScene(path("out/mesh.vtp").toStdString(), parts);
+  const vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path("out/mesh.vtp").toUtf8().constData());
+  reader->Update();
+  vtkPolyData* all = reader->GetOutput();
+  const vtkIdType first = all->GetNumberOfPoints() - 3;
+  const auto point = [all](vtkIdType k) {
+    const double* p = all->GetPoint(k);
+    return Vec3{p[0], p[1], p[2]};
+  };
+  QVERIFY(isNear(point(first), {1, 2, 2.9}, 1e-6));
+  QVERIFY(isNear(point(first + 1), {1, 2.2, 3}, 1e-6));
+  QVERIFY(isNear(point(first + 2), {1.3, 2, 3}, 1e-6));
+  vtkDataArray* colours = all->GetPointData()->GetArray("Colour");
+  QCOMPARE(colours->GetComponent(first + 1, 0), 40.0);
+  // Of the cells polygons come last: the panel, then the mesh.
+  QCOMPARE(all->GetCellData()->GetArray("Part")->GetTuple1(all->GetNumberOfCells() - 1), 3.0);
+  exportScene(path("out/mesh.gltf").toStdString(), parts);
+  const QJsonObject root = QJsonDocument::fromJson(contentsOf(path("out/mesh.gltf"))).object();
+  QCOMPARE(root["nodes"].toArray().last().toObject()["name"].toString(), QString("mesh"));
+  QVERIFY(!root.contains("cameras"));
 }
 
 void TestOutput::scenesThatCannotBeWritten() {

@@ -15,6 +15,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <array>
 #include <cmath>
 
 namespace hogelscope {
@@ -43,9 +44,10 @@ QJsonObject cameraOf(const CameraState& state) {
                                       {"znear", nearest}}}};
 }
 
-/// Gives the parts names, and in place of the exporter's one camera, whose matrix VTK 9.1 writes
+/// Gives the objects names, and in place of the exporter's one camera, whose matrix VTK 9.1 writes
 /// inverted, those of the states.
-std::string withCameras(const std::string& gltf, const std::vector<CameraState>& states) {
+std::string withCameras(const std::string& gltf, const QStringList& names,
+                        const std::vector<CameraState>& states) {
   QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(gltf)).object();
   QJsonArray nodes;
   QJsonArray children;
@@ -53,9 +55,7 @@ std::string withCameras(const std::string& gltf, const std::vector<CameraState>&
     children.append(nodes.size());
     nodes.append(node);
   };
-  const QStringList names{"panel", "hogel grid", "frusta", "mesh"};
-  for (qsizetype k = 0; k < root["meshes"].toArray().size(); ++k)
-    add({{"name", names[k]}, {"mesh", k}});
+  for (qsizetype k = 0; k < names.size(); ++k) add({{"name", names[k]}, {"mesh", k}});
   QJsonArray cameras;
   for (const CameraState& state : states) {
     if (!hasFrame(state.camera)) continue;
@@ -78,7 +78,11 @@ std::string withCameras(const std::string& gltf, const std::vector<CameraState>&
 std::string gltfText(const std::vector<VtkMesh>& parts, const std::vector<CameraState>& states,
                      vtkImageData* panelImage) {
   const vtkNew<vtkRenderer> renderer;
+  const std::array<const char*, 4> allNames{"panel", "hogel grid", "frusta", "mesh"};
+  QStringList names;
   for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k]->GetNumberOfCells() == 0) continue;  // the exporter leaves it out, too
+    names << allNames[k];
     const vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(parts[k]);
     const vtkNew<vtkActor> actor;
@@ -99,7 +103,7 @@ std::string gltfText(const std::vector<VtkMesh>& parts, const std::vector<Camera
   exporter->SetRenderWindow(window);
   exporter->InlineDataOn();
   const std::string text = exporter->WriteToString();
-  return text.empty() ? text : withCameras(text, states);
+  return text.empty() ? text : withCameras(text, names, states);
 }
 
 }  // namespace hogelscope
