@@ -39,6 +39,8 @@ class SceneController : public QObject {
   /// the image ends that.
   void showPixel(int x, int y);
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
+  /// Anew, as the scene's eye sees it on the screen.
+  void renderPanel();
 
   /// The current state's view of what has been read; none without either.
   [[nodiscard]] std::optional<RenderJob> job() const;
@@ -66,7 +68,6 @@ class SceneController : public QObject {
   void markHogel();
   void tracePixel();
   void showText();
-  void renderPanel();
   void renderStates();
   void setStateFromScene();
 
