@@ -10,11 +10,16 @@
 #include <numbers>
 #include <utility>
 
+#include "gui/docks/plot_saver.h"
 #include "report/report_files.h"
 
 namespace hogelscope {
 
-ReportPlotView::ReportPlotView(QWidget* parent) : QWidget(parent) {
+ReportPlotView::ReportPlotView(QWidget* parent)
+    : QWidget(parent),
+      m_saver(new PlotSaver(
+          this, tr("Report"), {640, 400},
+          [this](QPainter& painter, const QSizeF& size) { m_chart.paint(painter, size); })) {
   setObjectName("reportPlot");
   setMinimumSize(200, 120);
   setToolTip(tr("A click on a point chooses its row"));
@@ -22,6 +27,7 @@ ReportPlotView::ReportPlotView(QWidget* parent) : QWidget(parent) {
 
 void ReportPlotView::setChart(ReportChart chart) {
   m_chart = std::move(chart);
+  m_saver->setEnabled(!m_chart.isEmpty());
   update();
 }
 

@@ -15,6 +15,8 @@ class QComboBox;
 
 namespace hogelscope {
 
+class PlotSaver;
+
 /// One plot; a click on a point or on a row's place chooses the row.
 class ReportPlotView : public QWidget {
   Q_OBJECT
@@ -36,6 +38,7 @@ class ReportPlotView : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
+  PlotSaver* m_saver;
   ReportChart m_chart;
   QPixmap m_picture;
 };
