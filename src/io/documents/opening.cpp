@@ -216,13 +216,28 @@ void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
     if (!edited.contains(key)) said.erase(section + "." + key);  // to be found again
 }
 
-/// The other number, of square tiles.
-void complete(std::array<int, 2>& numbers, const std::array<int, 2>& picture, bool areTiles) {
-  if ((numbers[0] > 0) == (numbers[1] > 0) || picture[0] == 0) return;
-  const std::size_t from = numbers[0] > 0 ? 0 : 1;
-  const double ratio = double(picture[1 - from]) / picture[from];
-  numbers[1 - from] =
-      areTiles ? std::max(1, int(std::lround(numbers[from] * ratio))) : numbers[from];
+/// How often one goes into the other; one that does not go into it is refused when it is read.
+std::array<int, 2> parts(const std::array<int, 2>& whole, const std::array<int, 2>& part) {
+  const auto along = [&](std::size_t axis) {
+    return std::max(1, int(std::lround(double(whole[axis]) / part[axis])));
+  };
+  return {along(0), along(1)};
+}
+
+/// The display with the numbers that follow from the one that was edited.
+DisplayParams completed(DisplayParams display, const DisplayParams& shown,
+                        const std::array<int, 2>& picture) {
+  auto& [across, down] = display.hogels;
+  if (display.hogels != shown.hogels) {
+    if (across > 0 && down <= 0) down = std::max(1, across * picture[1] / picture[0]);
+    if (down > 0 && across <= 0) across = std::max(1, down * picture[0] / picture[1]);
+    if (across > 0) display.directions = parts(picture, display.hogels);
+  } else if (display.directions != shown.directions) {
+    auto& [u, v] = display.directions;
+    if (u <= 0 || v <= 0) u = v = std::max(u, v);
+    if (u > 0) display.hogels = parts(picture, display.directions);
+  }
+  return display;
 }
 
 }  // namespace
@@ -275,16 +290,11 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
   const Json layout = lightFieldJson(edited.lightField)["layout"];
   if (edited.lightField.layout != shown.lightField.layout)
     return {{"lightField.layout", layout.dump()}};
-  complete(edited.display.hogels, picture, true);
-  complete(edited.display.directions, picture, false);
+  if (edited.lightField.layout == Layout::hogels && picture[0] > 0)
+    edited.display = completed(edited.display, shown.display, picture);
   sayChanges(said, "lightField", lightFieldJson(shown.lightField),
              lightFieldJson(edited.lightField));
   sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
-  if (edited.lightField.layout != Layout::hogels) return said;
-  if (edited.display.hogels != shown.display.hogels)
-    said.erase("display.directions");
-  else if (edited.display.directions != shown.display.directions)
-    said.erase("display.hogels");
   return said;
 }
 

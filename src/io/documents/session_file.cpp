@@ -384,19 +384,6 @@ void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& prog
       pairText(grid->hogels) + " hogels of " + pairText(grid->directions) + " directions" + where;
 }
 
-/// Of hogels and directions of a hogel image the one that is not given.
-void completeHogels(const LightFieldParams& lightField, DisplayParams& display) {
-  if ((display.hogels[0] > 0) == (display.directions[0] > 0)) return;
-  const ImageFile image{fs::path(lightField.file), lightField.yuv};
-  const std::array size{int(image.width()), int(image.height())};
-  const bool hasHogels = display.hogels[0] > 0;
-  const auto& given = hasHogels ? display.hogels : display.directions;
-  if (size[0] % given[0] != 0 || size[1] % given[1] != 0)
-    throw InputError(lightField.file, hasHogels ? "display.hogels" : "display.directions",
-                     pairText(given) + " do not divide the picture's " + pairText(size) + " px");
-  (hasHogels ? display.directions : display.hogels) = {size[0] / given[0], size[1] / given[1]};
-}
-
 /// `given` may say how many directions the views of one running number have.
 DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
   DisplayParams display;
@@ -459,7 +446,6 @@ OrderedSession orderedSessionAround(const std::string& file,
     fitMesh(session.lightField, session.display, progress);
   } else {
     Session said = overridden(session, overrides);  // which may say how to read it
-    if (said.lightField.layout == Layout::hogels) completeHogels(said.lightField, said.display);
     session.lightField = said.lightField;
     if (!canBeOpened(said)) {
       const bool isLayoutGiven = std::ranges::any_of(overrides, [](const std::string& text) {
