@@ -48,8 +48,8 @@ QString tableOf(const Opening& opening) {
   return "<table>" + rows + "</table>";
 }
 
-/// The layouts that such a file or folder can have.
-bool canBe(Layout layout, const std::string& file, Layout own) {
+/// Whether such a file or folder can have a layout.
+bool mayHave(Layout layout, const std::string& file, Layout own) {
   if (layout == own) return true;
   if (own == Layout::pack || own == Layout::live || isFolder(file) || isViewSequence(file))
     return false;
@@ -102,7 +102,7 @@ void OpeningDialog::addForms() {
   const auto* items = qobject_cast<QStandardItemModel*>(layouts->model());
   const std::string file = m_file.toStdString();
   for (int k = 0; k < layouts->count(); ++k)
-    items->item(k)->setEnabled(canBe(Layout(k), file, m_shown.lightField.layout));
+    items->item(k)->setEnabled(mayHave(Layout(k), file, m_shown.lightField.layout));
 }
 
 void OpeningDialog::edit(const Session& edited) {
