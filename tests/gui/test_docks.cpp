@@ -249,7 +249,7 @@ class TestDocks : public DocksTest {
   void lenslets() {
     writeImageFile(m_folder.filePath("raw.png"), 60, 50,
                    [](int x, int y, int) { return float(x * y % 97) / 96; });
-    QVERIFY(files(*m_window).open(m_folder.filePath("raw.png")));
+    m_model->openNew(sessionAround(m_folder.filePath("raw.png").toStdString()));
     auto* layout = editor<QComboBox>("lightFieldArea", "layout");
     layout->setCurrentText("lenslets");
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("raw.png: lenslets: are not found"), patience);
@@ -271,7 +271,7 @@ class TestDocks : public DocksTest {
   void aHogelImageAsksForItsHogels() {
     writeImageFile(m_folder.filePath("plain.png"), 60, 60,
                    [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
-    QVERIFY(files(*m_window).open(m_folder.filePath("plain.png")));
+    m_model->openNew(sessionAround(m_folder.filePath("plain.png").toStdString()));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), patience);
     QVERIFY(!files(*m_window).save(m_folder.filePath("plain.json")));
     for (const char* name : {"hogels.0", "hogels.1"})
