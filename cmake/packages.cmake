@@ -48,6 +48,7 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 0hogelscope1)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hogelscope)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-qpa-plugins")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ffmpeg)  # videos of animations
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "simulated viewing of light field displays
 Hogelscope shows what a viewer, or a camera with a real lens, would see in
 front of a light field display that does not exist yet. It takes the content

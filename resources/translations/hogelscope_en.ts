@@ -46,6 +46,16 @@
     </message>
 </context>
 <context>
+    <name>hogelscope::ViewOutput</name>
+    <message numerus="yes">
+        <source>Saved %n pictures in %1</source>
+        <translation>
+            <numerusform>Saved %n picture in %1</numerusform>
+            <numerusform>Saved %n pictures in %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hogelscope::ViewWorker</name>
     <message numerus="yes">
         <source>, %n threads</source>

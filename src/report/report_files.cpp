@@ -16,10 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& ending) {
-  return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
-}
-
 fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* ending) {
   return folder / "views" /
          ("test" + std::to_string(view.test + 1) + "_" + view.which + "_" + ending + ".png");
@@ -114,6 +110,10 @@ std::vector<double> sharesOf(std::vector<double> values, double low, double high
 }
 
 }  // namespace
+
+fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& ending) {
+  return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
+}
 
 fs::path referenceImage(const fs::path& folder, const std::string& state) {
   return folder / "reference" / (state + ".png");

@@ -21,6 +21,10 @@ std::filesystem::path referenceImage(const std::filesystem::path& folder, const 
 std::filesystem::path testImage(const std::filesystem::path& folder, std::size_t test,
                                 const std::string& state);
 
+/// FOLDER/panel_error/testN_ENDING, N from 1.
+std::filesystem::path panelFile(const std::filesystem::path& folder, std::size_t test,
+                                const std::string& ending);
+
 /// report.csv, metrics.csv, summary.csv, and bd.csv where there are groups.
 void writeTables(const std::filesystem::path& folder, const Report& report,
                  const MetricSet& metrics);

@@ -100,6 +100,25 @@ class TestRenderer : public QObject {
     QVERIFY(Renderer().render(job) == enlarged(simulate(reduced(job)), 4, {70, 50}));
   }
 
+  /// The borders of the image are at -1/2.
+  void anotherSizeHasTheSameField() {
+    CameraState state = sampleView().state;
+    QCOMPARE(resized(state, state.camera.res), state);
+    for (const IntrinsicsParams& intrinsics : {IntrinsicsParams{}, {90, 80, 30, 27}}) {
+      state.intrinsics = intrinsics;
+      const CameraState other = resized(state, {210, 25});
+      const Camera before(state.camera, state.intrinsics);
+      const Camera after(other.camera, other.intrinsics);
+      for (const double x : {0.0, 0.3, 1.0})
+        for (const double y : {0.0, 0.8, 1.0}) {
+          const Vec2 a = before.normalised(70 * x - 0.5, 50 * y - 0.5);
+          const Vec2 b = after.normalised(210 * x - 0.5, 25 * y - 0.5);
+          QVERIFY(std::abs(a.x - b.x) < 1e-12 && std::abs(a.y - b.y) < 1e-12);
+        }
+      QVERIFY(other.distortion == state.distortion && other.psf == state.psf);
+    }
+  }
+
   void floatsRoundToTheImage() {
     RenderJob job = sampleView();
     job.state.psf.windowSize = 3;

@@ -66,6 +66,46 @@ class TestViewingZone : public QObject {
     QCOMPARE(shareSeenFrom(display, {0.75, 0, 0.5}), 0.0);
     QCOMPARE(shareSeenFrom(display, {2, 0, 2}), 0.5);
   }
+
+  /// Points in and out of the zones see as much of the panel as they should.
+  void sectionsAreTheZones() {
+    Random random(32);
+    std::array<int, 4> points{};
+    for (int k = 0; k < 400; ++k) {
+      const DisplayParams display = randomDisplay(random);
+      const RigidTransform worldFromDisplay =
+          transformFromPose(display.position, display.orientation);
+      const double far = random.uniform(0.1, 4) * display.size[0];
+      for (const ViewingZone zone : {ViewingZone::someOfThePanel, ViewingZone::wholePanel}) {
+        const std::vector<ZoneSection> sections = sectionsOf(display, zone, far);
+        QVERIFY(zone == ViewingZone::wholePanel || sections.size() > 1);
+        for (int n = 0; n < 50; ++n) {
+          const double z = random.uniform(0, 1) * far;
+          std::optional<ZoneSection> at;
+          for (std::size_t s = 1; s < sections.size(); ++s) {
+            const ZoneSection& a = sections[s - 1];
+            const ZoneSection& b = sections[s];
+            if (z < a.z || z > b.z) continue;
+            const double t = (z - a.z) / (b.z - a.z);
+            at = a;
+            for (const std::size_t axis : {0U, 1U}) {
+              at->low[axis] += t * (b.low[axis] - a.low[axis]);
+              at->high[axis] += t * (b.high[axis] - a.high[axis]);
+            }
+          }
+          const double x = random.uniform(-1, 1) * (display.size[0] + z);
+          const double y = random.uniform(-1, 1) * (display.size[1] + z);
+          const bool isInside =
+              at && at->low[0] < x && x < at->high[0] && at->low[1] < y && y < at->high[1];
+          const double share = shareSeenFrom(display, worldFromDisplay.point({x, y, z}));
+          const double least = zone == ViewingZone::wholePanel ? 1 - 1e-9 : 1e-12;
+          QCOMPARE(isInside, share > least);
+          ++points[2 * std::size_t(zone) + isInside];
+        }
+      }
+    }
+    QVERIFY(*std::min_element(points.begin(), points.end()) > 500);
+  }
 };
 
 QTEST_APPLESS_MAIN(TestViewingZone)

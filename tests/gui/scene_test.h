@@ -59,7 +59,7 @@ class SceneTest : public WindowTest {
   }
   hogelscope::DisplayScene& scene() const { return controller()->scene(); }
   hogelscope::VtkWidget* widget() const { return m_window->findChild<hogelscope::VtkWidget*>(); }
-  QImage drawn() const { return widget()->grabFramebuffer(); }
+  QImage drawn() const { return widget()->image(); }
   QString readout() const { return child<QLabel>("sceneReadout")->text(); }
   int current() const { return child<QComboBox>("stateBox")->currentIndex(); }
   QDoubleSpinBox* spinBox(const char* name) const {

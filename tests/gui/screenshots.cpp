@@ -9,7 +9,6 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
@@ -21,7 +20,8 @@
 #include "gui/docks/report_dock.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/keys/key_dialog.h"
-#include "gui/scene/vtk_widget.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
@@ -61,6 +61,7 @@ class Shooting {
     keys();
     dark();
     live();
+    scene();
   }
 
  private:
@@ -79,13 +80,7 @@ class Shooting {
     m_window.findChild<QDockWidget*>(dock)->raise();
     QTest::qWait(300);
   }
-  /// OpenGL's part of the window is not in a widget's own image.
-  void shoot(const QString& name) {
-    QImage image = m_window.grab().toImage();
-    auto* scene = m_window.findChild<VtkWidget*>("sceneWidget");
-    QPainter(&image).drawImage(scene->mapTo(&m_window, QPoint()), scene->grabFramebuffer());
-    image.save(m_folder + "/window_" + name + ".png");
-  }
+  void shoot(const QString& name) { m_window.grab().save(m_folder + "/window_" + name + ".png"); }
 
   /// Views of the built-in scene, as a folder that nobody has described.
   void opening() {
@@ -190,6 +185,37 @@ class Shooting {
     shoot("live");
   }
 
+  /// An arc of states before the display, their views on their near planes, and the viewing zone.
+  void scene() {
+    trigger("stopComparingAction");
+    Session session = loadSession("data/room.json");
+    const CameraState first = session.cameras.front();
+    const double distance = 1.6 * std::max(session.display.size[0], session.display.size[1]);
+    session.cameras.clear();
+    for (int degrees = -24; degrees <= 24; degrees += 6) {
+      CameraState state = first;
+      state.camera.name = std::to_string(degrees) + "°";
+      const double angle = radians(degrees);
+      state.camera.eye = {distance * std::sin(angle), 0, distance * std::cos(angle)};
+      session.cameras.push_back(state);
+    }
+    session.lightField.file = std::string(HOGELSCOPE_SOURCE_DIR "/data/") + "room.glb";
+    const std::string file = m_temporary.filePath("arc.json").toStdString();
+    saveSession(file, session);
+    files(m_window).open(QString::fromStdString(file));
+    m_window.findChild<QComboBox*>("stateBox")->setCurrentIndex(2);
+    trigger("singleAction");
+    trigger("sceneZoneAction");
+    trigger("sceneStatePicturesAction");
+    DisplayScene& scene = m_window.findChild<SceneController*>()->scene();
+    trigger("sceneFrontAction");
+    scene.turn(50, 18);
+    trigger("fitAction");
+    wait([this] { return !view()->image().isNull() && view()->notice().isEmpty(); });
+    QTest::qWait(2000);
+    shoot("scene");
+  }
+
   QString m_folder;
   QSize m_size;
   QString m_test;
@@ -200,7 +226,6 @@ class Shooting {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
   QApplication application(argc, argv);
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QStandardPaths::setTestModeEnabled(true);

@@ -192,7 +192,6 @@ void TestFluid::manyEditsAtOnce() {
 
 int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
   CountingApplication application(argc, argv);
   TestFluid test;
   return QTest::qExec(&test, argc, argv);

@@ -52,7 +52,7 @@ class TestNotices : public WindowTest {
   ImageCommands* commands() const { return m_window->findChild<ImageCommands*>(); }
   QAction* action(const char* name) const { return child<QAction>(name); }
   DisplayScene& scene() const { return m_window->findChild<SceneController*>()->scene(); }
-  QImage drawn() const { return m_window->findChild<VtkWidget*>()->grabFramebuffer(); }
+  QImage drawn() const { return m_window->findChild<VtkWidget*>()->image(); }
   bool isRight() const {
     return view()->notice().isEmpty() && action("savePictureAction")->isEnabled() &&
            action("copyPictureAction")->isEnabled();

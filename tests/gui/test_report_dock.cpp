@@ -22,6 +22,7 @@
 
 #include "gui/docks/camera_set_widget.h"
 #include "gui/docks/report_dock.h"
+#include "gui/docks/report_plots.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
@@ -72,6 +73,7 @@ class TestReportDock : public QObject {
   void namesStayWhenScrolledSideways();
   void aRowIsComparedInTheView();
   void theSceneIsTold();
+  void plotsShowTheRows();
   void stopsAndGoesOn();
   void errors();
   void metricsOfPlugins();
@@ -255,6 +257,50 @@ void TestReportDock::theSceneIsTold() {
   QCOMPARE(table->model()->rowCount(), 0);
 }
 
+/// A point of each row that compares something, where its PSNR says; a click chooses the row.
+void TestReportDock::plotsShowTheRows() {
+  make();
+  const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
+  const auto psnrOf = [&](std::size_t row) { return cellsOf(lines[1 + int(row)])[5].toDouble(); };
+  auto* plot = child<ReportPlotView>("reportPlot");
+  auto* table = child<QTableView>("reportTable");
+  QTRY_VERIFY_WITH_TIMEOUT(plot->width() > 200 && plot->height() > 100, patience);
+  const auto placeOf = [plot](std::size_t row) {
+    return plot->chart().placeOf(row, QSizeF(plot->size()));
+  };
+  QVERIFY(!placeOf(2 * stateCount - 1));  // it is behind the panel
+  for (const std::size_t a : {0U, 1U, 2U, 5U})
+    for (const std::size_t b : {0U, 3U, 4U, 7U}) {
+      QCOMPARE(placeOf(a)->y() < placeOf(b)->y(), psnrOf(a) > psnrOf(b));
+      QCOMPARE(placeOf(a)->x() < placeOf(b)->x(), a / 2 < b / 2);
+    }
+  const QColor second("#d55e00");
+  const auto colourAt = [plot](const QPointF& place) {
+    return plot->grab().toImage().pixelColor(place.toPoint());
+  };
+  QCOMPARE(colourAt(*placeOf(5)), second);
+  QTest::mouseClick(plot, Qt::LeftButton, {}, placeOf(5)->toPoint());
+  QCOMPARE(table->currentIndex().row(), 5);
+  QCOMPARE(child<QComboBox>("stateBox")->currentIndex(), 2);
+
+  auto* kind = child<QComboBox>("reportPlotKind");
+  const double byStates = placeOf(4)->x() - placeOf(2)->x();
+  kind->setCurrentIndex(1);
+  // s1 … s3 are at x = -0.1, 0, 0.1 of z = 0.7: even steps, and s0 a little nearer to s1.
+  QVERIFY(std::abs(placeOf(6)->x() + placeOf(2)->x() - 2 * placeOf(4)->x()) < 1);
+  QVERIFY(placeOf(2)->x() - placeOf(0)->x() < placeOf(4)->x() - placeOf(2)->x());
+  QVERIFY(std::abs(placeOf(4)->x() - placeOf(2)->x() - byStates) > 1);
+
+  kind->setCurrentIndex(2);
+  QCOMPARE(plot->picture().toImage(), QImage("s-report/panel_error/test2_hogels.png")
+                                          .convertToFormat(plot->picture().toImage().format()));
+  table->selectRow(4);
+  QCOMPARE(plot->picture().toImage(), QImage("s-report/panel_error/test1_hogels.png")
+                                          .convertToFormat(plot->picture().toImage().format()));
+  kind->setCurrentIndex(3);
+  QCOMPARE(plot->picture().size(), QImage("s-report/panel_error/test1_directions.png").size());
+}
+
 void TestReportDock::stopsAndGoesOn() {
   open("[800, 600]", R"({"samplesPerPixel": 8})");
   m_dock->addTest("b.png");
@@ -431,7 +477,6 @@ void TestReportDock::addsCameraSets() {
 }
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
   QApplication application(argc, argv);
   TestReportDock test;
   return QTest::qExec(&test, argc, argv);

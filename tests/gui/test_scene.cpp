@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the 3-D scene of the real window shows, compared with the reference engine, and from where.
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QAction>
 
 #include "core/engine/fast_simulation.h"
 #include "core/optics/panel_view.h"
 #include "gui/app/main_window.h"
+#include "gui/view/image_widget.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
@@ -210,6 +213,180 @@ class TestScene : public SceneTest {
     QTRY_VERIFY_WITH_TIMEOUT(readout().contains("% of the panel lights this eye"), patience);
   }
 
+  void theOtherSides() {
+    for (const auto& [key, axis] :
+         {std::pair(Qt::Key_F5, Vec3{0, 0, -1}), std::pair(Qt::Key_F6, Vec3{0, -1, 0}),
+          std::pair(Qt::Key_F7, Vec3{-1, 0, 0})}) {
+      press(key, Qt::ShiftModifier);
+      const CameraParams eye = scene().eye();
+      QVERIFY(isNear(normalise(eye.eye - eye.lookat), axis, 1e-6));
+      QVERIFY(widget()->rect().contains(onScreen(edited("eye"))));
+    }
+  }
+
+  /// What was fitted stays so in a window of another shape; what somebody turned stays as it is.
+  void aFittedSceneFollowsTheWindow() {
+    press(Qt::Key_F5);
+    const int height = widget()->height();
+    m_window->resize(m_window->width(), 500);
+    QTRY_VERIFY_WITH_TIMEOUT(widget()->height() < height - 150, patience);
+    QTest::qWait(50);
+    const QRect panel(onScreen({-0.25, 0.25, 0}), onScreen({0.25, -0.25, 0}));
+    QVERIFY(widget()->rect().contains(panel));
+    QVERIFY(panel.height() > widget()->height() / 2);
+    scene().turn(5, 0);
+    const CameraParams turned = scene().eye();
+    m_window->resize(m_window->width(), 800);
+    QTest::qWait(100);
+    QVERIFY(scene().eye() == turned);
+    // Fitted again it keeps the direction, and a second time it is where it began.
+    press(Qt::Key_0, Qt::ControlModifier);
+    const auto direction = [](const CameraParams& eye) { return normalise(eye.eye - eye.lookat); };
+    QVERIFY(!(scene().eye() == turned));
+    QVERIFY(isNear(direction(scene().eye()), direction(turned), 1e-6));
+    press(Qt::Key_0, Qt::ControlModifier);
+    QVERIFY(isNear(direction(scene().eye()), normalise({0.6, 0.5, 2.6}), 1e-6));
+  }
+
+  /// Two lengths across the view, one of them far behind the other.
+  void aParallelProjectionKeepsLengths() {
+    press(Qt::Key_F6);
+    const auto across = [this](double y) {
+      return onScreen({0.25, y, 0}).x() - onScreen({-0.25, y, 0}).x();
+    };
+    QVERIFY(across(-0.2) < across(0.2) - 10);
+    const int middle = across(0);
+    child<QAction>("sceneParallelAction")->trigger();
+    QVERIFY(std::abs(across(-0.2) - across(0.2)) <= 1);
+    QVERIFY(std::abs(across(0) - middle) < middle / 10);
+    QVERIFY(std::abs(scene().pixelOnPanel() * across(0) / 0.5 - 1) < 0.01);
+    for (const Vec3& point : {Vec3{-0.25, 0, 0}, Vec3{0.25, 0, 0}, edited("eye")})
+      QVERIFY(widget()->rect().contains(onScreen(point)));
+    // The wheel and the keys zoom, a click picks what is under it.
+    scene().approach(2);
+    QVERIFY(std::abs(across(0) - 2 * middle) < middle / 5);
+    press(Qt::Key_F5);
+    const std::optional<Hit> hogel = scene().hogelAt(
+        onScreen({0.125, 0, 0}).x(), widget()->height() - 1 - onScreen({0, 0.0625, 0}).y());
+    QVERIFY(hogel && std::abs(hogel->i - 96) < 1 && std::abs(hogel->j - 48) < 1);
+    child<QAction>("sceneParallelAction")->trigger();
+    QVERIFY(std::abs(across(-0.2) - across(0.2)) <= 1);  // from the front they are equally far
+    press(Qt::Key_F6);
+    QVERIFY(across(-0.2) < across(0.2) - 10);
+  }
+
+  /// Every hogel shows the one direction that goes straight ahead.
+  void inAParallelProjectionAllRaysAreParallel() {
+    child<QAction>("sceneParallelAction")->trigger();
+    press(Qt::Key_F5);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
+    child<QAction>("sceneFrustaAction")->trigger();
+    child<QAction>("sceneAxesAction")->trigger();
+    CameraState far = m_session.cameras[0];
+    far.distortion = {};
+    far.camera = {};
+    far.camera.eye = {0, 0, 5000};
+    const auto share = [&] {
+      const QImage image = drawn();
+      const QRect panel(onScreen({-0.25, 0.25, 0}), onScreen({0.25, -0.25, 0}));
+      far.camera.fov = 2 * std::atan(0.25 / 5000) * 180 / std::numbers::pi;
+      far.camera.res = {panel.width(), panel.height()};
+      const Image expected = rendered(m_loaded.job(far));
+      int near = 0;
+      for (int y = 0; y < panel.height(); ++y)
+        for (int x = 0; x < panel.width(); ++x) {
+          const std::uint8_t* rgb = &expected.rgb[3 * std::size_t(y * panel.width() + x)];
+          near += distance(image.pixelColor(panel.topLeft() + QPoint(x, y)),
+                           QColor(rgb[0], rgb[1], rgb[2])) < 45;
+        }
+      return double(near) / (panel.width() * panel.height());
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(share() > 0.9, qPrintable(QString::number(share())), patience);
+  }
+
+  void partsCanBeSwitchedOff() {
+    press(Qt::Key_F7);
+    press(Qt::Key_G, Qt::ControlModifier);
+    const auto isShown = [this](const char* action, const QColor& colour, int pixels) {
+      QTest::qWait(50);
+      const int with = count(drawn(), colour);
+      child<QAction>(action)->trigger();
+      QTest::qWait(50);
+      const int without = count(drawn(), colour);
+      child<QAction>(action)->trigger();
+      QTest::qWait(50);
+      return without + pixels <= with && count(drawn(), colour) == with;
+    };
+    QVERIFY(isShown("sceneFrustaAction", QColor(140, 191, 153), 50));
+    press(Qt::Key_F5);
+    child<QAction>("sceneFrustaAction")->trigger();
+    QVERIFY(isShown("sceneScaleBarAction", QColor(217, 217, 217), 30));
+    QVERIFY(isShown("sceneAxesAction", QColor(0, 255, 0), 30));
+    // The grid is there where no picture is, and where it is wanted.
+    const int grid = scene().panel().gridLines();
+    QVERIFY(grid > 0);
+    press(Qt::Key_G, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), 0, patience);
+    child<QAction>("sceneGridAction")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(scene().panel().gridLines(), grid, patience);
+  }
+
+  /// The body of the points that see the whole panel tints what is behind it, here nothing else.
+  void theViewingZoneIsABody() {
+    child<QAction>("sceneFrustaAction")->trigger();
+    press(Qt::Key_F7);
+    scene().approach(0.4);
+    QTest::qWait(50);
+    const QImage before = drawn();
+    child<QAction>("sceneZoneAction")->trigger();
+    QVERIFY(scene().zone().isVisible());
+    QTest::qWait(50);
+    const QImage after = drawn();
+    const auto isTinted = [&](const Vec3& place) {
+      const QPoint at = onScreen(place);
+      const QColor was = before.pixelColor(at);
+      const QColor is = after.pixelColor(at);
+      return is.blue() > was.blue() + 5 && is.blue() < was.blue() + 60;
+    };
+    // 0.5 m with a field of 60°: the whole panel is seen from 0.433 m on.
+    for (const double z : {0.6, 0.8, 0.95}) {
+      const double half = z * std::tan(radians(30)) - 0.25;
+      QVERIFY2(isTinted({0, 0.8 * half, z}), qPrintable(QString::number(z)));
+      QVERIFY(isTinted({0, -0.8 * half, z}));
+      QVERIFY(!isTinted({0, 1.2 * half + 0.02, z}));
+    }
+    QVERIFY(!isTinted({0, 0.02, 0.3}));
+  }
+
+  void sizesOfFrustaAndThoseOfAPreview() {
+    const auto farthest = [this] {  // from the eyes
+      double most = 0;
+      for (const Vec3& point : scene().frusta().points()) {
+        double nearest = HUGE_VAL;
+        for (const CameraState& state : m_session.cameras)
+          nearest = std::min(nearest, length(point - state.camera.eye));
+        most = std::max(most, nearest);
+      }
+      return most;
+    };
+    const double before = farthest();
+    child<QAction>("sceneSmallerFrustaAction")->trigger();
+    QVERIFY(std::abs(farthest() - before / 1.5) < 0.02 * before);
+    child<QAction>("sceneLargerFrustaAction")->trigger();
+    QVERIFY(std::abs(farthest() - before) < 1e-6);
+    for (int k = 0; k < 20; ++k) child<QAction>("sceneSmallerFrustaAction")->trigger();
+    QVERIFY(farthest() < 0.02 * before && farthest() > 0.01 * before);
+    const QColor violet(190, 140, 230);
+    QCOMPARE(count(drawn(), violet), 0);
+    for (int k = 0; k < 20; ++k) child<QAction>("sceneLargerFrustaAction")->trigger();
+    CameraState added = m_session.cameras[5];
+    added.camera.eye = {0.3, 0.2, 0.6};
+    controller()->showPreview({added});
+    QTRY_VERIFY_WITH_TIMEOUT(count(drawn(), violet) > 20, patience);
+    controller()->showPreview({});
+    QTRY_COMPARE_WITH_TIMEOUT(count(drawn(), violet), 0, patience);
+  }
+
   void psnrColoursTheFrusta() {
     press(Qt::Key_F6);
     const QColor dark(68, 1, 84);
@@ -298,6 +475,32 @@ class TestScene : public SceneTest {
     QVERIFY(std::abs(otherFew - few) < 1e-3);
     QVERIFY(std::abs(current - few) < 1e-3);
     QVERIFY(std::abs(5 * others - few) < 1e-3);
+  }
+
+  /// The lens changes the simulated view, and nothing in the scene.
+  void whatDidNotChangeIsNotDrawnAgain() {
+    press(Qt::Key_G, Qt::ControlModifier);
+    QTest::qWait(200);
+    int drawn = 0;
+    const vtkNew<vtkCallbackCommand> count;
+    count->SetClientData(&drawn);
+    count->SetCallback(
+        [](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
+    widget()->renderWindow()->AddObserver(vtkCommand::EndEvent, count);
+    const auto edited = [this](const char* area, const char* name, double value) {
+      const qint64 before = child<ImageWidget>("pictureView")->image().cacheKey();
+      editor<QDoubleSpinBox>(area, name)->setValue(value);
+      return QTest::qWaitFor(
+          [&] { return child<ImageWidget>("pictureView")->image().cacheKey() != before; },
+          patience);
+    };
+    QVERIFY(edited("distortionArea", "k1", 0.1));
+    QTest::qWait(100);
+    QCOMPARE(drawn, 0);
+    QVERIFY(edited("cameraArea", "eye.0", 0.1));
+    QTest::qWait(100);
+    QVERIFY(drawn > 0);
+    widget()->renderWindow()->RemoveObserver(count);
   }
 
   void impossibleCamerasAndManyStatesDoNoHarm() {

@@ -413,7 +413,6 @@ class TestSimulatedView : public QObject {
 };
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
   QApplication application(argc, argv);
   TestSimulatedView test;
   return QTest::qExec(&test, argc, argv);

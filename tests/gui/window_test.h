@@ -78,7 +78,6 @@ class WindowTest : public QObject {
 template <class Test>
 int runWindowTest(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
-  QSurfaceFormat::setDefaultFormat(hogelscope::VtkWidget::surfaceFormat());
   const QApplication application(argc, argv);
   hogelscope::installTranslations();
   Test test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Viridis between nine of its colours.
+// Colours of plots.
 #include "core/base/colour_map.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 namespace hogelscope {
 
 std::array<std::uint8_t, 3> falseColour(double share) {
+  // Nine of its colours; between them it is nearly straight.
   constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
                                                           {71, 44, 122},
                                                           {59, 81, 139},
@@ -27,6 +28,12 @@ std::array<std::uint8_t, 3> falseColour(double share) {
     colour[k] = static_cast<std::uint8_t>(
         std::lround((1 - part) * viridis[below][k] + part * viridis[below + 1][k]));
   return colour;
+}
+
+const char* seriesColour(std::size_t series) {
+  constexpr std::array<const char*, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                               "#e69f00", "#56b4e9", "#000000"};
+  return colours[series % colours.size()];
 }
 
 }  // namespace hogelscope

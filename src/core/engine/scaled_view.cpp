@@ -21,6 +21,20 @@ RenderJob reduced(const RenderJob& job) {
   return small;
 }
 
+CameraState resized(const CameraState& state, const std::array<int, 2>& res) {
+  if (res == state.camera.res) return state;
+  const Camera camera(state.camera, state.intrinsics);
+  const double across = double(res[0]) / state.camera.res[0];
+  const double down = double(res[1]) / state.camera.res[1];
+  CameraState result = state;
+  result.camera.res = res;
+  // Pixel centres are at integers, so the border of the image is at -1/2.
+  result.intrinsics = {across * camera.focalLength().x, down * camera.focalLength().y,
+                       across * (camera.centre().x + 0.5) - 0.5,
+                       down * (camera.centre().y + 0.5) - 0.5};
+  return result;
+}
+
 RenderJob overview(const RenderJob& job) {
   if (job.lightField->isInMemory()) return job;
   RenderJob coarse = job;

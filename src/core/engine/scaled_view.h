@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Views of fewer pixels, enlarged again to full size, or of fewer hogels and directions: the window
-// shows them while a camera moves.
+// shows them while a camera moves. Views of any number of pixels.
 #pragma once
 
 #include "core/optics/simulate.h"
@@ -10,6 +10,10 @@ namespace hogelscope {
 /// Returns the view with one pixel in the middle of each method.scale × method.scale of them, and
 /// with method.scale 1; the last ones may reach beyond the image.
 RenderJob reduced(const RenderJob& job);
+
+/// Returns the state with another number of pixels over the same field: the borders of its image
+/// stay where they are.
+CameraState resized(const CameraState& state, const std::array<int, 2>& res);
 
 /// Returns a quick view of a light field that is not in memory: that of its overview, whose
 /// directions are too wide to leak into each other. Any other view is returned unchanged.

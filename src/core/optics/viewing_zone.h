@@ -2,6 +2,9 @@
 // The display's viewing zone: the points that its light reaches.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "core/optics/display.h"
 
 namespace hogelscope {
@@ -9,5 +12,20 @@ namespace hogelscope {
 /// Returns the share of the panel's area, 0 … 1, that sends light to a point of the world (metres):
 /// 1 if all of the panel can be seen from there, 0 if the point is outside the viewing zone.
 double shareSeenFrom(const DisplayParams& display, const Vec3& point);
+
+/// The points that some of the panel's light reaches, or that of each of its places.
+enum class ViewingZone { someOfThePanel, wholePanel };
+
+/// A rectangle parallel to the panel, in the display frame, metres; x and y.
+struct ZoneSection {
+  double z = 0;
+  std::array<double, 2> low{};
+  std::array<double, 2> high{};
+};
+
+/// Returns sections of a viewing zone from its point nearest to the panel to `farthest` metres
+/// before it, if it reaches so far; between two of them its sides are plane. Empty: there is none.
+std::vector<ZoneSection> sectionsOf(const DisplayParams& display, ViewingZone zone,
+                                    double farthest);
 
 }  // namespace hogelscope

@@ -3,7 +3,6 @@
 #include "gui/app/application.h"
 
 #include <QApplication>
-#include <QSurfaceFormat>
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -18,7 +17,6 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
     throw InputError("window", "there is no display server (DISPLAY is not set)",
                      "batch mode needs none, see --help");
-  QSurfaceFormat::setDefaultFormat(VtkWidget::surfaceFormat());
   const QApplication application(argc, argv);
   QApplication::setApplicationName("Hogelscope");
   QApplication::setApplicationVersion(HOGELSCOPE_VERSION);

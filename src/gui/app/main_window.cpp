@@ -22,11 +22,13 @@
 #include "gui/docks/display_dock.h"
 #include "gui/docks/distortion_dock.h"
 #include "gui/docks/light_field_dock.h"
+#include "gui/docks/plot_saver.h"
 #include "gui/docks/psf_dock.h"
 #include "gui/docks/state_dock.h"
 #include "gui/files/file_commands.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
+#include "gui/scene/scene_output.h"
 #include "gui/session/camera_commands.h"
 #include "gui/session/edit_commands.h"
 #include "gui/session/session_forms.h"
@@ -168,6 +170,10 @@ void MainWindow::connectDocks() {
   connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
   m_ui->inspector->follow(m_scene, m_ui->pictureView);
   m_imageCommands = new ImageCommands(*m_ui, m_model, this);
+  for (const PlotSaver* saver : findChildren<PlotSaver*>()) {
+    connect(saver, &PlotSaver::done, m_messages, &Messages::showMessage);
+    connect(saver, &PlotSaver::failed, m_messages, &Messages::showError);
+  }
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
   connect(m_lightField, &LightFieldDock::failed, m_messages, &Messages::showError);
@@ -255,6 +261,9 @@ void MainWindow::addHabits() {
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
+  auto* sceneOutput = new SceneOutput(*m_ui, m_scene, m_model, this);
+  connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
+  connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
   new HelpCommands(*m_ui, this);
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, *m_ui);
@@ -380,7 +389,7 @@ void MainWindow::onSceneLoaded(const Scene& scene) {
     showContent();
   else
     showScene();
-  if (std::exchange(m_isNew, false)) m_scene->scene().fit();
+  if (std::exchange(m_isNew, false)) m_scene->scene().reset();
 }
 
 /// A light field that is in memory is not read again where only the panel's pose, size or lens or

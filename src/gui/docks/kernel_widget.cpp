@@ -4,10 +4,13 @@
 
 #include <QHelpEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/colour_map.h"
+#include "gui/docks/plot_saver.h"
 
 namespace hogelscope {
 
@@ -16,6 +19,22 @@ namespace {
 QColor colourOf(double share) {
   const auto [r, g, b] = falseColour(share);
   return {r, g, b};
+}
+
+/// Of the taps; below it is a line of text.
+QRectF squareIn(const QSizeF& size, const QFontMetrics& text) {
+  const double below = text.height() + 6;
+  const double side = std::max(1.0, std::min(size.width() - 8, size.height() - below - 4));
+  return {(size.width() - side) / 2, 4, side, side};
+}
+
+/// The chart's font has a size in pixels, the window's in points.
+QFont smaller(QFont font, double factor) {
+  if (font.pixelSize() > 0)
+    font.setPixelSize(int(std::lround(factor * font.pixelSize())));
+  else
+    font.setPointSizeF(factor * font.pointSizeF());
+  return font;
 }
 
 /// Per cent, short.
@@ -30,6 +49,8 @@ KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {
   setObjectName("kernelView");
   setMinimumSize(120, 120);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  new PlotSaver(this, tr("Leakage"), {400, 424},
+                [this](QPainter& painter, const QSizeF& size) { paint(painter, size); });
 }
 
 void KernelWidget::setParams(const PsfParams& params) {
@@ -45,24 +66,18 @@ void KernelWidget::setWeights(const PsfParams& params, const std::vector<double>
 }
 
 /// Of tap k.
-QRectF KernelWidget::cell(int k) const {
+QRectF KernelWidget::cell(const QRectF& square, int k) const {
   const int side = m_params.windowSize;
-  const double width = square().width() / side;
+  const double width = square.width() / side;
   const int row = k / side;
-  return {square().left() + width * (k % side), square().top() + width * row, width, width};
-}
-
-/// Of the taps; below it is a line of text.
-QRectF KernelWidget::square() const {
-  const double below = fontMetrics().height() + 6;
-  const double side = std::max(1.0, std::min(width() - 8.0, height() - below - 4.0));
-  return {(width() - side) / 2, 4, side, side};
+  return {square.left() + width * (k % side), square.top() + width * row, width, width};
 }
 
 QString KernelWidget::textAt(const QPointF& position) const {
-  if (m_weights.empty() || !square().contains(position)) return {};
+  const QRectF square = squareIn(size(), fontMetrics());
+  if (m_weights.empty() || !square.contains(position)) return {};
   const int side = m_params.windowSize;
-  const QPointF inside = (position - square().topLeft()) / square().width() * side;
+  const QPointF inside = (position - square.topLeft()) / square.width() * side;
   const int column = std::min(int(inside.x()), side - 1);
   const int row = std::min(int(inside.y()), side - 1);
   return tr("Tap (%1, %2): %3 % of the light")
@@ -81,59 +96,67 @@ bool KernelWidget::event(QEvent* event) {
 void KernelWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(palette().color(QPalette::WindowText));
+  paint(painter, size());
+}
+
+/// Text below the taps is in the painter's colour.
+void KernelWidget::paint(QPainter& painter, const QSizeF& size) const {
   if (m_weights.empty()) {
-    painter.drawText(rect(), Qt::AlignCenter, tr("no kernel: sigma is 0"));
+    painter.drawText(QRectF({0, 0}, size), Qt::AlignCenter, tr("no kernel: sigma is 0"));
     return;
   }
-  paintCells(painter);
-  if (m_params.windowSize > 1) paintSigma(painter);
+  const QRectF square = squareIn(size, painter.fontMetrics());
   painter.save();
-  paintNumbers(painter);
+  paintCells(painter, square);
+  if (m_params.windowSize > 1) paintSigma(painter, square);
+  paintNumbers(painter, square);
   painter.restore();
-  const QRectF below(0, square().bottom(), width(), height() - square().bottom());
-  painter.setPen(palette().color(QPalette::WindowText));
+  const QRectF below(0, square.bottom(), size.width(), size.height() - square.bottom());
   painter.drawText(below, Qt::AlignCenter,
                    m_params.windowSize == 1 ? tr("no leakage") : tr("weights in %, circle: sigma"));
 }
 
-void KernelWidget::paintCells(QPainter& painter) const {
+void KernelWidget::paintCells(QPainter& painter, const QRectF& square) const {
   const double most = *std::max_element(m_weights.begin(), m_weights.end());
-  const bool hasGrid = cell(0).width() >= 6;
+  const bool hasGrid = cell(square, 0).width() >= 6;
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(hasGrid ? QPen(QColor(0, 0, 0, 90)) : QPen(Qt::NoPen));
   for (int k = 0; k < int(m_weights.size()); ++k) {
     painter.setBrush(colourOf(m_weights[std::size_t(k)] / most));
     // A small overlap, so that no background shows between cells without a grid.
     const double overlap = hasGrid ? 0 : 1;
-    painter.drawRect(cell(k).adjusted(0, 0, overlap, overlap).intersected(square()));
+    painter.drawRect(cell(square, k).adjusted(0, 0, overlap, overlap).intersected(square));
   }
   painter.setRenderHint(QPainter::Antialiasing, true);
 }
 
-void KernelWidget::paintNumbers(QPainter& painter) const {
-  QFont small = font();
-  small.setPointSizeF(0.85 * small.pointSizeF());
+void KernelWidget::paintNumbers(QPainter& painter, const QRectF& square) const {
+  const QFont small = smaller(painter.font(), 0.85);
   painter.setFont(small);
-  if (cell(0).width() < painter.fontMetrics().horizontalAdvance("100.0") + 2) return;
+  if (cell(square, 0).width() < painter.fontMetrics().horizontalAdvance("100.0") + 2) return;
   const double most = *std::max_element(m_weights.begin(), m_weights.end());
   for (int k = 0; k < int(m_weights.size()); ++k) {
     const double weight = m_weights[std::size_t(k)];
     painter.setPen(weight > 0.6 * most ? Qt::black : Qt::white);
-    painter.drawText(cell(k), Qt::AlignCenter, percent(weight));
+    painter.drawText(cell(square, k), Qt::AlignCenter, percent(weight));
   }
 }
 
 /// A circle of radius sigma around the middle tap, clipped to the window.
-void KernelWidget::paintSigma(QPainter& painter) const {
-  const double radius = m_params.sigma * square().width() / m_params.windowSize;
-  painter.save();
-  painter.setClipRect(square());
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 160), 3.5));
-  painter.drawEllipse(square().center(), radius, radius);
-  painter.setPen(QPen(Qt::white, 1.5, Qt::DashLine));
-  painter.drawEllipse(square().center(), radius, radius);
-  painter.restore();
+void KernelWidget::paintSigma(QPainter& painter, const QRectF& square) const {
+  const double radius = m_params.sigma * square.width() / m_params.windowSize;
+  QPainterPath window;
+  window.addRect(square);
+  QPainterPath circle;
+  circle.addEllipse(square.center(), radius, radius);
+  const auto draw = [&](const QPen& pen) {
+    // Not by a clip, which Qt's SVG leaves out.
+    const QPainterPath line = QPainterPathStroker(pen).createStroke(circle);
+    painter.fillPath(line.intersected(window), pen.brush());
+  };
+  draw(QPen(QColor(0, 0, 0, 160), 3.5));
+  draw(QPen(Qt::white, 1.5, Qt::DashLine));
 }
 
 }  // namespace hogelscope

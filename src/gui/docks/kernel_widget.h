@@ -29,11 +29,11 @@ class KernelWidget : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  [[nodiscard]] QRectF square() const;
-  [[nodiscard]] QRectF cell(int k) const;
-  void paintCells(QPainter& painter) const;
-  void paintNumbers(QPainter& painter) const;
-  void paintSigma(QPainter& painter) const;
+  [[nodiscard]] QRectF cell(const QRectF& square, int k) const;
+  void paint(QPainter& painter, const QSizeF& size) const;
+  void paintCells(QPainter& painter, const QRectF& square) const;
+  void paintNumbers(QPainter& painter, const QRectF& square) const;
+  void paintSigma(QPainter& painter, const QRectF& square) const;
 
   PsfParams m_params;
   std::vector<double> m_weights;

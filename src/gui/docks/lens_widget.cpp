@@ -6,6 +6,8 @@
 #include <QPainterPath>
 #include <algorithm>
 
+#include "gui/docks/plot_saver.h"
+
 namespace hogelscope {
 
 namespace {
@@ -22,7 +24,12 @@ QPolygonF polygonOf(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-LensWidget::LensWidget(QWidget* parent) : QWidget(parent) {
+LensWidget::LensWidget(QWidget* parent)
+    : QWidget(parent),
+      m_saver(
+          new PlotSaver(this, tr("Lens"), {480, 480},
+                        [this](QPainter& painter, const QSizeF& size) { paint(painter, size); })) {
+  m_saver->setEnabled(false);
   setObjectName("lensView");
   setAccessibleName(tr("Drawing of the lens"));
   setToolTip(
@@ -34,6 +41,7 @@ LensWidget::LensWidget(QWidget* parent) : QWidget(parent) {
 
 void LensWidget::setLens(const LensGrid& grid) {
   m_grid = grid;
+  m_saver->setEnabled(grid.res[0] > 0);
   update();
 }
 
@@ -42,12 +50,12 @@ QRectF LensWidget::border() const {
 }
 
 /// With a margin, in which the grid goes on.
-QTransform LensWidget::widgetFromImage() const {
+QTransform LensWidget::fromImage(const QSizeF& size) const {
   constexpr double margin = 1.12;
   const double scale =
-      std::min(width() / (margin * m_grid.res[0]), height() / (margin * m_grid.res[1]));
+      std::min(size.width() / (margin * m_grid.res[0]), size.height() / (margin * m_grid.res[1]));
   QTransform transform;
-  transform.translate(width() / 2.0, height() / 2.0);
+  transform.translate(size.width() / 2, size.height() / 2);
   transform.scale(scale, scale);
   transform.translate(-border().center().x(), -border().center().y());
   return transform;
@@ -65,13 +73,20 @@ void LensWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!isEnabled()) painter.setOpacity(0.35);
-  const QTransform transform = widgetFromImage();
+  painter.setPen(palette().color(QPalette::WindowText));
+  paint(painter, size());
+}
+
+/// The frame is in the painter's colour.
+void LensWidget::paint(QPainter& painter, const QSizeF& size) const {
+  const QColor ink = painter.pen().color();
+  const QTransform transform = fromImage(size);
   const QRectF frame = transform.mapRect(border());
   painter.fillRect(frame, paper);
   paintLines(painter, transform);
   if (!m_grid.fold.empty()) paintFold(painter, transform);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
+  painter.setPen(QPen(ink, 1.5));
   painter.drawRect(frame);
 }
 
@@ -85,9 +100,10 @@ void LensWidget::paintFold(QPainter& painter, const QTransform& transform) const
   QPainterPath image;
   image.addRect(border());
   painter.fillPath(transform.map(image.subtracted(foldPath())), QBrush(fold, Qt::BDiagPattern));
-  painter.setClipRect(transform.mapRect(border()));
-  painter.strokePath(transform.map(foldPath()), QPen(fold, 2));
-  painter.setClipping(false);
+  // Not by a clip, which Qt's SVG leaves out.
+  const QPainterPath line =
+      QPainterPathStroker(QPen(fold, 2)).createStroke(transform.map(foldPath()));
+  painter.fillPath(line.intersected(transform.map(image)), fold);
 }
 
 }  // namespace hogelscope

@@ -10,6 +10,8 @@ class QPainterPath;
 
 namespace hogelscope {
 
+class PlotSaver;
+
 /// Pale while it is disabled.
 class LensWidget : public QWidget {
   Q_OBJECT
@@ -25,13 +27,15 @@ class LensWidget : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  [[nodiscard]] QTransform widgetFromImage() const;
+  void paint(QPainter& painter, const QSizeF& size) const;
+  [[nodiscard]] QTransform fromImage(const QSizeF& size) const;
   [[nodiscard]] QRectF border() const;
   [[nodiscard]] QPainterPath foldPath() const;
   void paintLines(QPainter& painter, const QTransform& transform) const;
   void paintFold(QPainter& painter, const QTransform& transform) const;
 
   LensGrid m_grid;
+  PlotSaver* m_saver;
 };
 
 }  // namespace hogelscope

@@ -23,6 +23,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "gui/docks/report_plots.h"
 #include "gui/docks/report_table.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
@@ -65,6 +66,7 @@ ReportDock::ReportDock(QWidget* parent)
     : QWidget(parent),
       m_task(new Task(this)),
       m_table(new ReportTable(this)),
+      m_plots(new ReportPlots),
       m_sorted(new QSortFilterProxyModel(this)),
       m_testList(new QListWidget),
       m_folder(new QLineEdit),
@@ -96,7 +98,8 @@ ReportDock::ReportDock(QWidget* parent)
   auto* parts = new QSplitter;
   parts->addWidget(makeSettings());
   parts->addWidget(m_rows);
-  parts->setSizes({280, 1200});
+  parts->addWidget(m_plots);
+  parts->setSizes({280, 500, 500});
   parts->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
   layout->addWidget(parts);
@@ -159,6 +162,7 @@ void ReportDock::connectAll() {
   connect(m_pageButton, &QPushButton::clicked, this, &ReportDock::openPage);
   connect(m_rows->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ReportDock::showChosen);
+  connect(m_plots, &ReportPlots::clicked, this, &ReportDock::chooseRow);
   connect(m_progress, &QProgressBar::valueChanged, this, &ReportDock::showTimeLeft);
   connect(m_task, &Task::stopped, this, [this] {
     showIdle();
@@ -188,6 +192,7 @@ void ReportDock::setModel(SessionModel* model) {
 void ReportDock::forget() {
   if (m_task->isRunning()) stop();
   m_table->begin(0);
+  m_plots->begin({}, {});
   m_note->clear();
   m_stale->hide();
   m_pageButton->setEnabled(false);
@@ -278,6 +283,7 @@ void ReportDock::start(const MetricSet& metrics) {
   m_request.command = "made in the window" + (isEdited ? ", from " + m_request.name : "");
   m_request.reference = m_reference;
   m_table->begin(m_request.session.cameras.size() * m_tests.size(), metrics);
+  m_plots->begin(m_request, m_tests);
   m_rows->setColumnHidden(ReportTable::test, m_tests.size() == 1);
   m_test = 0;
   emitPsnr();
@@ -321,6 +327,7 @@ void ReportDock::showReport(const Report& report) {
   m_note->setText(
       QString::fromStdString(summaryText(report.summaries.back().summary, report.rows)));
   m_pageButton->setEnabled(true);
+  m_plots->finish();
   if (!chosenRow()) chooseState(m_model->currentIndex());
   compare();
 }
@@ -332,6 +339,7 @@ void ReportDock::showTimeLeft() {
 
 void ReportDock::showRow(std::size_t index, const ReportRow& row) {
   m_table->set(index, row);
+  m_plots->set(index, row);
   emitPsnr();
 }
 
@@ -355,6 +363,7 @@ std::optional<std::size_t> ReportDock::chosenRow() const {
 
 void ReportDock::showChosen() {
   const std::optional<std::size_t> row = chosenRow();
+  m_plots->select(row);
   if (!row || m_tests.empty()) return;
   if (const std::size_t test = order().test(*row); test != m_test) {
     m_test = test;
@@ -372,8 +381,12 @@ void ReportDock::chooseState(std::size_t state) {
   const std::size_t row = order().row(state, m_test);
   if (m_tests.empty() || row >= std::size_t(m_table->rowCount()) || chosenRow() == row) return;
   m_follows = true;
-  m_rows->selectRow(m_sorted->mapFromSource(m_table->index(int(row), 0)).row());
+  chooseRow(row);
   m_follows = false;
+}
+
+void ReportDock::chooseRow(std::size_t row) {
+  m_rows->selectRow(m_sorted->mapFromSource(m_table->index(int(row), 0)).row());
 }
 
 }  // namespace hogelscope

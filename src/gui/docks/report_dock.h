@@ -18,6 +18,7 @@ class QTableView;
 namespace hogelscope {
 
 class PolledBar;
+class ReportPlots;
 class ReportTable;
 class SessionModel;
 class Task;
@@ -48,6 +49,7 @@ class ReportDock : public QWidget {
   void forget();
   void noteEdits();
   void chooseState(std::size_t state);
+  void chooseRow(std::size_t row);
   QWidget* makeSettings();
   void connectAll();
   void showOffer();
@@ -76,6 +78,7 @@ class ReportDock : public QWidget {
   bool m_follows = false;            ///< chooses the row of a state that was chosen elsewhere
   Task* m_task;
   ReportTable* m_table;
+  ReportPlots* m_plots;
   QSortFilterProxyModel* m_sorted;
   QListWidget* m_testList;
   QLineEdit* m_folder;

@@ -8,18 +8,26 @@
 #include <QPushButton>
 
 #include "core/base/parallel.h"
+#include "gui/docks/plot_saver.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
 
 namespace hogelscope {
 
-TradeoffChartWidget::TradeoffChartWidget(QWidget* parent) : QWidget(parent), m_chart({}, "") {
+TradeoffChartWidget::TradeoffChartWidget(QWidget* parent)
+    : QWidget(parent),
+      m_chart({}, ""),
+      m_saver(new PlotSaver(
+          this, tr("Speed against accuracy"), {900, 560},
+          [this](QPainter& painter, const QSizeF& size) { m_chart.paint(painter, size); })) {
+  m_saver->setEnabled(false);
   setMinimumSize(420, 260);
   setObjectName("tradeoffChart");
 }
 
 void TradeoffChartWidget::setChart(TradeoffChart chart) {
   m_chart = std::move(chart);
+  m_saver->setEnabled(!m_chart.rows().empty());
   update();
 }
 
@@ -36,6 +44,7 @@ void TradeoffChartWidget::paintEvent(QPaintEvent*) {
 }
 
 void TradeoffChartWidget::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;  // the right one has a menu
   std::optional<std::size_t> row = m_chart.rowAt(event->position(), QSizeF(size()));
   if (!row) {
     const std::vector<QRectF> names = m_chart.nameBoxes(QSizeF(size()), font());

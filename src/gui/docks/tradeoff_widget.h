@@ -13,6 +13,7 @@ class QPushButton;
 
 namespace hogelscope {
 
+class PlotSaver;
 class PolledBar;
 class Task;
 
@@ -35,6 +36,7 @@ class TradeoffChartWidget : public QWidget {
 
  private:
   TradeoffChart m_chart;
+  PlotSaver* m_saver;
 };
 
 class TradeoffWidget : public QWidget {

@@ -3,17 +3,21 @@
 #include "gui/scene/display_scene.h"
 
 #include <vtkAxesActor.h>
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkOrientationMarkerWidget.h>
+#include <vtkProp.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/optics/fitted_eye.h"
 #include "core/optics/panel_view.h"
@@ -28,6 +32,18 @@ Vec3 vec3(const double* p) {
   return {p[0], p[1], p[2]};
 }
 
+/// What a parallel projection that has all points looks at, and half its height.
+std::pair<Vec3, double> fittedParallel(const std::vector<Vec3>& points, const RigidTransform& frame,
+                                       double aspect) {
+  vtkBoundingBox box;
+  for (const Vec3& p : points)
+    box.AddPoint(dot(p, frame.xAxis), dot(p, frame.yAxis), dot(p, frame.zAxis));
+  double middle[3];
+  box.GetCenter(middle);
+  return {frame.direction({middle[0], middle[1], middle[2]}),
+          std::max(box.GetLength(1), box.GetLength(0) / aspect) / 2};
+}
+
 }  // namespace
 
 DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
@@ -36,6 +52,7 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
       m_panel(m_renderer),
       m_frusta(m_renderer),
       m_mesh(m_renderer),
+      m_zone(m_renderer),
       m_picked(m_renderer),
       m_handles(m_renderer, widget.interactor(), nullptr),
       m_eyeTimer(new QTimer(this)) {
@@ -48,7 +65,7 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
   m_marker->InteractiveOff();
   m_eyeTimer->setSingleShot(true);
   connect(m_eyeTimer, &QTimer::timeout, this, &DisplayScene::adjustToEye);
-  connect(&m_widget, &VtkWidget::resized, m_eyeTimer, [this] { m_eyeTimer->start(); });
+  connect(&m_widget, &VtkWidget::resized, this, &DisplayScene::adjustToWindow);
   // A turn of the camera modifies it several times.
   m_renderer->GetActiveCamera()->AddObserver(vtkCommand::ModifiedEvent, m_eyeTimer,
                                              static_cast<void (QTimer::*)()>(&QTimer::start));
@@ -61,7 +78,18 @@ DisplayScene::~DisplayScene() {
 
 void DisplayScene::redraw() {
   m_renderer->ResetCameraClippingRange();
-  m_widget.update();
+  const vtkMTimeType last = changedAt();
+  if (std::exchange(m_drawnAt, last) != last) m_widget.redraw();
+}
+
+/// VTK's time of the last change of the eye or of anything in the scene.
+vtkMTimeType DisplayScene::changedAt() const {
+  vtkMTimeType at = m_renderer->GetActiveCamera()->GetMTime();
+  vtkPropCollection* props = m_renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position)) at = std::max(at, prop->GetRedrawMTime());
+  return at;
 }
 
 void DisplayScene::show(const DisplayParams& display, const std::vector<CameraState>& states,
@@ -70,6 +98,10 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
   m_panel.setDisplay(display);
   m_mesh.setDisplay(display);
   m_frusta.show(display, states, current);
+  double farthest = 2 * std::max(display.size[0], display.size[1]);
+  for (const CameraState& state : states)
+    farthest = std::max(farthest, 1.1 * length(state.camera.eye - display.position));
+  m_zone.show(display, farthest);
   const bool hasCurrent = current < states.size() && hasFrame(states[current].camera);
   if (hasCurrent)
     m_handles.showAt(states[current].camera.eye, states[current].camera.lookat);
@@ -79,6 +111,9 @@ void DisplayScene::show(const DisplayParams& display, const std::vector<CameraSt
 }
 
 double DisplayScene::pixelOnPanel() const {
+  vtkCamera* camera = m_renderer->GetActiveCamera();
+  if (camera->GetParallelProjection() != 0)
+    return 2 * camera->GetParallelScale() / std::max(1, m_widget.deviceSize().height());
   return radians(m_renderer->GetActiveCamera()->GetViewAngle()) /
          std::max(1, m_widget.deviceSize().height()) * distanceToPanel(m_display, eye().eye);
 }
@@ -87,8 +122,14 @@ void DisplayScene::adjustToEye() {
   constexpr double leastPixels = 8;  // between two lines of the grid
   m_panel.setGridSpacing(leastPixels * pixelOnPanel());
   m_handles.setSceneEye(eye().eye);
-  m_widget.update();
+  redraw();
   Q_EMIT eyeChanged();
+}
+
+/// What filled the window before goes on filling it, until somebody moves the eye.
+void DisplayScene::adjustToWindow() {
+  if (m_fitted == eye()) fitDistance();
+  m_eyeTimer->start();
 }
 
 void DisplayScene::look(const Vec3& target, const Vec3& from, const Vec3& up) {
@@ -128,15 +169,27 @@ void DisplayScene::fitDistance() {
   const Vec3 towards = normalise(from.eye - from.lookat);
   const Vec3 right = normalise(cross(from.up, towards));
   const Vec3 up = cross(towards, right);
-  const FittedEye fitted =
-      fittedEye(corners(), {right, up, towards, {}}, {aspect * tangent, tangent});
+  const std::vector<Vec3> points = corners();
+  const RigidTransform frame{right, up, towards, {}};
+  const FittedEye fitted = fittedEye(points, frame, {aspect * tangent, tangent});
+  vtkCamera* camera = m_renderer->GetActiveCamera();
   look(fitted.target, fitted.eye, up);
-  m_renderer->GetActiveCamera()->SetViewAngle(fov);
+  camera->SetViewAngle(fov);
+  if (camera->GetParallelProjection() != 0) {
+    const auto [target, scale] = fittedParallel(points, frame, aspect);
+    look(target, target + (fitted.eye - fitted.target), up);
+    camera->SetParallelScale(scale / share);
+  }
   m_handles.setSceneEye(fitted.eye);
+  m_fitted = eye();
   redraw();
 }
 
 void DisplayScene::fit() {
+  m_fitted == eye() ? reset() : fitDistance();
+}
+
+void DisplayScene::reset() {
   const double size = std::max(m_display.size[0], m_display.size[1]);
   look(m_display.position, m_display.position + size * Vec3{0.6, 0.5, 2.6}, {0, 1, 0});
   fitDistance();
@@ -147,9 +200,27 @@ void DisplayScene::lookFrom(SceneSide side) {
       transformFromPose(m_display.position, m_display.orientation);
   const double far = 2 * std::max(m_display.size[0], m_display.size[1]);
   if (side == SceneSide::front) look(centre, centre + far * front, up);
+  if (side == SceneSide::back) look(centre, centre - far * front, up);
   if (side == SceneSide::top) look(centre, centre + far * up, -1.0 * front);
-  if (side == SceneSide::side) look(centre, centre + far * right, up);
+  if (side == SceneSide::bottom) look(centre, centre - far * up, front);
+  if (side == SceneSide::right) look(centre, centre + far * right, up);
+  if (side == SceneSide::left) look(centre, centre - far * right, up);
   fitDistance();
+}
+
+/// The panel keeps its size on the screen.
+void DisplayScene::setParallel(bool isParallel) {
+  vtkCamera* camera = m_renderer->GetActiveCamera();
+  const double half = std::tan(radians(camera->GetViewAngle()) / 2);
+  if (isParallel && camera->GetParallelProjection() == 0)
+    camera->SetParallelScale(camera->GetDistance() * half);
+  if (!isParallel && camera->GetParallelProjection() != 0) {
+    const CameraParams from = eye();
+    const Vec3 towards = normalise(from.eye - from.lookat);
+    look(from.lookat, from.lookat + camera->GetParallelScale() / half * towards, from.up);
+  }
+  camera->SetParallelProjection(isParallel);
+  redraw();
 }
 
 void DisplayScene::turn(double right, double up) {
@@ -161,7 +232,11 @@ void DisplayScene::turn(double right, double up) {
 }
 
 void DisplayScene::approach(double factor) {
-  m_renderer->GetActiveCamera()->Dolly(factor);
+  vtkCamera* camera = m_renderer->GetActiveCamera();
+  if (camera->GetParallelProjection() != 0)
+    camera->SetParallelScale(camera->GetParallelScale() / factor);
+  else
+    camera->Dolly(factor);
   redraw();
 }
 
@@ -184,6 +259,13 @@ CameraParams DisplayScene::eye() const {
   return eye;
 }
 
+Vec3 DisplayScene::viewpoint() const {
+  const CameraParams from = eye();
+  if (m_renderer->GetActiveCamera()->GetParallelProjection() == 0) return from.eye;
+  const double far = 1e4 * std::max(m_display.size[0], m_display.size[1]);
+  return from.lookat + far * normalise(from.eye - from.lookat);
+}
+
 std::vector<int> DisplayScene::statesAt(int x, int y) const {
   const QSize size = m_widget.deviceSize();
   constexpr double tolerance = 4;  // pixels
@@ -192,12 +274,15 @@ std::vector<int> DisplayScene::statesAt(int x, int y) const {
 
 std::optional<Hit> DisplayScene::hogelAt(int x, int y) const {
   if (m_display.hogels[0] < 1 || m_display.directions[0] < 1) return std::nullopt;
-  m_renderer->SetDisplayPoint(x + 0.5, y + 0.5, 1);
-  m_renderer->DisplayToWorld();
-  const double* far = m_renderer->GetWorldPoint();
+  const auto pointAt = [&](double depth) -> Vec3 {
+    m_renderer->SetDisplayPoint(x + 0.5, y + 0.5, depth);
+    m_renderer->DisplayToWorld();
+    const double* p = m_renderer->GetWorldPoint();
+    return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+  };
   const Display display(m_display);
-  const Vec3 from = eye().eye;
-  const Vec3 to = {far[0] / far[3], far[1] / far[3], far[2] / far[3]};
+  const Vec3 from = pointAt(0);
+  const Vec3 to = pointAt(1);
   const RigidTransform& displayFromWorld = display.displayFromWorld();
   const std::optional<Hit> place =
       display.intersectPlane(displayFromWorld.point(from), displayFromWorld.direction(to - from));

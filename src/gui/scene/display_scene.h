@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vtkNew.h>
+#include <vtkType.h>
 
 #include <QObject>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "gui/scene/panel_actors.h"
 #include "gui/scene/pick_actors.h"
 #include "gui/scene/scene_handles.h"
+#include "gui/scene/zone_actors.h"
 
 class QTimer;
 class vtkAxesActor;
@@ -24,8 +26,8 @@ namespace hogelscope {
 
 class VtkWidget;
 
-/// Along the panel's axes: from its front, from above, from its right.
-enum class SceneSide { front, top, side };
+/// Along the panel's axes.
+enum class SceneSide { front, back, top, bottom, right, left };
 
 class DisplayScene : public QObject {
   Q_OBJECT
@@ -40,15 +42,21 @@ class DisplayScene : public QObject {
   [[nodiscard]] FrustumActors& frusta() { return m_frusta; }
   [[nodiscard]] PanelActors& panel() { return m_panel; }
   [[nodiscard]] MeshActors& mesh() { return m_mesh; }
+  [[nodiscard]] ZoneActors& zone() { return m_zone; }
   [[nodiscard]] PickActors& picked() { return m_picked; }
   [[nodiscard]] SceneHandles& handles() { return m_handles; }
   [[nodiscard]] vtkRenderer* renderer() const { return m_renderer; }
-  /// After a change of its parts.
+  /// After a change of its parts; draws nothing where there was none.
   void redraw();
 
   /// Looks at all of it from the front, a little from the right and above.
+  void reset();
+  /// Goes where all of it fills the window, in the direction that the eye has; where it is there
+  /// already, reset().
   void fit();
   void lookFrom(SceneSide side);
+  /// Lengths across the view are the same at any distance.
+  void setParallel(bool isParallel);
   /// The eye goes round what the scene looks at, to the right and upwards; degrees.
   void turn(double right, double up);
   /// So many times nearer.
@@ -57,6 +65,9 @@ class DisplayScene : public QObject {
   void lookThrough(const CameraState& state);
   /// The scene's eye; eye, lookat, up and fov only. Metres, degrees.
   [[nodiscard]] CameraParams eye() const;
+  /// The point that the panel is seen from: the eye or, in a parallel projection, one so far away
+  /// that its rays are parallel to a ten thousandth.
+  [[nodiscard]] Vec3 viewpoint() const;
 
   /// How large a pixel of the screen is on the panel, where that is nearest, in metres.
   [[nodiscard]] double pixelOnPanel() const;
@@ -71,7 +82,9 @@ class DisplayScene : public QObject {
   void eyeChanged();
 
  private:
+  [[nodiscard]] vtkMTimeType changedAt() const;
   void adjustToEye();
+  void adjustToWindow();
   [[nodiscard]] std::vector<Vec3> corners() const;
   void fitDistance();
   void look(const Vec3& target, const Vec3& from, const Vec3& up);
@@ -81,12 +94,15 @@ class DisplayScene : public QObject {
   PanelActors m_panel;
   FrustumActors m_frusta;
   MeshActors m_mesh;
+  ZoneActors m_zone;
   PickActors m_picked;
   SceneHandles m_handles;
   vtkNew<vtkAxesActor> m_axes;
   vtkNew<vtkOrientationMarkerWidget> m_marker;
   QTimer* m_eyeTimer;
+  std::optional<CameraParams> m_fitted;  ///< the eye that fit() or lookFrom() chose last
   DisplayParams m_display;
+  vtkMTimeType m_drawnAt = 0;  ///< changedAt() of what was last asked to be drawn
 };
 
 }  // namespace hogelscope

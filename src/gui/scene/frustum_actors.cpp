@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -27,6 +28,7 @@ using Colour = std::array<unsigned char, 3>;
 constexpr Colour currentColour{255, 166, 38};
 constexpr Colour otherColour{140, 191, 153};
 constexpr Colour outsideColour{200, 120, 120};
+constexpr Colour previewColour{190, 140, 230};
 constexpr double fullLength = 0.25;   // of the way to lookat
 constexpr double shortLength = 0.05;  // where so many at full length would hide each other
 constexpr std::size_t manyStates = 30;
@@ -38,6 +40,10 @@ FrustumActors::FrustumActors(vtkRenderer* renderer) {
   addToScene(renderer, m_markedImage, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
   addToScene(renderer, m_otherLines, m_others->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
   addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
+  addToScene(renderer, m_previewLines, m_previewed->GetOutputPort(0), {1, 1, 1},
+             SceneLevel::onPanel);
+  // In front of all others, wherever it is.
+  m_markedLines->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, -1e6);
   m_markedLines->GetProperty()->SetLineWidth(3);
   m_markedLines->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
   for (vtkActor* images : {m_otherImages.Get(), m_markedImage.Get()})
@@ -62,10 +68,30 @@ void FrustumActors::showPsnr(const std::vector<double>& values) {
   update();
 }
 
+void FrustumActors::showPreview(const std::vector<CameraState>& states) {
+  m_preview = states;
+  update();
+}
+
+void FrustumActors::setVisible(bool areVisible) {
+  for (vtkActor* lines : {m_otherLines.Get(), m_markedLines.Get(), m_previewLines.Get()})
+    lines->SetVisibility(areVisible);
+}
+
+void FrustumActors::setSize(double factor) {
+  m_size = std::clamp(factor, 1.0 / 64, 4.0);
+  update();
+}
+
 void FrustumActors::update() {
   std::vector<CameraFrustum> others;
   std::vector<CameraFrustum> marked;
-  const double otherLength = m_states.size() < manyStates ? fullLength : shortLength;
+  std::vector<CameraFrustum> previewed;
+  const auto lengthAmong = [this](std::size_t count) {
+    return std::min(1.0, m_size * (count < manyStates ? fullLength : shortLength));
+  };
+  const double currentLength = lengthAmong(1);
+  const double otherLength = lengthAmong(m_states.size());
   for (std::size_t k = 0; k < m_states.size(); ++k) {
     const CameraParams& camera = m_states[k].camera;
     const bool isOutside = shareSeenFrom(m_display, camera.eye) == 0;
@@ -73,10 +99,15 @@ void FrustumActors::update() {
     if (m_psnr.hasValue(k)) colour = m_psnr.colour(k);
     (k == m_current ? marked : others)
         .push_back({camera, m_states[k].intrinsics, int(k), colour, isOutside,
-                    k == m_current ? fullLength : otherLength});
+                    k == m_current ? currentLength : otherLength});
   }
+  for (const CameraState& state : m_preview)
+    previewed.push_back({state.camera, state.intrinsics, -1, previewColour,
+                         shareSeenFrom(m_display, state.camera.eye) == 0,
+                         lengthAmong(m_preview.size())});
   m_others->SetFrusta(others);
   m_marked->SetFrusta(marked);
+  m_previewed->SetFrusta(previewed);
   m_others->SetAtlasColumns(m_images.columns());
   m_marked->SetAtlasColumns(m_images.columns());
 }
@@ -92,7 +123,7 @@ void FrustumActors::setImage(std::size_t state, vtkImageData* image) {
 
 std::vector<Vec3> FrustumActors::points() const {
   std::vector<Vec3> all;
-  for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get()}) {
+  for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get(), m_previewed.Get()}) {
     source->Update();
     vtkPolyData* lines = source->GetOutput(0);
     for (vtkIdType k = 0; k < lines->GetNumberOfPoints(); ++k) {
@@ -108,6 +139,7 @@ std::vector<int> FrustumActors::statesAt(vtkRenderer* renderer, const ScreenPlac
       renderer->GetTiledAspectRatio(), -1, 1);
   std::vector<int> found;
   std::vector<int> all;
+  if (m_otherLines->GetVisibility() == 0) return all;
   for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get()}) {
     source->Update();
     found = hogelscope::statesAt(source->GetOutput(0), clipFromWorld, place);

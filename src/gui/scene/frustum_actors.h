@@ -28,6 +28,13 @@ class FrustumActors {
 
   void show(const DisplayParams& display, const std::vector<CameraState>& states,
             std::size_t current);
+  /// Of states that are not in the session yet.
+  void showPreview(const std::vector<CameraState>& states);
+  void setVisible(bool areVisible);
+  /// So many times as long as they are by themselves: a quarter of the way to lookat or, from 30
+  /// states on, all but the current one a twentieth. 1/64 … 4; the image is at lookat at most.
+  void setSize(double factor);
+  [[nodiscard]] double size() const { return m_size; }
   /// In dB, by state; empty: none.
   void showPsnr(const std::vector<double>& values);
   void setImagesVisible(bool areVisible);
@@ -43,13 +50,17 @@ class FrustumActors {
 
   DisplayParams m_display;
   std::vector<CameraState> m_states;
+  std::vector<CameraState> m_preview;
   std::size_t m_current = 0;
+  double m_size = 1;
   PsnrScale m_psnr;
   StateImages m_images;
   vtkNew<vtkCameraFrustumSource> m_others;
   vtkNew<vtkCameraFrustumSource> m_marked;
+  vtkNew<vtkCameraFrustumSource> m_previewed;
   vtkNew<vtkActor> m_otherLines;
   vtkNew<vtkActor> m_markedLines;
+  vtkNew<vtkActor> m_previewLines;
   vtkNew<vtkActor> m_otherImages;
   vtkNew<vtkActor> m_markedImage;
 };

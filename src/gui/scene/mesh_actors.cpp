@@ -67,6 +67,7 @@ void MeshActors::setMesh(const VtkMesh& mesh) {
 }
 
 void MeshActors::setDisplay(const DisplayParams& display) {
+  if (std::exchange(m_display, display) == display) return;
   const auto [x, y, z, origin] = transformFromPose(display.position, display.orientation);
   const double matrix[16] = {x.x, y.x, z.x, origin.x, x.y, y.y, z.y, origin.y,
                              x.z, y.z, z.z, origin.z, 0,   0,   0,   1};

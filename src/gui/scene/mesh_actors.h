@@ -36,6 +36,7 @@ class MeshActors {
  private:
   vtkNew<vtkPolyDataMapper> m_mapper;
   vtkNew<vtkActor> m_actor;
+  DisplayParams m_display;  ///< at the world's origin, as an actor is by itself
   bool m_isVisible = true;
 };
 

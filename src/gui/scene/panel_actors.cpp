@@ -66,13 +66,31 @@ void PanelActors::setDisplay(const DisplayParams& display) {
 void PanelActors::setImage(vtkImageData* image) {
   m_image->SetInputData(image);
   m_panel->SetTexture(image != nullptr ? m_image.Get() : nullptr);
-  m_grid->SetVisibility(image == nullptr);
+  updateGrid();
   const auto [r, g, b] = SceneWorker::panelColour;
   // A texture is multiplied by the colour.
   if (image != nullptr)
     m_panel->GetProperty()->SetColor(1, 1, 1);
   else
     m_panel->GetProperty()->SetColor(r / 255.0, g / 255.0, b / 255.0);
+}
+
+void PanelActors::setGridVisible(bool isVisible) {
+  m_isGridWanted = isVisible;
+  updateGrid();
+}
+
+void PanelActors::updateGrid() {
+  m_grid->SetVisibility(m_isGridWanted || m_panel->GetTexture() == nullptr);
+}
+
+void PanelActors::setAxesVisible(bool areVisible) {
+  m_axes->SetVisibility(areVisible);
+}
+
+void PanelActors::setScaleBarVisible(bool isVisible) {
+  m_bar->SetVisibility(isVisible);
+  m_barLabel->SetVisibility(isVisible);
 }
 
 void PanelActors::setGridSpacing(double spacing) {

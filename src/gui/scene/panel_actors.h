@@ -28,12 +28,17 @@ class PanelActors {
   void setDisplay(const DisplayParams& display);
   /// RGB over the whole panel; null: none yet, or not to be shown. Without one the grid is there.
   void setImage(vtkImageData* image);
+  /// Also over an image.
+  void setGridVisible(bool isVisible);
+  void setAxesVisible(bool areVisible);
+  void setScaleBarVisible(bool isVisible);
   /// Grid lines stay so far apart, in metres.
   void setGridSpacing(double spacing);
   /// How many lines the grid has now; 0 where it is not shown.
   [[nodiscard]] int gridLines() const;
 
  private:
+  void updateGrid();
   void addAxes(vtkRenderer* renderer);
   void addScaleBar(vtkRenderer* renderer);
 
@@ -45,6 +50,7 @@ class PanelActors {
   vtkNew<vtkScaleBarSource> m_barSource;
   vtkNew<vtkActor> m_bar;
   vtkNew<vtkTextActor> m_barLabel;
+  bool m_isGridWanted = false;
 };
 
 }  // namespace hogelscope

@@ -50,7 +50,7 @@ SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model
   connectModel();
   connectScene();
   showText();
-  m_scene->fit();
+  m_scene->reset();
 }
 
 SceneController::~SceneController() = default;
@@ -62,7 +62,11 @@ void SceneController::connectActions() {
   on(m_form.fitAction, [this] { m_scene->fit(); });
   on(m_form.sceneFrontAction, [this] { m_scene->lookFrom(SceneSide::front); });
   on(m_form.sceneTopAction, [this] { m_scene->lookFrom(SceneSide::top); });
-  on(m_form.sceneSideAction, [this] { m_scene->lookFrom(SceneSide::side); });
+  on(m_form.sceneSideAction, [this] { m_scene->lookFrom(SceneSide::right); });
+  on(m_form.sceneBackAction, [this] { m_scene->lookFrom(SceneSide::back); });
+  on(m_form.sceneBottomAction, [this] { m_scene->lookFrom(SceneSide::bottom); });
+  on(m_form.sceneLeftSideAction, [this] { m_scene->lookFrom(SceneSide::left); });
+  on(m_form.sceneParallelAction, [this](bool isOn) { m_scene->setParallel(isOn); });
   // Keys of the scene itself: elsewhere arrows mean something else.
   const auto onScene = [this, on](QAction* action, auto slot) {
     m_form.sceneWidget->addAction(action);
@@ -81,6 +85,28 @@ void SceneController::connectActions() {
   on(m_form.scenePanelPictureAction, [this] { renderPanel(); });
   on(m_form.sceneStatePicturesAction, [this] { renderStates(); });
   on(m_form.sceneMeshAction, [this] { showMesh(); });
+  const auto onPart = [this](QAction* action, auto show) {
+    const auto showAndDraw = [this, show](bool isOn) {
+      show(isOn);
+      m_scene->redraw();
+    };
+    connect(action, &QAction::toggled, this, showAndDraw);
+    showAndDraw(action->isChecked());
+  };
+  onPart(m_form.sceneFrustaAction, [this](bool isOn) { m_scene->frusta().setVisible(isOn); });
+  onPart(m_form.sceneZoneAction, [this](bool isOn) { m_scene->zone().setVisible(isOn); });
+  onPart(m_form.sceneGridAction, [this](bool isOn) { m_scene->panel().setGridVisible(isOn); });
+  onPart(m_form.sceneAxesAction, [this](bool isOn) { m_scene->panel().setAxesVisible(isOn); });
+  onPart(m_form.sceneScaleBarAction,
+         [this](bool isOn) { m_scene->panel().setScaleBarVisible(isOn); });
+  const auto resize = [this](double factor) {
+    return [this, factor] {
+      m_scene->frusta().setSize(factor * m_scene->frusta().size());
+      m_scene->redraw();
+    };
+  };
+  on(m_form.sceneLargerFrustaAction, resize(1.5));
+  on(m_form.sceneSmallerFrustaAction, resize(1 / 1.5));
 }
 
 void SceneController::connectModel() {
@@ -88,7 +114,7 @@ void SceneController::connectModel() {
     m_scene->frusta().showPsnr({});
     forgetPicks();
     setScene(std::nullopt);
-    m_scene->fit();
+    m_scene->reset();
   });
   connect(m_model, &SessionModel::currentChanged, this, [this] {
     forgetPicks();
@@ -152,6 +178,11 @@ void SceneController::showPsnr(const std::vector<double>& dB) {
   m_scene->redraw();
 }
 
+void SceneController::showPreview(const std::vector<CameraState>& states) {
+  m_scene->frusta().showPreview(states);
+  m_scene->redraw();
+}
+
 /// The model changed.
 void SceneController::refresh() {
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
@@ -199,8 +230,8 @@ void SceneController::renderPanel() {
   };
   const auto [width, height] = m_display.size;
   const std::optional<CameraState> state =
-      panelState(m_display, m_scene->eye().eye, {pixels(width), pixels(height)});
-  m_isPanelDark = !state || shareSeenFrom(m_display, m_scene->eye().eye) == 0;
+      panelState(m_display, m_scene->viewpoint(), {pixels(width), pixels(height)});
+  m_isPanelDark = !state || shareSeenFrom(m_display, m_scene->viewpoint()) == 0;
   if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || m_isPanelDark) {
     m_scene->panel().setImage(nullptr);
     return m_scene->redraw();

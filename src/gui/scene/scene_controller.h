@@ -33,10 +33,14 @@ class SceneController : public QObject {
   void setScene(const std::optional<Scene>& scene);
   /// Colours the frusta, by state, in dB; empty: no longer. Infinite is identical, NaN no view.
   void showPsnr(const std::vector<double>& dB);
+  /// States that are not in the session yet, beside its own; empty: none.
+  void showPreview(const std::vector<CameraState>& states);
   /// A pixel of the current state's simulated view: its ray and what that meets. A pixel outside
   /// the image ends that.
   void showPixel(int x, int y);
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
+  /// Anew, as the scene's eye sees it on the screen.
+  void renderPanel();
 
   /// The current state's view of what has been read; none without either.
   [[nodiscard]] std::optional<RenderJob> job() const;
@@ -64,7 +68,6 @@ class SceneController : public QObject {
   void markHogel();
   void tracePixel();
   void showText();
-  void renderPanel();
   void renderStates();
   void setStateFromScene();
 

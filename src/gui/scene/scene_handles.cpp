@@ -60,6 +60,8 @@ void SceneHandles::onDrag(vtkObject* widget, unsigned long, void*) {
 }
 
 void SceneHandles::showAt(const Vec3& eye, const Vec3& lookat) {
+  if (m_eye.isPlaced && positionOf(m_eye.ball) == eye && positionOf(m_lookat.ball) == lookat)
+    return;
   move(m_eye.ball, eye);
   move(m_lookat.ball, lookat);
   m_eye.isPlaced = m_lookat.isPlaced = true;
@@ -67,6 +69,8 @@ void SceneHandles::showAt(const Vec3& eye, const Vec3& lookat) {
 }
 
 void SceneHandles::showMeshAt(const std::optional<Vec3>& origin) {
+  if (m_mesh.isPlaced == origin.has_value() && (!origin || positionOf(m_mesh.ball) == *origin))
+    return;
   m_mesh.isPlaced = origin.has_value();
   if (origin) move(m_mesh.ball, *origin);
   update();

@@ -39,6 +39,7 @@ void StateImages::clear() {
   std::fill_n(static_cast<std::uint8_t*>(m_image->GetScalarPointer()),
               3 * m_image->GetNumberOfPoints(), emptyGrey);
   m_image->Modified();
+  m_texture->Modified();  // else an actor that has it does not know that it is to be drawn
 }
 
 void StateImages::setImage(std::size_t index, vtkImageData* image) {
@@ -54,6 +55,7 @@ void StateImages::setImage(std::size_t index, vtkImageData* image) {
                   3, to);
   }
   m_image->Modified();
+  m_texture->Modified();
 }
 
 }  // namespace hogelscope

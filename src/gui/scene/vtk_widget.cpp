@@ -10,34 +10,35 @@
 #include <vtkOpenGLState.h>
 
 #include <QMouseEvent>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QScreen>
+#include <QOpenGLFunctions>
+#include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
 #include <utility>
 
 namespace hogelscope {
 
-QSurfaceFormat VtkWidget::surfaceFormat() {
+namespace {
+
+/// What VTK 9.1 needs. It resolves its own multisampling.
+QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);  // else the window is painted only once
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  format.setAlphaBufferSize(8);
-  format.setSamples(0);  // VTK resolves its own multisampling
   return format;
 }
 
-VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
-  setFormat(surfaceFormat());
+}  // namespace
+
+VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
 
-  m_window->SetReadyForRendering(false);  // until initializeGL
+  m_window->SetReadyForRendering(false);  // until there is a context
   m_window->SetOwnContext(0);
   m_window->SetFrameBlitModeToNoBlit();
   m_window->SetMultiSamples(0);  // costs 5 × on software GL
@@ -47,86 +48,90 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
 
   m_interactor->SetRenderWindow(m_window);
   m_interactor->SetInteractorStyle(vtkNew<vtkInteractorStyleTrackballCamera>());
-  m_interactor->EnableRenderOff();  // Render() only raises RenderEvent; paintGL draws
+  m_interactor->EnableRenderOff();  // Render() only raises RenderEvent; paintEvent draws
   m_interactor->AddObserver(vtkCommand::RenderEvent, this, &VtkWidget::onRenderRequest);
   m_interactor->Initialize();
 }
 
 VtkWidget::~VtkWidget() {
-  disconnect(m_contextEnds);  // ~QOpenGLWidget ends the context after our members are gone
-  if (context() != nullptr) releaseGL();
+  if (m_context != nullptr && m_context->makeCurrent(m_surface.get())) {
+    m_window->Finalize();
+    m_context->doneCurrent();
+  }
   m_interactor->RemoveAllObservers();
   m_window->RemoveAllObservers();
-}
-
-void VtkWidget::initializeGL() {
-  m_contextEnds = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this,
-                          &VtkWidget::releaseGL, Qt::DirectConnection);
-  m_window->GetState()->Reset();
-  m_window->SetMapped(1);
-  m_window->SetIsCurrent(true);
-  m_window->SetReadyForRendering(true);
-  m_window->OpenGLInitContext();
-}
-
-void VtkWidget::releaseGL() {
-  makeCurrent();
-  m_window->Finalize();
-  m_window->SetReadyForRendering(false);
-  doneCurrent();
 }
 
 QSize VtkWidget::deviceSize() const {
   return (QSizeF(size()) * devicePixelRatioF()).toSize();
 }
 
-void VtkWidget::resizeGL(int, int) {
-  m_window->SetDPI(qRound(72 * devicePixelRatioF()));
-  const QSize screenSize = (QSizeF(screen()->size()) * devicePixelRatioF()).toSize();
-  m_window->SetScreenSize(screenSize.width(), screenSize.height());
+void VtkWidget::redraw() {
+  m_isCurrent = false;
+  update();
+}
+
+const QImage& VtkWidget::image() {
+  if (!m_isCurrent || m_image.size() != deviceSize()) render();
+  return m_image;
+}
+
+void VtkWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (!image().isNull()) return painter.drawImage(rect(), m_image);
+  painter.fillRect(rect(), Qt::black);
+  painter.setPen(Qt::white);
+  painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("OpenGL 3.2 is not available."));
+}
+
+void VtkWidget::resizeEvent(QResizeEvent*) {
   m_interactor->UpdateSize(deviceSize().width(), deviceSize().height());
   Q_EMIT resized();
 }
 
-void VtkWidget::paintGL() {
-  vtkOpenGLState* state = m_window->GetState();
-  state->Reset();  // Qt painted with this context: what VTK remembers of it is stale
-  state->Push();
-  state->vtkglDepthFunc(GL_LEQUAL);  // Qt leaves GL_LESS
-  m_window->Render();
-  state->Pop();
-  makeCurrent();  // an observer may have switched contexts; binds Qt's framebuffer again
-  copyToWidget();
+void VtkWidget::makeContext() {
+  m_surface = std::make_unique<QOffscreenSurface>();
+  m_surface->setFormat(surfaceFormat());
+  m_surface->create();
+  m_context = std::make_unique<QOpenGLContext>();
+  m_context->setFormat(surfaceFormat());
+  if (!m_context->create() || !m_context->makeCurrent(m_surface.get())) return m_context.reset();
+  m_window->SetMapped(1);
+  m_window->SetIsCurrent(true);
+  m_window->SetReadyForRendering(true);
+  m_window->OpenGLInitContext();
 }
 
-/// Plain GL from VTK's framebuffer to Qt's, so that nothing VTK remembers can be wrong.
-void VtkWidget::copyToWidget() {
-  QOpenGLExtraFunctions* gl = context()->extraFunctions();
-  vtkOpenGLFramebufferObject* source = m_window->GetDisplayFramebuffer();
-  const int* from = source->GetLastSize();
-  const QSize to = deviceSize();
-  const GLenum colour = GL_COLOR_ATTACHMENT0;
-  gl->glDisable(GL_SCISSOR_TEST);
-  gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, source->GetFBOIndex());
-  gl->glReadBuffer(colour);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glDrawBuffers(1, &colour);
-  gl->glBlitFramebuffer(0, 0, from[0], from[1], 0, 0, to.width(), to.height(), GL_COLOR_BUFFER_BIT,
-                        GL_NEAREST);
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);  // opaque, else Qt blends
-  gl->glClearColor(0, 0, 0, 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+void VtkWidget::render() {
+  m_isCurrent = true;  // rendering may ask for more
+  if (m_surface == nullptr) makeContext();
+  if (m_context == nullptr || !m_context->makeCurrent(m_surface.get())) return;
+  const QSize size = deviceSize();
+  m_window->SetDPI(qRound(72 * devicePixelRatioF()));
+  m_interactor->UpdateSize(size.width(), size.height());
+  m_window->Render();
+  if (m_image.size() != size) m_image = QImage(size, QImage::Format_RGB32);
+  readPixels();
+}
+
+void VtkWidget::readPixels() {
+  vtkOpenGLState* state = m_window->GetState();
+  state->PushReadFramebufferBinding();
+  m_window->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+  m_window->GetDisplayFramebuffer()->ActivateReadBuffer(0);
+  m_context->functions()->glReadPixels(0, 0, m_image.width(), m_image.height(), GL_BGRA,
+                                       GL_UNSIGNED_BYTE, m_image.bits());
+  state->PopReadFramebufferBinding();
+  m_image = std::move(m_image).mirrored();  // OpenGL's first row is the lowest
 }
 
 void VtkWidget::onMakeCurrent(vtkObject*, unsigned long, void*) {
-  // Not QOpenGLWidget::makeCurrent(): that also binds Qt's framebuffer behind VTK's back.
-  if (isValid()) context()->makeCurrent(context()->surface());
+  if (m_context != nullptr) m_context->makeCurrent(m_surface.get());
 }
 
 void VtkWidget::onIsCurrent(vtkObject*, unsigned long, void* isCurrent) {
-  *static_cast<bool*>(isCurrent) = isValid() && QOpenGLContext::currentContext() == context();
+  *static_cast<bool*>(isCurrent) =
+      m_context != nullptr && QOpenGLContext::currentContext() == m_context.get();
 }
 
 void VtkWidget::onSupportsOpenGL(vtkObject*, unsigned long, void* isSupported) {
@@ -134,12 +139,7 @@ void VtkWidget::onSupportsOpenGL(vtkObject*, unsigned long, void* isSupported) {
 }
 
 void VtkWidget::onRenderRequest(vtkObject*, unsigned long, void*) {
-  update();
-}
-
-bool VtkWidget::event(QEvent* event) {
-  if (event->type() == QEvent::ScreenChangeInternal) update();
-  return QOpenGLWidget::event(event);
+  redraw();
 }
 
 void VtkWidget::emitPointer(const QPointF& position, Qt::KeyboardModifiers modifiers) {

@@ -4,31 +4,37 @@
 
 #include <vtkNew.h>
 
-#include <QOpenGLWidget>
-#include <QSurfaceFormat>
+#include <QImage>
+#include <QWidget>
+#include <memory>
 
+class QOffscreenSurface;
+class QOpenGLContext;
 class vtkGenericOpenGLRenderWindow;
 class vtkGenericRenderWindowInteractor;
 class vtkObject;
 
 namespace hogelscope {
 
-/// All rendering happens in paintGL: vtkRenderWindow::Render requests only schedule a repaint. Put
-/// renderers into `renderWindow()`; call `update()` after a change.
-class VtkWidget : public QOpenGLWidget {
+/// VTK renders off the screen, in a context of its own, and only when something changed; the widget
+/// paints the picture. So the window around it is no OpenGL window, of which Qt would compose every
+/// pixel anew for each change of any widget. All rendering happens in paintEvent: VTK's requests
+/// only schedule one. Put renderers into `renderWindow()`; call `redraw()` after a change.
+class VtkWidget : public QWidget {
   Q_OBJECT
 
  public:
   explicit VtkWidget(QWidget* parent = nullptr);
   ~VtkWidget() override;
 
-  /// What VTK needs of a context; make it the default before the QApplication.
-  static QSurfaceFormat surfaceFormat();
-
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return m_window; }
   [[nodiscard]] vtkGenericRenderWindowInteractor* interactor() const { return m_interactor; }
   /// In the screen's own pixels, as VTK counts them.
   [[nodiscard]] QSize deviceSize() const;
+  /// Before the next event is handled the scene may change more than once.
+  void redraw();
+  /// What it shows, in the screen's own pixels; null where there is no OpenGL.
+  [[nodiscard]] const QImage& image();
 
  Q_SIGNALS:
   /// The left button went down and up at one place; pixels from the lower left.
@@ -38,18 +44,17 @@ class VtkWidget : public QOpenGLWidget {
   void resized();
 
  protected:
-  bool event(QEvent* event) override;
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  void releaseGL();
-  void copyToWidget();
+  void makeContext();
+  void render();
+  void readPixels();
   void emitPointer(const QPointF& position, Qt::KeyboardModifiers modifiers);
   void onMakeCurrent(vtkObject* caller, unsigned long event, void* data);
   void onIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
@@ -59,7 +64,10 @@ class VtkWidget : public QOpenGLWidget {
 
   vtkNew<vtkGenericOpenGLRenderWindow> m_window;
   vtkNew<vtkGenericRenderWindowInteractor> m_interactor;
-  QMetaObject::Connection m_contextEnds;
+  std::unique_ptr<QOffscreenSurface> m_surface;
+  std::unique_ptr<QOpenGLContext> m_context;  ///< from the first paint on; not valid: no OpenGL
+  QImage m_image;
+  bool m_isCurrent = false;  ///< the image is of the scene as it is
   QPointF m_pressedAt;
   bool m_isClick = false;  ///< the left button is down and has not been moved
 };

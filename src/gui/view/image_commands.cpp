@@ -7,6 +7,7 @@
 
 #include "gui/session/session_model.h"
 #include "gui/view/comparison_commands.h"
+#include "gui/view/view_output.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/reading_bar.h"
@@ -17,22 +18,13 @@
 
 namespace hogelscope {
 
-namespace {
-
-/// Of a live scene its own file alone: to open it may take seconds.
-std::vector<std::filesystem::path> filesOf(const Session& session) {
-  if (session.lightField.layout == Layout::live) return {contentName(session.lightField)};
-  return openLightField(session.lightField, session.display)->files();
-}
-
-}  // namespace
-
 ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
     : QObject(parent),
       m_ui(ui),
       m_model(model),
       m_comparison(new Comparison(this)),
       m_comparing(new ComparisonCommands(ui, this)),
+      m_output(new ViewOutput(ui, model, this)),
       m_bar(new ReadingBar(
           tr("Other light field"), [this] { return m_comparison->readShare(); }, ui.statusBar)) {
   const auto connectAction = [this](QAction* action, void (ImageCommands::*does)()) {
@@ -54,6 +46,8 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
   connect(m_comparison, &Comparison::failed, this, &ImageCommands::failed);
   connect(m_comparison, &Comparison::failed, this, &ImageCommands::showComparison);
   connect(m_model, &SessionModel::opened, m_comparison, &Comparison::stop);
+  connect(m_output, &ViewOutput::done, this, &ImageCommands::done);
+  connect(m_output, &ViewOutput::failed, this, &ImageCommands::failed);
   m_bar->setObjectName("otherReadingBar");
   m_ui.statusBar->addPermanentWidget(m_bar);
   connect(m_bar, &ReadingBar::stopAsked, this, &ImageCommands::stopReading);
@@ -62,6 +56,7 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
 
 void ImageCommands::setScene(const std::optional<Scene>& own) {
   m_comparison->setScene(own);
+  m_output->setScene(own);
 }
 
 std::optional<Scene> ImageCommands::other() const {
@@ -146,7 +141,7 @@ bool ImageCommands::saveImage(const QString& file) {
   for (int y = 0; y < image.height(); ++y)
     rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
   try {
-    checkOutputs({file.toStdString()}, filesOf(m_model->session()));
+    checkOutputs({file.toStdString()}, lightFieldFiles(m_model->session()));
     writeImage(file.toStdString(), image.width(), image.height(), rgb);
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
@@ -175,8 +170,8 @@ void ImageCommands::askFolder() {
 
 void ImageCommands::askImage() {
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file =
-      chooseNewFile(m_ui.pictureView, tr("Save picture"), name, tr("Pictures (*.png *.tif *.jpg)"));
+  const QString file = chooseNewFile(m_ui.pictureView, tr("Save picture"), name,
+                                     tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
   if (!file.isEmpty()) saveImage(file);
 }
 

@@ -15,6 +15,7 @@ namespace hogelscope {
 class ComparisonCommands;
 class ReadingBar;
 class SessionModel;
+class ViewOutput;
 struct RenderedView;
 
 class ImageCommands : public QObject {
@@ -59,6 +60,7 @@ class ImageCommands : public QObject {
   SessionModel* m_model;
   Comparison* m_comparison;
   ComparisonCommands* m_comparing;
+  ViewOutput* m_output;
   ReadingBar* m_bar;
 };
 

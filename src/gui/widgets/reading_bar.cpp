@@ -8,7 +8,8 @@
 
 namespace hogelscope {
 
-ReadingBar::ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent)
+ReadingBar::ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent,
+                       const QString& barHelp, const QString& stopHelp)
     : QWidget(parent) {
   auto* bar = new PolledBar(std::move(share));
   auto* layout = new QHBoxLayout(this);
@@ -16,10 +17,10 @@ ReadingBar::ReadingBar(const QString& what, PolledBar::Share share, QWidget* par
   bar->setMaximumHeight(fontMetrics().height() + 4);
   bar->setMinimumWidth(fontMetrics().horizontalAdvance(what) * 2);
   bar->setFormat(tr("%1: %p %").arg(what));
-  bar->setToolTip(tr("How much has been read"));
+  bar->setToolTip(barHelp);
   auto* button = new QToolButton;
   button->setText(tr("Stop"));
-  button->setToolTip(tr("Stops reading; the window stays as it is without what was read"));
+  button->setToolTip(stopHelp);
   connect(button, &QToolButton::clicked, this, &ReadingBar::stopAsked);
   layout->addWidget(bar);
   layout->addWidget(button);

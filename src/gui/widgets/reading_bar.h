@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the reading of a light field is, with a button that stops it; in the status bar.
+// How far the reading of a light field, or the writing of pictures, is, with a button that stops
+// it; in the status bar.
 #pragma once
 
 #include "gui/widgets/polled_bar.h"
@@ -10,8 +11,12 @@ class ReadingBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// `what` is read, and stands in the bar. Hidden at first; to be shown while it is read.
-  ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent);
+  /// `what` is read, and stands in the bar. Hidden at first; to be shown while it is read. Other
+  /// work has its own tooltips.
+  ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent,
+             const QString& barHelp = tr("How much has been read"),
+             const QString& stopHelp =
+                 tr("Stops reading; the window stays as it is without what was read"));
 
  Q_SIGNALS:
   void stopAsked();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/colour_map.h"
 #include "core/base/text.h"
 #include "report/page/html.h"
 
@@ -13,9 +14,6 @@ namespace hogelscope {
 
 namespace {
 
-/// Okabe and Ito's colours for all kinds of colour vision, without the yellow, which paper loses.
-constexpr std::array<const char*, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                             "#e69f00", "#56b4e9", "#000000"};
 /// Corners of the markers other than the circle, in radii.
 constexpr std::array<std::array<double, 8>, 4> corners{{{-1, -1, 1, -1, 1, 1, -1, 1},
                                                         {0, -1.2, 1.2, 1, 0, 1, -1.2, 1},
@@ -61,10 +59,6 @@ std::string plotFrame(const Axis& across, const Axis& up, const std::string& tit
   text += svgText((left + right) / 2, bottom + 36, "middle", titleAcross);
   return text + "<g transform=\"translate(13 " + coordinate((top + bottom) / 2) +
          ") rotate(-90)\">" + svgText(0, 0, "middle", titleUp) + "</g>\n";
-}
-
-const char* seriesColour(std::size_t series) {
-  return colours[series % colours.size()];
 }
 
 std::string seriesMark(std::size_t series, double x, double y, double radius,

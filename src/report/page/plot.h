@@ -22,9 +22,7 @@ std::string svgLine(double x1, double y1, double x2, double y2, std::string_view
 std::string plotFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
                       const std::string& titleUp, std::vector<Tick> ticksAcross = {});
 
-/// The colour of the k-th of several series; it is repeated after seven.
-const char* seriesColour(std::size_t series);
-/// A mark of that series: an element with its `attributes` and `content`.
+/// A mark of the k-th of several series: an element with its `attributes` and `content`.
 std::string seriesMark(std::size_t series, double x, double y, double radius,
                        const std::string& attributes, const std::string& content);
 /// The names of all series beside their marks.

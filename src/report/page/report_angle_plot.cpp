@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/colour_map.h"
 #include "core/metrics/summary.h"
 #include "report/page/html.h"
 #include "report/page/plot.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/colour_map.h"
 #include "core/base/text.h"
 #include "report/page/html.h"
 #include "report/page/plot.h"

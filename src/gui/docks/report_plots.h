@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report dock's plots: PSNR over the states or the viewing angle, and the error on the panel.
+#pragma once
+
+#include <QPixmap>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "chart/report_chart.h"
+#include "core/metrics/report_rows.h"
+#include "report/report_request.h"
+
+class QComboBox;
+
+namespace hogelscope {
+
+/// One plot; a click on a point or on a row's place chooses the row.
+class ReportPlotView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReportPlotView(QWidget* parent = nullptr);
+  void setChart(ReportChart chart);
+  /// Stands in the place of the chart; null: the chart.
+  void setPicture(const QPixmap& picture);
+  void select(std::optional<std::size_t> row);
+  [[nodiscard]] const ReportChart& chart() const { return m_chart; }
+  [[nodiscard]] const QPixmap& picture() const { return m_picture; }
+
+ Q_SIGNALS:
+  void clicked(std::size_t row);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  ReportChart m_chart;
+  QPixmap m_picture;
+};
+
+class ReportPlots : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReportPlots(QWidget* parent = nullptr);
+
+  /// What the rows are of; rows come one by one.
+  void begin(const ReportRequest& request, const std::vector<std::string>& tests);
+  void set(std::size_t index, const ReportRow& row);
+  /// The files of the whole report are there.
+  void finish();
+  /// That row's test is the one whose panel is shown.
+  void select(std::optional<std::size_t> row);
+
+ Q_SIGNALS:
+  void clicked(std::size_t row);
+
+ private:
+  enum Kind { overStates, overAngle, overHogels, overDirections };
+  void showPlot();
+  [[nodiscard]] ReportChart chart() const;
+  [[nodiscard]] QPixmap panel() const;
+  [[nodiscard]] bool isOfPanel() const;
+
+  ReportRequest m_request;
+  std::vector<std::string> m_tests;
+  std::vector<std::optional<ReportRow>> m_rows;
+  std::optional<std::size_t> m_selected;
+  bool m_isFinished = false;
+  QComboBox* m_kind;
+  ReportPlotView* m_view;
+};
+
+}  // namespace hogelscope

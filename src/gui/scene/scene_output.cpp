@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The 3-D scene as files.
+#include "gui/scene/scene_output.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/engine/renderer.h"
+#include "core/optics/panel_view.h"
+#include "core/optics/viewing_zone.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/scene/scene_export.h"
+#include "gui/scene/scene_picture.h"
+#include "gui/scene/vtk_image.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/session/session_model.h"
+#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/reading_bar.h"
+#include "gui/widgets/size_dialog.h"
+#include "gui/widgets/task.h"
+#include "io/images/image_writer.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// The panel as an eye sees it, a pixel of it being so many metres wide; none where no light
+/// reaches that eye.
+std::optional<RenderJob> panelJob(const RenderJob& current, const Vec3& eye, double pixel) {
+  constexpr double longest = 4096;  // a texture of any OpenGL
+  const auto pixels = [&](double side) { return int(std::clamp(side / pixel, 1.0, longest)); };
+  const auto [width, height] = current.display.size;
+  std::optional<CameraState> state =
+      panelState(current.display, eye, {pixels(width), pixels(height)});
+  if (!state || shareSeenFrom(current.display, eye) == 0) return std::nullopt;
+  state->psf = current.state.psf;
+  RenderJob job = current;
+  job.state = *state;
+  job.sampling.tolerance = 0;
+  job.sampling.samplesPerPixel = 1;
+  return job;
+}
+
+VtkImage imageOf(const std::optional<RenderJob>& panel, const Progress& progress) {
+  if (!panel) return nullptr;
+  return toVtkImage(Renderer().render(*panel, progress), SceneWorker::panelColour);
+}
+
+}  // namespace
+
+SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, SessionModel* model,
+                         QObject* parent)
+    : QObject(parent),
+      m_ui(ui),
+      m_controller(controller),
+      m_model(model),
+      m_task(new Task(this)),
+      m_bar(new ReadingBar(
+          tr("Scene"), [this] { return m_task->share(); }, ui.statusBar,
+          tr("How much of the scene has been drawn and written"),
+          tr("Stops, and leaves no file behind"))) {
+  m_bar->setObjectName("sceneOutputBar");
+  ui.statusBar->addPermanentWidget(m_bar);
+  connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
+  connect(m_task, &Task::stopped, this, [this] {
+    showState();
+    Q_EMIT done(tr("Stopped; nothing was written"));
+  });
+  connect(ui.saveSceneAction, &QAction::triggered, this, &SceneOutput::askPicture);
+  connect(ui.exportSceneAction, &QAction::triggered, this, &SceneOutput::askExport);
+  connect(model, &SessionModel::opened, this, [this] {
+    // What comes after would be of another scene.
+    if (m_task->isRunning())
+      Q_EMIT failed(tr("%1: not written: another session opens").arg(m_file));
+    m_task->abandon();
+    showState();
+  });
+  connect(m_task, &Task::failed, this, [this](const QString& line) {
+    showState();
+    Q_EMIT failed(line);
+  });
+  showState();
+}
+
+void SceneOutput::showState() {
+  m_bar->setVisible(m_task->isRunning());
+  for (QAction* action : {m_ui.saveSceneAction, m_ui.exportSceneAction})
+    action->setEnabled(!m_model->session().cameras.empty() && !m_task->isRunning());
+}
+
+void SceneOutput::finish(const QString& file) {
+  showState();
+  Q_EMIT done(tr("Saved %1").arg(file));
+}
+
+/// The panel is rendered and the file written on the thread, the scene drawn in the window's, which
+/// has OpenGL.
+void SceneOutput::savePicture(const QString& file, const QSize& size) {
+  m_file = file;
+  DisplayScene& scene = m_controller->scene();
+  const std::optional<RenderJob> current = m_controller->job();
+  std::optional<RenderJob> panel;
+  if (current && m_ui.scenePanelPictureAction->isChecked())
+    panel = panelJob(*current, scene.viewpoint(),
+                     scene.pixelOnPanel() * m_ui.sceneWidget->deviceSize().height() /
+                         std::max(1, size.height()));
+  m_task->start([this, panel, file, size](const Progress& progress) {
+    return [this, image = imageOf(panel, progress), file, size] {
+      if (image != nullptr) m_controller->scene().panel().setImage(image);
+      draw(file, size);
+    };
+  });
+  showState();
+}
+
+void SceneOutput::draw(const QString& file, const QSize& size) {
+  try {
+    if (m_ui.sceneWidget->image().isNull())  // also makes OpenGL ready where it was never shown
+      throw InputError("the scene's picture", "OpenGL 3.2 is not available");
+    const auto rgb = scenePicture(*m_ui.sceneWidget->renderWindow(), size);
+    m_controller->scene().redraw();
+    m_controller->renderPanel();  // the fine one is slow to turn
+    m_task->start([this, rgb, file, size](const Progress& progress) {
+      writeImage(file.toStdString(), size.width(), size.height(), rgb, progress);
+      return [this, file] { finish(file); };
+    });
+  } catch (const std::exception& error) {
+    showState();
+    Q_EMIT failed(file + ": " + QString::fromUtf8(error.what()));
+  }
+}
+
+void SceneOutput::exportTo(const QString& file) {
+  m_file = file;
+  constexpr double pixelsOfPanel = 1024;
+  SceneParts parts{displayOf(m_model->session()), m_model->session().cameras, nullptr, nullptr};
+  const std::optional<RenderJob> current = m_controller->job();
+  std::optional<RenderJob> panel;
+  if (current) {
+    parts.display = current->display;
+    const double side = std::max(parts.display.size[0], parts.display.size[1]);
+    panel = panelJob(*current, m_controller->scene().viewpoint(), side / pixelsOfPanel);
+  }
+  m_task->start([this, parts, current, panel, file](const Progress& progress) mutable {
+    parts.panelImage = imageOf(panel, progress);
+    if (current) parts.mesh = toVtkMesh(current->lightField->triangles());
+    exportScene(file.toStdString(), parts);
+    return [this, file] { finish(file); };
+  });
+  showState();
+}
+
+void SceneOutput::askPicture() {
+  SizeDialog dialog(tr("Save scene picture"), m_ui.sceneWidget->deviceSize(), m_ui.sceneWidget);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString file = chooseNewFile(m_ui.sceneWidget, tr("Save scene picture"), "scene.png",
+                                     tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
+  if (!file.isEmpty()) savePicture(file, dialog.size());
+}
+
+void SceneOutput::askExport() {
+  const QString file = chooseNewFile(m_ui.sceneWidget, tr("Export scene"), "scene.gltf",
+                                     tr("Scenes (*.gltf *.vtp)"));
+  if (!file.isEmpty()) exportTo(file);
+}
+
+}  // namespace hogelscope

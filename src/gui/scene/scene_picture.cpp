@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The 3-D scene as a picture of any size.
+#include "gui/scene/scene_picture.h"
+
+#include <vtkActor.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextureObject.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/error.h"
+#include "io/files/system_limits.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// The actors of all renderers, those inside axes and the like too.
+std::vector<vtkActor*> actorsOf(vtkRenderWindow& window) {
+  const vtkNew<vtkPropCollection> actors;
+  vtkRendererCollection* renderers = window.GetRenderers();
+  renderers->InitTraversal();
+  while (vtkRenderer* renderer = renderers->GetNextItem()) {
+    vtkCollectionSimpleIterator at = nullptr;
+    renderer->GetViewProps()->InitTraversal(at);
+    while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(at)) prop->GetActors(actors);
+  }
+  std::vector<vtkActor*> all;
+  actors->InitTraversal();
+  while (vtkProp* actor = actors->GetNextProp()) all.push_back(vtkActor::SafeDownCast(actor));
+  return all;
+}
+
+bool hasLinesAlone(vtkActor* actor) {
+  auto* data = vtkPolyData::SafeDownCast(
+      actor->GetMapper() != nullptr ? actor->GetMapper()->GetInput() : nullptr);
+  return data != nullptr && data->GetNumberOfLines() > 0 &&
+         data->GetNumberOfLines() == data->GetNumberOfCells();
+}
+
+/// So many times as thick, as long as it lives. Plain lines are one pixel wide, tubes are not; but
+/// these have a dark side where there is light.
+class ThickerLines {
+ public:
+  ThickerLines(vtkRenderWindow& window, double factor) {
+    for (vtkActor* actor : actorsOf(window)) {
+      if (!hasLinesAlone(actor)) continue;
+      vtkProperty* look = actor->GetProperty();
+      m_before.push_back(
+          {look, look->GetLineWidth(), look->GetRenderLinesAsTubes(), look->GetLighting()});
+    }
+    for (const Look& look : m_before) {
+      look.property->SetLineWidth(float(factor) * look.width);
+      look.property->RenderLinesAsTubesOn();
+      look.property->LightingOff();
+    }
+  }
+  ~ThickerLines() {
+    for (const Look& look : m_before) {
+      look.property->SetLineWidth(look.width);
+      look.property->SetRenderLinesAsTubes(look.areTubes);
+      look.property->SetLighting(look.isLit);
+    }
+  }
+  ThickerLines(const ThickerLines&) = delete;
+  ThickerLines& operator=(const ThickerLines&) = delete;
+
+ private:
+  struct Look {
+    vtkSmartPointer<vtkProperty> property;
+    float width;
+    bool areTubes;
+    bool isLit;
+  };
+  std::vector<Look> m_before;
+};
+
+/// Of a pixel. Four is all that software has, at 8 bytes each: a large picture does without.
+int samplesFor(const QSize& size) {
+  constexpr int largest = 4096;
+  return std::max(size.width(), size.height()) <= largest ? 4 : 0;
+}
+
+std::vector<std::uint8_t> topFirst(vtkUnsignedCharArray& rgb, const QSize& size) {
+  const auto row = 3 * std::ptrdiff_t(size.width());
+  std::vector<std::uint8_t> picture;
+  picture.reserve(std::size_t(row) * std::size_t(size.height()));
+  for (int y = size.height() - 1; y >= 0; --y) {
+    const std::uint8_t* from = rgb.GetPointer(row * y);
+    picture.insert(picture.end(), from, from + row);
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
+  constexpr std::size_t bytesPerPixel = 20;  // colour, depth, what is read of them
+  checkFits(bytesPerPixel * std::size_t(size.width()) * std::size_t(size.height()),
+            "the scene's picture", {});
+  window.MakeCurrent();
+  const int largest = vtkTextureObject::GetMaximumTextureSize(&window);
+  if (std::max(size.width(), size.height()) > largest)
+    throw InputError("the scene's picture", "size",
+                     "OpenGL ends at " + std::to_string(largest) + " px here");
+  const int* own = window.GetSize();
+  const QSize before(own[0], own[1]);
+  const int dpi = window.GetDPI();
+  const double factor = double(size.height()) / std::max(1, before.height());
+  const ThickerLines lines(window, factor);
+  window.SetSize(size.width(), size.height());
+  window.SetDPI(std::max(1, int(std::lround(dpi * factor))));
+  window.SetMultiSamples(samplesFor(size));
+  window.Render();
+  const vtkNew<vtkUnsignedCharArray> rgb;
+  window.GetPixelData(0, 0, size.width() - 1, size.height() - 1, 0, rgb.Get(), 0);
+  window.SetMultiSamples(0);
+  window.SetDPI(dpi);
+  window.SetSize(before.width(), before.height());
+  return topFirst(*rgb, size);
+}
+
+}  // namespace hogelscope

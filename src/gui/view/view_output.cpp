@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulated views as files.
+#include "gui/view/view_output.h"
+
+#include <QStandardPaths>
+#include <algorithm>
+#include <cmath>
+
+#include "core/engine/renderer.h"
+#include "core/engine/scaled_view.h"
+#include "gui/session/session_model.h"
+#include "gui/view/animation_dialog.h"
+#include "gui/view/animation_files.h"
+#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/reading_bar.h"
+#include "io/files/output_folder.h"
+#include "io/images/image_writer.h"
+#include "ui_main_window.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What holds more than 8 bits gets it.
+bool holdsFloats(const QString& file) {
+  return file.endsWith(".exr") || file.endsWith(".tif") || file.endsWith(".tiff");
+}
+
+void writeView(const RenderJob& job, const QString& file, const Progress& progress) {
+  const auto [width, height] = job.state.camera.res;
+  const fs::path path = file.toStdString();
+  checkFits(std::size_t(width) * std::size_t(height) * 2 * sizeof(std::array<float, 3>), path, {});
+  checkWritable(path.has_parent_path() ? path.parent_path() : ".");
+  const Progress rendering = part(progress, 0, 0.9);
+  Renderer renderer;
+  if (holdsFloats(file))
+    writeImage(path, width, height, renderer.renderFloat(job, rendering).rgb);
+  else
+    writeImage(path, width, height, renderer.render(job, rendering).rgb,
+               [&](double) { return !progress || progress(0.9); });
+}
+
+}  // namespace
+
+std::vector<fs::path> lightFieldFiles(const Session& session) {
+  if (session.lightField.layout == Layout::live) return {contentName(session.lightField)};
+  return openLightField(session.lightField, session.display)->files();
+}
+
+ViewOutput::ViewOutput(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
+    : QObject(parent),
+      m_ui(ui),
+      m_model(model),
+      m_task(new Task(this)),
+      m_bar(new ReadingBar(
+          tr("Writing"), [this] { return m_task->share(); }, ui.statusBar,
+          tr("How much has been rendered and written"), tr("Stops, and leaves no file behind"))) {
+  m_bar->setObjectName("outputBar");
+  ui.statusBar->addPermanentWidget(m_bar);
+  connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
+  connect(ui.saveViewAction, &QAction::triggered, this, &ViewOutput::askView);
+  connect(ui.saveAnimationAction, &QAction::triggered, this, &ViewOutput::askAnimation);
+  connect(m_task, &Task::stopped, this, [this] {
+    showState();
+    Q_EMIT done(tr("Stopped; nothing was written"));
+  });
+  connect(m_task, &Task::failed, this, [this](const QString& line) {
+    showState();
+    Q_EMIT failed(line);
+  });
+  showState();
+}
+
+void ViewOutput::setScene(const std::optional<Scene>& scene) {
+  m_scene = scene;
+  showState();
+}
+
+void ViewOutput::showState() {
+  m_bar->setVisible(m_task->isRunning());
+  for (QAction* action : {m_ui.saveViewAction, m_ui.saveAnimationAction})
+    action->setEnabled(m_scene && !m_task->isRunning());
+}
+
+void ViewOutput::start(const Task::Job& job) {
+  m_task->start(job);
+  showState();
+}
+
+void ViewOutput::saveView(const QString& file, const QSize& size) {
+  const CameraState state = resized(m_model->current(), {size.width(), size.height()});
+  const std::optional<RenderJob> job = m_scene ? std::optional(m_scene->job(state)) : std::nullopt;
+  if (!job)  // it may have gone while its name was asked for
+    return Q_EMIT failed(tr("%1: not written: there is no light field").arg(file));
+  start([this, job, file, session = m_model->session()](const Progress& progress) {
+    check(job->state, job->state.camera.name);
+    checkOutputs({file.toStdString()}, lightFieldFiles(session));
+    writeView(*job, file, progress);
+    return [this, file] {
+      showState();
+      Q_EMIT done(tr("Saved %1").arg(file));
+    };
+  });
+}
+
+void ViewOutput::saveAnimation(const QString& folder, double scale, const QString& ffmpeg,
+                               int framesPerSecond) {
+  if (!m_scene) return Q_EMIT failed(tr("%1: not written: there is no light field").arg(folder));
+  AnimationRequest request{{}, folder.toStdString(), framesPerSecond, ffmpeg.toStdString()};
+  for (const CameraState& state : m_model->session().cameras) {
+    const auto scaled = [scale](int side) { return std::max(1, int(std::lround(scale * side))); };
+    const auto [width, height] = state.camera.res;
+    request.views.push_back(m_scene->job(resized(state, {scaled(width), scaled(height)})));
+  }
+  start([this, folder, request](const Progress& progress) {
+    for (const RenderJob& view : request.views) check(view.state, view.state.camera.name);
+    writeAnimation(request, progress);
+    return [this, folder, count = request.views.size()] {
+      showState();
+      Q_EMIT done(tr("Saved %n pictures in %1", "", int(count)).arg(folder));
+    };
+  });
+}
+
+QSize ViewOutput::currentSize() const {
+  const auto [width, height] = m_model->current().camera.res;
+  return {width, height};
+}
+
+void ViewOutput::askView() {
+  SizeDialog dialog(tr("Save view at any size"), currentSize(), m_ui.pictureView);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
+  const QString file = chooseNewFile(m_ui.pictureView, tr("Save view"), name,
+                                     tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
+  if (!file.isEmpty()) saveView(file, dialog.size());
+}
+
+void ViewOutput::askAnimation() {
+  const QString ffmpeg = QStandardPaths::findExecutable("ffmpeg");
+  AnimationDialog dialog(currentSize(), ffmpeg, m_ui.pictureView);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString folder = chooseFolder(m_ui.pictureView, tr("Folder of the animation"));
+  if (folder.isEmpty()) return;
+  const double scale = double(dialog.size().width()) / currentSize().width();
+  saveAnimation(folder, scale, dialog.hasVideo() ? ffmpeg : QString(), dialog.framesPerSecond());
+}
+
+}  // namespace hogelscope

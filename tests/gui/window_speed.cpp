@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No test: says when, after the process was made, the window and its first picture are there, and
+// what an edit and a turn of the scene cost.
+// window_speed FILE [WIDTHxHEIGHT]
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QScrollArea>
+#include <QTimer>
+#include <QtTest>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <vector>
+
+#include "gui/app/main_window.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "gui/scene/vtk_widget.h"
+#include "gui/view/image_widget.h"
+
+using namespace hogelscope;
+
+namespace {
+
+double seconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+/// Seconds since this process was made, to a hundredth, and of CPU.
+void say(const char* what) {
+  QFile stat("/proc/self/stat");
+  (void)stat.open(QIODevice::ReadOnly);
+  const double made =
+      stat.readAll().split(')').last().simplified().split(' ')[19].toDouble() / 100;  // ticks
+  std::printf("%-28s %5.2f s, %5.2f s of CPU\n", what, seconds(CLOCK_BOOTTIME) - made,
+              seconds(CLOCK_PROCESS_CPUTIME_ID));
+}
+
+/// The median of 30 uses, each until nothing more comes, in ms.
+template <class Use>
+void sayCost(const char* what, Use use) {
+  std::vector<double> wall;
+  std::vector<double> cpu;
+  for (int k = 0; k < 30; ++k) {
+    const double wallBefore = seconds(CLOCK_MONOTONIC);
+    const double cpuBefore = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    use(k);
+    wall.push_back(1000 * (seconds(CLOCK_MONOTONIC) - wallBefore));
+    cpu.push_back(1000 * (seconds(CLOCK_PROCESS_CPUTIME_ID) - cpuBefore));
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(cpu.begin(), cpu.end());
+  std::printf("%-28s %5.1f ms, %5.1f ms of CPU\n", what, wall[wall.size() / 2],
+              cpu[cpu.size() / 2]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) return 2;
+  say("main()");
+  const QTemporaryDir home;  // without edits that an earlier run left, which the window asks about
+  qputenv("HOME", home.path().toUtf8());
+  QStandardPaths::setTestModeEnabled(true);
+  const QApplication application(argc, argv);
+  MainWindow window;
+  say("window made");
+  if (argc > 2) {
+    const QStringList size = QString(argv[2]).split('x');
+    window.resize(size.at(0).toInt(), size.at(1).toInt());
+  }
+  window.start({QString(argv[1])});
+  say("window shown");
+  const auto* view = window.findChild<ImageWidget*>("pictureView");
+  if (!QTest::qWaitFor([&] { return !view->image().isNull() && view->notice().isEmpty(); }, 60000))
+    return 1;
+  say("picture there");
+  QTest::qWait(1);
+  QApplication::processEvents();
+  say("picture painted");
+  QTest::qWait(2000);  // the full image, the scene
+
+  auto* sceneWidget = window.findChild<VtkWidget*>("sceneWidget");
+  int scenes = 0;
+  const vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&scenes);
+  count->SetCallback(
+      [](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
+  sceneWidget->renderWindow()->AddObserver(vtkCommand::EndEvent, count);
+
+  auto* sigma =
+      window.findChild<QScrollArea*>("psfArea")->widget()->findChild<QDoubleSpinBox*>("sigma");
+  sayCost("edit of the PSF", [&](int k) {
+    const qint64 before = view->image().cacheKey();
+    sigma->setValue(0.5 + 0.01 * k);
+    (void)QTest::qWaitFor([&] { return view->image().cacheKey() != before; }, 60000);
+    QApplication::processEvents();
+  });
+  QTest::qWait(500);
+  DisplayScene& scene = window.findChild<SceneController*>()->scene();
+  std::printf("%-28s %5.1f\n", "scenes drawn for an edit", scenes / 30.0);
+  const QSize size = sceneWidget->deviceSize();
+  std::printf("%-28s %5d x %d px\n", "the scene's size", size.width(), size.height());
+  sayCost("turn of the scene", [&](int) {
+    scene.turn(3, 0);
+    sceneWidget->repaint();
+    QApplication::processEvents();
+  });
+  return 0;
+}
