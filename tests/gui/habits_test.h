@@ -5,6 +5,8 @@
 
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPlainTextEdit>
@@ -38,6 +40,31 @@ class BoxAnswer : public QObject {
     m_timer.start(20);
   }
   QString text;  ///< empty while no box came
+
+ private:
+  QTimer m_timer;
+};
+
+/// Looks at the next file dialog, then types its choice.
+class DialogAnswer : public QObject {
+ public:
+  explicit DialogAnswer(const QString& choice) {
+    connect(&m_timer, &QTimer::timeout, this, [this, choice] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || !dialog->isVisible()) return;
+      m_timer.stop();
+      auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit");
+      folder = dialog->directory().absolutePath();
+      name = edit->text();
+      if (choice.isEmpty()) return dialog->reject();
+      // Typed: what the dialog's list has not read yet could not be chosen there.
+      edit->setText(choice);
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    m_timer.start(20);
+  }
+  QString folder;  ///< empty while no dialog came
+  QString name;    ///< that it proposed
 
  private:
   QTimer m_timer;

@@ -6,21 +6,27 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 
 #include "gui/docks/report_dock.h"
+#include "gui/files/opening_dialog.h"
 #include "gui/keys/key_dialog.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
+#include "io/scene/light_field_export.h"
+#include "io/scene/scene.h"
 #include "tests/gui/window_files.h"
 
 using namespace hogelscope;
@@ -44,6 +50,7 @@ class Shooting {
     QTest::qWait(300);
     QImage home = m_window.grab().toImage();
     home.save(m_folder + "/window_home.png");
+    opening();
     files(m_window).open(sample);
     wait([this] { return !view()->image().isNull(); });
     shoot("sample");
@@ -74,6 +81,32 @@ class Shooting {
     QTest::qWait(300);
   }
   void shoot(const QString& name) { m_window.grab().save(m_folder + "/window_" + name + ".png"); }
+
+  /// Views of the built-in scene, as a folder that nobody has described.
+  void opening() {
+    Session session = newSession();
+    session.display.hogels = {256, 192};
+    session.display.size = {0.5, 0.375};
+    session.display.directions = {9, 9};
+    session.display.fov = {30, 30};
+    const QString views = m_temporary.filePath("views");
+    exportViews(*openLightField(session.lightField, session.display), views.toStdString(), {});
+    QTimer::singleShot(1000, &m_window, [views, views] {
+      auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      chooser->findChild<QLineEdit*>("fileNameEdit")->setText(views + "/004_004.png");
+      static_cast<QDialog*>(chooser)->accept();
+    });
+    m_window.findChild<QAction*>("openLightFieldAsAction")->trigger();
+    const auto dialog = [this] { return m_window.findChild<OpeningDialog*>(); };
+    const auto isReady = [&] {
+      return dialog() != nullptr && dialog()->findChild<ImageWidget*>()->notice().isEmpty();
+    };
+    wait(isReady);
+    dialog()->findChild<QComboBox*>("layout")->setCurrentIndex(int(Layout::views));
+    wait(isReady);
+    dialog()->grab().save(m_folder + "/window_opening.png");
+    dialog()->reject();
+  }
 
   /// The paper's Fig. 2: its lens folds within the image.
   void lens() {
@@ -194,6 +227,7 @@ class Shooting {
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QStandardPaths::setTestModeEnabled(true);
   const QTemporaryDir settings;  // not the user's own
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());

@@ -5,10 +5,13 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSlider>
+#include <QSpinBox>
 #include <QToolButton>
 
 #include "core/engine/fast_simulation.h"
 #include "gui/docks/light_field_dock.h"
+#include "gui/files/opening_dialog.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "io/scene/scene.h"
@@ -44,6 +47,21 @@ class TestDocks : public DocksTest {
  private Q_SLOTS:
   void init() { showWindow(); }
   void cleanup() { m_window.reset(); }
+
+  /// A window that reaches over all directions, from any of them.
+  void theWindowsSliderEndsWithTheHogel() {
+    start();
+    auto* slider = editor<QSlider>("psfArea", "windowSize.slider");
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), (2 * 4 - 1 - 1) / 2, patience);  // of 1, 3, 5, 7
+    editor<QSpinBox>("psfArea", "windowSize")->setValue(21);
+    QCOMPARE(slider->maximum(), 10);
+    QCOMPARE(slider->value(), 10);
+    Session session = m_model->session();
+    session.display.hogels = {4, 4};
+    session.display.directions = {16, 16};
+    m_model->setContent(session);
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), (2 * 16 - 1 - 1) / 2, patience);
+  }
 
   void theWindowFitsASmallScreen() {
     openSmall();
@@ -197,7 +215,12 @@ class TestDocks : public DocksTest {
                        [&](int x, int y, int c) {
                          return float((x * 7 + y * 5 + 40 * u + 60 * v + 80 * c) % 256) / 255;
                        });
-    open(m_folder.filePath("views"));
+    QVERIFY(files(*m_window).open(m_folder.filePath("views")));
+    // Nothing in these views tells their order.
+    const auto dialog = [this] { return m_window->findChild<OpeningDialog*>(); };
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && dialog()->isVisible(), patience);
+    dialog()->accept();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QVERIFY(m_window->windowTitle().startsWith("new session"));
     QVERIFY(m_window->isWindowModified());
     QCOMPARE(names(), QStringList("View"));
@@ -232,7 +255,7 @@ class TestDocks : public DocksTest {
   void lenslets() {
     writeImageFile(m_folder.filePath("raw.png"), 60, 50,
                    [](int x, int y, int) { return float(x * y % 97) / 96; });
-    QVERIFY(files(*m_window).open(m_folder.filePath("raw.png")));
+    m_model->openNew(sessionAround(m_folder.filePath("raw.png").toStdString()));
     auto* layout = editor<QComboBox>("lightFieldArea", "layout");
     layout->setCurrentText("lenslets");
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("raw.png: lenslets: are not found"), patience);
@@ -253,8 +276,8 @@ class TestDocks : public DocksTest {
 
   void aHogelImageAsksForItsHogels() {
     writeImageFile(m_folder.filePath("plain.png"), 60, 60,
-                   [](int x, int y, int) { return float(x % 8 + y % 8) / 16; });
-    QVERIFY(files(*m_window).open(m_folder.filePath("plain.png")));
+                   [](int x, int y, int) { return float((x * 7919 + x * y * 31) % 251) / 251; });
+    m_model->openNew(sessionAround(m_folder.filePath("plain.png").toStdString()));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("how many of them are hogels"), patience);
     QVERIFY(!files(*m_window).save(m_folder.filePath("plain.json")));
     for (const char* name : {"hogels.0", "hogels.1"})
@@ -264,8 +287,8 @@ class TestDocks : public DocksTest {
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QVERIFY(!view().isNull());
     nothingReplacesWhatIsRead(m_folder.filePath("plain.png"));
-    QVERIFY(!files(*m_window).open(m_folder.filePath("none.png")));
-    QVERIFY(message().contains("none.png"));
+    QVERIFY(files(*m_window).open(m_folder.filePath("none.png")));
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("none.png: there is no such file"), patience);
     QVERIFY(m_window->windowTitle().startsWith("new session"));
   }
 };

@@ -304,6 +304,56 @@ class TestImageWidget : public QObject {
     QCOMPARE(errorImage(light, dark, map(4)).pixelColor(0, 0), QColor(12, 255, 0));
   }
 
+  /// The window does not wait for the map of large images, and the newest of many wins; what is
+  /// saved is right meanwhile.
+  void largeErrorMapsComeFromAThread() {
+    constexpr int width = 1400, height = 1000;
+    QImage own(width, height, QImage::Format_RGB888);
+    QImage other = own;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < 3 * width; ++x) {
+        own.scanLine(y)[x] = uchar(x * 7 ^ y * 13);
+        other.scanLine(y)[x] = uchar(x * 7 ^ y * 13 ^ (x * y) % 32);
+      }
+    const auto wanted = [&](int gain) {
+      QImage map(width, height, QImage::Format_RGB888);
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < 3 * width; ++x)
+          map.scanLine(y)[x] = uchar(
+              std::min(255, gain * std::abs(int(own.scanLine(y)[x]) - int(other.scanLine(y)[x]))));
+      return map;
+    };
+    const auto shows = [&](const QImage& map) {
+      const QPoint middle(200, 150);
+      const QImage image = grabbed();
+      const double ratio = m_view->devicePixelRatioF();
+      const QPoint offset(int(width / 2 - ratio * middle.x()),
+                          int(height / 2 - ratio * middle.y()));
+      for (int y = 40; y < image.height() - 40; ++y)
+        for (int x = 0; x < image.width(); ++x)
+          if (image.pixelColor(x, y) != map.pixelColor(QPoint(x, y) + offset)) return false;
+      return true;
+    };
+    m_view->setMode(ImageWidget::Mode::difference);
+    m_view->setImages(own, other);
+    m_view->oneToOne();
+    lookAway();
+    QCOMPARE(m_view->shownImage(), wanted(8));
+    QVERIFY(!shows(wanted(8)));  // this thread has not made it
+    QTRY_VERIFY_WITH_TIMEOUT(shows(wanted(8)), patience);
+    for (const int gain : {16, 2, 64, 4}) {
+      m_view->setGain(gain);
+      QCOMPARE(m_view->shownImage(), wanted(gain));
+    }
+    QVERIFY(shows(wanted(8)));
+    QTRY_VERIFY_WITH_TIMEOUT(shows(wanted(4)), patience);
+    QTest::qWait(100);
+    QVERIFY(shows(wanted(4)));  // none of the others comes later
+    m_view->setImages(coordinates(200, 150, firstBlue), coordinates(200, 150, secondBlue));
+    m_view->fit();
+    QCOMPARE(at({201, 151}), QColor(0, 0, 4 * (secondBlue - firstBlue)));
+  }
+
   /// The other is 40 bluer.
   void errorMapsAndTheirScale() {
     compare();

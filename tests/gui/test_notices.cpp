@@ -17,6 +17,7 @@
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
+#include "io/documents/session_file.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/shown_image.h"
@@ -155,7 +156,7 @@ void TestNotices::theSceneForgetsTheSessionBefore() {
 
 void TestNotices::aHogelImageSaysWhatItNeeds() {
   openSmall();
-  QVERIFY(files(*m_window).open("a.png"));  // whose borders are as any others
+  m_model->openNew(sessionAround("a.png"));  // whose borders are as any others
   QTRY_VERIFY_WITH_TIMEOUT(isWrong("give display.hogels and display.directions"), patience);
   for (const char* name : {"hogels.0", "hogels.1"})
     editor<QSpinBox>("displayArea", name)->setValue(16);

@@ -144,6 +144,17 @@ class TestSimulatedView : public QObject {
     QCOMPARE(view()->shownImage().copy(right), other.copy(right));
     QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
     QCOMPARE(view()->shownImage(), own);
+    const auto toned = [&](Qt::Key key) {  // wherever the focus is
+      QTest::keyClick(m_window.get(), key, Qt::AltModifier);
+      return std::pair(view()->gain(), view()->gamma());
+    };
+    QCOMPARE(toned(Qt::Key_Plus), std::pair(2.0, 1.0));
+    QCOMPARE(toned(Qt::Key_Minus), std::pair(1.0, 1.0));
+    QCOMPARE(toned(Qt::Key_Comma), std::pair(1.0, 0.8));
+    QCOMPARE(toned(Qt::Key_Minus), std::pair(0.5, 0.8));
+    QCOMPARE(toned(Qt::Key_Period), std::pair(0.5, 1.0));
+    QCOMPARE(toned(Qt::Key_Period), std::pair(0.5, 1.2));
+    QCOMPARE(toned(Qt::Key_0), std::pair(1.0, 1.0));
     QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
     QVERIFY(action("sideBySideAction")->isChecked() && !action("singleAction")->isChecked());
     QCOMPARE(view()->shownImage().copy(side, 0, side, side), other);

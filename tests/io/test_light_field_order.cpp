@@ -65,7 +65,7 @@ class TestLightFieldOrder : public QObject {
     QFETCH(bool, isLeft);
     QFETCH(bool, isTransposed);
     writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 5, {isUp, isLeft, isTransposed}));
-    const auto [session, order, note] = orderedSessionAround("v");
+    const auto [session, order, note, hogels] = orderedSessionAround("v");
     QCOMPARE(order.sureness, Sureness::sure);
     const LightFieldParams& used = session.lightField;
     QCOMPARE(used.rows == RowOrder::bottomUp, isUp);
@@ -100,7 +100,7 @@ class TestLightFieldOrder : public QObject {
     QCOMPARE(full.order.sureness, Sureness::sure);
     QVERIFY(full.order.warnings.empty());
     for (const char* folder : {"circle", "ring"}) {
-      const auto [session, order, note] = orderedSessionAround(folder);
+      const auto [session, order, note, hogels] = orderedSessionAround(folder);
       QCOMPARE(order.sureness, Sureness::sure);
       QVERIFY(session.lightField.rows == RowOrder::bottomUp);
       QVERIFY(session.lightField.columns == ColumnOrder::leftRight);
@@ -140,7 +140,7 @@ class TestLightFieldOrder : public QObject {
       for (int column = 0; column < 5; ++column)
         writeGreyPicture(QString("v/cam_%1_%2.png").arg(20.5 - 10 * row).arg(5 * column - 7),
                          grid.view(row, column));
-    const auto [session, order, note] = orderedSessionAround("v");
+    const auto [session, order, note, hogels] = orderedSessionAround("v");
     QCOMPARE(order.sureness, Sureness::sure);
     QCOMPARE(QByteArray::fromStdString(session.lightField.pattern), QByteArray("cam_y_x.png"));
     QVERIFY(session.lightField.rows == RowOrder::bottomUp);  // y is upwards there
@@ -150,7 +150,8 @@ class TestLightFieldOrder : public QObject {
   /// With another row order its shear goes the other way, so that the middle depth stays.
   void whatTheUserSaysStays() {
     writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 5));
-    const auto [session, order, note] = orderedSessionAround("v", {"lightField.rows=bottom-up"});
+    const auto [session, order, note, hogels] =
+        orderedSessionAround("v", {"lightField.rows=bottom-up"});
     QVERIFY(session.lightField.rows == RowOrder::bottomUp);
     QVERIFY(session.lightField.shear[0] > 0.95 && session.lightField.shear[1] < -0.95);
     QVERIFY(!contradictionOf(session.lightField, order).empty());
@@ -246,7 +247,7 @@ class TestLightFieldOrder : public QObject {
       const GreyPicture& view = views[std::size_t((2 - y / 180) * 4 + x / 240)];
       return float(view.values[std::size_t(y % 180 * 240 + x % 240)]) / 255;
     });
-    const auto [session, order, note] = orderedSessionAround("q_qs4x3a1.png");
+    const auto [session, order, note, hogels] = orderedSessionAround("q_qs4x3a1.png");
     QCOMPARE(order.sureness, Sureness::sure);
     QVERIFY(order.columns == ColumnOrder::rightLeft);
     QVERIFY(session.lightField.incoming);
@@ -290,7 +291,7 @@ class TestLightFieldOrder : public QObject {
       QVERIFY(
           QFile::link(folder.filePath(name), QString::asprintf("v/%03d_%03d.jpg", row, column)));
     }
-    const auto [session, order, note] = orderedSessionAround("v");
+    const auto [session, order, note, hogels] = orderedSessionAround("v");
     QCOMPARE(order.sureness, Sureness::sure);
     QCOMPARE(session.lightField.rows == RowOrder::bottomUp, isUp);
     QCOMPARE(session.lightField.columns == ColumnOrder::rightLeft, isLeft);

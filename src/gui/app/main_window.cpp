@@ -84,7 +84,7 @@ void MainWindow::addDocks() {
   connect(display, &DisplayDock::failed, m_messages, &Messages::showError);
   m_ui->cameraArea->setWidget(new CameraDock(m_model));
   m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
-  m_ui->psfArea->setWidget(new PsfDock(m_model));
+  m_ui->psfArea->setWidget(m_psf = new PsfDock(m_model));
   auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
   auto* states = new StateDock(m_model, commands);
   m_ui->statesDock->setWidget(states);
@@ -410,6 +410,7 @@ void MainWindow::showContent() {
 void MainWindow::showScene() {
   m_display = m_loaded->display;
   m_lightField->setScene(m_loaded);
+  m_psf->setScene(*m_loaded);
   m_scene->setScene(m_loaded);
   m_imageCommands->setScene(m_loaded);
   m_ui->reportPanel->setReference(m_loaded);

@@ -23,8 +23,10 @@ class DistortionDock;
 class FileCommands;
 class HomePage;
 class LightFieldDock;
+class LightFieldDock;
 class Messages;
 class ImageCommands;
+class PsfDock;
 class ReadingBar;
 class SceneController;
 class SessionModel;
@@ -86,6 +88,7 @@ class MainWindow : public QMainWindow {
   ImageCommands* m_imageCommands = nullptr;
   DistortionDock* m_distortion = nullptr;
   LightFieldDock* m_lightField = nullptr;
+  PsfDock* m_psf = nullptr;
   PictureRate m_rate;
   DisplayParams m_display;              ///< resolved
   bool m_isNew = false;                 ///< the session: the scene has to be fitted to it

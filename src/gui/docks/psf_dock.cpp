@@ -4,14 +4,20 @@
 
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/docks/kernel_widget.h"
 #include "gui/session/session_forms.h"
+#include "io/scene/scene.h"
 
 namespace hogelscope {
 
 PsfDock::PsfDock(SessionModel* model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_kernel(new KernelWidget), m_energy(new QLabel) {
+    : QWidget(parent),
+      m_model(model),
+      m_form(stateForm(m_model, &CameraState::psf)),
+      m_kernel(new KernelWidget),
+      m_energy(new QLabel) {
   m_energy->setObjectName("energyLabel");
   m_energy->setToolTip(
       tr("How much of the Gaussian's light the window leaves out; a wider window "
@@ -20,13 +26,18 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
   m_energy->setMargin(9);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stateForm(m_model, &CameraState::psf));
+  layout->addWidget(m_form);
   layout->addWidget(m_energy);
   layout->addWidget(m_kernel, 1);
   for (const auto change : {&SessionModel::opened, &SessionModel::currentChanged,
                             &SessionModel::edited, &SessionModel::statesChanged})
     connect(m_model, change, this, &PsfDock::showKernel);
   showKernel();
+}
+
+void PsfDock::setScene(const Scene& scene) {
+  const LightFieldSize size = scene.lightField->size();
+  m_form->slideTo("windowSize", 2.0 * std::max(size.du, size.dv) - 1);
 }
 
 void PsfDock::showKernel() {

@@ -9,7 +9,9 @@ class QLabel;
 namespace hogelscope {
 
 class KernelWidget;
+class ParameterForm;
 class SessionModel;
+struct Scene;
 
 class PsfDock : public QWidget {
   Q_OBJECT
@@ -17,10 +19,14 @@ class PsfDock : public QWidget {
  public:
   explicit PsfDock(SessionModel* model, QWidget* parent = nullptr);
 
+  /// The light field that is shown: beyond 2·directions − 1 a wider window changes nothing.
+  void setScene(const Scene& scene);
+
  private:
   void showKernel();
 
   SessionModel* m_model;
+  ParameterForm* m_form;
   KernelWidget* m_kernel;
   QLabel* m_energy;
 };

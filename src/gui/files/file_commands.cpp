@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "gui/files/autosave.h"
 #include "gui/files/file_drop.h"
+#include "gui/files/opening_dialog.h"
 #include "gui/files/recent_files.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/file_dialogs.h"
@@ -19,9 +20,25 @@
 #include "io/layouts/lenslet_picture.h"
 #include "io/layouts/view_layouts.h"
 #include "io/scene/live_file.h"
+#include "io/scene/scene.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
+
+namespace {
+
+bool canCompare(const Session& session, const std::string& file, const Progress& progress) {
+  try {
+    const Session other = withLightField(session, file);
+    const auto lightField = openLightField(other.lightField, other.display, progress);
+    (void)resolved(displayOf(other), lightField->size());
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
 
 FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window)
     : QObject(window),
@@ -29,12 +46,14 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
       m_window(window),
       m_recent(new RecentFiles(ui.recentMenu, this)),
       m_task(new Task(this)),
+      m_compared(new Task(this)),
       m_autosave(new Autosave(model, this)) {
   connect(ui.newAction, &QAction::triggered, this, [this] {
     if (mayLeave()) m_model->openNew(newSession());
   });
   connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
-  connect(ui.openLightFieldAction, &QAction::triggered, this, &FileCommands::askLightField);
+  connect(ui.openLightFieldAction, &QAction::triggered, this, [this] { askLightField(false); });
+  connect(ui.openLightFieldAsAction, &QAction::triggered, this, [this] { askLightField(true); });
   connect(ui.openFolderAction, &QAction::triggered, this, &FileCommands::askFolder);
   connect(ui.saveAction, &QAction::triggered, this, &FileCommands::saveOrAsk);
   connect(ui.saveAsAction, &QAction::triggered, this, &FileCommands::askSaveAs);
@@ -44,7 +63,8 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
     if (mayLeave()) open(file);
   });
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
-  connect(m_task, &Task::failed, this, &FileCommands::failed);
+  for (const Task* task : {m_task, m_compared})
+    connect(task, &Task::failed, this, &FileCommands::failed);
   connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::openFiles,
           Qt::QueuedConnection);
 }
@@ -62,10 +82,11 @@ bool FileCommands::guarded(Action action) {
 
 bool FileCommands::open(const QString& file) {
   if (!isSessionFile(file.toStdString()) || QFileInfo(file).isDir()) {
-    openLater(file);
+    openLater(file, false);
     return true;
   }
   m_task->abandon();
+  m_compared->abandon();
   return guarded([&] {
     m_model->open(file);
     m_recent->add(file);
@@ -75,24 +96,45 @@ bool FileCommands::open(const QString& file) {
 }
 
 /// On another thread: it has to be read to know which display fits it, how many hogels it has, or
-/// in which order its views are.
-void FileCommands::openLater(const QString& file) {
-  m_task->start([this, file](const Progress& progress) {
-    return [this, file, around = orderedSessionAround(file.toStdString(), {}, progress)] {
-      m_model->openNew(around.session);
-      rememberFolderOf(file);
-      const LightFieldParams& used = around.session.lightField;
-      for (const std::string& warning : around.order.warnings)
-        Q_EMIT failed(file + ": " + QString::fromStdString(warning));
-      if (!around.assumed.empty())
-        Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
-      if (used.layout == Layout::views)
-        Q_EMIT done(
-            tr("%1: rows %2, columns %3 (%4)")
-                .arg(file, nameOf(used.rows), nameOf(used.columns), nameOf(around.order.sureness)));
+/// in which order its views are. What is sure is not asked, unless that is wanted.
+void FileCommands::openLater(const QString& file, bool isAsked) {
+  delete m_dialog;
+  m_task->start([this, file, isAsked](const Progress& progress) {
+    return [this, file, isAsked, opening = lookAt(file.toStdString(), {}, progress)] {
+      offer(file, opening, isAsked);
     };
   });
   Q_EMIT done(tr("Reading %1 …").arg(file));
+}
+
+void FileCommands::offer(const QString& file, const Opening& opening, bool isAsked) {
+  const bool isLive = opening.around.session.lightField.layout == Layout::live;
+  if (!isLive && (isAsked || isInDoubt(opening))) return ask(file, opening);
+  take(file, opening);
+  for (const std::string& warning : opening.around.order.warnings)
+    Q_EMIT failed(file + ": " + QString::fromStdString(warning));
+}
+
+/// The window stays as it is until the dialog is accepted.
+void FileCommands::ask(const QString& file, const Opening& opening) {
+  m_dialog = new OpeningDialog(file, opening, m_window);
+  m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(m_dialog, &QDialog::accepted, this, [this, file] { take(file, m_dialog->opening()); });
+  connect(m_dialog, &QDialog::rejected, this,
+          [this, file] { Q_EMIT done(tr("%1: not opened").arg(file)); });
+  m_dialog->open();
+}
+
+void FileCommands::take(const QString& file, const Opening& opening) {
+  const OrderedSession& around = opening.around;
+  m_model->openNew(around.session);
+  rememberFolderOf(file);
+  const LightFieldParams& used = around.session.lightField;
+  if (!around.assumed.empty()) Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
+  if (used.layout == Layout::views)
+    Q_EMIT done(
+        tr("%1: rows %2, columns %3 (%4)")
+            .arg(file, nameOf(used.rows), nameOf(used.columns), nameOf(around.order.sureness)));
 }
 
 /// Later, an error if the pictures say that the session's views are in another order, if some are
@@ -154,13 +196,37 @@ void FileCommands::openAny(const QString& file, bool isFirst) {
   const bool isWhole = isSessionFile(file.toStdString()) || isMeshFile(file.toStdString());
   if (isFirst && (isWhole || !(isOpen || isCalibration))) {
     if (mayLeave()) open(file);
+  } else if (isFirst && isCalibration && !isOpen) {
+    openCalibration(file);
   } else if (!isOpen) {
     Q_EMIT failed(tr("%1: needs an open session (*.hogelscope, *.json)").arg(file));
   } else if (isCalibration) {
     importCalibration(file);
   } else {
-    Q_EMIT comparisonAsked(file);
+    compareOrOpen(file);
   }
+}
+
+/// A light field that the session's display cannot show is no version of the session's own: it
+/// opens instead.
+void FileCommands::compareOrOpen(const QString& file) {
+  m_compared->start(
+      [this, file, session = m_model->session()](const Progress& progress) -> Task::Answer {
+        if (canCompare(session, file.toStdString(), progress))
+          return [this, file] { Q_EMIT comparisonAsked(file); };
+        return [this, file, opening = lookAt(file.toStdString(), {}, progress)] {
+          if (mayLeave()) offer(file, opening, false);
+        };
+      });
+}
+
+/// Into the state of a new session, where one sees what such a lens does.
+void FileCommands::openCalibration(const QString& file) {
+  guarded([&] {
+    Session session = newSession();
+    apply(loadCalibration(file.toStdString()), session.cameras.front());
+    m_model->openNew(session);
+  });
 }
 
 bool FileCommands::mayLeave() {
@@ -194,12 +260,12 @@ void FileCommands::askOpen() {
   if (!file.isEmpty() && mayLeave()) open(file);
 }
 
-void FileCommands::askLightField() {
+void FileCommands::askLightField(bool isAsked) {
   const QString file = chooseFile(m_window, tr("Open light field"),
                                   tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
                                      "*.pgx *.yuv *.exr *.glb *.gltf "
                                      "*.obj *.ply);;All files (*)"));
-  if (!file.isEmpty() && mayLeave()) open(file);
+  if (!file.isEmpty() && mayLeave()) isAsked ? openLater(file, true) : void(open(file));
 }
 
 void FileCommands::askFolder() {

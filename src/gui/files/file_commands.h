@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QStringList>
 
 class QWidget;
@@ -15,9 +16,11 @@ class MainWindow;
 namespace hogelscope {
 
 class Autosave;
+class OpeningDialog;
 class RecentFiles;
 class SessionModel;
 class Task;
+struct Opening;
 
 class FileCommands : public QObject {
   Q_OBJECT
@@ -26,16 +29,16 @@ class FileCommands : public QObject {
   FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
 
   /// These do not ask, and report errors through failed(). True if it is done. A session document
-  /// opens, or a light field (an image, a folder or a mesh), which a new session is made around; of
-  /// a mesh, a folder or a quilt it does so later, when that has been looked at.
+  /// opens, or a light field (an image, a folder or a mesh), which a new session is made around. It
+  /// does so later, when that has been looked at; what is in doubt then is asked.
   bool open(const QString& file);
   bool save(const QString& file);
   /// Into the current state.
   bool importCalibration(const QString& file);
 
   /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
-  /// current state, and the open session is compared with anything else; a mesh, and where no
-  /// session is open a light field, opens as a new one.
+  /// current state, and the open session is compared with a light field. A mesh, and a light field
+  /// that cannot be compared, opens as a new session; a calibration without a session has one made.
   void openFiles(const QStringList& files);
   /// True if there are no edits, or they are saved or not wanted any more.
   bool mayLeave();
@@ -51,20 +54,27 @@ class FileCommands : public QObject {
  private:
   template <class Action>
   bool guarded(Action action);
-  void openLater(const QString& file);
+  void openLater(const QString& file, bool isAsked);
+  void offer(const QString& file, const Opening& opening, bool isAsked);
+  void ask(const QString& file, const Opening& opening);
+  void take(const QString& file, const Opening& opening);
+  void compareOrOpen(const QString& file);
+  void openCalibration(const QString& file);
   void checkOrder(const QString& file);
   void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
   void askOpen();
-  void askLightField();
+  void askLightField(bool isAsked);
   void askFolder();
   void askImport();
 
   SessionModel* m_model;
   QWidget* m_window;
   RecentFiles* m_recent;
-  Task* m_task;  ///< reads a mesh, looks at views
+  Task* m_task;      ///< looks at a light field that is opened
+  Task* m_compared;  ///< looks whether one can be compared
+  QPointer<OpeningDialog> m_dialog;
   Autosave* m_autosave;
 };
 

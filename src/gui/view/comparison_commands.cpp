@@ -28,6 +28,7 @@ ComparisonCommands::ComparisonCommands(const Ui::MainWindow& ui, QObject* parent
       m_meter(new ComparisonMeter(this)) {
   addModes();
   addErrorMaps();
+  addTone();
   addHistogram();
   addBar();
   connect(m_view, &ImageWidget::regionChanged, this, &ComparisonCommands::measure);
@@ -103,6 +104,24 @@ void ComparisonCommands::addErrorMaps() {
   connect(m_falseColour, &QAction::toggled, this, &ComparisonCommands::showErrorMap);
   connect(m_falseColour, &QAction::triggered, m_ui.differenceAction, &QAction::trigger);
   m_ui.pictureMenu->insertMenu(m_ui.maskAction, m_errorMenu);
+}
+
+/// The picture's own commands, from anywhere in the window.
+void ComparisonCommands::addTone() {
+  auto* menu = new QMenu(tr("&Gain and gamma"), m_ui.pictureMenu);
+  menu->setToolTipsVisible(true);
+  for (const auto& [own, name, key] :
+       {std::tuple("moreGainAction", "moreGainViewAction", Qt::ALT | Qt::Key_Plus),
+        std::tuple("lessGainAction", "lessGainViewAction", Qt::ALT | Qt::Key_Minus),
+        std::tuple("moreGammaAction", "moreGammaViewAction", Qt::ALT | Qt::Key_Period),
+        std::tuple("lessGammaAction", "lessGammaViewAction", Qt::ALT | Qt::Key_Comma),
+        std::tuple("resetToneAction", "resetToneViewAction", Qt::ALT | Qt::Key_0)}) {
+    auto* does = m_view->findChild<QAction*>(own);
+    QAction* action = add(menu, name, does->text(), does->toolTip(), key);
+    action->setCheckable(false);
+    connect(action, &QAction::triggered, does, &QAction::trigger);
+  }
+  m_ui.pictureMenu->insertMenu(m_ui.maskAction, menu);
 }
 
 void ComparisonCommands::showErrorMap() {

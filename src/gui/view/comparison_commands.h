@@ -35,6 +35,7 @@ class ComparisonCommands : public QObject {
  private:
   void addModes();
   void addErrorMaps();
+  void addTone();
   void addHistogram();
   void addBar();
   QAction* add(QMenu* menu, const char* name, const QString& text, const QString& help,

@@ -13,10 +13,12 @@
 #include <utility>
 
 #include "gui/view/error_image.h"
+#include "gui/widgets/task.h"
 
 namespace hogelscope {
 
-ImageWidget::ImageWidget(QWidget* parent) : QWidget(parent), m_turns(new QTimer(this)) {
+ImageWidget::ImageWidget(QWidget* parent)
+    : QWidget(parent), m_mapping(new Task(this)), m_turns(new QTimer(this)) {
   constexpr int turn = 500;  // milliseconds
   m_turns->setInterval(turn);
   connect(m_turns, &QTimer::timeout, this, &ImageWidget::takeTurn);
@@ -198,10 +200,33 @@ void ImageWidget::updateTones() {
 
 void ImageWidget::updateDifference() {
   const bool isShown = shownMode() == Mode::difference;
-  if (isShown && !m_map) m_map = std::make_unique<const ErrorMap>(m_error);
-  m_difference =
-      isShown ? ZoomableImage(errorImage(image(), otherImage(), *m_map)) : ZoomableImage();
+  if (isShown && !m_map) m_map = std::make_shared<const ErrorMap>(m_error);
+  constexpr double large = 1e6;  // pixels: below, it takes a few milliseconds
+  m_isMapOld = isShown && double(image().width()) * image().height() > large;
+  ++m_wanted;
+  if (!m_isMapOld)
+    m_difference =
+        isShown ? ZoomableImage(errorImage(image(), otherImage(), *m_map)) : ZoomableImage();
+  else if (m_difference.image().size() != image().size())
+    m_difference = {};
+  if (m_isMapOld && !m_mapping->isRunning()) startMap();
   showActions();
+  update();
+}
+
+void ImageWidget::startMap() {
+  m_mapping->start([this, number = m_wanted, own = image(), other = otherImage(),
+                    map = m_map](const Progress&) -> Task::Answer {
+    return [this, number, made = errorImage(own, other, *map)] { takeMap(number, made); };
+  });
+}
+
+/// The newest wins, but those under way are shown too: maps keep coming while pictures do.
+void ImageWidget::takeMap(int number, const QImage& map) {
+  if (!m_isMapOld) return;
+  if (map.size() == image().size()) m_difference = ZoomableImage(map);
+  m_isMapOld = number != m_wanted;
+  if (m_isMapOld) startMap();
   update();
 }
 

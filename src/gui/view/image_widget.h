@@ -18,6 +18,8 @@ class QTimer;
 
 namespace hogelscope {
 
+class Task;
+
 class ImageWidget : public QWidget {
   Q_OBJECT
 
@@ -140,6 +142,8 @@ class ImageWidget : public QWidget {
   void zoomBy(int steps, const QPointF& device);
   void updateTones();
   void updateDifference();
+  void startMap();
+  void takeMap(int number, const QImage& map);
   void updateHatch();
 
   void paintImages(QPainter& painter) const;
@@ -153,7 +157,10 @@ class ImageWidget : public QWidget {
 
   std::array<Shown, 2> m_images;
   ZoomableImage m_difference;  ///< only in its mode, as the next
-  std::unique_ptr<const ErrorMap> m_map;
+  std::shared_ptr<const ErrorMap> m_map;
+  Task* m_mapping;          ///< works out the difference of large images
+  int m_wanted = 0;         ///< number of the difference that is wanted
+  bool m_isMapOld = false;  ///< m_difference is an older one, or null
   ErrorMap::Params m_error;
   Tone m_tone;  ///< of the pictures
   Viewport m_viewport;

@@ -172,7 +172,8 @@ QImage ImageWidget::shownImage() const {
   const QImage& second = m_images[1].toned.image();
   if (mode == Mode::single) return first;
   if (mode == Mode::blink) return m_images[m_turn].toned.image();
-  if (mode == Mode::difference) return m_difference.image();
+  if (mode == Mode::difference)
+    return m_isMapOld ? errorImage(image(), otherImage(), *m_map) : m_difference.image();
   const bool isWipe = mode == Mode::wipe;
   const int split =
       isWipe ? int(std::round(placement(deviceRect()).toImage(QPointF(wipeColumn(), 0)).x()))

@@ -157,6 +157,11 @@ void ParameterForm::hideField(const QString& name, bool isHidden) {
   refresh();
 }
 
+void ParameterForm::slideTo(const QString& name, double most) {
+  m_slideMost[name] = most;
+  refresh();
+}
+
 /// Editors take their value and leave the keys to the form.
 void ParameterForm::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
@@ -326,6 +331,8 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
     // A value that was left out is below the range, as far as numbers go.
     const double shown = std::clamp(double(values[k]), field.range.min, field.range.max);
     const Range slide = slideOf(field.range);
+    if (const auto most = m_slideMost.constFind(toQString(field.name)); most != m_slideMost.cend())
+      slider->setMaximum(qRound((std::min(*most, field.range.max) - slide.min) / slide.step));
     if (values[k] >= field.range.min) growTo(*slider, slide, shown);
     slider->setValue(qRound((shown - slide.min) / slide.step));
   }

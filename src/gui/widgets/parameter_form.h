@@ -37,6 +37,9 @@ class ParameterForm : public QWidget, private ParameterVisitor {
 
   /// Hides a field's row, or shows it again.
   void hideField(const QString& name, bool isHidden);
+  /// A field's slider covers values up to this, or up to what is allowed; at first what the field
+  /// declares. It grows to a larger value.
+  void slideTo(const QString& name, double most);
   /// Shows the parameters as they are now.
   void refresh();
 
@@ -88,6 +91,7 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   QHash<QString, QWidget*> m_rows;
   QSet<QWidget*> m_visited;  ///< of m_rows, in this walk
   QSet<QString> m_hidden;    ///< names of fields
+  QHash<QString, double> m_slideMost;
 };
 
 }  // namespace hogelscope

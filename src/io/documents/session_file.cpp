@@ -339,25 +339,49 @@ std::array<double, 2> sizeOfShape(double width, double height) {
   return {width / longest, height / longest};
 }
 
-/// Whether it is known how many hogels and directions there are, in the file or in the display.
+/// Whether it is known how many hogels and directions there are, in the file or in the session.
 bool canBeOpened(const Session& session) {
-  return session.lightField.layout != Layout::hogels ||
+  const LightFieldParams& lightField = session.lightField;
+  if (lightField.layout == Layout::quilt)
+    return lightField.quiltColumns > 0 || quiltTilesFromName(lightField.file)[0] > 0;
+  return lightField.layout != Layout::hogels ||
          (session.display.hogels[0] > 0 && session.display.directions[0] > 0);
 }
 
-/// Puts what a hogel image shows of its hogels into the display; says so.
-std::string findHogels(const LightFieldParams& lightField, DisplayParams& display,
-                       const Progress& progress) {
+std::string pairText(const std::array<int, 2>& numbers) {
+  return std::to_string(numbers[0]) + "×" + std::to_string(numbers[1]);
+}
+
+/// A quilt has a few large views, a hogel image many small hogels.
+bool isLikeQuilt(const HogelGrid& grid) {
+  constexpr int mostViews = 20, leastPixels = 100;  // of each axis
+  return std::ranges::max(grid.hogels) <= mostViews &&
+         std::ranges::min(grid.directions) >= leastPixels;
+}
+
+/// Puts what a picture shows of its hogels, or a quilt's views, into the session; says so. The
+/// layout may be another one unless it is given.
+void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
+  LightFieldParams& lightField = result.session.lightField;
   ImageFile image{fs::path(lightField.file), lightField.yuv};
   const std::optional<HogelGrid> grid = findHogelGrid(image, progress);
-  if (!grid) return "";
-  display.hogels = grid->hogels;
-  display.directions = grid->directions;
-  const auto pair = [](const std::array<int, 2>& numbers) {
-    return std::to_string(numbers[0]) + "×" + std::to_string(numbers[1]);
-  };
-  return pair(grid->hogels) + " hogels of " + pair(grid->directions) +
-         " directions, found by their borders in the picture";
+  result.hogels = Sureness::unknown;
+  if (!grid) return;
+  const std::string where = ", found by their borders in the picture";
+  constexpr double clear = 8;  // standard errors
+  result.hogels = grid->standOut >= clear ? Sureness::sure : Sureness::likely;
+  if (lightField.layout == Layout::quilt || (!isLayoutGiven && isLikeQuilt(*grid))) {
+    lightField.layout = Layout::quilt;
+    lightField.quiltColumns = grid->hogels[0];
+    lightField.quiltRows = grid->hogels[1];
+    result.hogels = Sureness::likely;
+    result.assumed = "a quilt of " + pairText(grid->hogels) + " views" + where;
+    return;
+  }
+  result.session.display.hogels = grid->hogels;
+  result.session.display.directions = grid->directions;
+  result.assumed =
+      pairText(grid->hogels) + " hogels of " + pairText(grid->directions) + " directions" + where;
 }
 
 /// `given` may say how many directions the views of one running number have.
@@ -421,15 +445,27 @@ OrderedSession orderedSessionAround(const std::string& file,
   if (session.lightField.layout == Layout::live) {
     fitMesh(session.lightField, session.display, progress);
   } else {
-    const Session said = overridden(session, overrides);  // which may say how to read it
+    Session said = overridden(session, overrides);  // which may say how to read it
     session.lightField = said.lightField;
+    if (!canBeOpened(said)) {
+      const bool isLayoutGiven = std::ranges::any_of(overrides, [](const std::string& text) {
+        return text.starts_with("lightField.layout=");
+      });
+      findHogels(result, isLayoutGiven, part(progress, 0, 0.5));
+      said.lightField = session.lightField;
+      said.display.hogels = session.display.hogels;
+      said.display.directions = session.display.directions;
+    }
+    const bool isHogels = session.lightField.layout == Layout::hogels;
     if (canBeOpened(said)) {
-      result.order = findLightFieldOrder(said.lightField, said.display, progress);
+      result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.5, 1));
       session.lightField = result.order.found;
     }
     session.display = displayAround(session.lightField, said.display);
-    if (!canBeOpened(said))
-      result.assumed = findHogels(session.lightField, session.display, progress);
+    if (isHogels) {
+      session.display.hogels = said.display.hogels;
+      session.display.directions = said.display.directions;
+    }
     if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
         distance > 0)
       session.lightField.viewingDistance = distance;

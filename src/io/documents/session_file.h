@@ -46,7 +46,8 @@ Session newSession();
 /// Makes a session around a light field: an image, a quilt by its name, a folder of views, or a
 /// mesh, which is read. The display has its shape; one state is in front of it. Views get the order
 /// and shear that their pictures say, unless the overrides do. Of a hogel image the hogels and
-/// directions are found in the picture, or remain to be given; a store has its display. `overrides`
+/// directions are found in the picture, or remain to be given; a few large tiles are a quilt's. A
+/// store has its display. `overrides`
 /// as above. Throws InputError, or Cancelled while a mesh is read or views are looked at.
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
                       const Progress& progress = {});
@@ -55,7 +56,10 @@ Session sessionAround(const std::string& file, const std::vector<std::string>& o
 struct OrderedSession {
   Session session;
   LightFieldOrder order;
-  std::string assumed;  ///< a line for the user on what nobody has said; "" if there is none
+  /// A line for the user on what nobody has said of hogels and directions, but the picture shows;
+  /// "" if there is none.
+  std::string assumed;
+  Sureness hogels = Sureness::sure;  ///< of that
 };
 
 /// The same, for those who tell the user about the order.

@@ -161,16 +161,23 @@ class Sheet {
 
 }  // namespace
 
-void writeContactSheet(const std::filesystem::path& file, const LightFieldOrder& order,
-                       const AssumedOrder& assumed, const DisplayParams& display,
-                       const Progress& progress) {
+Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
+                   const DisplayParams& display, const Progress& progress) {
   const auto views = greyViewsOf(assumed.used, display, part(progress, 0, 0.3));
   if (!views)
     throw InputError(contentName(assumed.used), "",
                      "has no views that a contact sheet could show: it is computed, or too large");
   const cv::Mat3b sheet = Sheet(*views, order, assumed).draw(part(progress, 0.3, 1));
-  writeImage(file, sheet.cols, sheet.rows,
-             std::span<const std::uint8_t>(sheet.data, 3 * sheet.total()), progress);
+  Image image(sheet.cols, sheet.rows);
+  image.rgb.assign(sheet.data, sheet.data + 3 * sheet.total());
+  return image;
+}
+
+void writeContactSheet(const std::filesystem::path& file, const LightFieldOrder& order,
+                       const AssumedOrder& assumed, const DisplayParams& display,
+                       const Progress& progress) {
+  const Image sheet = contactSheet(order, assumed, display, progress);
+  writeImage(file, sheet.width, sheet.height, sheet.rgb, progress);
 }
 
 }  // namespace hogelscope

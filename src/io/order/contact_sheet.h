@@ -5,14 +5,18 @@
 #include <filesystem>
 
 #include "core/optics/display.h"
+#include "core/optics/image.h"
 #include "io/order/order_document.h"
 
 namespace hogelscope {
 
-/// Writes up to 5×5 views where their cameras stand: the left column was taken from the left, the
+/// Draws up to 5×5 views where their cameras stand: the left column was taken from the left, the
 /// top row from the top, as `assumed` has it. Arrows in the view in the middle show how its content
 /// moves to the view on the right (yellow) and to the one below (blue). Throws InputError, or
 /// Cancelled.
+Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
+                   const DisplayParams& display, const Progress& progress = {});
+/// Writes it.
 void writeContactSheet(const std::filesystem::path& file, const LightFieldOrder& order,
                        const AssumedOrder& assumed, const DisplayParams& display,
                        const Progress& progress = {});

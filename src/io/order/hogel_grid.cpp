@@ -78,11 +78,17 @@ std::vector<double> withoutBlocks(std::vector<double> values) {
   return values;
 }
 
+/// The period of borders, and how far they stand out.
+struct Tile {
+  std::size_t period = 0;
+  double standOut = 0;
+};
+
 /// The period whose borders stand out most, of those that do without JPEG's blocks too if there are
-/// any; 0 if none does.
-std::size_t tileOf(const std::vector<double>& differences) {
+/// any; a period of 0 if none does.
+Tile tileOf(const std::vector<double>& differences) {
   const double mean = meanOf(differences);
-  if (!(mean > 0)) return 0;
+  if (!(mean > 0)) return {};
   std::vector<double> logs;  // so that a few strong edges of the content count little
   for (const double value : differences) logs.push_back(std::log1p(value / mean));
   const std::vector<double> rest = withoutBlocks(logs);
@@ -98,7 +104,7 @@ std::size_t tileOf(const std::vector<double>& differences) {
   }
   // Of hogels of 8 directions there is no more than chance without the blocks.
   constexpr double share = 0.6;
-  return best > share * bestOfAll ? found : foundOfAll;
+  return best > share * bestOfAll ? Tile{found, best} : Tile{foundOfAll, bestOfAll};
 }
 
 }  // namespace
@@ -106,10 +112,11 @@ std::size_t tileOf(const std::vector<double>& differences) {
 std::optional<HogelGrid> findHogelGrid(ImageFile& image, const Progress& progress) {
   if (image.width() < 4 || image.height() < 4) return std::nullopt;
   const Differences differences = differencesOf(image, progress);
-  const std::size_t across = tileOf(differences.columns), down = tileOf(differences.rows);
-  if (across == 0 || down == 0) return std::nullopt;
-  return HogelGrid{{int(image.width() / across), int(image.height() / down)},
-                   {int(across), int(down)}};
+  const Tile across = tileOf(differences.columns), down = tileOf(differences.rows);
+  if (across.period == 0 || down.period == 0) return std::nullopt;
+  return HogelGrid{{int(image.width() / across.period), int(image.height() / down.period)},
+                   {int(across.period), int(down.period)},
+                   std::min(across.standOut, down.standOut)};
 }
 
 }  // namespace hogelscope

@@ -12,6 +12,7 @@ namespace hogelscope {
 struct HogelGrid {
   std::array<int, 2> hogels{};      ///< across, down
   std::array<int, 2> directions{};  ///< across, down
+  double standOut = 0;  ///< of the borders' differences, standard errors; of the lesser axis
 };
 
 /// Reads the picture: at the borders of hogels neighbouring pixels differ more than within, since

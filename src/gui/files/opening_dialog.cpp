@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is assumed of a light field that is opened without a session.
+#include "gui/files/opening_dialog.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QStandardItemModel>
+#include <utility>
+
+#include "gui/session/session_forms.h"
+#include "gui/widgets/task.h"
+#include "io/files/folders.h"
+#include "io/layouts/view_sequences.h"
+#include "ui_opening_dialog.h"
+
+namespace hogelscope {
+
+namespace {
+
+QString wordFor(const Assumption& assumption) {
+  if (assumption.isUsual) return OpeningDialog::tr("usual");
+  switch (assumption.sureness) {
+    case Sureness::sure:
+      return OpeningDialog::tr("sure");
+    case Sureness::likely:
+      return OpeningDialog::tr("likely");
+    default:
+      return OpeningDialog::tr("not known");
+  }
+}
+
+QString tableOf(const Opening& opening) {
+  QString rows;
+  for (const Assumption& each : opening.assumptions) {
+    const bool isOpen = each.sureness != Sureness::sure && !each.isUsual;
+    rows += QStringLiteral(
+                "<tr><td><b>%1</b>&nbsp;</td><td>%2</td></tr>"
+                "<tr><td>%3&nbsp;</td><td><i>%4</i></td></tr>")
+                .arg(QString::fromStdString(each.what).toHtmlEscaped(),
+                     QString::fromStdString(each.value).toHtmlEscaped(),
+                     isOpen ? "<b>" + wordFor(each) + "</b>" : wordFor(each),
+                     QString::fromStdString(each.reason).toHtmlEscaped());
+  }
+  for (const std::string& warning : opening.around.order.warnings)
+    rows += "<tr><td><b>⚠</b></td><td>" + QString::fromStdString(warning).toHtmlEscaped() +
+            "</td></tr>";
+  return "<table>" + rows + "</table>";
+}
+
+/// Whether such a file or folder can have a layout.
+bool mayHave(Layout layout, const std::string& file, Layout own) {
+  if (layout == own) return true;
+  if (own == Layout::pack || own == Layout::live || isFolder(file) || isViewSequence(file))
+    return false;
+  return layout != Layout::pack && layout != Layout::live;
+}
+
+}  // namespace
+
+OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, QWidget* window)
+    : QDialog(window),
+      m_ui(std::make_unique<Ui::OpeningDialog>()),
+      m_file(file),
+      m_opening(opening),
+      m_task(new Task(this)) {
+  m_ui->setupUi(this);
+  setWindowTitle(tr("Open %1").arg(QFileInfo(file).fileName()));
+  m_ui->previewView->setTitles({}, {});
+  addForms();
+  connect(m_task, &Task::stopped, this, &OpeningDialog::takeNext);
+  connect(m_task, &Task::failed, this, [this](const QString& line) {
+    if (!m_isStale) showProblem(line);
+    takeNext();
+  });
+  showOpening(opening);
+  look(true);
+}
+
+/// Stops the task before the widgets go that it would answer to.
+OpeningDialog::~OpeningDialog() {
+  m_task->abandon();
+}
+
+/// The fields of light field and display that make a picture another light field.
+void OpeningDialog::addForms() {
+  m_shown = shownOf(m_opening);
+  m_lightField = new ParameterForm([this](ParameterVisitor& visitor) {
+    Session edited = m_shown;
+    describe(visitor, edited.lightField);
+    edit(edited);
+  });
+  m_display = new ParameterForm([this](ParameterVisitor& visitor) {
+    Session edited = m_shown;
+    describe(visitor, edited.display);
+    edit(edited);
+  });
+  m_lightField->hideField("file", true);
+  for (const char* name : {"position", "orientation", "lens"}) m_display->hideField(name, true);
+  m_ui->fieldsArea->setWidget(stackWidgets({m_lightField, m_display}));
+  auto* layouts = m_lightField->findChild<QComboBox*>("layout");
+  const auto* items = qobject_cast<QStandardItemModel*>(layouts->model());
+  const std::string file = m_file.toStdString();
+  for (int k = 0; k < layouts->count(); ++k)
+    items->item(k)->setEnabled(mayHave(Layout(k), file, m_shown.lightField.layout));
+}
+
+void OpeningDialog::edit(const Session& edited) {
+  if (edited == m_shown) return;
+  m_said = saidAfter(m_said, m_shown, edited, m_opening.picture);
+  m_shown = edited;
+  look(false);
+}
+
+/// The newest edit wins: what is under way stops, and the window does not wait for it. What is
+/// known need not be looked at again.
+void OpeningDialog::look(bool isKnown) {
+  if (!isKnown) m_ui->buttons->button(QDialogButtonBox::Open)->setEnabled(false);
+  m_ui->previewView->setNotice(tr("Looking at it …"));
+  m_isStale = m_task->isRunning();
+  if (m_isStale)
+    m_task->stop();
+  else
+    start(isKnown);
+}
+
+void OpeningDialog::start(bool isKnown) {
+  m_task->start([this, isKnown, file = m_file.toStdString(), said = m_said,
+                 known = m_opening](const Progress& progress) -> Task::Answer {
+    const Opening opening = isKnown ? known : lookAt(file, said, part(progress, 0, 0.7));
+    if (!isKnown)
+      m_task->queue([this, opening] {
+        if (!m_isStale) showOpening(opening);
+      });
+    Image picture;
+    QString why;
+    try {
+      picture = previewOf(opening, part(progress, 0.7, 1));
+    } catch (const InputError& error) {
+      why = QString::fromUtf8(error.what());
+    }
+    return [this, picture, why] {
+      if (!m_isStale) {
+        showPreview(picture);
+        m_ui->previewView->setNotice(why);
+      }
+      takeNext();
+    };
+  });
+}
+
+void OpeningDialog::takeNext() {
+  if (std::exchange(m_isStale, false)) start(false);
+}
+
+/// Fields that do not go together yet stay as they were typed.
+void OpeningDialog::showOpening(const Opening& opening) {
+  m_opening = opening;
+  if (opening.problem.empty()) m_shown = shownOf(opening);
+  m_ui->assumedLabel->setText(tableOf(opening));
+  showProblem(QString::fromStdString(opening.problem));
+  showFields();
+}
+
+void OpeningDialog::showPreview(const Image& picture) {
+  const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
+                     QImage::Format_RGB888);
+  m_ui->previewView->setImages(image.copy());
+}
+
+void OpeningDialog::showProblem(const QString& problem) {
+  m_ui->problemLabel->setText(problem);
+  m_ui->problemLabel->setVisible(!problem.isEmpty());
+  m_ui->buttons->button(QDialogButtonBox::Open)->setEnabled(problem.isEmpty());
+}
+
+/// Hogels and directions are the picture's own unless it is of hogels; how many directions one
+/// running number has is said of views.
+void OpeningDialog::showFields() {
+  const Layout layout = m_shown.lightField.layout;
+  m_display->hideField("hogels", layout != Layout::hogels);
+  m_display->hideField("directions", layout != Layout::hogels && layout != Layout::views);
+  m_lightField->refresh();
+  m_display->refresh();
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens light fields without a session, in the real window: what is sure opens at once, what is in
+// doubt is asked, and whatever is dropped is used for what it is, without an error.
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <cmath>
+
+#include "gui/files/file_commands.h"
+#include "gui/files/opening_dialog.h"
+#include "gui/view/image_widget.h"
+#include "io/documents/opening.h"
+#include "io/scene/scene.h"
+#include "io/store/store_writer.h"
+#include "tests/gui/habits_test.h"
+#include "tests/gui/window_files.h"
+#include "tests/io/documents.h"
+#include "tests/io/images.h"
+#include "tests/io/layered_views.h"
+
+using namespace hogelscope;
+
+namespace {
+
+/// A wall before the panel, seen through so many hogels, from the left to the right.
+void writeHogels(const QString& file, int nx, int ny, int du, int dv) {
+  writeImageFile(file, nx * du, ny * dv, [=](int px, int py, int c) {
+    const double x = (px / du + 0.5) / nx - 0.2 * (px % du) / du;
+    const double y = (py / dv + 0.5) / ny - 0.2 * (py % dv) / dv;
+    return float(0.5 + 0.2 * std::sin(31 * x + 5 * y + c) + 0.2 * std::sin(17 * y - 8 * x));
+  });
+}
+
+/// No hogels at all.
+void writePhotograph(const QString& file, int width, int height) {
+  writeImageFile(file, width, height, [=](int x, int y, int c) {
+    return float((x * 7919 + y * 104729 + x * y * 31 + c * 7) % 251) / 251;
+  });
+}
+
+/// A folder of 3 × 5 views whose rows run upwards.
+void writeViews(const QString& folder, int rows = 3, int columns = 5) {
+  QVERIFY(QDir().mkpath(folder));
+  const GreyGrid grid = gridOf(randomScene(7, 1, 6), rows, columns, {true, false, false});
+  for (int k = 0; k < rows * columns; ++k) {
+    const GreyPicture view = grid.view(k / columns, k % columns);
+    const QImage image(view.values.data(), view.width, view.height, view.width,
+                       QImage::Format_Grayscale8);
+    QVERIFY(image.save(QString("%1/00%2_00%3.png").arg(folder).arg(k / columns).arg(k % columns)));
+  }
+}
+
+}  // namespace
+
+class TestOpening : public HabitsTest {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    start();
+    makeWindow({});
+  }
+  void cleanup() { stop(); }
+
+  void aHogelImageOpensAtOnce() {
+    writeHogels(path("h.png"), 40, 30, 24, 18);
+    drop({path("h.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(dialog() == nullptr);
+    QVERIFY((model().session().display.hogels == std::array{40, 30}));
+    QCOMPARE(errors(), QString());
+  }
+
+  /// Of a picture that nothing is known of the window asks, and stays as it was if it is not told.
+  void whatNothingIsKnownOfIsAsked() {
+    writePhotograph(path("p.png"), 240, 180);
+    const Session before = model().session();
+    drop({path("p.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QVERIFY(!openButton()->isEnabled());
+    QVERIFY(label("assumedLabel").contains("not known"));
+    QVERIFY(label("problemLabel").contains("how many of them are hogels"));
+    QCOMPARE(preview()->image(),  // the picture itself
+             QImage(path("p.png")).convertToFormat(QImage::Format_RGB888));
+    QTest::keyClick(dialog(), Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, patience);
+    QVERIFY(model().session() == before);
+    QCOMPARE(errors(), QString());
+  }
+
+  /// One number says the rest, for square hogels; a number of directions says it too.
+  void oneNumberOfHogelsIsEnough() {
+    writePhotograph(path("p.png"), 240, 180);
+    drop({path("p.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    field<QSpinBox>("hogels.0")->setValue(24);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QCOMPARE(field<QSpinBox>("hogels.1")->value(), 18);
+    QCOMPARE(field<QSpinBox>("directions.0")->value(), 10);
+    field<QSpinBox>("directions.0")->setValue(7);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QVERIFY(!openButton()->isEnabled());
+    QVERIFY(label("problemLabel").contains("is 240×180 px, but"));
+    QCOMPARE(field<QSpinBox>("directions.0")->value(), 7);  // as it was typed
+    field<QSpinBox>("directions.0")->setValue(12);
+    field<QSpinBox>("directions.1")->setValue(12);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QCOMPARE(field<QSpinBox>("hogels.0")->value(), 20);
+    QVERIFY(label("assumedLabel").contains("20×15 hogels of 12×12 directions"));
+    QVERIFY(label("assumedLabel").contains("chosen here"));
+    QTest::mouseClick(openButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY((model().session().display.hogels == std::array{20, 15}));
+    QVERIFY((model().session().display.directions == std::array{12, 12}));
+    QCOMPARE(errors(), QString());
+  }
+
+  void aFolderOfViewsOpensAtOnce() {
+    writeViews(path("v"));
+    drop({path("v")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(dialog() == nullptr);
+    QVERIFY(model().session().lightField.rows == RowOrder::bottomUp);
+    QCOMPARE(errors(), QString());
+  }
+
+  /// The preview is the contact sheet of what the fields say, and the newest edit wins.
+  void theOrderOfViewsIsCorrected() {
+    writeViews(path("v"));
+    askAbout(path("v/001_001.png"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    field<QComboBox>("layout")->setCurrentIndex(int(Layout::views));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QVERIFY(label("assumedLabel").contains("rows bottom-up, columns left-right"));
+    const QImage found = preview()->image();
+    const Opening opening = lookAt(path("v").toStdString(), {}, {});
+    const Image sheet = previewOf(opening, {});
+    QCOMPARE(found.size(), QSize(sheet.width, sheet.height));
+    QVERIFY(found == QImage(sheet.rgb.data(), sheet.width, sheet.height, 3 * sheet.width,
+                            QImage::Format_RGB888));
+    auto* rows = field<QComboBox>("rows");
+    for (int k = 0; k < 6; ++k) rows->setCurrentIndex(k % 2);  // top-down first
+    rows->setCurrentIndex(0);
+    QVERIFY(!openButton()->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QVERIFY(label("assumedLabel").contains("rows top-down, columns left-right"));
+    QVERIFY(label("assumedLabel").contains("chosen here, but"));
+    QVERIFY(preview()->image() != found);
+    QTest::mouseClick(openButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(model().session().lightField.rows == RowOrder::topDown);
+    QCOMPARE(errors(), QString());
+  }
+
+  /// A hole among the views makes their order less sure: the dialog names it.
+  void missingViewsAreNamed() {
+    writeViews(path("v"));
+    QVERIFY(QFile::remove(path("v/000_004.png")));
+    askAbout(path("v/001_001.png"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    field<QComboBox>("layout")->setCurrentIndex(int(Layout::views));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QVERIFY(label("assumedLabel").contains("1 of 15 views are missing"));
+    QVERIFY(openButton()->isEnabled());
+  }
+
+  /// Chosen among its neighbours, a picture may stand for all of them.
+  void aViewStandsForItsFolder() {
+    writeViews(path("v"));
+    askAbout(path("v/000_001.png"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    field<QComboBox>("layout")->setCurrentIndex(int(Layout::views));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QVERIFY(label("assumedLabel").contains("5×3 directions"));
+    QTest::mouseClick(openButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(model().session().lightField.layout == Layout::views);
+    QCOMPARE(QFileInfo(QString::fromStdString(model().session().lightField.file)).fileName(),
+             QString("v"));
+  }
+
+  /// Where no pattern can be told from the names, one is asked for.
+  void namesThatSayNothing() {
+    writeViews(path("v"), 1, 2);
+    QVERIFY(QFile::rename(path("v/000_000.png"), path("v/cam 2 1.png")));
+    QVERIFY(QFile::rename(path("v/000_001.png"), path("v/camera 1 1.png")));
+    drop({path("v")});
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QVERIFY(label("problemLabel").contains("give lightField.pattern"));
+    auto* pattern = field<QLineEdit>("pattern");
+    pattern->setText("cam* CC RR.png");
+    Q_EMIT pattern->editingFinished();
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QCOMPARE(errors(), QString());
+  }
+
+  /// By its name at once; without one by its tiles, and then it is asked.
+  void aQuilt() {
+    const auto quilt = [](int px, int py, int c) {
+      const int view = px / 120 + 5 * (3 - py / 120);
+      const double x = (px % 120 + 0.4 * view) / 120, y = (py % 120) / 120.0;
+      return float(0.5 + 0.2 * std::sin(31 * x + 5 * y + c) + 0.2 * std::sin(27 * y - 8 * x));
+    };
+    writeImageFile(path("q_qs5x4a1.png"), 600, 480, quilt);
+    drop({path("q_qs5x4a1.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(model().session().lightField.layout == Layout::quilt);
+    QVERIFY(dialog() == nullptr);
+    startAnew();
+    writeImageFile(path("tiles.png"), 600, 480, quilt);
+    drop({path("tiles.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QCOMPARE(field<QComboBox>("layout")->currentIndex(), int(Layout::quilt));
+    QVERIFY(label("assumedLabel").contains("120×120 hogels of 20×1 directions"));
+    QTest::mouseClick(openButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QCOMPARE(model().session().lightField.quiltColumns, 5);
+    QCOMPARE(model().session().lightField.quiltRows, 4);
+    QCOMPARE(errors(), QString());
+  }
+
+  void aMeshACalibrationAndAStore() {
+    writeFile(path("a.obj"), "v -1 -1 0\nv 1 -1 0\nv 0 1 0.5\nf 1 2 3\n");
+    drop({path("a.obj")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(model().session().lightField.layout == Layout::live);
+    QCOMPARE(errors(), QString());
+    startAnew();
+    writeFile(path("k.yml"),
+              "%YAML:1.0\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+              "   data: [ 60., 0., 40., 0., 60., 30., 0., 0., 1. ]\n"
+              "distortion_coefficients: !!opencv-matrix\n   rows: 4\n   cols: 1\n   dt: d\n"
+              "   data: [ 0.125, 0., 0., 0. ]\n");
+    drop({path("k.yml")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QCOMPARE(model().current().distortion.k1, 0.125);
+    QCOMPARE(errors(), QString());
+    startAnew();
+    writeStore();
+    drop({path("s.tif")});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(model().session().lightField.layout == Layout::pack);
+    QVERIFY(dialog() == nullptr);
+    QCOMPARE(errors(), QString());
+  }
+
+  /// With a session open a light field is compared with it, or opens where the display cannot show
+  /// it; what is no light field is an error, and the session stays.
+  void whatCannotBeComparedOpens() {
+    makeWindow({m_session});
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    writeHogels(path("h.png"), 40, 30, 24, 18);
+    drop({path("h.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(model().file().isEmpty() && hasPicture(), patience);
+    QVERIFY((model().session().display.hogels == std::array{40, 30}));
+    QCOMPARE(errors(), QString());
+    writeFile(path("junk.png"), "no picture");
+    const Session before = model().session();
+    drop({path("junk.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(errors().contains("junk.png"), patience);
+    QVERIFY(dialog() == nullptr && model().session() == before);
+  }
+
+  /// The command asks even where all is sure; one more Return opens.
+  void openAsAlwaysAsks() {
+    writeHogels(path("h.png"), 40, 30, 24, 18);
+    askAbout(path("h.png"));
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QVERIFY(openButton()->isEnabled());
+    QVERIFY(label("assumedLabel").contains("borders of hogels in the picture"));
+    QTest::keyClick(dialog(), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  }
+
+ private:
+  [[nodiscard]] QString path(const char* name) const { return m_folder->filePath(name); }
+  [[nodiscard]] OpeningDialog* dialog() const { return m_window->findChild<OpeningDialog*>(); }
+  [[nodiscard]] ImageWidget* preview() const {
+    return dialog()->findChild<ImageWidget*>("previewView");
+  }
+  /// There is a dialog, with a preview.
+  [[nodiscard]] bool isSettled() const {
+    return dialog() != nullptr && dialog()->isVisible() &&
+           !preview()->notice().startsWith("Looking");
+  }
+  [[nodiscard]] QString label(const char* name) const {
+    return dialog()->findChild<QLabel*>(name)->text();
+  }
+  [[nodiscard]] QPushButton* openButton() const {
+    return dialog()->findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Open);
+  }
+  template <class T>
+  T* field(const char* name) const {
+    return dialog()->findChild<T*>(name);
+  }
+  [[nodiscard]] bool hasPicture() const {
+    const auto* view = m_window->findChild<ImageWidget*>("pictureView");
+    return dialog() == nullptr && !view->image().isNull() && view->notice().isEmpty();
+  }
+  /// By File ▸ Open light field as.
+  void askAbout(const QString& file) {
+    const DialogAnswer answer(file);
+    action("openLightFieldAsAction")->trigger();
+  }
+  /// Nothing is left that would have to be recovered.
+  void startAnew() {
+    m_window.reset();
+    QDir(autosaveFolder()).removeRecursively();
+    makeWindow({});
+  }
+  void writeStore() const {
+    const Session session = loadSession(m_session.toStdString());
+    const auto file = openLightField(session.lightField, session.display);
+    const std::string store = path("s.tif").toStdString();
+    pack(*file, planPack(session.lightField, *file, session.display, 100000000), store, 0, {});
+  }
+};
+
+int main(int argc, char** argv) {
+  return runHabitsTest<TestOpening>(argc, argv);
+}
+#include "test_opening.moc"
