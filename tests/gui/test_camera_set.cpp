@@ -8,6 +8,9 @@
 #include <QSpinBox>
 
 #include "gui/docks/camera_set_widget.h"
+#include "gui/scene/display_scene.h"
+#include "gui/scene/scene_controller.h"
+#include "tests/gui/shown_image.h"
 #include "tests/gui/window_test.h"
 
 using namespace hogelscope;
@@ -55,6 +58,13 @@ class TestCameraSet : public WindowTest {
     child<QDockWidget>("cameraSetDock")->raise();
     QTRY_COMPARE_WITH_TIMEOUT(m_previews->size(), 1, patience);
     QCOMPARE(last().size(), std::size_t(16));
+    // In the scene they have frusta, too.
+    const auto frusta = [this] {
+      return m_window->findChild<SceneController*>()->scene().frusta().points().size();
+    };
+    const std::size_t perState = frusta() / (16 + 3);
+    QVERIFY(perState > 10);
+    QVERIFY(count(child<VtkWidget>("sceneWidget")->image(), QColor(190, 140, 230)) > 50);
     m_sets->findChild<QSpinBox*>("count")->setValue(7);
     QCOMPARE(m_previews->size(), 2);
     QCOMPARE(last().size(), std::size_t(7));
@@ -78,6 +88,7 @@ class TestCameraSet : public WindowTest {
     QCOMPARE(last().size(), std::size_t(5));
     child<QDockWidget>("cameraSetDock")->hide();
     QVERIFY(last().empty());
+    QCOMPARE(count(child<VtkWidget>("sceneWidget")->image(), QColor(190, 140, 230)), 0);
     QCOMPARE(m_previews->size(), 7);
     m_sets->findChild<QSpinBox*>("count")->setValue(6);
     QCOMPARE(m_previews->size(), 7);  // nobody sees it

@@ -53,7 +53,11 @@ HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QWidget(parent) 
   columns->setSpacing(40);
   columns->addWidget(makeActions(ui), 1);
   columns->addWidget(makeFiles(), 1);
-  auto* layout = new QVBoxLayout(this);
+  auto* page = new QWidget;
+  page->setMaximumWidth(60 * fontMetrics().horizontalAdvance("mm"));  // also of a large window
+  auto* sides = new QHBoxLayout(this);
+  sides->addWidget(page);
+  auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(48, 24, 48, 24);
   layout->addStretch(1);
   layout->addWidget(heading(tr("Hogelscope"), 12));

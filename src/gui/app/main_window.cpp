@@ -167,6 +167,8 @@ void MainWindow::connectDocks() {
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetWidget::failed, m_messages, &Messages::showError);
+  connect(m_ui->cameraSetView, &CameraSetWidget::previewChanged, m_scene,
+          &SceneController::showPreview);
   connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
   m_ui->inspector->follow(m_scene, m_ui->pictureView);
   m_imageCommands = new ImageCommands(*m_ui, m_model, this);
