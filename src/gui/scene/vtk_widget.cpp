@@ -95,7 +95,10 @@ void VtkWidget::makeContext() {
   m_surface->create();
   m_context = std::make_unique<QOpenGLContext>();
   m_context->setFormat(surfaceFormat());
-  if (!m_context->create() || !m_context->makeCurrent(m_surface.get())) return m_context.reset();
+  const bool isThere = m_context->create() &&
+                       m_context->format().version() >= surfaceFormat().version() &&
+                       m_context->makeCurrent(m_surface.get());
+  if (!isThere) return m_context.reset();
   m_window->SetMapped(1);
   m_window->SetIsCurrent(true);
   m_window->SetReadyForRendering(true);
