@@ -53,6 +53,8 @@ PsnrScale::PsnrScale() {
     text->BoldOff();
     text->ShadowOff();
     text->SetColor(0.9, 0.9, 0.9);
+    text->SetBackgroundColor(0, 0, 0);  // it may lie on the panel
+    text->SetBackgroundOpacity(0.6);
   }
   m_bar->VisibilityOff();
 }
