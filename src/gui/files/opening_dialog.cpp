@@ -163,8 +163,8 @@ void OpeningDialog::showOpening(const Opening& opening) {
 }
 
 void OpeningDialog::showPreview(const Image& picture) {
-  const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
-                     QImage::Format_RGB888);
+  const QImage image(picture.rgb.data(), picture.width, picture.height,
+                     3 * qsizetype(picture.width), QImage::Format_RGB888);
   m_ui->previewView->setImages(image.copy());
 }
 

@@ -31,7 +31,7 @@ std::string sourceOf(const std::string& file, const SaidFields& said) {
 
 std::vector<std::string> overridesOf(const SaidFields& said) {
   std::vector<std::string> overrides;
-  for (const auto& [field, value] : said) overrides.push_back(field + "=" + value);
+  for (const auto& [field, value] : said) overrides.emplace_back(field).append("=").append(value);
   return overrides;
 }
 
@@ -210,10 +210,13 @@ Image smaller(const LightFieldParams& params, int side, const Progress& progress
 /// Of one section of the session.
 void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
                 const Json& edited) {
+  const auto field = [&section](const std::string& key) {
+    return std::string(section).append(".").append(key);
+  };
   for (const auto& [key, value] : edited.items())
-    if (!shown.contains(key) || shown[key] != value) said[section + "." + key] = value.dump();
+    if (!shown.contains(key) || shown[key] != value) said[field(key)] = value.dump();
   for (const auto& [key, value] : shown.items())
-    if (!edited.contains(key)) said.erase(section + "." + key);  // to be found again
+    if (!edited.contains(key)) said.erase(field(key));  // to be found again
 }
 
 /// How often one goes into the other; one that does not go into it is refused when it is read.
