@@ -90,6 +90,7 @@ Tile tileOf(const std::vector<double>& differences) {
   const double mean = meanOf(differences);
   if (!(mean > 0)) return {};
   std::vector<double> logs;  // so that a few strong edges of the content count little
+  logs.reserve(differences.size());
   for (const double value : differences) logs.push_back(std::log1p(value / mean));
   const std::vector<double> rest = withoutBlocks(logs);
   const std::size_t length = logs.size() + 1;
