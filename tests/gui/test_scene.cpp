@@ -273,6 +273,11 @@ class TestScene : public SceneTest {
     QVERIFY(std::abs(across(-0.2) - across(0.2)) <= 1);  // from the front they are equally far
     press(Qt::Key_F6);
     QVERIFY(across(-0.2) < across(0.2) - 10);
+    // A camera has no parallel projection.
+    child<QAction>("sceneParallelAction")->trigger();
+    press(Qt::Key_F8);
+    QVERIFY(!child<QAction>("sceneParallelAction")->isChecked());
+    QVERIFY(std::abs(onScreen(cornerOf(m_session.cameras[0])).y() - widget()->height()) < 3);
   }
 
   /// Every hogel shows the one direction that goes straight ahead.

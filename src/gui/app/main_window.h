@@ -23,7 +23,6 @@ class DistortionDock;
 class FileCommands;
 class HomePage;
 class LightFieldDock;
-class LightFieldDock;
 class Messages;
 class ImageCommands;
 class PsfDock;

@@ -66,7 +66,8 @@ void SceneController::connectActions() {
   on(m_form.sceneBackAction, [this] { m_scene->lookFrom(SceneSide::back); });
   on(m_form.sceneBottomAction, [this] { m_scene->lookFrom(SceneSide::bottom); });
   on(m_form.sceneLeftSideAction, [this] { m_scene->lookFrom(SceneSide::left); });
-  on(m_form.sceneParallelAction, [this](bool isOn) { m_scene->setParallel(isOn); });
+  connect(m_form.sceneParallelAction, &QAction::toggled, this,
+          [this](bool isOn) { m_scene->setParallel(isOn); });
   // Keys of the scene itself: elsewhere arrows mean something else.
   const auto onScene = [this, on](QAction* action, auto slot) {
     m_form.sceneWidget->addAction(action);
@@ -80,7 +81,10 @@ void SceneController::connectActions() {
   onScene(m_form.sceneNearerAction, [this] { m_scene->approach(1.1); });
   onScene(m_form.sceneFartherAction, [this] { m_scene->approach(1 / 1.1); });
   on(m_form.sceneForgetAction, [this] { removePicks(); });
-  on(m_form.sceneLookThroughAction, [this] { m_scene->lookThrough(m_model->current()); });
+  on(m_form.sceneLookThroughAction, [this] {
+    m_form.sceneParallelAction->setChecked(false);  // a camera's rays meet in its eye
+    m_scene->lookThrough(m_model->current());
+  });
   on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
   on(m_form.scenePanelPictureAction, [this] { renderPanel(); });
   on(m_form.sceneStatePicturesAction, [this] { renderStates(); });
