@@ -4,7 +4,9 @@
 set(HOGELSCOPE_APP io.github.hogelscope.Hogelscope)
 set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
 
-install(TARGETS hogelscope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS hogelscope hogelscope-window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS hogelscope-codecs LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/hogelscope/lib
+  COMPONENT program)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.desktop
   DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.metainfo.xml
@@ -27,14 +29,16 @@ file(MAKE_DIRECTORY ${made})
 add_custom_command(OUTPUT ${made}/hogelscope.1.gz ${made}/hogelscope.bash DEPENDS hogelscope VERBATIM
   COMMAND $<TARGET_FILE:hogelscope> --help completion > ${made}/hogelscope.bash
   COMMAND $<TARGET_FILE:hogelscope> --help man > ${made}/hogelscope.1
-  COMMAND ${HOGELSCOPE_GZIP} -9nf ${made}/hogelscope.1)
+  COMMAND ${HOGELSCOPE_GZIP} -9nf ${made}/hogelscope.1
+  COMMAND ${CMAKE_COMMAND} -E create_symlink hogelscope.1.gz ${made}/hogelscope-window.1.gz)
 add_custom_target(hogelscope_share ALL DEPENDS ${made}/hogelscope.1.gz ${made}/hogelscope.bash)
-install(FILES ${made}/hogelscope.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${made}/hogelscope.1.gz ${made}/hogelscope-window.1.gz
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${made}/hogelscope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME hogelscope COMPONENT program)
 
 # What has to be built before cmake --install and cpack: neither builds anything.
-add_custom_target(hogelscope_installed DEPENDS hogelscope hogelscope_share hogelscope_core
+add_custom_target(hogelscope_installed DEPENDS hogelscope hogelscope-window hogelscope_share hogelscope_core
   hogelscope_io ViewFilters)
 foreach(target hogelscope_plugin_mesh hogelscope_plugin_measured-lens hogelscope_plugin_ms-ssim
     hogelscope_vtkPython _hogelscope hogelscope_python)

@@ -4,7 +4,7 @@
 # the eye would see of it without the display.
 set -eu
 here=$(dirname "$0")
-"$here/build.sh" hogelscope hogelscope_plugin_mesh
+"$here/build.sh" hogelscope hogelscope-window hogelscope_plugin_mesh
 cd "$here/.."
 
 program=build/release/bin/hogelscope

@@ -29,6 +29,7 @@ const std::map<QString, QStringList>& allowedRooms() {
       {"io/files", {"core"}},
       {"io/json", {"core"}},
       {"io/images", {"core", "io/files"}},
+      {"io/codecs", {"core", "io/images"}},
       {"io/layouts", {"core", "io/files", "io/images"}},
       {"io/plugins", {"core", "io/files", "io/json", "sdk/hogelscope"}},
       {"io/store", {"core", "io/files", "io/json", "io/images", "io/layouts", "io/plugins"}},
@@ -54,7 +55,7 @@ const std::map<QString, QStringList>& allowedRooms() {
        {"core", "io", "study", "chart", "report", "gui/session", "gui/view", "gui/scene",
         "gui/widgets"}},
       {"gui/app", {"core", "io", "vtk", "study", "chart", "report", "gui"}},
-      {"main", {"core", "io", "cli", "gui"}}};
+      {"main", {"core", "io", "cli", "gui/app"}}};
   return rooms;
 }
 

@@ -8,14 +8,14 @@ file(REMOVE_RECURSE ${PREFIX})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --strip)  # as packages are
 set(app io.github.hogelscope.Hogelscope)
 set(missing "")
-foreach(file bin/hogelscope ${LIBRARIES}/hogelscope/plugins-1/measured-lens/plugin.json
+foreach(file bin/hogelscope bin/hogelscope-window ${LIBRARIES}/hogelscope/plugins-1/measured-lens/plugin.json
     ${LIBRARIES}/hogelscope/plugins-1/ms-ssim/ms-ssim.so ${LIBRARIES}/hogelscope/lib/libhogelscope_vtk.so
-    ${LIBRARIES}/libhogelscope_core.a ${LIBRARIES}/libhogelscope_io.a
+    ${LIBRARIES}/libhogelscope_core.a ${LIBRARIES}/libhogelscope_codecs.a ${LIBRARIES}/libhogelscope_io.a
     ${LIBRARIES}/cmake/Hogelscope/HogelscopeConfig.cmake include/hogelscope-1/sdk/hogelscope/plugin.h
     include/hogelscope-1/core/engine/renderer.h include/hogelscope-1/io/scene/scene.h
     include/hogelscope-1/vtk/vtkHogelSessionView.h share/applications/${app}.desktop
     share/metainfo/${app}.metainfo.xml share/icons/hicolor/scalable/apps/${app}.svg
-    share/mime/packages/${app}.xml share/man/man1/hogelscope.1.gz
+    share/mime/packages/${app}.xml share/man/man1/hogelscope.1.gz share/man/man1/hogelscope-window.1.gz
     share/bash-completion/completions/hogelscope share/hogelscope/samples/room.hogelscope)
   if(NOT EXISTS ${PREFIX}/${file})
     string(APPEND missing "  ${file}\n")
@@ -41,3 +41,10 @@ run(${program} --render --quiet --session ${PREFIX}/share/hogelscope/samples/tab
 run(${BUILD}/bin/hogelscope --render --quiet --session ${SOURCE}/data/table1.json
   --states "Fig 4" --output ${PREFIX}/built)
 run(${CMAKE_COMMAND} -E compare_files "${PREFIX}/installed/Fig 4.png" "${PREFIX}/built/Fig 4.png")
+run(${program} --render --quiet --session ${PREFIX}/share/hogelscope/samples/table1.hogelscope
+  --states "Fig 4" --format tif --output ${PREFIX}/codecs)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=DISPLAY --unset=WAYLAND_DISPLAY ${program}
+  ERROR_VARIABLE error RESULT_VARIABLE status)
+if(NOT status EQUAL 2 OR NOT error MATCHES "there is no display server")
+  message(FATAL_ERROR "the installed program does not become the window's: ${status}, ${error}")
+endif()

@@ -19,8 +19,7 @@ inline void refused(const char* name, const QByteArray& document, const QByteArr
   QTest::newRow(name) << document << line;
 }
 
-/// The row's document, as s.json in `folder`, given to the real program. It starts in 0.3 s, mostly
-/// to link OpenImageIO's 300 libraries, so only the tables that need it do this.
+/// The row's document, as s.json in `folder`, given to the real program.
 inline void checkProgram(const QString& folder) {
   QFETCH(QByteArray, document);
   QFETCH(QByteArray, line);

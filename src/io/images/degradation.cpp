@@ -3,12 +3,12 @@
 #include "io/images/degradation.h"
 
 #include <charconv>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/base/random_numbers.h"
 #include "core/optics/image.h"
+#include "io/images/codecs.h"
 
 namespace hogelscope {
 
@@ -16,16 +16,12 @@ namespace {
 
 using Kind = Degradation::Kind;
 
-void throughJpeg(int quality, cv::Mat band, const Progress& progress) {
+void throughJpeg(int quality, const cv::Mat& band, const Progress& progress) {
   constexpr int longest = 65488;  // the format's limit, in whole blocks of 16
   for (int x = 0; x < band.cols; x += longest) {
     hearStop(progress);
-    cv::Mat piece = band.colRange(x, std::min(x + longest, band.cols));
-    cv::Mat bgr;
-    cv::cvtColor(piece, bgr, cv::COLOR_RGB2BGR);
-    std::vector<std::uint8_t> file;
-    cv::imencode(".jpg", bgr, file, {cv::IMWRITE_JPEG_QUALITY, quality});
-    cv::cvtColor(cv::imdecode(file, cv::IMREAD_COLOR), piece, cv::COLOR_BGR2RGB);
+    codecs().throughJpeg(quality, std::min(longest, band.cols - x), band.rows,
+                         band.data + 3 * std::size_t(x), band.step);
   }
 }
 

@@ -6,17 +6,15 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <variant>
-#include <vector>
 
 #include "core/base/progress.h"
 #include "core/light_field/light_field.h"
 #include "core/light_field/yuv_params.h"
+#include "io/images/image_facts.h"
 
 namespace hogelscope {
 
-/// A pointer to the first value of pixels owned by the caller.
-using StoredRows = std::variant<const std::uint8_t*, const std::uint16_t*, const float*>;
+class ImageInput;
 
 /// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black.
 class ImageFile {
@@ -31,11 +29,8 @@ class ImageFile {
   [[nodiscard]] std::size_t height() const { return m_facts.height; }
   [[nodiscard]] int channels() const { return m_facts.channels; }
   [[nodiscard]] StoredType type() const { return m_facts.type; }
-  /// The bits of a value as the file has them, 8 … 16: 10 for a PPM whose largest value is 1023. 16
-  /// for floats, 8 for fewer.
   [[nodiscard]] int bits() const { return m_facts.bits; }
-  [[nodiscard]] std::string format() const { return m_facts.format; }  ///< such as "png"
-  /// Pictures of the same size that it holds: a video's frames; 1 for a picture.
+  [[nodiscard]] std::string format() const { return m_facts.format; }
   [[nodiscard]] std::size_t frames() const { return m_facts.frames; }
   /// Chooses the frame that read() reads; at first 0.
   void select(std::size_t frame) { m_frame = int(frame); }
@@ -50,30 +45,16 @@ class ImageFile {
  private:
   template <class T>
   void readAs(const Band& band, const Progress& progress);
-  template <class T>
-  std::vector<T> readRows(std::size_t first, std::size_t rows);
-
   template <class Rows>
   void take(const Rows& rows, const char* format);
-  void openOther();
 
-  struct Facts {
-    std::size_t width = 0;
-    std::size_t height = 0;
-    int channels = 0;
-    StoredType type = StoredType::uint8;
-    int bits = 8;
-    std::string format;
-    std::size_t frames = 1;
-  };
-  struct Input;
-  enum class Reader { png, pgx, yuv, openImageIo };
+  enum class Reader { png, pgx, yuv, codecs };
   std::filesystem::path m_file;
   YuvParams m_yuv;
-  Reader m_reader = Reader::openImageIo;
-  Facts m_facts;
+  Reader m_reader = Reader::codecs;
+  ImageFacts m_facts;
   int m_frame = 0;
-  std::unique_ptr<Input> m_input;  ///< OpenImageIO's; null for the other readers
+  std::unique_ptr<ImageInput> m_input;  ///< that of codecs(); null for the other readers
 };
 
 }  // namespace hogelscope

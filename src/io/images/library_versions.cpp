@@ -2,7 +2,7 @@
 // The versions of the libraries that `io` uses.
 #include "io/images/library_versions.h"
 
-#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/oiioversion.h>
 
 #include <opencv2/core/utility.hpp>
 
@@ -12,11 +12,8 @@ std::string openCvVersion() {
   return cv::getVersionString();
 }
 
-/// OpenImageIO gives it as one number: 10000 × major + 100 × minor + patch.
 std::string openImageIoVersion() {
-  const int version = OIIO::openimageio_version();
-  return std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." +
-         std::to_string(version % 100);
+  return OIIO_VERSION_STRING;
 }
 
 }  // namespace hogelscope

@@ -6,8 +6,10 @@
 
 namespace hogelscope {
 
-/// Return the version of the loaded library, not of its headers, such as "4.6.0".
+/// Returns the version of the loaded library, not of its headers, such as "4.6.0".
 std::string openCvVersion();
+/// Returns that of the headers: asking the library would load it. It has the same first two
+/// numbers.
 std::string openImageIoVersion();
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Helpers for reading and writing by OpenImageIO.
-#include "io/images/open_image_io.h"
+// What reading and writing by OpenImageIO share.
+#include "io/codecs/open_image_io.h"
 
 namespace hogelscope {
 
@@ -12,6 +12,17 @@ std::string asOneLine(std::string text, const std::filesystem::path& file) {
   if (text.ends_with(" (it)")) text.resize(text.size() - 5);
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   return text.empty() ? "unknown reason" : text;
+}
+
+OIIO::TypeDesc typeDesc(StoredType type) {
+  switch (type) {
+    case StoredType::uint8:
+      return OIIO::TypeDesc::UINT8;
+    case StoredType::uint16:
+      return OIIO::TypeDesc::UINT16;
+    default:
+      return OIIO::TypeDesc::FLOAT;
+  }
 }
 
 }  // namespace hogelscope

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the two programs share: batch mode and the window.
+#pragma once
+
+#include <functional>
+
+#include "cli/command_line.h"
+
+namespace hogelscope {
+
+/// Parses the command line and calls `run`, whose exit status it returns. The one place where
+/// errors become a line and an exit status.
+int runProgram(int argc, char** argv, const std::function<int(const CommandLine&)>& run);
+
+}  // namespace hogelscope

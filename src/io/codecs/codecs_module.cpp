@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The entry of the library that the program loads.
+#include "io/images/codecs.h"
+
+extern "C" const hogelscope::Codecs* hogelscopeCodecs() {
+  return &hogelscope::codecs();
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures and videos read and written by OpenImageIO.
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "io/images/codecs.h"
+
+namespace hogelscope {
+
+/// Throw InputError that names the file.
+std::unique_ptr<ImageInput> openByOpenImageIo(const std::filesystem::path& file);
+std::unique_ptr<ImageOutput> createByOpenImageIo(const std::filesystem::path& file,
+                                                 const ImageSpec& spec, ByteOutput& bytes);
+
+/// Returns OpenImageIO's message on one line, without the file's name.
+std::string asOneLine(std::string text, const std::filesystem::path& file);
+
+OIIO::TypeDesc typeDesc(StoredType type);
+
+}  // namespace hogelscope

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures and videos read by OpenImageIO.
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/optics/image.h"
+#include "io/codecs/open_image_io.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Throws InputError if not even an image of one colour could be so small.
+void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
+  constexpr double mostBytesPerByte = 1 << 17;
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (!error && double(spec.image_bytes(true)) > mostBytesPerByte * double(bytes))
+    throw InputError(file.string(), "is damaged",
+                     "its " + std::to_string(bytes) + " bytes cannot be " +
+                         std::to_string(spec.width) + "×" + std::to_string(spec.height) + " px");
+}
+
+StoredType typeOf(const OIIO::ImageSpec& spec) {
+  switch (spec.format.basetype) {
+    case OIIO::TypeDesc::UINT8:
+    case OIIO::TypeDesc::INT8:
+      return StoredType::uint8;
+    case OIIO::TypeDesc::UINT16:
+    case OIIO::TypeDesc::INT16:
+      return StoredType::uint16;
+    default:
+      return StoredType::real;
+  }
+}
+
+/// The largest value of a PNM file, by its header: its third number. 0 where there is none.
+int largestPnmValue(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  in.ignore(2);  // "P6"
+  int value = 0;
+  for (int number = 0; number < 3; ++number) {
+    while (in >> std::ws && in.peek() == '#')
+      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    if (!(in >> value)) return 0;
+  }
+  return value;
+}
+
+/// The bits of 16-bit values: readers spread fewer bits over all 16, and OpenImageIO 2.4's of PNM
+/// does not say so.
+int bitsOf(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& file) {
+  if (format != "pnm") return std::clamp(spec.get_int_attribute("oiio:BitsPerSample", 16), 8, 16);
+  const int largest = largestPnmValue(file);
+  for (int bits = 9; bits < 16; ++bits)
+    if (largest == largestValue(bits)) return bits;
+  return 16;
+}
+
+/// A bare codestream, or one in boxes.
+bool isJpegXl(const fs::path& file) {
+  constexpr std::string_view codestream("\xff\x0a");
+  constexpr std::string_view box("\0\0\0\x0cJXL \r\n\x87\n", 12);
+  std::string begin(box.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(begin.data(), std::streamsize(begin.size()));
+  begin.resize(std::size_t(in.gcount()));
+  return begin.starts_with(codestream) || begin == box;
+}
+
+/// Throws InputError for a file that OpenImageIO cannot open.
+[[noreturn]] void refuse(const fs::path& file) {
+  const std::string why = asOneLine(OIIO::geterror(), file);  // unless asked for, it is printed
+  if (isJpegXl(file))
+    throw InputError(file.string(), "",
+                     "is JPEG XL, which OpenImageIO " OIIO_VERSION_STRING
+                     " does not read; convert it, such as by djxl NAME.jxl NAME.png");
+  throw InputError(file.string(), "cannot be read as a picture", why);
+}
+
+class Input : public ImageInput {
+ public:
+  explicit Input(const fs::path& file)
+      : m_file(file), m_image(OIIO::ImageInput::open(file.string())) {
+    if (!m_image) refuse(m_file);
+    m_spec = m_image->spec();
+    if (m_spec.width < 1 || m_spec.height < 1 || m_spec.nchannels < 1 || m_spec.depth > 1 ||
+        m_spec.deep)
+      throw InputError(m_file.string(), "", "is not a flat picture with pixels");
+    checkSize(m_spec, m_file);
+    const StoredType type = typeOf(m_spec);
+    const std::string format = m_image->format_name();
+    const int bits = type == StoredType::uint8    ? 8
+                     : type == StoredType::uint16 ? bitsOf(m_spec, format, m_file)
+                                                  : 16;
+    const bool isVideo = m_spec.get_int_attribute("oiio:Movie") != 0;
+    const int frames = isVideo ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
+    m_facts = {std::size_t(m_spec.width),
+               std::size_t(m_spec.height),
+               m_spec.nchannels,
+               type,
+               bits,
+               format,
+               std::size_t(std::max(frames, 1))};
+  }
+
+  [[nodiscard]] const ImageFacts& facts() const override { return m_facts; }
+  [[nodiscard]] std::size_t tileRows() const override {
+    return std::size_t(std::max(m_spec.tile_height, 1));
+  }
+  void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    std::visit([&](auto* values) { readRows(int(frame), first, rows, values); }, to);
+  }
+
+ private:
+  template <class T>
+  void readRows(int frame, std::size_t first, std::size_t rows, T* to);
+
+  fs::path m_file;
+  std::unique_ptr<OIIO::ImageInput> m_image;
+  OIIO::ImageSpec m_spec;
+  ImageFacts m_facts;
+};
+
+template <class T>
+void Input::readRows(int frame, std::size_t first, std::size_t rows, T* to) {
+  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader must be asked for
+  // alpha to do so with scanlines, and does it twice if it is asked with tiles.
+  const bool isAsked = m_spec.tile_width == 0;
+  const bool hasAlpha = isAsked && (m_spec.alpha_channel == 1 || m_spec.alpha_channel == 3);
+  const int used = hasAlpha ? m_spec.alpha_channel + 1 : m_spec.nchannels < 3 ? 1 : 3;
+  const auto stored = std::size_t(used);
+  const std::size_t pixels = m_facts.width * rows;
+  std::vector<T> read(stored * pixels);
+  const OIIO::TypeDesc type = OIIO::BaseTypeFromC<T>::value;
+  const int begin = m_spec.y + int(first);
+  const int end = begin + int(rows);
+  const auto stride = OIIO::stride_t(stored * sizeof(T));
+  const bool isRead =
+      m_spec.tile_width > 0
+          ? m_image->read_tiles(frame, 0, m_spec.x, m_spec.x + m_spec.width, begin, end, m_spec.z,
+                                m_spec.z + 1, 0, used, type, read.data(), stride)
+          : m_image->read_scanlines(frame, 0, begin, end, m_spec.z, 0, used, type, read.data(),
+                                    stride);
+  // Some readers fill the rest of a truncated file and only set a message.
+  if (!isRead || m_image->has_error())
+    throw InputError(m_file.string(), "is damaged", asOneLine(m_image->geterror(), m_file));
+  for (std::size_t p = 0; p < pixels; ++p)
+    for (std::size_t c = 0; c < 3; ++c) to[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
+}
+
+}  // namespace
+
+std::unique_ptr<ImageInput> openByOpenImageIo(const fs::path& file) {
+  return std::make_unique<Input>(file);
+}
+
+}  // namespace hogelscope

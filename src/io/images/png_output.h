@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a PNG row by row through libspng, which reads them too.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "io/images/codecs.h"
+
+struct spng_ctx;
+
+namespace hogelscope {
+
+class PngOutput : public ImageOutput {
+ public:
+  /// Small files, or, for large ones, without filters and a quarter of the time.
+  enum class Effort { small, quick };
+  /// Receives the bytes of the file from the first to the last.
+  using Sink = std::function<void(const void* bytes, std::size_t size)>;
+
+  /// `name` is for errors. Throws InputError: floats, too large.
+  PngOutput(std::string name, const ImageSpec& spec, Effort effort, Sink sink);
+  void write(const StoredRows& values, std::size_t rows) override;
+  void finish() override;
+
+ private:
+  void check(int status) const;
+
+  std::string m_name;
+  Sink m_sink;
+  std::size_t m_rowBytes = 0;
+  std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> m_context;
+};
+
+}  // namespace hogelscope

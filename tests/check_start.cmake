@@ -1,0 +1,31 @@
+cmake_minimum_required(VERSION 3.25)
+# A job loads what it uses: the program starts without VTK, Qt's widgets, OpenImageIO and OpenCV's
+# codecs, a picture made of PNGs needs none of them, and one made of a JPEG loads the codecs.
+function(loaded_by output)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env LD_DEBUG=files ${PROGRAM} ${ARGN}
+    OUTPUT_QUIET ERROR_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "calling init: [^\n]+" libraries "${text}")
+  set(${output} "${libraries}" PARENT_SCOPE)
+endfunction()
+set(heavy "libvtk|libQt6Widgets|libOpenImageIO|libopencv_imgcodecs|libgdal")
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+loaded_by(version --version)
+if(NOT version MATCHES "libtbb")
+  message(FATAL_ERROR "LD_DEBUG does not tell what is loaded: ${version}")
+endif()
+set(render --render --session ${SOURCE}/data/table1.json --states "Fig 1" --quiet
+  --set camera.res=[20,20])
+loaded_by(png ${render} --output ${WORK}/png)
+foreach(libraries "${version}" "${png}")
+  if(libraries MATCHES "${heavy}")
+    message(FATAL_ERROR "${PROGRAM} loads ${CMAKE_MATCH_0}")
+  endif()
+endforeach()
+execute_process(COMMAND ${PROGRAM} --generate scene --session ${SOURCE}/data/table1.json --quiet
+  --set display.hogels=[16,16] --output ${WORK}/scene.jpg COMMAND_ERROR_IS_FATAL ANY)
+loaded_by(jpeg ${render} --output ${WORK}/jpeg --set lightField.file=${WORK}/scene.jpg
+  --set display.hogels=[16,16])
+if(NOT jpeg MATCHES "libOpenImageIO")
+  message(FATAL_ERROR "a JPEG was read without OpenImageIO")
+endif()
