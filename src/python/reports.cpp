@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "io/files/content_hash.h"
 #include "io/plugins/metric_plugins.h"
 #include "python/array_light_field.h"
 #include "python/bindings.h"
 #include "python/stoppable.h"
 #include "python/views.h"
-#include "report/file_hash.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -36,18 +36,14 @@ struct Wishes {
 
 /// The name by which an unfinished report knows an array again: its content.
 std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
-  std::string all;
+  ContentHash hash;
+  const std::size_t row = 3 * file.size().width();
   file.stream(
-      [&](int, int, const StoredRows& row) {
-        std::visit(
-            [&](const auto* rgb) {
-              all += sha256(std::string(reinterpret_cast<const char*>(rgb),
-                                        3 * sizeof(*rgb) * file.size().width()));
-            },
-            row);
+      [&](int, int, const StoredRows& values) {
+        std::visit([&](const auto* rgb) { hash.add(std::as_bytes(std::span(rgb, row))); }, values);
       },
       progress);
-  return "array, SHA-256 of its rows " + sha256(all);
+  return "array, XXH3-128 of its rows " + hash.hex();
 }
 
 /// The session itself if there is no other light field.

@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 #include "io/files/atomic_file.h"
-#include "report/file_hash.h"
+#include "io/files/content_hash.h"
 
 namespace hogelscope {
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view head = "hogelscope hashes 1\n";
-constexpr std::size_t hashDigits = 64;
+constexpr std::size_t hashDigits = 32;
 
 Descriptor lockedCache(const fs::path& cache, const Progress& progress) {
   for (;;) {
@@ -62,7 +62,7 @@ std::string FileHashes::of(const std::vector<fs::path>& files, const Progress& p
   std::string lines;
   for (std::size_t k = 0; k < files.size(); ++k)
     lines += m_hashes[identities[k]] + "  " + files[k].filename().string() + "\n";
-  return sha256(lines);
+  return contentHash(lines);
 }
 
 /// Hashes what neither this process nor another has.
@@ -74,7 +74,7 @@ void FileHashes::complete(const std::vector<fs::path>& files,
   for (std::size_t k = 0; k < files.size(); ++k) {
     std::string& hash = m_hashes[identities[k]];
     if (!hash.empty()) continue;
-    hash = sha256(std::vector<fs::path>{files[k]}, progress);
+    hash = contentHash(std::vector<fs::path>{files[k]}, progress);
     // Begins a line, since the last one may have been cut off.
     writeAll(cache.get(), "\n" + hash + " " + identities[k] + "\n", m_cache);
   }

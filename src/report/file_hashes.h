@@ -11,14 +11,14 @@
 
 namespace hogelscope {
 
-/// FOLDER/report.hashes keeps each file's SHA-256 by its size, time of change and path, a line
+/// FOLDER/report.hashes keeps each file's XXH3-128 by its size, time of change and path, a line
 /// each. While one process reads a file that is not in it, the others wait.
 class FileHashes {
  public:
   /// Throws InputError where a file of that name is another.
   explicit FileHashes(const std::filesystem::path& folder);
 
-  /// Returns what sha256() returns for these files. Throws InputError, Cancelled.
+  /// Returns what contentHash() returns for these files. Throws InputError, Cancelled.
   std::string of(const std::vector<std::filesystem::path>& files, const Progress& progress);
 
  private:

@@ -7,7 +7,7 @@
 
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
-#include "report/file_hash.h"
+#include "io/files/content_hash.h"
 #include "report/versions.h"
 
 namespace hogelscope {
@@ -18,14 +18,14 @@ std::string pixels(int x, int y) {
   return std::to_string(x) + "×" + std::to_string(y);
 }
 
-/// "SHA-256 …" of the files, or what a store says of itself; empty where there are no files.
+/// "XXH3-128 …" of the files, or what a store says of itself; empty where there are no files.
 std::string contentOf(const LightFieldFile& file, FileHashes& hashes, const Progress& progress) {
   const std::string own = file.contentHash();
   if (!own.empty()) return "XXH3-128 of the pages " + own;
-  return file.files().empty() ? "" : "SHA-256 " + hashes.of(file.files(), progress);
+  return file.files().empty() ? "" : "XXH3-128 " + hashes.of(file.files(), progress);
 }
 
-/// "scene.png, 64×64 hogels of 32×32 directions, SHA-256 …".
+/// "scene.png, 64×64 hogels of 32×32 directions, XXH3-128 …".
 std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
                       const std::string& hash) {
   const std::string name =
@@ -71,7 +71,7 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   };
   if (!request.sessionFile.empty())
     line("Session",
-         request.sessionFile + ", SHA-256 " + hashes.of({request.sessionFile}, progress));
+         request.sessionFile + ", XXH3-128 " + hashes.of({request.sessionFile}, progress));
   lightField("Light field", session, *request.file);
   if (request.isAgainstIdeal)
     line("Reference", "ideal view: the scene itself, without the display");
@@ -87,7 +87,7 @@ ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Prog
   line("Program", versionsLine());
   line("Command", request.command);
   line("Made", timeNow());
-  facts.key = sha256(all);
+  facts.key = contentHash(all);
   return facts;
 }
 

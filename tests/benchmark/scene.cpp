@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <numbers>
 
+#include "core/base/multiversioned.h"
 #include "core/base/parallel.h"
 #include "core/engine/fast_simulation.h"
 
@@ -31,6 +33,15 @@ void fillRows(LightField& field, int begin, int end) {
           std::memcpy(rgb.data(), &noise, 4);
           field.set({i, j, u, v}, rgb.data());
         }
+}
+
+/// As Linux says it.
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  const std::string key = "model name";
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with(key)) return line.substr(line.find(':') + 2);
+  return "unknown";
 }
 
 /// Takes --name=value out of the arguments.
@@ -102,6 +113,8 @@ int main(int argc, char** argv) {
   takeFlag(argc, argv, "--directions=", directions);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::AddCustomContext("processor", processorName());
+  benchmark::AddCustomContext("kernels", std::string(kernelVersion()));
   addLens();
   addViews();
   addLayouts();

@@ -407,7 +407,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
   QCOMPARE(heading("s-report"), "Perceived views of " + m_folder->filePath("s.json"));
-  QVERIFY(contentOf("s-report/report.html").contains("s.json, SHA-256 "));
+  QVERIFY(contentOf("s-report/report.html").contains("s.json, XXH3-128 "));
 }
 
 void TestReportDock::anUntitledSessionHasAHeading() {

@@ -57,7 +57,7 @@ class Report(FolderTest):
         opened = hs.report(bare, {"coded": hs.open(self.coded, "views")},
                            light_field=hs.LightField(self.views), output=self.path("c"))
         self.assertEqual(opened, files)
-        self.assertIn(b"array, SHA-256", read(self.path("b", "report.html")))
+        self.assertIn(b"array, XXH3-128", read(self.path("b", "report.html")))
 
     def test_other_content_is_another_report(self):
         """A journal of other values is not taken up."""

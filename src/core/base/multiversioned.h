@@ -3,8 +3,20 @@
 // version is chosen when the program starts.
 #pragma once
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
+#include <string_view>
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
+    !defined(__SANITIZE_THREAD__) && !defined(HOGELSCOPE_BASELINE)
+#define HOGELSCOPE_IS_MULTIVERSIONED 1
 #define MULTIVERSIONED __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
+#define HOGELSCOPE_IS_MULTIVERSIONED 0
 #define MULTIVERSIONED
 #endif
+
+namespace hogelscope {
+
+/// Returns which version runs on this machine: "AVX-512", "AVX2" or "baseline".
+std::string_view kernelVersion();
+
+}  // namespace hogelscope

@@ -2,13 +2,22 @@
 // XXH3 by libxxhash.
 #include "io/files/content_hash.h"
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <xxhash.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
+#include "core/base/error.h"
+#include "io/files/random_access_file.h"
+
 namespace hogelscope {
+
+namespace fs = std::filesystem;
 
 void ContentHash::Free::operator()(XXH3_state_s* state) const {
   XXH3_freeState(state);
@@ -30,6 +39,43 @@ std::string ContentHash::hex() const {
                 static_cast<unsigned long long>(hash.high64),
                 static_cast<unsigned long long>(hash.low64));
   return text.data();
+}
+
+namespace {
+
+std::string hashOf(const fs::path& path, const Progress& progress) {
+  const auto failed = [&path] {
+    return InputError(path.string(), "cannot be read", std::strerror(errno));
+  };
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) throw failed();
+  ContentHash hash;
+  std::vector<std::byte> block(std::size_t{1} << 20);
+  while (true) {
+    hearStop(progress);
+    const ssize_t bytes = ::read(file.get(), block.data(), block.size());
+    if (bytes == 0) return hash.hex();
+    if (bytes > 0)
+      hash.add(std::span(block).first(std::size_t(bytes)));
+    else if (errno != EINTR)
+      throw failed();
+  }
+}
+
+}  // namespace
+
+std::string contentHash(const std::vector<fs::path>& files, const Progress& progress) {
+  if (files.size() == 1) return hashOf(files.front(), progress);
+  std::string lines;
+  for (const fs::path& file : files)
+    lines += hashOf(file, progress) + "  " + file.filename().string() + "\n";
+  return contentHash(lines);
+}
+
+std::string contentHash(const std::string& text) {
+  ContentHash hash;
+  hash.add(std::as_bytes(std::span(text)));
+  return hash.hex();
 }
 
 }  // namespace hogelscope
