@@ -7,7 +7,6 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_BUILD_TYPE MATCHES "^(Rel
   set(HOGELSCOPE_IS_HARDENED ON)
   include(CheckPIESupported)
   check_pie_supported(LANGUAGES C CXX)
-  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
   add_compile_options(-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3 -fstack-protector-strong
     -fstack-clash-protection)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)

@@ -15,7 +15,7 @@ namespace hogelscope {
 namespace {
 
 /// Points that are iterated together: small enough for the first-level cache.
-constexpr int batchSize = 128;
+constexpr int pointsAtOnce = 128;
 
 /// Newton's error is squared by the next step: after a move this short it is below rounding.
 constexpr double shortMoveSquared = 1e-18;
@@ -59,16 +59,16 @@ double BatchUndistort::leastEigenvalue(double radius) const {
 
 void BatchUndistort::undistort(double* x, double* y, int count) const {
   if (m_distortion.isIdentity()) return;
-  for (int k = 0; k < count; k += batchSize)
-    undistortBatch(x + k, y + k, std::min(batchSize, count - k));
+  for (int k = 0; k < count; k += pointsAtOnce)
+    undistortBatch(x + k, y + k, std::min(pointsAtOnce, count - k));
 }
 
 void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
   constexpr int mostSteps = 20;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::array<double, batchSize> idealX;
-  std::array<double, batchSize> idealY;
-  std::array<double, batchSize> move;
+  std::array<double, pointsAtOnce> idealX;
+  std::array<double, pointsAtOnce> idealY;
+  std::array<double, pointsAtOnce> move;
   std::copy_n(x, count, idealX.data());
   std::copy_n(y, count, idealY.data());
   for (int step = 0; step < mostSteps; ++step)

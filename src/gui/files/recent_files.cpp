@@ -11,7 +11,7 @@ namespace hogelscope {
 namespace {
 
 constexpr int mostFiles = 10;
-constexpr const char* key = "recentFiles";
+constexpr const char* recentKey = "recentFiles";
 
 }  // namespace
 
@@ -21,7 +21,7 @@ RecentFiles::RecentFiles(QMenu* menu, QObject* parent) : QObject(parent), m_menu
 }
 
 QStringList RecentFiles::files() {
-  return QSettings().value(key).toStringList();
+  return QSettings().value(recentKey).toStringList();
 }
 
 void RecentFiles::add(const QString& file) {
@@ -29,7 +29,7 @@ void RecentFiles::add(const QString& file) {
   QStringList list = files();
   list.removeAll(path);
   list.prepend(path);
-  QSettings().setValue(key, list.mid(0, mostFiles));
+  QSettings().setValue(recentKey, list.mid(0, mostFiles));
 }
 
 void RecentFiles::fill() {

@@ -25,7 +25,7 @@ QString nameOf(const KeyMap::Command& command) {
 }
 
 /// Return is for the table, not for a button.
-QPushButton* button(const char* name, const QString& text, const QString& help) {
+QPushButton* dialogButton(const char* name, const QString& text, const QString& help) {
   auto* made = new QPushButton(text);
   made->setObjectName(name);
   made->setToolTip(help);
@@ -42,7 +42,8 @@ KeyDialog::KeyDialog(KeyMap* map, QWidget* parent)
       m_table(new QTableWidget),
       m_label(new QLabel),
       m_field(new KeyField),
-      m_resetButton(button("resetKeyButton", tr("Reset &this"), tr("Back to its default key"))),
+      m_resetButton(
+          dialogButton("resetKeyButton", tr("Reset &this"), tr("Back to its default key"))),
       m_note(new QLabel) {
   setObjectName("keyWindow");
   setWindowTitle(tr("Keys"));
@@ -93,8 +94,10 @@ void KeyDialog::layOut() {
   m_field->setToolTip(tr("Press the key that the command should have; Backspace takes it away"));
   m_note->setObjectName("keyNote");
   m_note->setWordWrap(true);
-  auto* resetAll = button("resetAllKeysButton", tr("Reset &all"), tr("All default keys again"));
-  auto* closeButton = button("closeKeysButton", tr("&Close"), tr("Changes are saved already"));
+  auto* resetAll =
+      dialogButton("resetAllKeysButton", tr("Reset &all"), tr("All default keys again"));
+  auto* closeButton =
+      dialogButton("closeKeysButton", tr("&Close"), tr("Changes are saved already"));
   connect(resetAll, &QPushButton::clicked, m_map, &KeyMap::resetAll);
   connect(closeButton, &QPushButton::clicked, this, &QDialog::close);
   auto* below = new QHBoxLayout;

@@ -69,22 +69,22 @@ void ComparisonCommands::addModes() {
 }
 
 void ComparisonCommands::addErrorMaps() {
-  struct Choice {
+  struct MapChoice {
     ErrorKind kind;
     const char* name;
     QString help;
   };
   const std::array choices{
-      Choice{ErrorKind::absolute, "absoluteErrorAction", tr("|t − r| of each channel")},
-      Choice{ErrorKind::signedError, "signedErrorAction",
-             tr("t − r of each channel; 0 is the middle of the scale")},
-      Choice{ErrorKind::squared, "squaredErrorAction",
-             tr("(t − r)² of each channel, of which MSE is the mean")},
-      Choice{ErrorKind::relative, "relativeErrorAction",
-             tr("|t − r| / max(r, 1) of each channel, in percent")},
-      Choice{ErrorKind::luma, "lumaErrorAction", tr("|Y(t) − Y(r)|, Y of BT.709")}};
+      MapChoice{ErrorKind::absolute, "absoluteErrorAction", tr("|t − r| of each channel")},
+      MapChoice{ErrorKind::signedError, "signedErrorAction",
+                tr("t − r of each channel; 0 is the middle of the scale")},
+      MapChoice{ErrorKind::squared, "squaredErrorAction",
+                tr("(t − r)² of each channel, of which MSE is the mean")},
+      MapChoice{ErrorKind::relative, "relativeErrorAction",
+                tr("|t − r| / max(r, 1) of each channel, in percent")},
+      MapChoice{ErrorKind::luma, "lumaErrorAction", tr("|Y(t) − Y(r)|, Y of BT.709")}};
   int digit = Qt::Key_1;
-  for (const Choice& choice : choices) {
+  for (const MapChoice& choice : choices) {
     QAction* action =
         add(m_errorMenu, choice.name, ErrorText::name(choice.kind),
             tr("Shows %1 for the other picture's value t and the session's own r").arg(choice.help),

@@ -11,16 +11,16 @@ namespace hogelscope {
 
 namespace {
 
-constexpr const char* key = "lastFolder";
+constexpr const char* folderKey = "lastFolder";
 
 QString lastFolder() {
-  return QSettings().value(key, QDir::homePath()).toString();
+  return QSettings().value(folderKey, QDir::homePath()).toString();
 }
 
 }  // namespace
 
 void rememberFolderOf(const QString& file) {
-  if (!file.isEmpty()) QSettings().setValue(key, QFileInfo(file).absolutePath());
+  if (!file.isEmpty()) QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
 }
 
 QString sessionFilter() {

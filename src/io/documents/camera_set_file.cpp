@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr const char* versionKey = "hogelscopeCameras";
+constexpr const char* setVersion = "hogelscopeCameras";
 constexpr std::size_t mostPoses = 100000;
 
 bool isCsv(const std::string& file) {
@@ -23,7 +23,7 @@ bool isJson(const std::string& file) {
 }
 
 /// Applies an override, also to each part of a mixture that has a region of its own.
-void applyOverride(Json& document, const std::string& text) {
+void overrideSet(Json& document, const std::string& text) {
   const Override change = parseOverride(text);
   if (change.section != "cameraSet" && change.section != "cameraRegion" &&
       change.section != "trace")
@@ -39,11 +39,11 @@ void applyOverride(Json& document, const std::string& text) {
     if (part.is_object() && part.contains("cameraRegion")) apply(part["cameraRegion"]);
 }
 
-void checkVersion(const Json* version) {
+void checkSetVersion(const Json* version) {
   if (version == nullptr)
-    throw InputError(versionKey, "is missing: a camera set says \"hogelscopeCameras\": 1");
+    throw InputError(setVersion, "is missing: a camera set says \"hogelscopeCameras\": 1");
   if (*version != 1)
-    throw InputError(versionKey, version->dump(-1, ' ', true, Json::error_handler_t::replace) +
+    throw InputError(setVersion, version->dump(-1, ' ', true, Json::error_handler_t::replace) +
                                      " is not a version that this program reads: 1");
 }
 
@@ -138,7 +138,7 @@ Trace loadTrace(const Json& object, const std::filesystem::path& folder, double 
 CameraSet readDocument(const Json& document, const std::filesystem::path& folder) {
   CameraSet set;
   JsonReader reader(document, "");
-  checkVersion(reader.section(versionKey));
+  checkSetVersion(reader.section(setVersion));
   readSection(reader, "cameraSet", set.params);
   readSection(reader, "cameraRegion", set.region);
   check(set.region, "cameraRegion");
@@ -166,7 +166,7 @@ Json documentOf(const std::string& what) {
       throw InputError("is empty: not a camera set", "");
     return parseJson(text);
   }
-  Json document{{versionKey, 1}};
+  Json document{{setVersion, 1}};
   if (isCsv(what)) {
     document["trace"]["file"] = std::filesystem::path(what).filename().string();
     return document;
@@ -186,7 +186,7 @@ CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>&
   const bool isFile = isJson(what) || isCsv(what);
   try {
     Json document = documentOf(what);
-    for (const std::string& text : overrides) applyOverride(document, text);
+    for (const std::string& text : overrides) overrideSet(document, text);
     return readDocument(document, std::filesystem::path(what).parent_path());
   } catch (const InputError& error) {
     throw error.in(isFile ? what : "camera set");

@@ -10,19 +10,20 @@ namespace hogelscope {
 
 namespace {
 
-constexpr const char* versionKey = "hogelscopeKeys";
+constexpr const char* keysVersion = "hogelscopeKeys";
 
-std::string shown(const Json& value) {
+std::string shownJson(const Json& value) {
   return value.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 KeyTexts readKeys(const Json& document) {
   JsonReader reader(document, "");
-  const Json* version = reader.section(versionKey);
+  const Json* version = reader.section(keysVersion);
   if (version == nullptr)
-    throw InputError(versionKey, "is missing: a key map says \"hogelscopeKeys\": 1");
+    throw InputError(keysVersion, "is missing: a key map says \"hogelscopeKeys\": 1");
   if (*version != 1)
-    throw InputError(versionKey, shown(*version) + " is not a version that this program reads: 1");
+    throw InputError(keysVersion,
+                     shownJson(*version) + " is not a version that this program reads: 1");
   const Json* keys = reader.section("keys");
   reader.refuseUnknown();
   if (keys == nullptr || !keys->is_object())
@@ -30,7 +31,7 @@ KeyTexts readKeys(const Json& document) {
   KeyTexts texts;
   for (const auto& [name, key] : keys->items()) {
     if (!key.is_string())
-      throw InputError("keys." + name, shown(key) + " is not a text such as \"Ctrl+D\"");
+      throw InputError("keys." + name, shownJson(key) + " is not a text such as \"Ctrl+D\"");
     texts[name] = key.get<std::string>();
   }
   return texts;
@@ -47,7 +48,7 @@ KeyTexts loadKeyTexts(const std::filesystem::path& file) {
 }
 
 void saveKeyTexts(const std::filesystem::path& file, const KeyTexts& keys) {
-  const Json document{{versionKey, 1}, {"keys", Json(keys)}};
+  const Json document{{keysVersion, 1}, {"keys", Json(keys)}};
   try {
     makeFolder(std::filesystem::absolute(file).parent_path());
     writeTextFile(file, formatJson(document));

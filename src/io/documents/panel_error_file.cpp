@@ -17,7 +17,7 @@ namespace {
 
 using Cells = std::vector<PanelError::Cell>;
 
-constexpr std::string_view headOfAny = R"({"hogelscope panel error":1,)";
+constexpr std::string_view headOfPanelError = R"({"hogelscope panel error":1,)";
 
 std::string_view bytesOf(const Cells& cells) {
   return {reinterpret_cast<const char*>(cells.data()), cells.size() * sizeof(PanelError::Cell)};
@@ -60,7 +60,7 @@ void savePanelError(const fs::path& file, const std::string& key, const SavedPan
 
 std::optional<SavedPanelError> loadPanelError(const fs::path& file, const std::string& key,
                                               const LightFieldSize& size, bool isDeep) {
-  requireOurs(file, headOfAny);
+  requireOurs(file, headOfPanelError);
   Cells hogels(std::size_t(size.nx) * std::size_t(size.ny));
   Cells directions(std::size_t(size.du) * std::size_t(size.dv));
   std::error_code error;

@@ -19,7 +19,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<unsigned char, 4> magic{0x76, 0x2f, 0x31, 0x01};
+constexpr std::array<unsigned char, 4> exrMagic{0x76, 0x2f, 0x31, 0x01};
 
 /// The bytes of the types of fixed size. OpenEXR reads that many whatever size the header declares,
 /// so this reader must do the same.
@@ -193,7 +193,7 @@ void checkExrHeader(const std::filesystem::path& path) {
   const RandomAccessFile file(path);
   std::array<unsigned char, 8> found{};  // magic, version and flags
   if (file.readSome(0, std::as_writable_bytes(std::span(found))) < found.size() ||
-      !std::equal(magic.begin(), magic.end(), found.begin()))
+      !std::equal(exrMagic.begin(), exrMagic.end(), found.begin()))
     return;
   constexpr unsigned multiPart = 0x10;  // of the second byte of version and flags
   ExrHeader(file, (found[5] & multiPart) != 0).check();

@@ -13,7 +13,7 @@ namespace {
 
 using Token = NameToken;
 
-bool isLetter(const std::string& text, std::size_t at) {
+bool isLetterAt(const std::string& text, std::size_t at) {
   return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
 }
 
@@ -114,7 +114,7 @@ NamePattern namePattern(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
     const std::size_t run = std::min(text.find_first_not_of(c, at), text.size()) - at;
-    const bool isAlone = (at == 0 || !isLetter(text, at - 1)) && !isLetter(text, at + run);
+    const bool isAlone = (at == 0 || !isLetterAt(text, at - 1)) && !isLetterAt(text, at + run);
     const bool isNumber = (c == 'R' || c == 'C' || c == 'N') && (run > 1 || isAlone);
     const bool isCoordinate = (c == 'x' || c == 'y') && run == 1 && isAlone;
     pattern.tokens.push_back({isNumber       ? Kind::number
