@@ -115,6 +115,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::AddCustomContext("processor", processorName());
   benchmark::AddCustomContext("kernels", std::string(kernelVersion()));
+  addKernels();
   addLens();
   addViews();
   addLayouts();

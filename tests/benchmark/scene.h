@@ -38,6 +38,7 @@ void add(const std::string& name, Function function, Arguments... arguments) {
       ->Unit(benchmark::kMillisecond);
 }
 
+void addKernels();
 void addViews();
 void addLens();
 void addLayouts();
