@@ -33,9 +33,9 @@ BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
   constexpr double farthest = 100;  // beyond any image but those of nearly 180°
   double radius = 0;
   while (radius < farthest) {
-    const double next = std::min(1.2 * radius + 0.05, farthest);
-    const double change = m_distortion.secondDerivativeBound(next);
-    const double step = std::min(next - radius, 0.9 * leastEigenvalue(radius) / change);
+    hearStop(m_progress);
+    const double longest = std::min(0.2 * radius + 0.05, farthest - radius);
+    const double step = m_distortion.safeStep(radius, 0.9 * leastEigenvalue(radius), longest);
     if (!(step > 1e-9 * (1 + radius))) break;
     radius += step;
   }

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The branch of a lens' inverse that grows from the centre: steps that the Newton–Kantorovich
+// theorem certifies, in a norm that knows which way the lens folds, and a proof that a fold is met.
+#include "core/optics/lens_branch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hogelscope {
+
+namespace {
+
+/// Kantorovich's h = ω η has to stay at or below 1/2.
+constexpr double certain = 0.45;
+
+Vec2 times(double s, const Vec2& a) {
+  return {s * a.x, s * a.y};
+}
+
+double norm(const Vec2& a) {
+  return std::hypot(a.x, a.y);
+}
+
+/// The lens near an ideal point, along the eigenvectors of its Jacobian, which is symmetric: along
+/// v, the direction in which the lens folds, and along w. Vectors here have these coordinates, x
+/// along v.
+class Place {
+ public:
+  Place(const Distortion& lens, const Vec2& ideal) : m_lens(lens), m_radius(norm(ideal)) {
+    const Jacobian j = lens.jacobian(ideal);
+    const double half = (j.xx - j.yy) / 2;
+    const double spread = std::hypot(half, j.xy);
+    m_most = (j.xx + j.yy) / 2 + spread;
+    m_least = (j.xx * j.yy - j.xy * j.xy) / m_most;
+    if (spread > 0) {
+      // w is at half the angle of (half, xy).
+      const double larger = std::sqrt((1 + std::abs(half) / spread) / 2);
+      const double smaller = j.xy / spread / (2 * larger);
+      m_w = half >= 0 ? Vec2{larger, smaller} : Vec2{smaller, larger};
+    }
+    m_stretch = std::sqrt(std::max(1.0, m_most / m_least));
+    setThird(ideal);
+  }
+
+  /// False on a fold and beyond it.
+  [[nodiscard]] bool isRegular() const { return m_least > 0 && std::isfinite(m_stretch); }
+
+  [[nodiscard]] Vec2 turned(const Vec2& a) const {
+    return {a.x * m_w.y - a.y * m_w.x, a.x * m_w.x + a.y * m_w.y};
+  }
+  /// Returns J⁻¹ a.
+  [[nodiscard]] Vec2 solved(const Vec2& a) const { return {a.x / m_least, a.y / m_most}; }
+
+  /// Returns the norm in which steps are certified: across the fold's direction a length counts
+  /// √(μ/λ) times, since the lens bends little there compared with how far it is from folding.
+  [[nodiscard]] double size(const Vec2& a) const {
+    return std::max(std::abs(a.x), m_stretch * std::abs(a.y));
+  }
+  /// Returns the largest plain length of a vector of size 1.
+  [[nodiscard]] double longest() const { return std::sqrt(1 + 1 / (m_stretch * m_stretch)); }
+  /// Returns the largest such size of J⁻¹ a over all a of length 1.
+  [[nodiscard]] double largestSolved() const { return std::max(1 / m_least, m_stretch / m_most); }
+
+  /// Is there exactly one root, and no fold, for all targets that Newton's first move, of size
+  /// `eta`, leads to? ω bounds J⁻¹ D²F over the ball of the size 2η.
+  [[nodiscard]] bool isCertain(double eta) const {
+    const double across = 1 / m_stretch;
+    const double change =
+        longest() * longest() * m_lens.derivativeBounds(m_radius, 2 * eta * longest()).change;
+    const double alongV =
+        (std::abs(m_vvv) + across * (2 * std::abs(m_vvw) + across * std::abs(m_vww)) + change) /
+        m_least;
+    const double alongW =
+        (std::abs(m_vvw) + across * (2 * std::abs(m_vww) + across * std::abs(m_www)) + change) *
+        m_stretch / m_most;
+    return std::max(alongV, alongW) * eta <= certain;
+  }
+
+  /// Does every path that starts within `start` of here, where dp/dt = J⁻¹ q' for a q' within
+  /// `radius` of q, meet a fold before the time `left` is over? Along it det J falls at
+  /// c / det J with c = −∇det · adj J q', so it is 0 at the latest after det²/2c, and the path is
+  /// at most det · M/c long, with M = |adj J q'|: if c > 0 all over a ball that is not left before.
+  [[nodiscard]] bool meetsFold(double start, const Vec2& q, double radius, double left) const {
+    const Vec2 slope{m_least * m_vww + m_most * m_vvv, m_least * m_www + m_most * m_vvw};
+    const Vec2 adjugate{m_most * q.x, m_least * q.y};
+    const double fall = -(slope.x * adjugate.x + slope.y * adjugate.y);
+    if (!(fall > 0)) return false;
+    const double slopeSize = norm(slope);
+    const double length = norm(adjugate);
+    const double within = 2 * (m_least * m_most + slopeSize * start) * length / fall;
+    const double all = start + within;
+    const auto [second, third, change] = m_lens.derivativeBounds(m_radius, all);
+    const double slopeChange =
+        all * (2 * second * second + (m_least + m_most + 2 * second * all) * third);
+    const double lengthChange = second * all * (norm(q) + radius) + m_most * radius;
+    const double longest = length + lengthChange;
+    const double leastFall = fall - slopeChange * longest - slopeSize * lengthChange;
+    const double det = m_least * m_most + (slopeSize + slopeChange) * start;
+    return leastFall > 0 && det * longest <= within * leastFall && det * det < 2 * leastFall * left;
+  }
+
+ private:
+  /// Sets the second derivative: with h' the radial factor as a function of r²/2 it is h''' p p p,
+  /// and the symmetric product of the unit matrix with h'' p + 2 (p2, p1).
+  void setThird(const Vec2& ideal) {
+    const auto& [k1, k2, p1, p2, k3] = m_lens.params();
+    const double r2 = m_radius * m_radius;
+    const double h2 = 2 * k1 + r2 * (4 * k2 + r2 * 6 * k3);
+    const double h3 = 8 * k2 + r2 * 24 * k3;
+    const Vec2 p = turned(ideal);
+    const Vec2 z = turned({h2 * ideal.x + 2 * p2, h2 * ideal.y + 2 * p1});
+    m_vvv = h3 * p.x * p.x * p.x + 3 * z.x;
+    m_vvw = h3 * p.x * p.x * p.y + z.y;
+    m_vww = h3 * p.x * p.y * p.y + z.x;
+    m_www = h3 * p.y * p.y * p.y + 3 * z.y;
+  }
+
+  const Distortion& m_lens;
+  double m_radius;
+  double m_least = 1;  ///< λ, eigenvalue along v
+  double m_most = 1;   ///< μ
+  Vec2 m_w{0, 1};
+  double m_stretch = 1;
+  double m_vvv = 0;
+  double m_vvw = 0;
+  double m_vww = 0;
+  double m_www = 0;
+};
+
+/// Makes Newton steps from inside the root's basin while the residual shrinks.
+Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted) {
+  const auto residualAt = [&](const Vec2& p) {
+    const Vec2 d = lens.distort(p);
+    return Vec2{distorted.x - d.x, distorted.y - d.y};
+  };
+  const double rounding = 2e-16 * norm(distorted);
+  Vec2 residual = residualAt(ideal);
+  double size = norm(residual);
+  for (int step = 0; step < 20 && size > rounding; ++step) {
+    const Jacobian j = lens.jacobian(ideal);
+    const double det = j.xx * j.yy - j.xy * j.yx;
+    const Vec2 next{ideal.x + (j.yy * residual.x - j.xy * residual.y) / det,
+                    ideal.y + (j.xx * residual.y - j.yx * residual.x) / det};
+    residual = residualAt(next);
+    const double nextSize = norm(residual);
+    if (!(nextSize < size)) break;
+    ideal = next;
+    size = nextSize;
+  }
+  return ideal;
+}
+
+}  // namespace
+
+Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress) {
+  constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
+  Branch branch{Branch::End::unclear, {0, 0}};
+  if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
+  double reached = 0;  // the part of the segments whose preimages are known
+  double step = 1;
+  for (;;) {
+    hearStop(progress);
+    const Place place(lens, branch.ideal);
+    if (!place.isRegular()) return branch;
+    const double width = disc.radius * place.largestSolved();
+    if (reached == 1) {
+      if (place.isCertain(width)) branch.end = Branch::End::ray;
+      return branch;
+    }
+    const Vec2 here = lens.distort(branch.ideal);
+    const Vec2 q = place.turned(disc.centre);
+    const double speed = place.size(place.solved(q));
+    const double residual = place.size(place.solved(
+        place.turned({reached * disc.centre.x - here.x, reached * disc.centre.y - here.y})));
+    const double left = 1 - reached;
+    const auto sizeAfter = [&](double further) {
+      return residual + further * speed + (reached + further) * width;
+    };
+    step = std::min(4 * step, left);
+    if (!place.isCertain(sizeAfter(step))) {
+      const double start = 2 * place.longest() * sizeAfter(0);
+      if (place.isCertain(sizeAfter(0)) && place.meetsFold(start, q, disc.radius, left)) {
+        branch.end = Branch::End::none;
+        return branch;
+      }
+      do {
+        step /= 2;
+        // Of a disc that is wider than the step is long, smaller ones get farther.
+        const bool isTooWide = step * speed < reached * width / 4;
+        if (isTooWide || !(step > shortestStep * reached)) return branch;
+      } while (!place.isCertain(sizeAfter(step)));
+    }
+    reached = step == left ? 1 : reached + step;
+    branch.ideal = polished(lens, branch.ideal, times(reached, disc.centre));
+  }
+}
+
+}  // namespace hogelscope
