@@ -76,27 +76,38 @@ class Place {
     return std::max(alongV, alongW) * eta <= certain;
   }
 
-  /// Does every path that starts within `start` of here, where dp/dt = J⁻¹ q' for a q' within
-  /// `radius` of q, meet a fold before the time `left` is over? Along it det J falls at
-  /// c / det J with c = −∇det · adj J q', so it is 0 at the latest after det²/2c, and the path is
-  /// at most det · M/c long, with M = |adj J q'|: if c > 0 all over a ball that is not left before.
+  /// Does every path that starts where size() from here is at most `start`, with dp/dt = J⁻¹ q' for
+  /// a q' within `radius` of q, meet a fold before the time `left` is over? In a box of the
+  /// coordinates a along v, b along w, where n = J_ww q'_v − J_vw q'_w is positive, a grows all the
+  /// way, by da/dt = n / det J, and b changes by at most a slope times as much. So a path leaves
+  /// the box at its end, where J_vv, and with it det J, is no longer positive: it has met the fold.
   [[nodiscard]] bool meetsFold(double start, const Vec2& q, double radius, double left) const {
-    const Vec2 slope{m_least * m_vww + m_most * m_vvv, m_least * m_www + m_most * m_vvw};
-    const Vec2 adjugate{m_most * q.x, m_least * q.y};
-    const double fall = -(slope.x * adjugate.x + slope.y * adjugate.y);
-    if (!(fall > 0)) return false;
-    const double slopeSize = norm(slope);
-    const double length = norm(adjugate);
-    const double within = 2 * (m_least * m_most + slopeSize * start) * length / fall;
-    const double all = start + within;
-    const auto [second, third, change] = m_lens.derivativeBounds(m_radius, all);
-    const double slopeChange =
-        all * (2 * second * second + (m_least + m_most + 2 * second * all) * third);
-    const double lengthChange = second * all * (norm(q) + radius) + m_most * radius;
-    const double longest = length + lengthChange;
-    const double leastFall = fall - slopeChange * longest - slopeSize * lengthChange;
-    const double det = m_least * m_most + (slopeSize + slopeChange) * start;
-    return leastFall > 0 && det * longest <= within * leastFall && det * det < 2 * leastFall * left;
+    const double sign = q.x < 0 ? -1 : 1;
+    const double fall = -sign * m_vvv;
+    const double third = m_lens.derivativeBounds(m_radius, 0).third;
+    const double root = fall * fall - 2 * m_least * third;  // of λ − fall a + third a²/2
+    if (!(fall > 0 && root > 0)) return false;
+    const double end = std::min(3 * m_least / (fall + std::sqrt(root)), fall / third);
+    const double startW = start / m_stretch;
+    const double acrossQ = std::abs(q.y) + radius;
+    double halfWidth = startW;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      const double reach = std::hypot(std::max(end, start), halfWidth);
+      const double rest = m_lens.derivativeBounds(m_radius, reach).third * reach * reach / 2;
+      const double longest = std::max(end, start);
+      const double mixed = std::abs(m_vvw) * longest + std::abs(m_vww) * halfWidth + rest;
+      const double bend = std::abs(m_vww) * longest + std::abs(m_www) * halfWidth + rest;
+      const double most = m_least + std::abs(m_vvw) * halfWidth + rest + fall * start;
+      const double atEnd = m_least + std::abs(m_vvw) * halfWidth + rest - fall * end;
+      const double n = (m_most - bend) * (std::abs(q.x) - radius) - mixed * acrossQ;
+      if (!(atEnd <= 0 && bend < m_most && n > 0)) return false;
+      const double slope =
+          (std::max(most, fall * end) * acrossQ + mixed * (std::abs(q.x) + radius)) / n;
+      const double needed = startW + slope * (end + start);
+      if (needed <= halfWidth) return (end + start) * most * (m_most + bend) < left * n;
+      halfWidth = 1.5 * needed;
+    }
+    return false;
   }
 
  private:
@@ -178,8 +189,8 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     };
     step = std::min(4 * step, left);
     if (!place.isCertain(sizeAfter(step))) {
-      const double start = 2 * place.longest() * sizeAfter(0);
-      if (place.isCertain(sizeAfter(0)) && place.meetsFold(start, q, disc.radius, left)) {
+      const double start = sizeAfter(0);
+      if (place.isCertain(start) && place.meetsFold(2 * start, q, disc.radius, left)) {
         branch.end = Branch::End::none;
         return branch;
       }

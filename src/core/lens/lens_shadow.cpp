@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The distorted points behind a fold, in sectors around the centre.
+#include "core/lens/lens_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/optics/lens_branch.h"
+
+namespace hogelscope {
+
+namespace {
+
+int sectorOf(const Vec2& distorted, int count) {
+  const double turns = std::atan2(distorted.y, distorted.x) / (2 * std::numbers::pi) + 0.5;
+  return std::clamp(int(turns * count), 0, count - 1);
+}
+
+double norm(const Vec2& a) {
+  return std::hypot(a.x, a.y);
+}
+
+}  // namespace
+
+bool LensShadow::holds(const Vec2& distorted) const {
+  if (!std::isfinite(distorted.x + distorted.y)) return false;
+  const Sector& sector = m_sectors[std::size_t(sectorOf(distorted, sectorCount))];
+  const double dark = sector.dark.load(std::memory_order_relaxed);
+  return dark > 0 && norm(distorted) >= dark;
+}
+
+/// The segments to the points of a disc that touches both sides of the sector fill all of it.
+void LensShadow::learn(const Vec2& distorted, const Progress& progress) {
+  if (!std::isfinite(distorted.x + distorted.y)) return;
+  const int index = sectorOf(distorted, sectorCount);
+  Sector& sector = m_sectors[std::size_t(index)];
+  const double distance = norm(distorted);
+  if (distance <= sector.failed.load(std::memory_order_relaxed)) return;
+  const double half = std::numbers::pi / sectorCount * (1 + 1e-9);
+  const double angle = (2 * index + 1 - sectorCount) * std::numbers::pi / sectorCount;
+  // The disc's farthest point of each direction is at most at `distance`.
+  const double middle = distance / (1 + std::sin(half));
+  const Branch branch = followBranch(
+      m_distortion, {{middle * std::cos(angle), middle * std::sin(angle)}, middle * std::sin(half)},
+      progress);
+  std::atomic<double>& known = branch.end == Branch::End::none ? sector.dark : sector.failed;
+  known.store(distance, std::memory_order_relaxed);
+}
+
+}  // namespace hogelscope
