@@ -108,25 +108,25 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
 
 /// Follows the branch for all points of the run at once, halves it where that says nothing.
 void BatchUndistort::followRun(double* x, double* y, int count) const {
-  if (count == 1) return followPoint(*x, *y);
-  const Branch branch = followBranch(m_distortion, discAround(x, y, count), m_progress);
-  if (branch.end == Branch::End::none) {
-    std::fill_n(x, count, none);
-    std::fill_n(y, count, none);
-  } else if (branch.end == Branch::End::unclear || !solveFrom(branch.ideal, x, y, count)) {
+  bool isDark = true;
+  for (int k = 0; k < count && isDark; ++k) isDark = m_shadow.holds({x[k], y[k]});
+  Branch branch{Branch::Kind::none, {}, 0};
+  if (!isDark) branch = followBranch(m_distortion, discAround(x, y, count), m_progress);
+  if (branch.kind == Branch::Kind::unclear && count > 1) {
+    followRun(x, y, count / 2);
+    followRun(x + count / 2, y + count / 2, count - count / 2);
+  } else if (branch.kind != Branch::Kind::ray) {
+    for (int k = 0; k < count; ++k) {
+      if (!m_shadow.holds({x[k], y[k]})) m_shadow.learn({x[k], y[k]}, m_progress);
+      x[k] = y[k] = none;
+    }
+  } else if (count == 1) {
+    *x = branch.ideal.x;
+    *y = branch.ideal.y;
+  } else if (!solveFrom(branch.ideal, x, y, count)) {
     followRun(x, y, count / 2);
     followRun(x + count / 2, y + count / 2, count - count / 2);
   }
-}
-
-void BatchUndistort::followPoint(double& x, double& y) const {
-  const Vec2 distorted{x, y};
-  Branch branch{Branch::End::none, {}};
-  if (!m_shadow.holds(distorted)) branch = followBranch(m_distortion, {distorted, 0}, m_progress);
-  const bool isRay = branch.end == Branch::End::ray;
-  if (!isRay && !m_shadow.holds(distorted)) m_shadow.learn(distorted, m_progress);
-  x = isRay ? branch.ideal.x : none;
-  y = isRay ? branch.ideal.y : none;
 }
 
 /// Replaces the points by the roots that Newton finds from `start`. False if it did not find all;

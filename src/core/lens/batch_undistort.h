@@ -25,7 +25,6 @@ class BatchUndistort {
   [[nodiscard]] double leastEigenvalue(double radius) const;
   void undistortBatch(double* x, double* y, int count) const;
   void followRun(double* x, double* y, int count) const;
-  void followPoint(double& x, double& y) const;
   bool solveFrom(const Vec2& start, double* x, double* y, int count) const;
 
   Distortion m_distortion;

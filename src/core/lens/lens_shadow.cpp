@@ -44,8 +44,10 @@ void LensShadow::learn(const Vec2& distorted, const Progress& progress) {
   const Branch branch = followBranch(
       m_distortion, {{middle * std::cos(angle), middle * std::sin(angle)}, middle * std::sin(half)},
       progress);
-  std::atomic<double>& known = branch.end == Branch::End::none ? sector.dark : sector.failed;
-  known.store(distance, std::memory_order_relaxed);
+  if (branch.kind == Branch::Kind::none)
+    sector.dark.store(branch.end * distance, std::memory_order_relaxed);
+  else
+    sector.failed.store(distance, std::memory_order_relaxed);
 }
 
 }  // namespace hogelscope

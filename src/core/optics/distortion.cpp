@@ -71,7 +71,7 @@ double Distortion::safeStep(double radius, double margin, double longest) const 
 std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
   if (isIdentity()) return distorted;
   const Branch branch = followBranch(*this, {distorted, 0}, {});
-  if (branch.end != Branch::End::ray) return std::nullopt;
+  if (branch.kind != Branch::Kind::ray) return std::nullopt;
   return branch.ideal;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hogelscope {
 
@@ -76,38 +77,39 @@ class Place {
     return std::max(alongV, alongW) * eta <= certain;
   }
 
-  /// Does every path that starts where size() from here is at most `start`, with dp/dt = J⁻¹ q' for
-  /// a q' within `radius` of q, meet a fold before the time `left` is over? In a box of the
-  /// coordinates a along v, b along w, where n = J_ww q'_v − J_vw q'_w is positive, a grows all the
-  /// way, by da/dt = n / det J, and b changes by at most a slope times as much. So a path leaves
-  /// the box at its end, where J_vv, and with it det J, is no longer positive: it has met the fold.
-  [[nodiscard]] bool meetsFold(double start, const Vec2& q, double radius, double left) const {
+  /// Returns a time in which every path meets a fold that starts where size() from here is at most
+  /// `start`, with dp/dt = J⁻¹ q' for a q' within `radius` of q; infinite if nothing is certain. In
+  /// a box of the coordinates a along v, b along w, where n = J_ww q'_v − J_vw q'_w is positive, a
+  /// grows all the way, by da/dt = n / det J, and b changes by at most a slope times as much. So a
+  /// path leaves the box at its end, where J_vv, and with it det J, is no longer positive: it has
+  /// met the fold.
+  [[nodiscard]] double timeToFold(double start, const Vec2& q, double radius) const {
+    constexpr double unknown = std::numeric_limits<double>::infinity();
     const double sign = q.x < 0 ? -1 : 1;
     const double fall = -sign * m_vvv;
     const double third = m_lens.derivativeBounds(m_radius, 0).third;
     const double root = fall * fall - 2 * m_least * third;  // of λ − fall a + third a²/2
-    if (!(fall > 0 && root > 0)) return false;
+    if (!(fall > 0 && root > 0)) return unknown;
     const double end = std::min(3 * m_least / (fall + std::sqrt(root)), fall / third);
     const double startW = start / m_stretch;
     const double acrossQ = std::abs(q.y) + radius;
     double halfWidth = startW;
     for (int attempt = 0; attempt < 3; ++attempt) {
-      const double reach = std::hypot(std::max(end, start), halfWidth);
-      const double rest = m_lens.derivativeBounds(m_radius, reach).third * reach * reach / 2;
       const double longest = std::max(end, start);
+      const double reach = std::hypot(longest, halfWidth);
+      const double rest = m_lens.derivativeBounds(m_radius, reach).third * reach * reach / 2;
       const double mixed = std::abs(m_vvw) * longest + std::abs(m_vww) * halfWidth + rest;
       const double bend = std::abs(m_vww) * longest + std::abs(m_www) * halfWidth + rest;
       const double most = m_least + std::abs(m_vvw) * halfWidth + rest + fall * start;
       const double atEnd = m_least + std::abs(m_vvw) * halfWidth + rest - fall * end;
       const double n = (m_most - bend) * (std::abs(q.x) - radius) - mixed * acrossQ;
-      if (!(atEnd <= 0 && bend < m_most && n > 0)) return false;
-      const double slope =
-          (std::max(most, fall * end) * acrossQ + mixed * (std::abs(q.x) + radius)) / n;
+      if (!(atEnd <= 0 && bend < m_most && n > 0)) return unknown;
+      const double slope = (most * acrossQ + mixed * (std::abs(q.x) + radius)) / n;
       const double needed = startW + slope * (end + start);
-      if (needed <= halfWidth) return (end + start) * most * (m_most + bend) < left * n;
+      if (needed <= halfWidth) return (end + start) * most * (m_most + bend) / n;
       halfWidth = 1.5 * needed;
     }
-    return false;
+    return unknown;
   }
 
  private:
@@ -165,7 +167,7 @@ Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted) {
 
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress) {
   constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
-  Branch branch{Branch::End::unclear, {0, 0}};
+  Branch branch{Branch::Kind::unclear, {0, 0}, 1};
   if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
   double reached = 0;  // the part of the segments whose preimages are known
   double step = 1;
@@ -175,7 +177,7 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     if (!place.isRegular()) return branch;
     const double width = disc.radius * place.largestSolved();
     if (reached == 1) {
-      if (place.isCertain(width)) branch.end = Branch::End::ray;
+      if (place.isCertain(width)) branch.kind = Branch::Kind::ray;
       return branch;
     }
     const Vec2 here = lens.distort(branch.ideal);
@@ -190,10 +192,8 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     step = std::min(4 * step, left);
     if (!place.isCertain(sizeAfter(step))) {
       const double start = sizeAfter(0);
-      if (place.isCertain(start) && place.meetsFold(2 * start, q, disc.radius, left)) {
-        branch.end = Branch::End::none;
-        return branch;
-      }
+      const double end = reached + place.timeToFold(2 * start, q, disc.radius);
+      if (end < 1 && place.isCertain(start)) return {Branch::Kind::none, branch.ideal, end};
       do {
         step /= 2;
         // Of a disc that is wider than the step is long, smaller ones get farther.

@@ -15,12 +15,13 @@ struct Disc {
 };
 
 struct Branch {
-  enum class End {
+  enum class Kind {
     ray,     ///< every point of the disc has a ray
     none,    ///< no point of the disc has one
     unclear  ///< some may have one; of a single point: so near a fold that rounding decides
-  } end;
-  Vec2 ideal;  ///< of the disc's centre; plain Newton from it finds the ray of each point
+  } kind = Kind::unclear;
+  Vec2 ideal;      ///< of the disc's centre; plain Newton from it finds the ray of each point
+  double end = 1;  ///< the part of the segments to the disc's points before which all meet a fold
 };
 
 /// Follows the preimages of the segments from the centre of the image to all points of a disc.
