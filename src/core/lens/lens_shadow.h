@@ -22,7 +22,7 @@ class LensShadow {
   void learn(const Vec2& distorted, const Progress& progress);
 
  private:
-  static constexpr int sectorCount = 1024;
+  static constexpr int sectorCount = 4096;
 
   /// Distances from the centre, in units of the plane z = 1; 0: not yet known.
   struct Sector {

@@ -46,7 +46,7 @@ Jacobian Distortion::jacobian(const Vec2& p) const {
 /// c² + 3 h''; 10 h'''' r³ c³ + 15 h''' r c. These are also the derivatives' norms, as they are
 /// symmetric.
 DerivativeBounds Distortion::derivativeBounds(double radius, double within) const {
-  const auto& [k1, k2, p1, p2, k3] = m_params;
+  const auto [k1, k2, p1, p2, k3] = m_params;
   const double r2 = radius * radius;
   const double h2 = 2 * k1 + r2 * (4 * k2 + r2 * 6 * k3);
   const double h3 = 8 * k2 + r2 * 24 * k3;
@@ -56,7 +56,7 @@ DerivativeBounds Distortion::derivativeBounds(double radius, double within) cons
   const double third = std::max({std::abs(3 * h2), std::abs(3 * h2 + 6 * h3 * r2),
                                  std::abs(3 * h2 + r2 * (6 * h3 + r2 * h4))});
   const double second =
-      radius * std::max(std::abs(3 * h2), std::abs(3 * h2 + h3 * r2)) + 6 * std::hypot(p1, p2);
+      radius * std::max(std::abs(3 * h2), std::abs(3 * h2 + h3 * r2)) + 6 * m_tangential;
   const double change = within * (third + within / 2 * fourth);
   return {second + change, third + within * fourth, change};
 }

@@ -2,6 +2,7 @@
 // Lens distortion: Brown–Conrady with OpenCV's five coefficients, and its inverse.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "core/base/geometry.h"
@@ -39,7 +40,8 @@ struct DerivativeBounds {
 /// Maps points of the plane z = 1 of the camera frame. All lengths are in units of that plane.
 class Distortion {
  public:
-  explicit Distortion(const DistortionParams& params) : m_params(params) {}
+  explicit Distortion(const DistortionParams& params)
+      : m_params(params), m_tangential(std::hypot(params.p1, params.p2)) {}
 
   [[nodiscard]] const DistortionParams& params() const { return m_params; }
   [[nodiscard]] bool isIdentity() const { return m_params == DistortionParams{}; }
@@ -63,6 +65,7 @@ class Distortion {
 
  private:
   DistortionParams m_params;
+  double m_tangential;  ///< |(p1, p2)|
 };
 
 }  // namespace hogelscope

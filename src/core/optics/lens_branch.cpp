@@ -19,7 +19,7 @@ Vec2 times(double s, const Vec2& a) {
 }
 
 double norm(const Vec2& a) {
-  return std::hypot(a.x, a.y);
+  return std::sqrt(a.x * a.x + a.y * a.y);  // nothing here is near to overflow
 }
 
 /// The lens near an ideal point, along the eigenvectors of its Jacobian, which is symmetric: along
@@ -30,7 +30,7 @@ class Place {
   Place(const Distortion& lens, const Vec2& ideal) : m_lens(lens), m_radius(norm(ideal)) {
     const Jacobian j = lens.jacobian(ideal);
     const double half = (j.xx - j.yy) / 2;
-    const double spread = std::hypot(half, j.xy);
+    const double spread = norm({half, j.xy});
     m_most = (j.xx + j.yy) / 2 + spread;
     m_least = (j.xx * j.yy - j.xy * j.xy) / m_most;
     if (spread > 0) {
@@ -96,7 +96,7 @@ class Place {
     double halfWidth = startW;
     for (int attempt = 0; attempt < 3; ++attempt) {
       const double longest = std::max(end, start);
-      const double reach = std::hypot(longest, halfWidth);
+      const double reach = norm({longest, halfWidth});
       const double rest = m_lens.derivativeBounds(m_radius, reach).third * reach * reach / 2;
       const double mixed = std::abs(m_vvw) * longest + std::abs(m_vww) * halfWidth + rest;
       const double bend = std::abs(m_vww) * longest + std::abs(m_www) * halfWidth + rest;
@@ -140,16 +140,16 @@ class Place {
   double m_www = 0;
 };
 
-/// Makes Newton steps from inside the root's basin while the residual shrinks.
-Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted) {
+/// Makes Newton steps from inside the root's basin until the residual is `enough`, or no longer
+/// shrinks.
+Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted, double enough) {
   const auto residualAt = [&](const Vec2& p) {
     const Vec2 d = lens.distort(p);
     return Vec2{distorted.x - d.x, distorted.y - d.y};
   };
-  const double rounding = 2e-16 * norm(distorted);
   Vec2 residual = residualAt(ideal);
   double size = norm(residual);
-  for (int step = 0; step < 20 && size > rounding; ++step) {
+  for (int step = 0; step < 20 && size > enough; ++step) {
     const Jacobian j = lens.jacobian(ideal);
     const double det = j.xx * j.yy - j.xy * j.yx;
     const Vec2 next{ideal.x + (j.yy * residual.x - j.xy * residual.y) / det,
@@ -169,6 +169,9 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
   constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
   Branch branch{Branch::Kind::unclear, {0, 0}, 1};
   if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
+  const double length = norm(disc.centre);
+  // Then its square is too small for a number, and the lens bends the centre by less.
+  if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre, 1};
   double reached = 0;  // the part of the segments whose preimages are known
   double step = 1;
   for (;;) {
@@ -202,7 +205,9 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
       } while (!place.isCertain(sizeAfter(step)));
     }
     reached = step == left ? 1 : reached + step;
-    branch.ideal = polished(lens, branch.ideal, times(reached, disc.centre));
+    // On the way the root needs to be no nearer than what the next step is certain of.
+    const double enough = reached == 1 ? 2e-16 * length : 1e-6 * step * length;
+    branch.ideal = polished(lens, branch.ideal, times(reached, disc.centre), enough);
   }
 }
 
