@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/lens/batch_undistort.h"
+#include "core/optics/lens_branch.h"
 #include "tests/core/lens_oracle.h"
 #include "tests/core/random.h"
 
@@ -138,6 +139,7 @@ class TestUndistort : public QObject {
   void hardRadialLensEndsAtItsFold();
   void hardLensesAgreeWithTheWalk();
   void picturesOfHardLensesAreTheSame();
+  void whatHoldsOfADiscHoldsOfItsPoints();
   void stepsAreFew_data();
   void stepsAreFew();
   void stopIsHeard();
@@ -331,6 +333,29 @@ void TestUndistort::picturesOfHardLensesAreTheSame() {
     }
   }
   QVERIFY2(rays > 100000 && none > 100000, qPrintable(QString("%1 %2").arg(rays).arg(none)));
+}
+
+/// Points on the disc's border, and where all meet a fold before the end, nearer to the centre too.
+void TestUndistort::whatHoldsOfADiscHoldsOfItsPoints() {
+  Random random(24);
+  std::array<int, 3> kinds{};
+  for (int repeat = 0; repeat < 20000; ++repeat) {
+    const Distortion lens(hardLens(random, repeat % 5));
+    const double distance = std::pow(10, random.uniform(-2, 1));
+    const double angle = random.uniform(0, turn);
+    const Disc disc{{distance * std::cos(angle), distance * std::sin(angle)},
+                    distance * std::pow(10, random.uniform(-3, -0.5))};
+    const Branch branch = followBranch(lens, disc, {});
+    ++kinds[std::size_t(branch.kind)];
+    if (branch.kind == Branch::Kind::unclear) continue;
+    for (int k = 0; k < 16; ++k) {
+      const double part = branch.kind == Branch::Kind::none ? 1.000001 * branch.end : 1;
+      const Vec2 q{part * (disc.centre.x + disc.radius * std::cos(k * turn / 16)),
+                   part * (disc.centre.y + disc.radius * std::sin(k * turn / 16))};
+      QCOMPARE(lens.undistort(q).has_value(), branch.kind == Branch::Kind::ray);
+    }
+  }
+  QVERIFY2(kinds[0] > 2000 && kinds[1] > 2000, qPrintable(QString::number(kinds[0])));
 }
 
 /// `most` is about 1.3 times what it took when this was written.

@@ -106,26 +106,27 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
   }
 }
 
-/// Follows the branch for all points of the run at once, halves it where that says nothing.
+/// Follows the branch for all points of the run at once, divides it where that says nothing.
 void BatchUndistort::followRun(double* x, double* y, int count) const {
+  constexpr int parts = 4;
   bool isDark = true;
   for (int k = 0; k < count && isDark; ++k) isDark = m_shadow.holds({x[k], y[k]});
   Branch branch{Branch::Kind::none, {}, 0};
   if (!isDark) branch = followBranch(m_distortion, discAround(x, y, count), m_progress);
-  if (branch.kind == Branch::Kind::unclear && count > 1) {
-    followRun(x, y, count / 2);
-    followRun(x + count / 2, y + count / 2, count - count / 2);
-  } else if (branch.kind != Branch::Kind::ray) {
+  const bool isRay = branch.kind == Branch::Kind::ray;
+  if (isRay && count == 1) {
+    *x = branch.ideal.x;
+    *y = branch.ideal.y;
+  } else if (isRay && solveFrom(branch.ideal, x, y, count)) {
+    return;
+  } else if (branch.kind != Branch::Kind::none && count > 1) {
+    const int length = (count + parts - 1) / parts;
+    for (int k = 0; k < count; k += length) followRun(x + k, y + k, std::min(length, count - k));
+  } else {
     for (int k = 0; k < count; ++k) {
       if (!m_shadow.holds({x[k], y[k]})) m_shadow.learn({x[k], y[k]}, m_progress);
       x[k] = y[k] = none;
     }
-  } else if (count == 1) {
-    *x = branch.ideal.x;
-    *y = branch.ideal.y;
-  } else if (!solveFrom(branch.ideal, x, y, count)) {
-    followRun(x, y, count / 2);
-    followRun(x + count / 2, y + count / 2, count - count / 2);
   }
 }
 

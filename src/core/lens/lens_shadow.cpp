@@ -12,20 +12,26 @@ namespace hogelscope {
 
 namespace {
 
-int sectorOf(const Vec2& distorted, int count) {
-  const double turns = std::atan2(distorted.y, distorted.x) / (2 * std::numbers::pi) + 0.5;
-  return std::clamp(int(turns * count), 0, count - 1);
-}
-
 double norm(const Vec2& a) {
   return std::hypot(a.x, a.y);
 }
 
 }  // namespace
 
+/// A lens without tangential terms is the same in all directions.
+LensShadow::LensShadow(const Distortion& distortion)
+    : m_distortion(distortion),
+      m_isRound(distortion.params().p1 == 0 && distortion.params().p2 == 0) {}
+
+int LensShadow::sectorOf(const Vec2& distorted) const {
+  if (m_isRound) return 0;
+  const double turns = std::atan2(distorted.y, distorted.x) / (2 * std::numbers::pi) + 0.5;
+  return std::clamp(int(turns * sectorCount), 0, sectorCount - 1);
+}
+
 bool LensShadow::holds(const Vec2& distorted) const {
   if (!std::isfinite(distorted.x + distorted.y)) return false;
-  const Sector& sector = m_sectors[std::size_t(sectorOf(distorted, sectorCount))];
+  const Sector& sector = m_sectors[std::size_t(sectorOf(distorted))];
   const double dark = sector.dark.load(std::memory_order_relaxed);
   return dark > 0 && norm(distorted) >= dark;
 }
@@ -33,11 +39,11 @@ bool LensShadow::holds(const Vec2& distorted) const {
 /// The segments to the points of a disc that touches both sides of the sector fill all of it.
 void LensShadow::learn(const Vec2& distorted, const Progress& progress) {
   if (!std::isfinite(distorted.x + distorted.y)) return;
-  const int index = sectorOf(distorted, sectorCount);
+  const int index = sectorOf(distorted);
   Sector& sector = m_sectors[std::size_t(index)];
   const double distance = norm(distorted);
   if (distance <= sector.failed.load(std::memory_order_relaxed)) return;
-  const double half = std::numbers::pi / sectorCount * (1 + 1e-9);
+  const double half = m_isRound ? 0 : std::numbers::pi / sectorCount * (1 + 1e-9);
   const double angle = (2 * index + 1 - sectorCount) * std::numbers::pi / sectorCount;
   // The disc's farthest point of each direction is at most at `distance`.
   const double middle = distance / (1 + std::sin(half));

@@ -14,7 +14,7 @@ namespace hogelscope {
 /// certain, and does not depend on what it was taught before, or by which threads.
 class LensShadow {
  public:
-  explicit LensShadow(const Distortion& distortion) : m_distortion(distortion) {}
+  explicit LensShadow(const Distortion& distortion);
 
   /// True if a point is known to have no ray.
   [[nodiscard]] bool holds(const Vec2& distorted) const;
@@ -24,6 +24,8 @@ class LensShadow {
  private:
   static constexpr int sectorCount = 4096;
 
+  [[nodiscard]] int sectorOf(const Vec2& distorted) const;
+
   /// Distances from the centre, in units of the plane z = 1; 0: not yet known.
   struct Sector {
     std::atomic<double> dark{0};    ///< no point from here outwards has a ray
@@ -31,6 +33,7 @@ class LensShadow {
   };
 
   Distortion m_distortion;
+  bool m_isRound;  ///< the first sector is all of the plane
   std::array<Sector, sectorCount> m_sectors;
 };
 
