@@ -5,10 +5,14 @@
 #include <limits>
 
 #include "core/lens/batch_undistort.h"
+#include "core/optics/lens_branch.h"
 #include "tests/core/lens_oracle.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;
+
+using Coefficients = std::array<double, 5>;  // in OpenCV's order
+Q_DECLARE_METATYPE(Coefficients)
 
 namespace {
 
@@ -18,6 +22,59 @@ constexpr double turn = 6.283185307179586;
 DistortionParams randomLens(Random& random, double limit) {
   const auto k = [&] { return random.uniform(-limit, limit); };
   return {k(), k(), k(), k(), k()};
+}
+
+/// 1 + 3 k1 s + 5 k2 s² + 7 k3 s³ of a lens without tangential terms is (s − s₀)² (a + b s) + e: it
+/// nearly touches 0, from above or below. The tangential terms are at most `tangential`.
+DistortionParams touchingLens(Random& random, double least, double tangential) {
+  for (;;) {
+    const double s0 = random.uniform(0.05, 3);
+    const double e = std::pow(10, random.uniform(std::log10(least), -1)) * (random.flip() ? 1 : -1);
+    const double a = (1 - e) / (s0 * s0);
+    const double b = random.uniform(-a / s0, 70);
+    const double k1 = (s0 * s0 * b - 2 * s0 * a) / 3;
+    const double k2 = (a - 2 * s0 * b) / 5;
+    if (std::max({std::abs(k1), std::abs(k2), std::abs(b / 7)}) > 10) continue;
+    return {k1, k2, random.uniform(-tangential, tangential),
+            random.uniform(-tangential, tangential), b / 7};
+  }
+}
+
+/// Any lens of the range: of five kinds, some near a double fold, some without tangential terms.
+DistortionParams hardLens(Random& random, int kind) {
+  if (kind == 0) return touchingLens(random, 1e-3, 0);
+  if (kind == 1) return touchingLens(random, 1e-3, std::pow(10, random.uniform(-5, 0)));
+  DistortionParams lens = randomLens(random, 10);
+  const double tangential = kind == 2 ? 0 : kind == 3 ? std::pow(10, random.uniform(-5, 0)) : 1;
+  lens.p1 *= tangential;
+  lens.p2 *= tangential;
+  return lens;
+}
+
+/// The points of a picture's rows, half as high as `height`.
+struct Picture {
+  int side;
+  double height;
+  [[nodiscard]] Vec2 at(int row, int column) const {
+    const auto place = [this](int k) { return height * ((k + 0.5) / side * 2 - 1); };
+    return {place(column), place(row)};
+  }
+};
+
+/// Inverts a picture's points row by row, as lens tables do.
+std::vector<Vec2> inverted(const BatchUndistort& inverse, const Picture& picture) {
+  std::vector<Vec2> all;
+  std::vector<double> x(std::size_t(picture.side));
+  std::vector<double> y(x.size());
+  for (int row = 0; row < picture.side; ++row) {
+    for (int column = 0; column < picture.side; ++column) {
+      x[std::size_t(column)] = picture.at(row, column).x;
+      y[std::size_t(column)] = picture.at(row, column).y;
+    }
+    inverse.undistort(x.data(), y.data(), picture.side);
+    for (std::size_t k = 0; k < x.size(); ++k) all.push_back({x[k], y[k]});
+  }
+  return all;
 }
 
 LensOracle oracleOf(const DistortionParams& p) {
@@ -79,6 +136,13 @@ class TestUndistort : public QObject {
   void radialLensEndsAtItsFold();
   void agreesWithTheWalk();
   void theQuickInverseIsTheSame();
+  void hardRadialLensEndsAtItsFold();
+  void hardLensesAgreeWithTheWalk();
+  void picturesOfHardLensesAreTheSame();
+  void whatHoldsOfADiscHoldsOfItsPoints();
+  void stepsAreFew_data();
+  void stepsAreFew();
+  void stopIsHeard();
   void extremeLensesGiveNumbers();
   void extremePoints_data();
   void extremePoints();
@@ -199,6 +263,138 @@ void TestUndistort::theQuickInverseIsTheSame() {
     }
   }
   QVERIFY2(rays > 40000 && none > 10000, qPrintable(QString("%1 %2").arg(rays).arg(none)));
+}
+
+/// A millionth on either side of the fold; some lenses nearly fold before.
+void TestUndistort::hardRadialLensEndsAtItsFold() {
+  Random random(21);
+  int folds = 0;
+  for (int repeat = 0; repeat < 6000; ++repeat) {
+    const DistortionParams lens =
+        repeat % 2 == 0 ? touchingLens(random, 2e-4, 0) : hardLens(random, 2);
+    const RadialLens radial{lens.k1, lens.k2, lens.k3};
+    const auto s = fold(radial, 4);
+    if (!s) continue;
+    const double furthest = radial.distorted(std::sqrt(*s));
+    const double angle = random.uniform(0, turn);
+    const auto ray = [&, angle](double rd) {
+      return Distortion(lens).undistort({rd * std::cos(angle), rd * std::sin(angle)});
+    };
+    const auto inside = ray(0.999999 * furthest);
+    QVERIFY(inside);
+    const double r = std::hypot(inside->x, inside->y);
+    QVERIFY(r < std::sqrt(*s));
+    QVERIFY(std::abs(radial.distorted(r) - 0.999999 * furthest) < 1e-12 * (1 + furthest));
+    if (*s == 4) continue;
+    ++folds;
+    QVERIFY(!ray(1.000001 * furthest));
+    QVERIFY(!ray(random.uniform(1, 100) * 1.000001 * furthest));
+  }
+  QVERIFY2(folds > 2000, qPrintable(QString::number(folds)));
+}
+
+void TestUndistort::hardLensesAgreeWithTheWalk() {
+  Random random(22);
+  std::array<int, 3> ends{};
+  for (int repeat = 0; repeat < 2500; ++repeat) {
+    const DistortionParams params = hardLens(random, repeat % 5);
+    const double size = std::pow(10, random.uniform(-2, 1));
+    const Vec2 q{random.uniform(-size, size), random.uniform(-size, size)};
+    const auto walk = oracleOf(params).walk(complex(q));
+    ++ends[std::size_t(walk.end)];
+    if (walk.end == LensOracle::Walk::End::unclear) continue;
+    const auto ideal = Distortion(params).undistort(q);
+    QCOMPARE(ideal.has_value(), walk.end == LensOracle::Walk::End::ray);
+    if (ideal) QVERIFY(std::abs(complex(*ideal) - walk.point) < 1e-6);
+  }
+  QVERIFY2(ends[0] > 600 && ends[1] > 600 && ends[2] < 200,
+           qPrintable(QString("%1 %2 %3").arg(ends[0]).arg(ends[1]).arg(ends[2])));
+}
+
+/// So what is said of whole runs of points, and of sectors, holds for each point alone.
+void TestUndistort::picturesOfHardLensesAreTheSame() {
+  Random random(23);
+  std::size_t rays = 0;
+  std::size_t none = 0;
+  for (int repeat = 0; repeat < 400; ++repeat) {
+    const Distortion lens(hardLens(random, repeat % 5));
+    const Picture picture{48, std::pow(10, random.uniform(-1.5, 1))};
+    const std::vector<Vec2> quick = inverted(BatchUndistort(lens), picture);
+    for (int k = 0; k < picture.side * picture.side; ++k) {
+      const Vec2 q = picture.at(k / picture.side, k % picture.side);
+      const Vec2 ideal = quick[std::size_t(k)];
+      const auto certain = lens.undistort(q);
+      QCOMPARE(!std::isnan(ideal.x), certain.has_value());
+      ++(certain ? rays : none);
+      if (!certain) continue;
+      const Vec2 back = lens.distort(ideal);
+      QVERIFY(std::hypot(back.x - q.x, back.y - q.y) < 1e-11 * (1 + picture.height));
+      QVERIFY(std::hypot(ideal.x - certain->x, ideal.y - certain->y) < 1e-6);
+    }
+  }
+  QVERIFY2(rays > 100000 && none > 100000, qPrintable(QString("%1 %2").arg(rays).arg(none)));
+}
+
+/// Points on the disc's border, and where all meet a fold before the end, nearer to the centre too.
+void TestUndistort::whatHoldsOfADiscHoldsOfItsPoints() {
+  Random random(24);
+  std::array<int, 3> kinds{};
+  for (int repeat = 0; repeat < 20000; ++repeat) {
+    const Distortion lens(hardLens(random, repeat % 5));
+    const double distance = std::pow(10, random.uniform(-2, 1));
+    const double angle = random.uniform(0, turn);
+    const Disc disc{{distance * std::cos(angle), distance * std::sin(angle)},
+                    distance * std::pow(10, random.uniform(-3, -0.5))};
+    const Branch branch = followBranch(lens, disc, {});
+    ++kinds[std::size_t(branch.kind)];
+    if (branch.kind == Branch::Kind::unclear) continue;
+    for (int k = 0; k < 16; ++k) {
+      const double part = branch.kind == Branch::Kind::none ? 1.000001 * branch.end : 1;
+      const Vec2 q{part * (disc.centre.x + disc.radius * std::cos(k * turn / 16)),
+                   part * (disc.centre.y + disc.radius * std::sin(k * turn / 16))};
+      QCOMPARE(lens.undistort(q).has_value(), branch.kind == Branch::Kind::ray);
+    }
+  }
+  QVERIFY2(kinds[0] > 2000 && kinds[1] > 2000, qPrintable(QString::number(kinds[0])));
+}
+
+/// `most` is about 1.3 times what it took when this was written.
+void TestUndistort::stepsAreFew_data() {
+  QTest::addColumn<double>("height");
+  QTest::addColumn<Coefficients>("k");
+  QTest::addColumn<int>("most");
+  QTest::newRow("folds all around") << 2.0 << Coefficients{6.18, -4.75, 0.0, 0.0, -9.02} << 900000;
+  QTest::newRow("grazed by segments")
+      << 9.7 << Coefficients{-2.05, -3.83, 6.64, -3.92, 9.91} << 1900000;
+  QTest::newRow("folds near the axis")
+      << 6.3 << Coefficients{0.37, -0.01, 1e-5, 8e-6, -5.3} << 260000;
+  QTest::newRow("no fold") << 3.0 << Coefficients{10.0, 10.0, 0.1, 0.1, 10.0} << 330;
+}
+
+void TestUndistort::stepsAreFew() {
+  QFETCH(const double, height);
+  QFETCH(const Coefficients, k);
+  QFETCH(const int, most);
+  int steps = 0;
+  const BatchUndistort inverse(Distortion({k[0], k[1], k[2], k[3], k[4]}), [&steps](double) {
+    ++steps;
+    return true;
+  });
+  (void)inverted(inverse, {300, height});
+  QVERIFY2(steps <= most, qPrintable(QString::number(steps)));
+}
+
+void TestUndistort::stopIsHeard() {
+  for (const int most : {1, 30, 300, 3000, 30000}) {
+    int polls = 0;
+    const auto work = [&] {
+      const BatchUndistort inverse(Distortion({6.18, -4.75, 0, 0, -9.02}),
+                                   [&](double) { return ++polls < most; });
+      (void)inverted(inverse, {600, 2});
+    };
+    QVERIFY_EXCEPTION_THROWN(work(), Cancelled);
+    QCOMPARE(polls, most);
+  }
 }
 
 QTEST_APPLESS_MAIN(TestUndistort)

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/lens/lens_steps.h"
+#include "core/optics/lens_branch.h"
 
 namespace hogelscope {
 
@@ -17,6 +18,10 @@ namespace {
 /// Points that are iterated together: small enough for the first-level cache.
 constexpr int pointsAtOnce = 128;
 
+constexpr int mostSteps = 20;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
 /// Newton's error is squared by the next step: after a move this short it is below rounding.
 constexpr double shortMoveSquared = 1e-18;
 
@@ -24,18 +29,25 @@ double squaredNorm(const Vec2& a) {
   return a.x * a.x + a.y * a.y;
 }
 
+Disc discAround(const double* x, const double* y, int count) {
+  const auto [left, right] = std::minmax_element(x, x + count);
+  const auto [top, bottom] = std::minmax_element(y, y + count);
+  return {{(*left + *right) / 2, (*top + *bottom) / 2},
+          count > 1 ? std::hypot(*right - *left, *bottom - *top) / 2 : 0};
+}
+
 }  // namespace
 
 /// Marches outwards as long as the least eigenvalue's bound, which changes by at most the second
 /// derivative's bound per length, stays positive.
 BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
-    : m_distortion(distortion), m_progress(std::move(progress)) {
+    : m_distortion(distortion), m_progress(std::move(progress)), m_shadow(distortion) {
   constexpr double farthest = 100;  // beyond any image but those of nearly 180°
   double radius = 0;
   while (radius < farthest) {
-    const double next = std::min(1.2 * radius + 0.05, farthest);
-    const double change = m_distortion.secondDerivativeBound(next);
-    const double step = std::min(next - radius, 0.9 * leastEigenvalue(radius) / change);
+    hearStop(m_progress);
+    const double longest = std::min(0.2 * radius + 0.05, farthest - radius);
+    const double step = m_distortion.safeStep(radius, 0.9 * leastEigenvalue(radius), longest);
     if (!(step > 1e-9 * (1 + radius))) break;
     radius += step;
   }
@@ -64,8 +76,6 @@ void BatchUndistort::undistort(double* x, double* y, int count) const {
 }
 
 void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
-  constexpr int mostSteps = 20;
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::array<double, pointsAtOnce> idealX;
   std::array<double, pointsAtOnce> idealY;
   std::array<double, pointsAtOnce> move;
@@ -75,20 +85,68 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
     if (newtonStep(m_distortion.params(), m_certainDistorted, x, y, count, idealX.data(),
                    idealY.data(), move.data()) == 0)
       break;
-  for (int k = 0; k < count; ++k) {
+  const auto isCertain = [&](int k) {
     const auto at = std::size_t(k);
-    const Vec2 distorted{x[k], y[k]};
-    Vec2 ideal{idealX[at], idealY[at]};
-    const bool isCertain = squaredNorm(distorted) < m_certainDistorted * m_certainDistorted &&
-                           squaredNorm(ideal) < m_certainRadius * m_certainRadius &&
-                           move[at] < shortMoveSquared;
-    if (!isCertain) {
-      hearStop(m_progress);
-      ideal = m_distortion.undistort(distorted).value_or(Vec2{none, none});
+    return squaredNorm({x[k], y[k]}) < m_certainDistorted * m_certainDistorted &&
+           squaredNorm({idealX[at], idealY[at]}) < m_certainRadius * m_certainRadius &&
+           move[at] < shortMoveSquared;
+  };
+  int run = 0;  // points before k that are neither certain nor in the shadow
+  for (int k = 0; k <= count; ++k) {
+    const bool isDone = k == count || isCertain(k);
+    if (!isDone && !m_shadow.holds({x[k], y[k]})) {
+      ++run;
+      continue;
     }
-    x[k] = ideal.x;
-    y[k] = ideal.y;
+    if (run > 0) followRun(x + k - run, y + k - run, run);
+    run = 0;
+    if (k == count) break;
+    x[k] = isDone ? idealX[std::size_t(k)] : none;
+    y[k] = isDone ? idealY[std::size_t(k)] : none;
   }
+}
+
+/// Follows the branch for all points of the run at once, divides it where that says nothing.
+void BatchUndistort::followRun(double* x, double* y, int count) const {
+  constexpr int parts = 4;
+  bool isDark = true;
+  for (int k = 0; k < count && isDark; ++k) isDark = m_shadow.holds({x[k], y[k]});
+  Branch branch{Branch::Kind::none, {}, 0};
+  if (!isDark) branch = followBranch(m_distortion, discAround(x, y, count), m_progress);
+  const bool isRay = branch.kind == Branch::Kind::ray;
+  if (isRay && count == 1) {
+    *x = branch.ideal.x;
+    *y = branch.ideal.y;
+  } else if (isRay && solveFrom(branch.ideal, x, y, count)) {
+    return;
+  } else if (branch.kind != Branch::Kind::none && count > 1) {
+    const int length = (count + parts - 1) / parts;
+    for (int k = 0; k < count; k += length) followRun(x + k, y + k, std::min(length, count - k));
+  } else {
+    for (int k = 0; k < count; ++k) {
+      if (!m_shadow.holds({x[k], y[k]})) m_shadow.learn({x[k], y[k]}, m_progress);
+      x[k] = y[k] = none;
+    }
+  }
+}
+
+/// Replaces the points by the roots that Newton finds from `start`. False if it did not find all;
+/// then they are left as they are.
+bool BatchUndistort::solveFrom(const Vec2& start, double* x, double* y, int count) const {
+  std::array<double, pointsAtOnce> idealX;
+  std::array<double, pointsAtOnce> idealY;
+  std::array<double, pointsAtOnce> move;
+  std::fill_n(idealX.data(), count, start.x);
+  std::fill_n(idealY.data(), count, start.y);
+  for (int step = 0; step < mostSteps; ++step) {
+    if (newtonStep(m_distortion.params(), std::numeric_limits<double>::infinity(), x, y, count,
+                   idealX.data(), idealY.data(), move.data()) > 0)
+      continue;
+    std::copy_n(idealX.data(), count, x);
+    std::copy_n(idealY.data(), count, y);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace hogelscope

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/lens/lens_shadow.h"
 #include "core/optics/distortion.h"
 
 namespace hogelscope {
@@ -23,9 +24,12 @@ class BatchUndistort {
  private:
   [[nodiscard]] double leastEigenvalue(double radius) const;
   void undistortBatch(double* x, double* y, int count) const;
+  void followRun(double* x, double* y, int count) const;
+  bool solveFrom(const Vec2& start, double* x, double* y, int count) const;
 
   Distortion m_distortion;
   Progress m_progress;
+  mutable LensShadow m_shadow;    ///< safe to use from several threads
   double m_certainRadius = 0;     ///< radius of ideal points
   double m_certainDistorted = 0;  ///< radius of distorted points
 };

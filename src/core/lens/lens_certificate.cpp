@@ -20,15 +20,16 @@ double leastEigenvalue(const Jacobian& j) {
 }
 
 /// Marches along a direction in steps within which the eigenvalue cannot reach 0.
-double singularAt(const Distortion& distortion, double angle, double farthest) {
+double singularAt(const Distortion& distortion, double angle, double farthest,
+                  const Progress& progress) {
   double radius = 0;
   while (radius < farthest) {
-    const double next = 1.2 * radius + 0.05;
+    hearStop(progress);
     const Vec2 here{radius * std::cos(angle), radius * std::sin(angle)};
-    const double safe = leastEigenvalue(distortion.jacobian(here)) /
-                        std::max(distortion.secondDerivativeBound(next), 1e-300);
-    if (!(safe > 1e-9 * (1 + radius))) return radius;
-    radius += std::min(next - radius, safe);
+    const double step = distortion.safeStep(radius, leastEigenvalue(distortion.jacobian(here)),
+                                            0.2 * radius + 0.05);
+    if (!(step > 1e-9 * (1 + radius))) return radius;
+    radius += step;
   }
   return farthest;
 }
@@ -60,9 +61,8 @@ double validRadius(const Distortion& distortion, const Progress& progress) {
   constexpr int directions = 720;
   double radius = farthest;
   for (int k = 0; k < directions; ++k) {
-    hearStop(progress);
-    radius =
-        std::min(radius, singularAt(distortion, 2 * std::numbers::pi * k / directions, radius));
+    const double angle = 2 * std::numbers::pi * k / directions;
+    radius = std::min(radius, singularAt(distortion, angle, radius, progress));
   }
   return radius < farthest ? radius : std::numeric_limits<double>::infinity();
 }

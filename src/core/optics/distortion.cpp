@@ -1,36 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lens distortion and its certified inverse: Newton from the centre, each step within the ball in
-// which the Newton–Kantorovich theorem says that there is one root and no fold.
+// Lens distortion: the model, its derivatives and their bounds.
 #include "core/optics/distortion.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/optics/lens_branch.h"
+
 namespace hogelscope {
-
-namespace {
-
-double det(const Jacobian& j) {
-  return j.xx * j.yy - j.xy * j.yx;
-}
-
-Vec2 solve(const Jacobian& j, const Vec2& r) {
-  const double d = det(j);
-  return {(j.yy * r.x - j.xy * r.y) / d, (j.xx * r.y - j.yx * r.x) / d};
-}
-
-/// Returns the norm of the inverse of `j`: its largest singular value over |det|.
-double inverseNorm(const Jacobian& j) {
-  const double sum = std::hypot(j.xx + j.yy, j.yx - j.xy);
-  const double difference = std::hypot(j.xx - j.yy, j.yx + j.xy);
-  return (sum + difference) / 2 / std::abs(det(j));
-}
-
-double norm(const Vec2& a) {
-  return std::hypot(a.x, a.y);
-}
-
-}  // namespace
 
 void describe(ParameterVisitor& v, DistortionParams& p) {
   auto& [k1, k2, p1, p2, k3] = p;
@@ -63,62 +40,39 @@ Jacobian Distortion::jacobian(const Vec2& p) const {
           radial + slope * y * y + 6 * p1 * y + 2 * p2 * x};
 }
 
-/// The field |p|²ⁿ p has a second derivative of norm 2n(2n+1) |p|²ⁿ⁻¹, the tangential terms are
-/// quadratic with at most 6 |(p1, p2)|.
-double Distortion::secondDerivativeBound(double radius) const {
-  const auto& [k1, k2, p1, p2, k3] = m_params;
+/// With P = (p2, p1) and h' the radial factor as a function of r²/2, the model is the gradient of
+/// h + r² P·x. Along a unit vector at an angle of cosine c to the radius the third, fourth and
+/// fifth derivatives of that are h''' r³ c³ + 3 h'' r c and at most 6 |P|; h'''' r⁴ c⁴ + 6 h''' r²
+/// c² + 3 h''; 10 h'''' r³ c³ + 15 h''' r c. These are also the derivatives' norms, as they are
+/// symmetric.
+DerivativeBounds Distortion::derivativeBounds(double radius, double within) const {
+  const auto [k1, k2, p1, p2, k3] = m_params;
   const double r2 = radius * radius;
-  return radius * (6 * std::abs(k1) + r2 * (20 * std::abs(k2) + r2 * 42 * std::abs(k3))) +
-         6 * std::hypot(p1, p2);
+  const double h2 = 2 * k1 + r2 * (4 * k2 + r2 * 6 * k3);
+  const double h3 = 8 * k2 + r2 * 24 * k3;
+  const double h4 = 48 * k3;
+  const double largest = radius + within;
+  const double fourth = largest * (120 * std::abs(k2) + 840 * std::abs(k3) * largest * largest);
+  const double third = std::max({std::abs(3 * h2), std::abs(3 * h2 + 6 * h3 * r2),
+                                 std::abs(3 * h2 + r2 * (6 * h3 + r2 * h4))});
+  const double second =
+      radius * std::max(std::abs(3 * h2), std::abs(3 * h2 + h3 * r2)) + 6 * m_tangential;
+  const double change = within * (third + within / 2 * fourth);
+  return {second + change, third + within * fourth, change};
 }
 
-/// Makes a few Newton steps from inside the root's basin while the residual shrinks.
-Vec2 Distortion::polish(Vec2 ideal, const Vec2& distorted) const {
-  const auto residualAt = [&](const Vec2& p) {
-    const Vec2 d = distort(p);
-    return Vec2{distorted.x - d.x, distorted.y - d.y};
-  };
-  const double rounding = 2e-16 * norm(distorted);
-  Vec2 residual = residualAt(ideal);
-  double size = norm(residual);
-  for (int step = 0; step < 20 && size > rounding; ++step) {
-    const Vec2 move = solve(jacobian(ideal), residual);
-    const Vec2 next{ideal.x + move.x, ideal.y + move.y};
-    residual = residualAt(next);
-    const double nextSize = norm(residual);
-    if (!(nextSize < size)) break;
-    ideal = next;
-    size = nextSize;
-  }
-  return ideal;
+double Distortion::safeStep(double radius, double margin, double longest) const {
+  const DerivativeBounds here = derivativeBounds(radius, 0);
+  const double guess =
+      std::min({margin / here.second, std::sqrt(std::max(0.0, margin) / here.third), longest});
+  return std::min(guess, margin / derivativeBounds(radius, guess).second);
 }
 
 std::optional<Vec2> Distortion::undistort(const Vec2& distorted) const {
   if (isIdentity()) return distorted;
-  // Kantorovich: h = β K η ≤ 1/2 keeps the whole step on one branch; β bounds the inverse
-  // Jacobian, η is Newton's first move, K bounds the second derivative in the ball 2η.
-  constexpr double certain = 0.45;
-  constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
-  Vec2 ideal{0, 0};
-  double reached = 0;  // the part of the segment whose preimage is known
-  double step = 1;
-  while (reached < 1) {
-    const Jacobian j = jacobian(ideal);
-    const double beta = inverseNorm(j);
-    if (!(det(j) > 0 && std::isfinite(beta))) return std::nullopt;
-    const Vec2 here = distort(ideal);
-    step = std::min(2 * step, 1 - reached);
-    for (;; step /= 2) {
-      if (!(step > shortestStep * reached)) return std::nullopt;
-      const double t = reached + step;
-      const Vec2 move = solve(j, {t * distorted.x - here.x, t * distorted.y - here.y});
-      const double eta = norm(move);
-      if (beta * secondDerivativeBound(norm(ideal) + 2 * eta) * eta <= certain) break;
-    }
-    reached = step == 1 - reached ? 1 : reached + step;
-    ideal = polish(ideal, {reached * distorted.x, reached * distorted.y});
-  }
-  return ideal;
+  const Branch branch = followBranch(*this, {distorted, 0}, {});
+  if (branch.kind != Branch::Kind::ray) return std::nullopt;
+  return branch.ideal;
 }
 
 }  // namespace hogelscope

@@ -2,6 +2,7 @@
 // Lens distortion: Brown–Conrady with OpenCV's five coefficients, and its inverse.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "core/base/geometry.h"
@@ -29,10 +30,18 @@ struct Jacobian {
   double yy = 1;
 };
 
+/// Norms of the model's derivatives over a region.
+struct DerivativeBounds {
+  double second = 0;
+  double third = 0;
+  double change = 0;  ///< of the second derivative, against its value in the middle of the region
+};
+
 /// Maps points of the plane z = 1 of the camera frame. All lengths are in units of that plane.
 class Distortion {
  public:
-  explicit Distortion(const DistortionParams& params) : m_params(params) {}
+  explicit Distortion(const DistortionParams& params)
+      : m_params(params), m_tangential(std::hypot(params.p1, params.p2)) {}
 
   [[nodiscard]] const DistortionParams& params() const { return m_params; }
   [[nodiscard]] bool isIdentity() const { return m_params == DistortionParams{}; }
@@ -43,17 +52,20 @@ class Distortion {
   [[nodiscard]] Jacobian jacobian(const Vec2& ideal) const;
 
   /// Returns the inverse on the branch that grows from the centre: it follows the preimage of the
-  /// straight segment from the centre to `distorted`. None if it meets a fold (det J = 0). The
-  /// residual is a few units of rounding of `distorted`.
+  /// straight segment from the centre to `distorted` (followBranch). None if it meets a fold
+  /// (det J = 0). The residual is a few units of rounding of `distorted`.
   [[nodiscard]] std::optional<Vec2> undistort(const Vec2& distorted) const;
 
-  /// Returns a bound of the second derivative over all ideal points within `radius` of the centre.
-  [[nodiscard]] double secondDerivativeBound(double radius) const;
+  /// Bounds the derivatives over all ideal points that are at most `within` nearer to the centre or
+  /// farther from it than `radius`.
+  [[nodiscard]] DerivativeBounds derivativeBounds(double radius, double within) const;
+  /// Returns a distance, at most `longest`, over which no eigenvalue of the Jacobian falls by
+  /// `margin`, starting at a point at `radius` from the centre.
+  [[nodiscard]] double safeStep(double radius, double margin, double longest) const;
 
  private:
-  [[nodiscard]] Vec2 polish(Vec2 ideal, const Vec2& distorted) const;
-
   DistortionParams m_params;
+  double m_tangential;  ///< |(p1, p2)|
 };
 
 }  // namespace hogelscope

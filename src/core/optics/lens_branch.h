@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The branch of a lens' inverse that grows from the centre, followed with a certificate
+// (docs/formulas.md, Distortion).
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/optics/distortion.h"
+
+namespace hogelscope {
+
+/// The distorted points within `radius` of `centre`.
+struct Disc {
+  Vec2 centre;
+  double radius = 0;
+};
+
+struct Branch {
+  enum class Kind {
+    ray,     ///< every point of the disc has a ray
+    none,    ///< no point of the disc has one
+    unclear  ///< some may have one; of a single point: so near a fold that rounding decides
+  } kind = Kind::unclear;
+  Vec2 ideal;      ///< of the disc's centre; plain Newton from it finds the ray of each point
+  double end = 1;  ///< the part of the segments to the disc's points before which all meet a fold
+};
+
+/// Follows the preimages of the segments from the centre of the image to all points of a disc.
+/// `progress` is asked before each step, which takes less than a microsecond. Throws Cancelled.
+Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress);
+
+}  // namespace hogelscope
