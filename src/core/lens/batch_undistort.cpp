@@ -98,7 +98,9 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
       ++run;
       continue;
     }
-    if (run > 0) followRun(x + k - run, y + k - run, run);
+    if (run > 0)
+      followRun(x + k - run, y + k - run, run,
+                certainStart(discAround(x + k - run, y + k - run, run)));
     run = 0;
     if (k == count) break;
     x[k] = isDone ? idealX[std::size_t(k)] : none;
@@ -106,13 +108,31 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
   }
 }
 
+/// Goes as far as plain Newton is certain for all of the disc.
+BranchStart BatchUndistort::certainStart(const Disc& disc) const {
+  const double farthest = std::hypot(disc.centre.x, disc.centre.y) + disc.radius;
+  const double reached = 0.9 * std::min(1.0, m_certainDistorted / farthest);
+  const double x = reached * disc.centre.x;
+  const double y = reached * disc.centre.y;
+  Vec2 ideal{x, y};
+  double move = 0;
+  for (int step = 0; step < mostSteps; ++step)
+    if (newtonStep(m_distortion.params(), m_certainDistorted, &x, &y, 1, &ideal.x, &ideal.y,
+                   &move) == 0)
+      break;
+  if (reached > 0 && move < shortMoveSquared &&
+      squaredNorm(ideal) < m_certainRadius * m_certainRadius)
+    return {reached, ideal};
+  return {};
+}
+
 /// Follows the branch for all points of the run at once, divides it where that says nothing.
-void BatchUndistort::followRun(double* x, double* y, int count) const {
+void BatchUndistort::followRun(double* x, double* y, int count, const BranchStart& start) const {
   constexpr int parts = 4;
   bool isDark = true;
   for (int k = 0; k < count && isDark; ++k) isDark = m_shadow.holds({x[k], y[k]});
-  Branch branch{Branch::Kind::none, {}, 0};
-  if (!isDark) branch = followBranch(m_distortion, discAround(x, y, count), m_progress);
+  Branch branch{Branch::Kind::none, {}, {}, 0};
+  if (!isDark) branch = followBranch(m_distortion, discAround(x, y, count), m_progress, start);
   const bool isRay = branch.kind == Branch::Kind::ray;
   if (isRay && count == 1) {
     *x = branch.ideal.x;
@@ -121,7 +141,8 @@ void BatchUndistort::followRun(double* x, double* y, int count) const {
     return;
   } else if (branch.kind != Branch::Kind::none && count > 1) {
     const int length = (count + parts - 1) / parts;
-    for (int k = 0; k < count; k += length) followRun(x + k, y + k, std::min(length, count - k));
+    for (int k = 0; k < count; k += length)
+      followRun(x + k, y + k, std::min(length, count - k), branch.known);
   } else {
     for (int k = 0; k < count; ++k) {
       if (!m_shadow.holds({x[k], y[k]})) m_shadow.learn({x[k], y[k]}, m_progress);

@@ -5,12 +5,14 @@
 #include "core/base/progress.h"
 #include "core/lens/lens_shadow.h"
 #include "core/optics/distortion.h"
+#include "core/optics/lens_branch.h"
 
 namespace hogelscope {
 
 /// Inverts a lens in batches. Within a certain radius of ideal points the Jacobian is positive
 /// definite, so the model is injective there, and preimages of segments up to a certain length stay
-/// in it: any root that Newton finds there is the right one. Distortion inverts all other points.
+/// in it: any root that Newton finds there is the right one. Elsewhere runs of points follow their
+/// branch together from there on.
 class BatchUndistort {
  public:
   /// `progress` is called before each point that Distortion inverts, which takes up to some
@@ -24,7 +26,8 @@ class BatchUndistort {
  private:
   [[nodiscard]] double leastEigenvalue(double radius) const;
   void undistortBatch(double* x, double* y, int count) const;
-  void followRun(double* x, double* y, int count) const;
+  [[nodiscard]] BranchStart certainStart(const Disc& disc) const;
+  void followRun(double* x, double* y, int count, const BranchStart& start) const;
   bool solveFrom(const Vec2& start, double* x, double* y, int count) const;
 
   Distortion m_distortion;

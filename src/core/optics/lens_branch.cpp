@@ -165,15 +165,18 @@ Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted, double 
 
 }  // namespace
 
-Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress) {
+Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
+                    const BranchStart& from) {
   constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
-  Branch branch{Branch::Kind::unclear, {0, 0}, 1};
+  Branch branch{Branch::Kind::unclear, from.ideal, from, 1};
   if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
   const double length = norm(disc.centre);
   // Then its square is too small for a number, and the lens bends the centre by less.
-  if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre, 1};
-  double reached = 0;  // the part of the segments whose preimages are known
+  if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre, from, 1};
+  double reached = from.reached;  // the part of the segments whose preimages are known
   double step = 1;
+  if (reached > 0)
+    branch.ideal = polished(lens, from.ideal, times(reached, disc.centre), 2e-16 * length);
   for (;;) {
     hearStop(progress);
     const Place place(lens, branch.ideal);
@@ -196,7 +199,7 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     if (!place.isCertain(sizeAfter(step))) {
       const double start = sizeAfter(0);
       const double end = reached + place.timeToFold(2 * start, q, disc.radius);
-      if (end < 1 && place.isCertain(start)) return {Branch::Kind::none, branch.ideal, end};
+      if (end < 1 && place.isCertain(start)) return {Branch::Kind::none, branch.ideal, from, end};
       do {
         step /= 2;
         // Of a disc that is wider than the step is long, smaller ones get farther.
@@ -204,6 +207,7 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
         if (isTooWide || !(step > shortestStep * reached)) return branch;
       } while (!place.isCertain(sizeAfter(step)));
     }
+    branch.known = {reached, branch.ideal};
     reached = step == left ? 1 : reached + step;
     // On the way the root needs to be no nearer than what the next step is certain of.
     const double enough = reached == 1 ? 2e-16 * length : 1e-6 * step * length;

@@ -14,18 +14,27 @@ struct Disc {
   double radius = 0;
 };
 
+/// What is known of a disc's branch: up to this part of the segments none of them meets a fold, and
+/// from this ideal point plain Newton finds the preimages there.
+struct BranchStart {
+  double reached = 0;
+  Vec2 ideal{0, 0};
+};
+
 struct Branch {
   enum class Kind {
     ray,     ///< every point of the disc has a ray
     none,    ///< no point of the disc has one
     unclear  ///< some may have one; of a single point: so near a fold that rounding decides
   } kind = Kind::unclear;
-  Vec2 ideal;      ///< of the disc's centre; plain Newton from it finds the ray of each point
+  Vec2 ideal;         ///< of the disc's centre; plain Newton from it finds the ray of each point
+  BranchStart known;  ///< of the disc, and so of each disc within it
   double end = 1;  ///< the part of the segments to the disc's points before which all meet a fold
 };
 
 /// Follows the preimages of the segments from the centre of the image to all points of a disc.
 /// `progress` is asked before each step, which takes less than a microsecond. Throws Cancelled.
-Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress);
+Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
+                    const BranchStart& start = {});
 
 }  // namespace hogelscope
