@@ -110,8 +110,11 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
 
 /// Goes as far as plain Newton is certain for all of the disc.
 BranchStart BatchUndistort::certainStart(const Disc& disc) const {
-  const double farthest = std::hypot(disc.centre.x, disc.centre.y) + disc.radius;
-  const double reached = 0.9 * std::min(1.0, m_certainDistorted / farthest);
+  const double length = std::hypot(disc.centre.x, disc.centre.y);
+  // The line through the disc's centre is cut by the segments to the disc this far from there.
+  const double halfWidth = length * disc.radius / (length - disc.radius);
+  if (!(length > disc.radius)) return {};
+  const double reached = 0.9 * std::min(1.0, m_certainDistorted / (length + halfWidth));
   const double x = reached * disc.centre.x;
   const double y = reached * disc.centre.y;
   Vec2 ideal{x, y};
@@ -122,7 +125,7 @@ BranchStart BatchUndistort::certainStart(const Disc& disc) const {
       break;
   if (reached > 0 && move < shortMoveSquared &&
       squaredNorm(ideal) < m_certainRadius * m_certainRadius)
-    return {reached, ideal};
+    return {{disc.centre.x / length, disc.centre.y / length}, reached * length, ideal};
   return {};
 }
 

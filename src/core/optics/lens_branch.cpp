@@ -165,6 +165,31 @@ Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted, double 
 
 }  // namespace
 
+namespace {
+
+double dot(const Vec2& a, const Vec2& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// The segments to a disc cut by lines of one direction, since near a fold the lens allows less
+/// along the segments than across them: at t they cut the line through t·centre over a length of
+/// 2·t·halfWidth.
+struct Fan {
+  Vec2 normal;
+  Vec2 along;  ///< the lines' direction
+  double halfWidth = 0;
+  double nearest = 1;  ///< the t before which no line meets the disc
+
+  Fan(const Disc& disc, const Vec2& lineNormal)
+      : normal(lineNormal), along{-lineNormal.y, lineNormal.x} {
+    const double distance = dot(disc.centre, normal);
+    halfWidth = norm(disc.centre) * disc.radius / (distance - disc.radius);
+    nearest = 1 - disc.radius / distance;
+  }
+};
+
+}  // namespace
+
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
                     const BranchStart& from) {
   constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
@@ -173,19 +198,26 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
   const double length = norm(disc.centre);
   // Then its square is too small for a number, and the lens bends the centre by less.
   if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre, from, 1};
-  double reached = from.reached;  // the part of the segments whose preimages are known
+  const bool isStarted = from.distance > 0;
+  const Fan fan(disc, isStarted ? from.normal : times(1 / length, disc.centre));
+  if (!(fan.nearest > 0.1)) return branch;
+  // The part of the centre's segment whose preimage, with those of the line there, is known.
+  double reached = isStarted ? from.distance / dot(disc.centre, fan.normal) : 0;
+  if (reached >= 1) reached = 0;
+  branch.ideal = reached == 0
+                     ? Vec2{}
+                     : polished(lens, from.ideal, times(reached, disc.centre), 2e-16 * length);
   double step = 1;
-  if (reached > 0)
-    branch.ideal = polished(lens, from.ideal, times(reached, disc.centre), 2e-16 * length);
   for (;;) {
     hearStop(progress);
     const Place place(lens, branch.ideal);
     if (!place.isRegular()) return branch;
-    const double width = disc.radius * place.largestSolved();
     if (reached == 1) {
-      if (place.isCertain(width)) branch.kind = Branch::Kind::ray;
+      // A disc of this radius holds the line and all of the disc.
+      if (place.isCertain(fan.halfWidth * place.largestSolved())) branch.kind = Branch::Kind::ray;
       return branch;
     }
+    const double width = fan.halfWidth * place.size(place.solved(place.turned(fan.along)));
     const Vec2 here = lens.distort(branch.ideal);
     const Vec2 q = place.turned(disc.centre);
     const double speed = place.size(place.solved(q));
@@ -198,16 +230,18 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     step = std::min(4 * step, left);
     if (!place.isCertain(sizeAfter(step))) {
       const double start = sizeAfter(0);
-      const double end = reached + place.timeToFold(2 * start, q, disc.radius);
-      if (end < 1 && place.isCertain(start)) return {Branch::Kind::none, branch.ideal, from, end};
+      const double end = reached + place.timeToFold(2 * start, q, fan.halfWidth);
+      if (end < fan.nearest && place.isCertain(start))
+        return {Branch::Kind::none, branch.ideal, from, end / fan.nearest};
       do {
         step /= 2;
-        // Of a disc that is wider than the step is long, smaller ones get farther.
+        // Of lines that are wider than the step is long, parts get farther.
         const bool isTooWide = step * speed < reached * width / 4;
         if (isTooWide || !(step > shortestStep * reached)) return branch;
       } while (!place.isCertain(sizeAfter(step)));
     }
-    branch.known = {reached, branch.ideal};
+    if (reached > 0)
+      branch.known = {fan.normal, reached * dot(disc.centre, fan.normal), branch.ideal};
     reached = step == left ? 1 : reached + step;
     // On the way the root needs to be no nearer than what the next step is certain of.
     const double enough = reached == 1 ? 2e-16 * length : 1e-6 * step * length;

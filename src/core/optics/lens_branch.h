@@ -14,11 +14,12 @@ struct Disc {
   double radius = 0;
 };
 
-/// What is known of a disc's branch: up to this part of the segments none of them meets a fold, and
-/// from this ideal point plain Newton finds the preimages there.
+/// What is known of the segments to a disc: up to a line across them none meets a fold, and from
+/// this ideal point plain Newton finds the preimages of their points on the line.
 struct BranchStart {
-  double reached = 0;
-  Vec2 ideal{0, 0};
+  Vec2 normal;          ///< of the line, of length 1
+  double distance = 0;  ///< of the line from the centre; 0: nothing is known
+  Vec2 ideal;
 };
 
 struct Branch {
