@@ -140,8 +140,9 @@ class TestMainWindow : public QObject {
     auto* measure = m_window->findChild<QPushButton*>("measureButton");
     auto* chart = m_window->findChild<TradeoffChartWidget*>();
     QSignalSpy moved(dock->findChild<QProgressBar*>(), &QProgressBar::valueChanged);
-    const auto* budget = dock->findChild<QSpinBox*>("budgetBox");
+    auto* budget = dock->findChild<QSpinBox*>("budgetBox");
     QCOMPARE(budget->text(), QString("takes at most 60 s"));
+    budget->setValue(2);
     QTest::mouseClick(measure, Qt::LeftButton);
     QVERIFY(!budget->isEnabled());
     moved.clear();
