@@ -58,8 +58,8 @@ std::optional<std::size_t> pick(const std::vector<TradeoffRow>& rows, const Indi
 
 bool isMeasured(const TradeoffRow& row) {
   const auto isTime = [](double time) { return std::isfinite(time) && time > 0; };
-  return isTime(row.milliseconds) && isTime(row.fastest) && isTime(row.upperQuartile) &&
-         std::isfinite(row.rmse) && row.rmse >= 0;
+  return isTime(row.milliseconds) && isTime(row.fastest) && isTime(row.lowerQuartile) &&
+         isTime(row.upperQuartile) && std::isfinite(row.rmse) && row.rmse >= 0;
 }
 
 std::optional<std::size_t> forMovingView(const std::vector<TradeoffRow>& rows) {

@@ -76,7 +76,8 @@ TradeoffAxes::TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& s
   bool hasZeros = false;
   for (const TradeoffRow& row : rows) {
     if (!isMeasured(row)) continue;
-    times.add(row.milliseconds);
+    for (const double time : {row.lowerQuartile, row.milliseconds, row.upperQuartile})
+      times.add(time);
     if (row.rmse > 0) errors.add(row.rmse);
     hasZeros = hasZeros || row.rmse == 0;
   }
@@ -106,6 +107,11 @@ double TradeoffAxes::y(double rmse) const {
 std::optional<QPointF> TradeoffAxes::positionOf(const TradeoffRow& row) const {
   if (!isMeasured(row)) return std::nullopt;
   return QPointF(x(row.milliseconds), row.rmse > 0 ? y(row.rmse) : m_zero.center().y());
+}
+
+QLineF TradeoffAxes::quartilesOf(const TradeoffRow& row) const {
+  const double y = positionOf(row)->y();
+  return {x(row.lowerQuartile), y, x(row.upperQuartile), y};
 }
 
 std::vector<QRectF> TradeoffAxes::areas() const {

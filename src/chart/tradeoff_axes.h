@@ -22,6 +22,8 @@ class TradeoffAxes {
 
   /// The row's point; none for a row without a time or an error.
   std::optional<QPointF> positionOf(const TradeoffRow& row) const;
+  /// The spread of the times of a measured row, through its point.
+  QLineF quartilesOf(const TradeoffRow& row) const;
   /// The size of the text, points.
   double em() const { return m_em; }
   /// The parts of the plot: above the band of zeros, and the band.

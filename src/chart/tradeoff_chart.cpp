@@ -66,6 +66,7 @@ void TradeoffChart::paint(QPainter& painter, const QSizeF& size) const {
   } else {
     paintKey(painter, axes);
     paintFront(painter, axes);
+    paintSpreads(painter, axes);
     paintMarkers(painter, axes);
     paintNumbers(painter, axes);
     paintLegend(painter, legend);
@@ -110,12 +111,22 @@ void TradeoffChart::paintKey(QPainter& painter, const TradeoffAxes& axes) const 
   };
   entry(ink, QStringLiteral("Pareto front"));
   entry(grey, QStringLiteral("others"));
+  painter.setPen(grey);
+  if (std::ranges::any_of(m_rows, &TradeoffRow::isSampled))
+    text(painter, {x, y - em, 300, 2 * em}, Qt::AlignLeft,
+         QStringLiteral("* on part of the pixels"));
   painter.restore();
 }
 
 void TradeoffChart::paintFront(QPainter& painter, const TradeoffAxes& axes) const {
   painter.setPen(QPen(ink, 1.6));
   for (const QLineF& step : paretoSteps(m_rows, axes)) painter.drawLine(step);
+}
+
+/// Half of the runs lie on the line; mostly it is shorter than the marker.
+void TradeoffChart::paintSpreads(QPainter& painter, const TradeoffAxes& axes) const {
+  painter.setPen(QPen(grey, 0.1 * axes.em()));
+  for (const std::size_t row : numbered(m_rows)) painter.drawLine(axes.quartilesOf(m_rows[row]));
 }
 
 /// The more a point has to say, the higher it lies.
@@ -199,8 +210,7 @@ void TradeoffChart::paintLegendRow(QPainter& painter, const TradeoffLegend& lege
   painter.setFont(sized(legend.font, legend.font.pixelSize(), isStrong));
   text(painter, {box.left(), box.top(), legend.numberEnd, height}, Qt::AlignRight,
        QString::number(number));
-  text(painter, box.adjusted(legend.name, 0, 0, 0), Qt::AlignLeft,
-       QString::fromStdString(m_rows[row].method));
+  text(painter, box.adjusted(legend.name, 0, 0, 0), Qt::AlignLeft, legendName(m_rows[row]));
   if (legend.timeEnd == 0) return;
   painter.setFont(legend.font);
   text(painter, box, Qt::AlignRight, figureText(m_rows[row].rmse));

@@ -41,6 +41,7 @@ class TradeoffChart {
   TradeoffLegend legend(const QSizeF& size, const QFont& font) const;
   void paintKey(QPainter& painter, const TradeoffAxes& axes) const;
   void paintFront(QPainter& painter, const TradeoffAxes& axes) const;
+  void paintSpreads(QPainter& painter, const TradeoffAxes& axes) const;
   void paintMarkers(QPainter& painter, const TradeoffAxes& axes) const;
   void paintMarker(QPainter& painter, const QPointF& point, double em, std::size_t row) const;
   void paintNumbers(QPainter& painter, const TradeoffAxes& axes) const;

@@ -27,6 +27,10 @@ QString figureText(double value) {
   return isLong ? QString::number(value, 'f', 0) : QString::number(value, 'g', 2);
 }
 
+QString legendName(const TradeoffRow& row) {
+  return QString::fromStdString(row.method) + (row.isSampled ? "*" : "");
+}
+
 TradeoffLegend legendOf(const std::vector<TradeoffRow>& rows, const QRectF& area, const QFont& font,
                         double size) {
   TradeoffLegend legend;
@@ -36,7 +40,7 @@ TradeoffLegend legendOf(const std::vector<TradeoffRow>& rows, const QRectF& area
   for (const std::size_t row : numbered(rows)) {
     legend.lines.push_back({row, std::nullopt, {}});
     for (const Purpose purpose : purposesOf(rows, row)) legend.lines.push_back({row, purpose, {}});
-    names += QString::fromStdString(rows[row].method);
+    names += legendName(rows[row]);
     times += figureText(rows[row].milliseconds);
     errors += figureText(rows[row].rmse);
   }

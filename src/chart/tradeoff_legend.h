@@ -33,6 +33,9 @@ struct TradeoffLegend {
 TradeoffLegend legendOf(const std::vector<TradeoffRow>& rows, const QRectF& area, const QFont& font,
                         double size);
 
+/// The method's name, with an asterisk if it is measured on part of the pixels.
+QString legendName(const TradeoffRow& row);
+
 /// With two digits, but without powers of ten up to a million.
 QString figureText(double value);
 

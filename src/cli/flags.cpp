@@ -185,6 +185,12 @@ FlagGroup resources() {
             .jobs = {render, report, generate, pack, exportAs, tradeoff, stability},
             .range = NumberRange{.min = 1, .isInteger = true},
             .help = "Threads to work with; all by default."},
+           {.name = "budget",
+            .value = "SECONDS",
+            .jobs = {tradeoff},
+            .range = NumberRange{.min = 0.001, .max = 1e6},
+            .help = "How long the job may take, 60 by default: what is slow is measured once and "
+                    "on fewer pixels, what is fast until its time is known to two per cent."},
            {.name = "quiet", .jobs = writing, .help = "Prints nothing but errors."}}};
 }
 

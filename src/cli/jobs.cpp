@@ -120,10 +120,12 @@ const std::vector<Job>& jobs() {
        .help = "Measures speed against accuracy of every method on the session's own states: "
                "DIR/tradeoff.csv, .png, .svg.",
        .details = "With sampling.reconstruction nearest and one ray a pixel the reference is the "
-                  "display as built, with any other sampling the ideal picture.",
-       .examples = "  hogelscope --tradeoff --session data/table1.json --output tradeoff\n"
-                   "  hogelscope --tradeoff --session data/table1.json --output ideal \\\n"
-                   "             --set sampling.reconstruction=quadrilinear\n",
+                  "display as built, with any other sampling the ideal picture. The table says on "
+                  "how many pixels each figure was measured, and how well a time is known.",
+       .examples =
+           "  hogelscope --tradeoff --session data/table1.json --output tradeoff --budget 20\n"
+           "  hogelscope --tradeoff --session data/table1.json --output ideal \\\n"
+           "             --set sampling.reconstruction=quadrilinear\n",
        .run = runTradeoff},
       {.command = Command::stability,
        .name = "stability",

@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/lens/lens_table.h"
 #include "core/optics/simulate.h"
+#include "study/time_budget.h"
 #include "study/tradeoff_row.h"
 
 namespace hogelscope {
@@ -39,17 +40,25 @@ Question questionOf(const SamplingParams& sampling);
 std::string questionText(Question question);
 std::string details(Question question);
 
-struct Tradeoff {
-  std::vector<TradeoffRow> rows;
-  std::size_t timedViews = 0;  ///< the number of timed views; errors are over all views
-  int runs = 0;
+struct Budget {
+  double seconds = 60;  ///< of wall time
+  Clock clock = steadySeconds;
 };
 
-/// Renders each image from scratch, lens rays included. Times are medians of the mean over the
-/// timed views; runs of all methods are interleaved. Errors do not depend on threads or times.
-/// Throws InputError, Cancelled.
-Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const ParallelRows& parallelRows,
-                         const Progress& progress);
+struct Tradeoff {
+  std::vector<TradeoffRow> rows;
+  std::size_t timedViews = 0;
+  std::size_t errorViews = 0;  ///< that errors are over
+};
+
+/// Renders each image from scratch, lens rays included. A look at few pixels says what each method
+/// costs. Errors take up to 0.4 of the budget: over all pixels of all views, or as many as fit;
+/// the rows of the result say how many. The rest goes to interleaved runs, until each
+/// method's median is known to two per cent. Slow methods are timed once, on the pixels of their
+/// error. All rows have a time and an error however small the budget. Errors over all pixels do
+/// not depend on threads or times. Throws InputError, Cancelled.
+Tradeoff measureTradeoff(const std::vector<RenderJob>& views, const Budget& budget,
+                         const ParallelRows& parallelRows, const Progress& progress);
 
 /// Sets isPareto: no other row is at most as slow and at most as wrong, and less in one of them.
 void markPareto(std::vector<TradeoffRow>& rows);

@@ -19,16 +19,25 @@ struct TradeoffRow {
   double milliseconds = 0;     ///< per image, median of the runs
   double fastest = 0;          ///< milliseconds of the fastest run
   double upperQuartile = 0;    ///< milliseconds that three quarters of the runs do not exceed
+  double lowerQuartile = 0;    ///< milliseconds that three quarters of the runs reach
+  int runs = 0;
+  double timedPixels = 0;  ///< pixels that a run rendered, over the timed states
   double mraysPerSecond = 0;
   double rmse = 0;          ///< code values of 8-bit images, over all states, pixels and channels
   double psnr = 0;          ///< dB; infinite where rmse is 0
   double maxError = 0;      ///< code values
   double seenMismatch = 0;  ///< share of the pixels that are seen in only one of the images
+  double errorPixels = 0;   ///< pixels compared, over the states
+  bool isSampled = false;   ///< its time or its error is of part of the pixels
   bool isPareto = false;    ///< no other row is as fast and as good, and better in one of them
   bool isDefault = false;   ///< the program's default
 };
 
-/// Sets the three times from `runs`, at least one, in milliseconds per image.
+/// Sets the times from `runs`, at least one, in milliseconds per image.
 void setTimes(TradeoffRow& row, std::vector<double> runs);
+
+/// Returns the half width of the median's 95 % interval over the median: 1.57 times the quartiles'
+/// distance over the root of the number of runs (McGill, Tukey and Larsen 1978). NaN for one run.
+double spreadOf(const TradeoffRow& row);
 
 }  // namespace hogelscope

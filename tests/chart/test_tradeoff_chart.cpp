@@ -104,6 +104,8 @@ class TestTradeoffChart : public QObject {
   void paintsTheSameTwice();
   void selectionShows();
   void unmeasuredRowsAreLeftOut();
+  void aSampleHasAnAsterisk();
+  void theSpreadIsALineThroughThePoint();
   void oddRows_data();
   void oddRows();
 };
@@ -305,6 +307,42 @@ void TestTradeoffChart::unmeasuredRowsAreLeftOut() {
   const Rows good = sampleRows();
   rows.insert(rows.begin(), good.begin(), good.end());
   QCOMPARE(chartSvg(rows), chartSvg(good));
+}
+
+void TestTradeoffChart::aSampleHasAnAsterisk() {
+  Rows rows = sampleRows();
+  QVERIFY(!saysIt(chartSvg(rows), "* on part of the pixels"));
+  rows[2].isSampled = true;
+  const std::string svg = chartSvg(rows);
+  QVERIFY(saysIt(svg, "* on part of the pixels") && saysIt(svg, "direct*"));
+  QVERIFY(saysIt(svg, "fixed point 1"));
+}
+
+void TestTradeoffChart::theSpreadIsALineThroughThePoint() {
+  Rows rows = sampleRows();
+  TradeoffRow& row = rows[2];
+  const double median = row.milliseconds;
+  setTimes(row, {median / 3, median / 2, median, 1.5 * median, 4 * median});
+  const QSize size(900, 640);
+  const TradeoffAxes axes = TradeoffChart(rows, "Error").axes(size);
+  const auto placeOf = [&](double milliseconds) {
+    TradeoffRow there = row;
+    there.milliseconds = milliseconds;
+    return *axes.positionOf(there);
+  };
+  const QPointF from = placeOf(median / 2);
+  const QPointF to = placeOf(1.5 * median);
+  const QRegularExpression line("<polyline[^>]*points=\"([-0-9.]+),([-0-9.]+) ([-0-9.]+),");
+  int found = 0;
+  auto lines = line.globalMatch(QString::fromStdString(chartSvg(rows, size)));
+  while (lines.hasNext()) {
+    const auto match = lines.next();
+    const auto isAt = [&match](int group, double place) {
+      return std::abs(match.captured(group).toDouble() - place) < 0.1;
+    };
+    if (isAt(1, from.x()) && isAt(2, from.y()) && isAt(3, to.x())) ++found;
+  }
+  QCOMPARE(found, 1);
 }
 
 void TestTradeoffChart::oddRows_data() {

@@ -18,7 +18,7 @@ inline float noisy(int x, int y, int channel) {
   return content(x, y, channel) + float((x * 7919 + y * 104729 + channel) % 16) / 255;
 }
 
-/// Slow enough for being killed: 16 rays a pixel with 25 taps each.
+/// Slow enough for being killed: 4 rays a pixel with 25 taps each.
 inline QByteArray longSession() {
   QByteArray cameras;
   for (int k = 0; k < stateCount; ++k)
@@ -28,7 +28,7 @@ inline QByteArray longSession() {
                "\"windowSize\": 5}}";
   return text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
                .lightField = R"({"file": "a.png"})",
-               .sampling = R"({"samplesPerPixel": 4})",
+               .sampling = R"({"samplesPerPixel": 2})",
                .cameras = "[" + cameras + "]"});
 }
 

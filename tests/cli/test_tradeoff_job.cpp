@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
@@ -24,6 +25,11 @@ enum Column {
   pareto,
   fastest,
   upperQuartile,
+  lowerQuartile,
+  spread,
+  runs,
+  timedPixels,
+  errorPixels,
   columns
 };
 
@@ -59,7 +65,7 @@ class TestTradeoffJob : public QObject {
     QCOMPARE(rows.takeFirst().join(","),
              QString("method,lens,reconstruction,psf,samples,scale,precision,milliseconds,"
                      "mrays_per_s,rmse,psnr,max_error,seen_mismatch,pareto,milliseconds_min,"
-                     "milliseconds_q75"));
+                     "milliseconds_q75,milliseconds_q25,spread,runs,timed_pixels,error_pixels"));
     QVERIFY(rows.size() >= 20);
     const QByteArray svg = contentOf("out/tradeoff.svg");
     for (const QStringList& row : rows) {
@@ -68,7 +74,29 @@ class TestTradeoffJob : public QObject {
       QVERIFY(row[fastest].toDouble() > 0);
       QVERIFY(row[fastest].toDouble() <= row[milliseconds].toDouble());
       QVERIFY(row[milliseconds].toDouble() <= row[upperQuartile].toDouble());
+      QVERIFY(row[lowerQuartile].toDouble() <= row[milliseconds].toDouble());
+      QVERIFY(row[fastest].toDouble() <= row[lowerQuartile].toDouble());
+      QCOMPARE(std::isnan(row[spread].toDouble()), row[runs] == "1");
+      QCOMPARE(row[errorPixels], QString("1200"));
     }
+  }
+
+  void aSmallBudgetHasAllRows() {
+    (void)job({});
+    const QList<QStringList> ample = tableOf("out/tradeoff.csv");
+    const Outcome outcome = job({"--budget", "0.001", "--set", "camera.res=[16,64]"});
+    QCOMPARE(outcome.err, QByteArray());
+    QVERIFY(outcome.out.contains("timed once: exact; "));
+    QVERIFY(outcome.out.contains("on part of the pixels (see the table): exact; "));
+    const QList<QStringList> rows = tableOf("out/tradeoff.csv");
+    QCOMPARE(rows.size(), ample.size());
+    for (int k = 1; k < rows.size(); ++k) {
+      QCOMPARE(rows[k][name], ample[k][name]);
+      QCOMPARE(rows[k][errorPixels], QString::number(16 * 64 / 2));
+      QVERIFY(rows[k][milliseconds].toDouble() > 0 && rows[k][rmse].toDouble() >= 0);
+    }
+    QVERIFY(contentOf("out/tradeoff.svg").contains("* on part of the pixels"));
+    QVERIFY(job({"--budget", "0"}).err.contains("--budget"));
   }
 
   /// Which of the methods with the least error is advised depends on times, their error does not.
@@ -129,8 +157,9 @@ class TestTradeoffJob : public QObject {
 
  private:
   Outcome job(const QStringList& more) {
-    return run(QStringList{"--tradeoff", "--session", "s.json", "--output", "out"} + more,
-               m_folder->path());
+    QStringList all{"--tradeoff", "--session", "s.json", "--output", "out"};
+    if (!more.contains("--budget")) all += {"--budget", "0.1"};  // too few rows to leave any out
+    return run(all + more, m_folder->path());
   }
 
   std::unique_ptr<QTemporaryDir> m_folder;

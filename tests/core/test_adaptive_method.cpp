@@ -83,7 +83,7 @@ class TestTolerance : public QObject {
   void theErrorStaysWithinTheLimit() {
     Random random(9);
     RenderJob job = sampleView();
-    constexpr int scenes = 240;
+    constexpr int scenes = 120;
     int cheaper = 0;
     int beyondLimit = 0;
     for (int repeat = 0; repeat < scenes; ++repeat) {

@@ -9,9 +9,11 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
@@ -138,7 +140,11 @@ class TestMainWindow : public QObject {
     auto* measure = m_window->findChild<QPushButton*>("measureButton");
     auto* chart = m_window->findChild<TradeoffChartWidget*>();
     QSignalSpy moved(dock->findChild<QProgressBar*>(), &QProgressBar::valueChanged);
+    auto* budget = dock->findChild<QSpinBox*>("budgetBox");
+    QCOMPARE(budget->text(), QString("takes at most 60 s"));
+    budget->setValue(2);
     QTest::mouseClick(measure, Qt::LeftButton);
+    QVERIFY(!budget->isEnabled());
     moved.clear();
     const auto* task = dock->findChild<Task*>();
     QVERIFY(sleepUntil([&] { return task->share() > 0.5; }));
@@ -219,6 +225,20 @@ class TestMainWindow : public QObject {
     QTest::mouseClick(measure, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(measure->isEnabled() && measure->text().contains("Measure"), patience);
     QVERIFY(m_window->findChild<TradeoffChartWidget*>()->chart().rows().empty());
+  }
+
+  /// No machine renders all of the sample session in a second by every method.
+  void measuresWithinTheBudgetOfItsField() {
+    waitForSample();
+    m_window->findChild<QDockWidget*>("tradeoffDock")->show();
+    m_window->findChild<QSpinBox*>("budgetBox")->setValue(1);
+    QTest::mouseClick(m_window->findChild<QPushButton*>("measureButton"), Qt::LeftButton);
+    const auto* chart = m_window->findChild<TradeoffChartWidget*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!chart->chart().rows().empty(), patience);
+    const auto& rows = chart->chart().rows();
+    QCOMPARE(rows.size(), namedMethods().size());
+    QVERIFY(std::ranges::all_of(rows, &TradeoffRow::isSampled));
+    QVERIFY(m_window->findChild<QSpinBox*>("budgetBox")->isEnabled());
   }
 
   void theLastOfManyEditsWins() {

@@ -460,8 +460,7 @@ void TestOutput::plots() {
   QVERIFY(!chart->actions().first()->isEnabled());
   TradeoffRow row;
   row.method = "a method";
-  row.fastest = row.upperQuartile = 3;
-  row.milliseconds = 3;
+  setTimes(row, {3});
   row.rmse = 0.5;
   chart->setChart(TradeoffChart({row}, "Error"));
   save(chart, path("out/chart.svg"));

@@ -72,14 +72,16 @@ inline hogelscope::GreyPicture viewOf(const ViewScene& scene, double u, double v
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) {
       double value = 0;
-      for (const ViewLayer& layer : scene.layers) {
-        const double parallax = layer.parallax + layer.slope * (double(y) / scene.height - 0.5);
+      double light = 1;  // that comes through what is before a layer
+      for (auto layer = scene.layers.rbegin(); layer != scene.layers.rend() && light > 0; ++layer) {
+        const double parallax = layer->parallax + layer->slope * (double(y) / scene.height - 0.5);
         const double px = x + parallax * u;
         const double py = y + parallax * v;
-        const double ex = (px - layer.x) / layer.width;
-        const double ey = (py - layer.y) / layer.height;
+        const double ex = (px - layer->x) / layer->width;
+        const double ey = (py - layer->y) / layer->height;
         if (ex * ex + ey * ey > 1) continue;
-        value += layer.opacity * (textureAt(px, py, layer) - value);
+        value += light * layer->opacity * textureAt(px, py, *layer);
+        light *= 1 - layer->opacity;
       }
       value = 255 * gain * (0.5 + scene.contrast * (value - 0.5)) + scene.noise * noise(random);
       picture.values.push_back(std::uint8_t(std::clamp(value, 0.0, 255.0) + 0.5));

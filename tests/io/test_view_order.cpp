@@ -60,6 +60,8 @@ class TestViewOrder : public QObject {
     scene.width = 180;
     scene.height = 135;
     for (const GridSymmetry& truth : symmetries()) {
+      // Other depths in half of the orders: each two properties in every combination.
+      if (far != 1 && truth.isTransposed != (truth.isUp != truth.isLeft)) continue;
       const ViewOrder order = findViewOrder(gridOf(scene, 5, 7, truth));
       QVERIFY2(isRight(order, truth) && order.sureness == Sureness::sure, qPrintable(said(order)));
       const auto [x, y] = order.middleMotion;

@@ -3,13 +3,16 @@
 #include "study/tradeoff.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/engine/fast_simulation.h"
 #include "core/engine/scaled_view.h"
+#include "study/sampled_picture.h"
 #include "tests/core/random_scene.h"
 #include "tests/core/rendered.h"
 
@@ -34,6 +37,16 @@ std::vector<RenderJob> someViews(const SamplingParams& sampling = {}) {
   std::vector<RenderJob> views{job, job};
   views[1].state.camera.eye = {0.1, 0.05, 0.5};
   return views;
+}
+
+/// A clock that goes on by `tick` seconds whenever it is read, so that all take the same time.
+Budget budgetOf(double seconds, double tick) {
+  const auto now = std::make_shared<double>(0);
+  return {seconds, [now, tick] { return *now += tick; }};
+}
+
+Budget ample() {
+  return budgetOf(60, 1e-4);
 }
 
 const TradeoffRow& rowOf(const std::vector<TradeoffRow>& rows, const std::string& method) {
@@ -70,7 +83,7 @@ class TestTradeoff : public QObject {
     QCOMPARE(methodsFor(views).size(), namedMethods().size());
     views[1].state.distortion = {};
     std::set<std::string> names;
-    for (const TradeoffRow& row : measureTradeoff(views, parallelRows, {}).rows) {
+    for (const TradeoffRow& row : measureTradeoff(views, ample(), parallelRows, {}).rows) {
       QCOMPARE(row.lens, std::string("exact"));
       names.insert(row.method);
     }
@@ -85,8 +98,10 @@ class TestTradeoff : public QObject {
     QVERIFY(questionOf({.samplesPerPixel = 2}) == Question::idealPicture);
   }
 
+  void initTestCase() { m_found = measureTradeoff(someViews(), ample(), parallelRows, {}); }
+
   void errorsAgainstTheDisplayAsBuilt() {
-    const auto rows = measureTradeoff(someViews(), parallelRows, {}).rows;
+    const auto& rows = m_found.rows;
     const auto error = [&rows](const char* method) { return rowOf(rows, method).rmse; };
     QVERIFY(error("exact") < 0.01 && rowOf(rows, "exact").isDefault);
     QVERIFY(error("Newton 5") < 0.01);
@@ -109,7 +124,7 @@ class TestTradeoff : public QObject {
   /// The numbers themselves, of one method: from the reference engine, pixel by pixel.
   void errorsAreThoseOfThePictures() {
     const auto views = someViews();
-    const auto rows = measureTradeoff(views, parallelRows, {}).rows;
+    const auto& rows = m_found.rows;
     for (const NamedMethod& method : namedMethods()) {
       if (method.name != "half size" && method.name != "bilinear") continue;
       double squares = 0;
@@ -129,7 +144,7 @@ class TestTradeoff : public QObject {
 
   void errorsAgainstTheIdealPicture() {
     const SamplingParams sampling{.reconstruction = Reconstruction::quadrilinear};
-    const auto rows = measureTradeoff(someViews(sampling), parallelRows, {}).rows;
+    const auto rows = measureTradeoff(someViews(sampling), ample(), parallelRows, {}).rows;
     const auto error = [&rows](const char* method) { return rowOf(rows, method).rmse; };
     QCOMPARE(error("quadrilinear 8×8"), 0.0);
     QVERIFY(error("quadrilinear 4×4") < error("quadrilinear 2×2"));
@@ -138,13 +153,101 @@ class TestTradeoff : public QObject {
   }
 
   void errorsAreTheSameEveryTime() {
-    const auto first = measureTradeoff(someViews(), parallelRows, {}).rows;
-    const auto second = measureTradeoff(someViews(), serialRows, {}).rows;
+    const auto& first = m_found.rows;
+    const auto second = measureTradeoff(someViews(), ample(), serialRows, {}).rows;
     for (std::size_t k = 0; k < first.size(); ++k) {
       QCOMPARE(second[k].rmse, first[k].rmse);
       QCOMPARE(second[k].maxError, first[k].maxError);
       QCOMPARE(second[k].seenMismatch, first[k].seenMismatch);
     }
+  }
+
+  void anAmpleBudgetMeasuresAllPixels() {
+    QCOMPARE(m_found.timedViews, std::size_t(2));
+    QCOMPARE(m_found.errorViews, std::size_t(2));
+    for (const TradeoffRow& row : m_found.rows) {
+      QCOMPARE(row.runs, leastRuns);  // all agree
+      QVERIFY(!row.isSampled);
+      QCOMPARE(row.timedPixels, 2 * 64.0 * 48);
+      QCOMPARE(row.errorPixels, 2 * 64.0 * 48);
+    }
+  }
+
+  /// Every row is there, and says on how few pixels.
+  void aBudgetThatIsOverAtOnce() {
+    auto views = someViews();
+    for (RenderJob& view : views) view.state.camera.res = {16, 96};
+    const Tradeoff tradeoff = measureTradeoff(views, budgetOf(1, 2), parallelRows, {});
+    QCOMPARE(tradeoff.rows.size(), namedMethods().size());
+    QCOMPARE(tradeoff.timedViews, std::size_t(1));
+    QCOMPARE(tradeoff.errorViews, std::size_t(1));
+    for (const TradeoffRow& row : tradeoff.rows) {
+      QVERIFY(row.isSampled && row.milliseconds > 0 && std::isfinite(row.rmse));
+      QCOMPARE(row.runs, 1);
+      QVERIFY(std::isnan(spreadOf(row)));
+      QCOMPARE(row.timedPixels, 6.0);  // 1×6 of 16×96
+      QCOMPARE(row.errorPixels, 16.0 * 8 * (96 / 8 / 2));
+    }
+  }
+
+  /// Errors of bands are those of the same rows of the whole pictures.
+  void errorsOfSomeBands() {
+    RenderJob view = someViews().front();
+    view.state.camera.res = {40, 100};
+    const double ticks = 1;
+    const auto rows = measureTradeoff({view}, budgetOf(1, ticks), parallelRows, {}).rows;
+    const Image expected = simulate(view);
+    for (const char* name : {"exact", "direct", "quadrilinear 2×2", "half size", "table 8 px"}) {
+      const auto methods = namedMethods();
+      const auto method = std::ranges::find(methods, name, &NamedMethod::name);
+      const Image image = Renderer().render(applyMethod(*method, view));
+      double squares = 0;
+      double values = 0;
+      for (const Band& band : sampledBands(100, coarsestStep(100)))
+        for (int k = 3 * 40 * band.begin; k < 3 * 40 * band.end; ++k, ++values)
+          squares += std::pow(image.rgb[std::size_t(k)] - expected.rgb[std::size_t(k)], 2);
+      QVERIFY(values > 0 && values < 3 * 40 * 100);
+      QCOMPARE(rowOf(rows, name).rmse, std::sqrt(squares / values));
+    }
+  }
+
+  void bandsAreSpreadAndNested() {
+    for (const int height : {1, 63, 64, 600, 4320}) {
+      const int coarsest = coarsestStep(height);
+      QVERIFY(coarsest == 1 || int(sampledBands(height, coarsest).size()) >= 4);
+      for (int step = 1; step <= coarsest; step *= 2) {
+        std::set<int> rows;
+        for (const Band& band : sampledBands(height, step))
+          for (int y = band.begin; y < band.end; ++y) rows.insert(y);
+        QVERIFY(*rows.rbegin() < height);
+        QVERIFY(std::abs(double(rows.size()) / height - 1.0 / step) < 0.2 / step + 8.0 / height);
+        for (const Band& band : sampledBands(height, 2 * step))
+          if (2 * step <= coarsest)
+            for (int y = band.begin; y < band.end; ++y) QVERIFY(rows.contains(y));
+      }
+    }
+  }
+
+  void noisyTimesAreRepeatedUntilTheMedianIsKnown() {
+    QVERIFY(std::isnan(spreadOf({})));
+    TradeoffRow row;
+    setTimes(row, {10, 11, 12, 13, 14, 15, 16, 17, 18});
+    QCOMPARE(row.lowerQuartile, 12.0);
+    QCOMPARE(row.upperQuartile, 16.0);
+    QCOMPARE(row.runs, 9);
+    QCOMPARE(spreadOf(row), 1.57 * 4 / 3 / 14);
+    const auto random = std::make_shared<Random>(5);
+    const auto now = std::make_shared<double>(0);
+    const Budget noisy{60, [=] { return *now += random->uniform(1e-4, 1.3e-4); }};
+    RenderJob view = someViews().front();
+    view.state.camera.res = {8, 6};
+    int most = 0;
+    for (const TradeoffRow& found : measureTradeoff({view}, noisy, parallelRows, {}).rows) {
+      QVERIFY(found.runs >= leastRuns && found.runs <= mostRuns);
+      QVERIFY(spreadOf(found) <= 0.02 || found.runs == mostRuns);
+      most = std::max(most, found.runs);
+    }
+    QVERIFY(most > leastRuns);
   }
 
   void theParetoFront() {
@@ -163,9 +266,13 @@ class TestTradeoff : public QObject {
   void stopsWhenToldTo() {
     int calls = 0;
     const Progress stop = [&calls](double) { return ++calls < 5; };
-    QVERIFY_THROWS_EXCEPTION(Cancelled, (void)measureTradeoff(someViews(), parallelRows, stop));
+    QVERIFY_THROWS_EXCEPTION(Cancelled,
+                             (void)measureTradeoff(someViews(), ample(), parallelRows, stop));
     QCOMPARE(calls, 5);
   }
+
+ private:
+  Tradeoff m_found;  ///< of someViews(), all pixels
 };
 
 QTEST_APPLESS_MAIN(TestTradeoff)

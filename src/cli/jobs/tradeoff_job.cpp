@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --tradeoff: speed against accuracy of every method on the session's own states.
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 #include "chart/painting.h"
@@ -17,7 +18,24 @@
 
 namespace hogelscope {
 
+namespace {
+
+/// Names the rows that are not of all pixels or not of many runs: their figures say less.
+void printLimits(const std::vector<TradeoffRow>& rows) {
+  const auto print = [&rows](const char* what, auto isOne) {
+    std::string names;
+    for (const TradeoffRow& row : rows)
+      if (isOne(row)) names += (names.empty() ? "" : "; ") + row.method;
+    if (!names.empty()) std::cout << what << names << "\n";
+  };
+  print("timed once: ", [](const TradeoffRow& row) { return row.runs == 1; });
+  print("on part of the pixels (see the table): ", std::mem_fn(&TradeoffRow::isSampled));
+}
+
+}  // namespace
+
 int runTradeoff(const CommandLine& line) {
+  const double start = steadySeconds();
   const Session session = loadSelected(line);
   // Opened first, so that a bad one leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
@@ -30,7 +48,10 @@ int runTradeoff(const CommandLine& line) {
   const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));
   std::vector<RenderJob> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
-  const Tradeoff result = measureTradeoff(views, parallelRows, part(bar.progress(), 0.05, 1));
+  Budget budget;
+  budget.seconds = line.number("budget").value_or(budget.seconds) - (steadySeconds() - start);
+  const Tradeoff result =
+      measureTradeoff(views, budget, parallelRows, part(bar.progress(), 0.05, 1));
   const Question question = questionOf(session.sampling);
   const OffscreenPainting painting;
   const TradeoffChart chart(result.rows, "Error against " + questionText(question));
@@ -44,8 +65,10 @@ int runTradeoff(const CommandLine& line) {
   bar.done();
   if (line.has("quiet")) return 0;
   std::cout << "error against " << questionText(question) << " (" << details(question) << "), over "
-            << views.size() << " state(s)\ntime per picture, lens rays included: median of "
-            << result.runs << " interleaved runs on " << result.timedViews << " state(s)\n";
+            << result.errorViews << " of " << views.size()
+            << " state(s)\ntime per picture, lens rays included: median of up to " << mostRuns
+            << " interleaved runs on " << result.timedViews << " state(s)\n";
+  printLimits(result.rows);
   if (methodsFor(views).size() < namedMethods().size())
     std::cout << "no state has a lens: ways to invert one are left out\n";
   const auto print = [&](const char* what, std::optional<std::size_t> row) {

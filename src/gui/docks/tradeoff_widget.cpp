@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
+#include <QSpinBox>
 
 #include "core/base/parallel.h"
 #include "gui/docks/plot_saver.h"
@@ -59,14 +60,23 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
       m_task(new Task(this)),
       m_chart(new TradeoffChartWidget(this)),
       m_measureButton(new QPushButton(this)),
+      m_budgetBox(new QSpinBox(this)),
       m_defaultButton(new QPushButton(tr("Back to the session's own"), this)),
       m_progress(new PolledBar([this] { return m_task->share(); }, this)) {
   m_measureButton->setObjectName("measureButton");
   m_defaultButton->setObjectName("ownMethodButton");
   m_measureButton->setToolTip(tr("Times every method on all states, and compares their pictures"));
+  m_budgetBox->setObjectName("budgetBox");
+  m_budgetBox->setRange(1, 24 * 3600);
+  m_budgetBox->setValue(int(Budget().seconds));
+  m_budgetBox->setPrefix(tr("takes at most "));
+  m_budgetBox->setSuffix(tr(" s"));
+  m_budgetBox->setToolTip(
+      tr("What is slow is measured once and on fewer pixels, so that all methods fit in"));
   m_defaultButton->setToolTip(tr("The live view is rendered as the session says"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(m_measureButton);
+  buttons->addWidget(m_budgetBox);
   buttons->addWidget(m_defaultButton);
   buttons->addWidget(m_progress, 1);
   auto* layout = new QVBoxLayout(this);
@@ -107,8 +117,13 @@ void TradeoffWidget::stop() {
 void TradeoffWidget::measureOrStop() {
   if (m_task->isRunning()) return stop();
   m_measureButton->setText(tr("&Stop measuring"));
-  m_task->start([this, views = m_views](const Progress& progress) {
-    return [this, tradeoff = measureTradeoff(views, parallelRows, progress)] { show(tradeoff); };
+  m_budgetBox->setEnabled(false);
+  Budget budget;
+  budget.seconds = m_budgetBox->value();
+  m_task->start([this, budget, views = m_views](const Progress& progress) {
+    return [this, tradeoff = measureTradeoff(views, budget, parallelRows, progress)] {
+      show(tradeoff);
+    };
   });
   m_progress->setVisible(true);
 }
@@ -134,6 +149,7 @@ void TradeoffWidget::choose(std::optional<std::size_t> row) {
 void TradeoffWidget::showIdle() {
   m_measureButton->setText(tr("&Measure speed and accuracy"));
   m_measureButton->setEnabled(!m_views.empty());
+  m_budgetBox->setEnabled(!m_views.empty());
   m_progress->setVisible(false);
 }
 

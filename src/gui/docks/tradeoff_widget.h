@@ -10,6 +10,7 @@
 #include "study/tradeoff.h"
 
 class QPushButton;
+class QSpinBox;
 
 namespace hogelscope {
 
@@ -67,6 +68,7 @@ class TradeoffWidget : public QWidget {
   Task* m_task;
   TradeoffChartWidget* m_chart;
   QPushButton* m_measureButton;
+  QSpinBox* m_budgetBox;
   QPushButton* m_defaultButton;
   PolledBar* m_progress;
 };
