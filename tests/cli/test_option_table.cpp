@@ -267,7 +267,7 @@ void TestOptionTable::bashCompletes() {
                                  "_hogelscope; printf '%s\\n' \"${COMPREPLY[@]}\"",
                                  "bash"} +
                          words);
-  QVERIFY(bash.waitForFinished());
+  QVERIFY(bash.waitForFinished(-1));
   QCOMPARE(bash.readAllStandardError(), QByteArray());
   QStringList lines =
       QString::fromUtf8(bash.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);

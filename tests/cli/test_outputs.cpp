@@ -142,7 +142,7 @@ void TestOutputs::twoRunsIntoOneFile() {
   QProcess second;
   start(first, generate("scene"), m_folder->path());
   start(second, generate("spheres"), m_folder->path());
-  QVERIFY(first.waitForFinished() && second.waitForFinished());
+  QVERIFY(first.waitForFinished(-1) && second.waitForFinished());
   QCOMPARE(first.exitCode(), 0);
   QCOMPARE(second.exitCode(), 0);
   QVERIFY(wholes.contains(contentOf("g.png")));
@@ -237,7 +237,7 @@ void TestOutputs::unreadableFolder() {
     if (::geteuid() == 0 && ::setuid(nobody) != 0) ::_exit(9);
   });
   start(process, {"--info", "closed"}, m_folder->path());
-  process.waitForFinished();
+  process.waitForFinished(-1);
   QCOMPARE(::chmod("closed", 0700), 0);
   if (process.error() == QProcess::FailedToStart) QSKIP("nobody may not run the program here");
   QCOMPARE(process.readAllStandardError(),

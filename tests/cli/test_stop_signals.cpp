@@ -115,7 +115,7 @@ class TestStopSignals : public QObject {
       { const AtomicFile givenUp("given up.txt"); }
       sleepForEver();
     });
-    QTRY_VERIFY(QFile::exists("whole.txt"));
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists("whole.txt"), 120000);
     child.send(SIGTERM);
     QCOMPARE(child.end(), SIGTERM);
     QCOMPARE(namesIn("."), QStringList{"whole.txt"});

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
+#include "tests/gui/patience.h"
 
 using namespace hogelscope;
 
@@ -51,12 +52,12 @@ class TestViewWorker : public QObject {
     QSignalSpy loaded(&worker, &ViewWorker::loaded);
     QSignalSpy rendered(&worker, &ViewWorker::rendered);
     worker.load(m_session);
-    QVERIFY(loaded.wait());
+    QVERIFY(loaded.wait(patience));
     worker.render(request(throughHardLens(m_session.cameras[0])));
     QTest::qWait(300);  // now it is at work
     QCOMPARE(rendered.size(), 0);
     worker.render(request(plain(m_session.cameras[0])));
-    QVERIFY(rendered.wait(60000));
+    QVERIFY(rendered.wait(patience));
     QCOMPARE(rendered[0][0].value<RenderedView>().image.size(), QSize(64, 48));
   }
 
@@ -67,16 +68,16 @@ class TestViewWorker : public QObject {
     QSignalSpy rendered(&worker, &ViewWorker::rendered);
     QSignalSpy certified(&worker, &ViewWorker::certified);
     worker.load(m_session);
-    QVERIFY(loaded.wait());
+    QVERIFY(loaded.wait(patience));
     ViewRequest first = request(throughHardLens(m_session.cameras[0]));
     first.state.camera.res = {100, 16384};  // a small image, but all of its points are hard
     first.state.intrinsics = {1e5, 1e5, -65000, 0};
     first.method = NamedMethod{"direct", Reconstruction::nearest, 1, LensMapping::direct, {}};
     worker.render(first);
-    QVERIFY(rendered.wait(60000));
+    QVERIFY(rendered.wait(patience));
     QTest::qWait(300);  // now it is at the drawing
     worker.render(request(plain(m_session.cameras[0])));
-    QTRY_VERIFY_WITH_TIMEOUT(certified.size() > 0, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(certified.size() > 0, patience);
     QCOMPARE(certified.last()[0].value<CertifiedLens>().key.res, (std::array{64, 48}));
   }
 

@@ -271,7 +271,13 @@ class TestLightFieldOrder : public QObject {
     QCOMPARE(wrong.warnings.size(), std::size_t(1));
   }
 
-  void realGrid_data() { aFolderGetsOrderAndShear_data(); }
+  void realGrid_data() {
+    QTest::addColumn<bool>("isUp");
+    QTest::addColumn<bool>("isLeft");
+    QTest::addColumn<bool>("isTransposed");
+    QTest::newRow("as its names say") << false << false << false;
+    QTest::newRow("all reversed") << true << true << true;
+  }
 
   /// Orders of a set made by others: its files are linked under other names.
   void realGrid() {

@@ -190,6 +190,26 @@ class TestTradeoff : public QObject {
     }
   }
 
+  /// Where pictures begin to take longer than the look said, no other one is begun.
+  void theBudgetHoldsThoughTheLookWasWrong() {
+    RenderJob view = someViews().front();
+    view.state.camera.res = {8, 6};
+    int readings = 0;
+    const auto measured = [&](int slowFrom) {
+      const auto now = std::make_shared<double>(0);
+      readings = 0;
+      const Budget budget{
+          60, [&readings, now, slowFrom] { return *now += ++readings > slowFrom ? 20.0 : 1e-4; }};
+      return measureTradeoff({view}, budget, parallelRows, {});
+    };
+    (void)measured(1000000);
+    const int all = readings;
+    const Tradeoff late = measured(all - 40);
+    QVERIFY(std::ranges::any_of(late.rows,
+                                [](const TradeoffRow& row) { return row.runs < leastRuns; }));
+    QVERIFY2(readings < all - 30, qPrintable(QString("%1 of %2").arg(readings).arg(all)));
+  }
+
   /// Errors of bands are those of the same rows of the whole pictures.
   void errorsOfSomeBands() {
     RenderJob view = someViews().front();
