@@ -43,6 +43,9 @@ inside hogelscope --render --quiet --session /usr/share/hogelscope/samples/table
   --output /out
 inside hogelscope --render --quiet --session /usr/share/hogelscope/samples/room.hogelscope \
   --output /room
+# Loads the codecs.
+inside hogelscope --render --quiet --session /usr/share/hogelscope/samples/table1.hogelscope \
+  --states 'Fig 4' --format tif --output /codecs
 inside hogelscope --plugins
 inside hogelscope --plugins | grep -q '^mesh .*/usr/lib/.*hogelscope/plugins-1/mesh$'
 build/release/bin/hogelscope --render --quiet --session data/table1.json --output "$work/out"
