@@ -16,6 +16,7 @@ namespace {
 struct Rays {
   HitMap map;
   BlockLayout layout{{512, 512, 64, 64}, {3, 3, 3, 3}};
+  BlockLayout oneTexel;  ///< every address is 0
   std::array<double, batchSize> x{};
   std::array<double, batchSize> y{};
   std::array<std::uint32_t, batchSize> address{};
@@ -23,7 +24,6 @@ struct Rays {
   std::array<std::uint32_t, 2 * batchSize> offset{};
   std::array<float, 2 * batchSize> weight{};
   std::vector<Texel<std::uint8_t>> texels = std::vector<Texel<std::uint8_t>>(4096);
-  std::array<Texel<std::uint8_t>, batchSize> found{};
   std::array<std::uint8_t, 3 * batchSize> rgb{};
   std::array<std::uint8_t, batchSize> seen{};
   std::vector<std::array<std::uint32_t, batchSize>> taps;
@@ -31,11 +31,11 @@ struct Rays {
   LightBatch sum{};
 
   explicit Rays(int tapCount = 8) : taps(std::size_t(tapCount)), share(taps.size(), 0.1F) {
-    map.right = {1, 0.001, 0.002};
-    map.down = {0.001, -1, 0.003};
-    map.forward = {-0.002, 0.003, -1};
+    map.right = {0.8, 0, -0.6};  // an orthonormal frame
+    map.down = {0, -1, 0};
+    map.forward = {-0.6, 0, -0.8};
     map.constant = {256, 256, 32, 32};
-    map.slope = {-400, 400, -60, 60};
+    map.slope = {-120, 400, -20, 60};
     map.count = {512, 512, 64, 64};
     for (std::size_t k = 0; k < batchSize; ++k) {
       x[k] = 0.0013 * double(k) - 0.1;
@@ -71,28 +71,24 @@ void addKernel(const char* name, int perRay, Kernel kernel) {
 }  // namespace
 
 void addKernels() {
-  addKernel("kernel/hit and index, a row that hits", 1, [](Rays& r) {
-    addressesOfHits(r.map, r.layout, r.x.data(), r.y[0], batchSize, r.address.data());
+  addKernel("kernel/copy, a row that hits", 1, [](Rays& r) {
+    copyHits(r.map, r.oneTexel, r.texels.data(), r.x.data(), r.y[0], batchSize, r.rgb.data());
   });
-  addKernel("kernel/hit and index, any rays", 1, [](Rays& r) {
-    addresses(r.map, r.layout, r.x.data(), r.y.data(), batchSize, 0, r.address.data());
+  addKernel("kernel/copy, any rays", 1, [](Rays& r) {
+    copyRays(r.map, r.oneTexel, r.texels.data(), r.x.data(), r.y.data(), batchSize, r.rgb.data(),
+             r.seen.data());
   });
-  addKernel("kernel/hit, with the place in the cell", 1,
+  addKernel("kernel/cells and the places in them", 1,
             [](Rays& r) { linearCells(r.map, r.x.data(), r.y.data(), batchSize, r.cells); });
   addKernel("kernel/interpolation, an axis", 1, [](Rays& r) {
     bracketingCells(r.layout.u, 64, r.cells.cell[2].data(), r.cells.place[2].data(),
                     r.offset.data(), r.weight.data());
   });
-  addKernel("kernel/load", 1,
-            [](Rays& r) { gather(r.texels.data(), r.address.data(), batchSize, r.found.data()); });
   addKernel("kernel/sum, a tap", 8, [](Rays& r) {
     accumulate(r.texels.data(),
                {int(r.taps.size()), r.address.data(), r.taps.data(), r.share.data()}, batchSize,
                r.sum);
   });
-  addKernel("kernel/pack", 1, [](Rays& r) { packRgb(r.found.data(), batchSize, r.rgb.data()); });
-  addKernel("kernel/mask", 1,
-            [](Rays& r) { maskSeen(r.address.data(), batchSize, 0, r.seen.data()); });
 }
 
 }  // namespace benchmarks

@@ -91,7 +91,7 @@ class Shooting {
     session.display.fov = {30, 30};
     const QString views = m_temporary.filePath("views");
     exportViews(*openLightField(session.lightField, session.display), views.toStdString(), {});
-    QTimer::singleShot(1000, &m_window, [views, views] {
+    QTimer::singleShot(1000, &m_window, [views] {
       auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       chooser->findChild<QLineEdit*>("fileNameEdit")->setText(views + "/004_004.png");
       static_cast<QDialog*>(chooser)->accept();

@@ -32,7 +32,7 @@ void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t*
     return copyRow(y, x0, x1, rgb, seen);
   std::vector<float> sums(3 * count);
   sumRow(y, x0, x1, sums.data(), seen);
-  for (std::size_t k = 0; k < sums.size(); ++k) rgb[k] = quantised(double(sums[k]));
+  quantise(sums.data(), int(sums.size()), rgb);
 }
 
 void FastSimulation::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
@@ -42,63 +42,23 @@ void FastSimulation::row(int y, int x0, int x1, float* rgb, std::uint8_t* seen) 
   if (!m_rays.seesNothing()) sumRow(y, x0, x1, rgb, seen);
 }
 
-namespace {
-
-using ByteTexel = Texel<std::uint8_t>;
-
-/// Computes the next batch's addresses while a batch's texels come from memory.
-template <class AddressesOf, class Take>
-void inBatches(int begin, int end, const ByteTexel* texels, AddressesOf addressesOf, Take take) {
-  std::array<std::array<std::uint32_t, batchSize>, 2> address;
-  std::array<ByteTexel, batchSize> found;
-  int previous = begin;
-  std::size_t turn = 0;
-  for (int x = begin; previous < end; x += batchSize, turn = 1 - turn) {
-    const int count = std::min(batchSize, end - x);
-    if (count > 0) {
-      addressesOf(x, count, address[turn].data());
-      prefetch(texels, address[turn].data(), count);
-    }
-    if (x == begin) continue;
-    const int before = std::min(batchSize, end - previous);
-    gather(texels, address[1 - turn].data(), before, found.data());
-    take(previous, before, address[1 - turn].data(), found.data());
-    previous += before;
-  }
-}
-
-}  // namespace
-
 void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
                                   std::uint8_t* seen) const {
   const auto [first, last] = m_rays.seenPart(y, x0, x1);
-  const double py = m_rays.plainY(y);
-  const BlockLayout& layout = m_texels->layout();
+  if (first == last) return;
   std::memset(seen + (first - x0), 255, std::size_t(last - first));
-  inBatches(
-      first, last, std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data(),
-      [&](int x, int count, std::uint32_t* address) {
-        addressesOfHits(m_rays.map(), layout, m_rays.plainX(x), py, count, address);
-      },
-      [&](int x, int count, const std::uint32_t*, const ByteTexel* found) {
-        packRgb(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
-      });
+  copyHits(m_rays.map(), m_texels->layout(), byteTexels(), m_rays.plainX(first), m_rays.plainY(y),
+           last - first, rgb + std::ptrdiff_t(3) * (first - x0));
 }
 
 void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
-  const BlockLayout& layout = m_texels->layout();
-  const std::uint32_t unseen = layout.texels;  // the black texel behind all others
-  const double* px = m_rays.lens()->x(y, 0, 0);
-  const double* py = m_rays.lens()->y(y, 0, 0);
-  inBatches(
-      x0, x1, std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data(),
-      [&](int x, int count, std::uint32_t* address) {
-        addresses(m_rays.map(), layout, px + x, py + x, count, unseen, address);
-      },
-      [&](int x, int count, const std::uint32_t* address, const ByteTexel* found) {
-        packRgb(found, count, rgb + std::ptrdiff_t(3) * (x - x0));
-        maskSeen(address, count, unseen, seen + (x - x0));
-      });
+  const LensTable& lens = *m_rays.lens();
+  copyRays(m_rays.map(), m_texels->layout(), byteTexels(), lens.x(y, 0, 0) + x0,
+           lens.y(y, 0, 0) + x0, x1 - x0, rgb, seen);
+}
+
+const Texel<std::uint8_t>* FastSimulation::byteTexels() const {
+  return std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data();
 }
 
 namespace {
@@ -107,6 +67,7 @@ namespace {
 /// borders. Returns false if there is none.
 bool fillUnseen(int count, CellBatch& batch) {
   const auto end = batch.seen.begin() + count;
+  if (count == batchSize && std::find(batch.seen.begin(), end, std::uint8_t{0}) == end) return true;
   const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
   if (hit == end) return false;
   std::fill(end, batch.seen.end(), std::uint8_t{0});

@@ -30,6 +30,7 @@ class FastSimulation {
  private:
   struct Scratch;
 
+  [[nodiscard]] const Texel<std::uint8_t>* byteTexels() const;
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;

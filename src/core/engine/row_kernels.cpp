@@ -75,87 +75,172 @@ inline std::uint32_t cellOf(Real index) {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(index));
 }
 
-/// Returns the cell of a coordinate; one that rounding has put beyond a border is in the last cell.
-template <class Real>
-inline std::uint32_t cellWithin(Real index, Real count) {
-  const Real last = count - 1;
-  const Real positive = index > 0 ? index : 0;
-  return cellOf(positive < last ? positive : last);
+/// Writes three bytes for each address.
+inline void packRgb(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
+                    std::uint8_t* rgb) {
+  // Whole texels, each over the last one's unused byte; the last has no room for its own.
+#pragma GCC unroll 8
+  for (int k = 0; k + 1 < count; ++k)
+    std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + address[k], 4);
+  if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + address[count - 1], 3);
 }
 
-template <class Real>
-inline __attribute__((always_inline)) void addressesOfHitsIn(const HitMap& map,
-                                                             const BlockLayout& layout,
-                                                             const double* x, double y, int count,
-                                                             std::uint32_t* address) {
-  const RealMap<Real> m(map);  // a copy, so that the compiler knows that stores do not change it
-  const BlockLayout l = layout;
-  for (int k = 0; k < count; ++k) {
-    const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y));
-    address[k] =
-        l.i.inBlocks(cellWithin(h.i, m.count[0])) + l.j.inBlocks(cellWithin(h.j, m.count[1])) +
-        l.u.inBlocks(cellWithin(h.u, m.count[2])) + l.v.inBlocks(cellWithin(h.v, m.count[3]));
+/// Rays are done in strips, so few that a processor works on one strip while the next one's texels
+/// come from memory, and so many that their steps fill its units.
+constexpr int stripSize = 32;
+template <class T>
+using Strip = std::array<T, stripSize>;
+
+/// The cells of a strip; all bits of `seen` are set where the ray sees the display, none elsewhere.
+struct CellStrip {
+  std::array<Strip<std::uint32_t>, 4> cell;
+  Strip<std::uint32_t> seen;
+};
+
+enum class Rays { any, hits };
+
+/// Finds the cells of a strip; Rays::hits have one y. A loop for the indices and one for the cells
+/// of each axis: a processor overlaps the turns of short loops better than those of one long one.
+template <Rays rays, class Real>
+inline __attribute__((always_inline)) void findCells(const RealMap<Real>& m, const double* x,
+                                                     const double* y, CellStrip& strip) {
+  std::array<Strip<Real>, 4> index;
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    const RealHit<Real> h =
+        hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[rays == Rays::hits ? 0 : k]));
+    const bool seen = rays == Rays::hits || isSeen(m, h);
+    index[0][k] = seen ? h.i : 0;
+    index[1][k] = seen ? h.j : 0;
+    index[2][k] = seen ? h.u : 0;
+    index[3][k] = seen ? h.v : 0;
+    strip.seen[k] = seen ? ~0U : 0;
   }
-}
-
-template <class Real>
-inline __attribute__((always_inline)) void addressesIn(const HitMap& map, const BlockLayout& layout,
-                                                       const double* x, const double* y, int count,
-                                                       std::uint32_t unseen,
-                                                       std::uint32_t* address) {
-  const RealMap<Real> m(map);
-  const BlockLayout l = layout;
-  for (int k = 0; k < count; ++k) {
-    const RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
-    const bool seen = isSeen(m, h);
-    const std::uint32_t found =
-        l.i.inBlocks(cellOf(seen ? h.i : 0)) + l.j.inBlocks(cellOf(seen ? h.j : 0)) +
-        l.u.inBlocks(cellOf(seen ? h.u : 0)) + l.v.inBlocks(cellOf(seen ? h.v : 0));
-    address[k] = seen ? found : unseen;
-  }
-}
-
-template <class Real>
-inline void keep(const RealMap<Real>& m, const RealHit<Real>& h, int k, CellBatch& batch) {
-  const bool seen = isSeen(m, h);
-  const std::array<Real, 4> index{seen ? h.i : 0, seen ? h.j : 0, seen ? h.u : 0, seen ? h.v : 0};
-  const auto at = std::size_t(k);
   for (std::size_t axis = 0; axis < 4; ++axis) {
-    const std::uint32_t cell = cellOf(index[axis]);
-    batch.cell[axis][at] = cell;
-    batch.place[axis][at] =
-        static_cast<float>(index[axis] - static_cast<Real>(static_cast<std::int32_t>(cell)));
+    const auto last = static_cast<std::uint32_t>(m.count[axis]) - 1;
+    for (std::size_t k = 0; k < stripSize; ++k) {
+      const std::uint32_t cell = cellOf(index[axis][k]);
+      strip.cell[axis][k] = rays == Rays::hits ? std::min(cell, last) : cell;
+    }
   }
-  batch.seen[at] = seen ? 255 : 0;
+}
+
+/// Finds and prefetches the addresses of at most a strip of rays.
+template <Rays rays, class Real>
+inline __attribute__((always_inline)) void findAddresses(
+    const RealMap<Real>& m, const BlockLayout& l, const Texel<std::uint8_t>* texels,
+    const double* x, const double* y, int count, std::uint32_t* address, std::uint8_t* seen) {
+  Strip<double> wholeX;
+  Strip<double> wholeY;
+  if (count < stripSize) {
+    wholeX.fill(x[0]);
+    wholeY.fill(y[0]);
+    std::copy_n(x, count, wholeX.begin());
+    if constexpr (rays == Rays::any) std::copy_n(y, count, wholeY.begin());
+    x = wholeX.data();
+    y = wholeY.data();
+  }
+  CellStrip strip;
+  findCells<rays>(m, x, y, strip);
+  for (std::size_t k = 0; k < stripSize; ++k) {
+    const std::uint32_t found = l.i.inBlocks(strip.cell[0][k]) + l.j.inBlocks(strip.cell[1][k]) +
+                                l.u.inBlocks(strip.cell[2][k]) + l.v.inBlocks(strip.cell[3][k]);
+    address[k] = rays == Rays::hits || strip.seen[k] != 0 ? found : l.texels;
+  }
+#pragma GCC unroll 8
+  for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
+  if constexpr (rays == Rays::any)
+    for (int k = 0; k < count; ++k) seen[k] = static_cast<std::uint8_t>(strip.seen[std::size_t(k)]);
+}
+
+/// Copies a texel for each ray, whose address is found `ahead` rays before, so that it has come
+/// from memory by then.
+template <Rays rays, class Real>
+inline __attribute__((always_inline)) void copyTexels(const HitMap& map, const BlockLayout& layout,
+                                                      const Texel<std::uint8_t>* texels,
+                                                      const double* x, const double* y, int count,
+                                                      std::uint8_t* rgb, std::uint8_t* seen) {
+  constexpr int ahead = 128;
+  const RealMap<Real> m(map);  // copies, so that the compiler knows that stores do not change them
+  const BlockLayout l = layout;
+  std::array<std::uint32_t, 2 * ahead> address;
+  const auto strip = [&](int first) { return &address[std::size_t(first % (2 * ahead))]; };
+  for (int first = 0; first < count + ahead; first += stripSize) {
+    if (first < count)
+      findAddresses<rays>(m, l, texels, x + first, rays == Rays::hits ? y : y + first,
+                          std::min(stripSize, count - first), strip(first),
+                          rays == Rays::hits ? nullptr : seen + first);
+    const int done = first - ahead;
+    if (done >= 0)
+      packRgb(texels, strip(done), std::min(stripSize, count - done),
+              rgb + std::ptrdiff_t(3) * done);
+  }
+}
+
+}  // namespace
+
+MULTIVERSIONED
+void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+              const double* x, double y, int count, std::uint8_t* rgb) {
+  if (map.isSingle)
+    copyTexels<Rays::hits, float>(map, layout, texels, x, &y, count, rgb, nullptr);
+  else
+    copyTexels<Rays::hits, double>(map, layout, texels, x, &y, count, rgb, nullptr);
+}
+
+MULTIVERSIONED
+void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+              const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen) {
+  if (map.isSingle)
+    copyTexels<Rays::any, float>(map, layout, texels, x, y, count, rgb, seen);
+  else
+    copyTexels<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
+}
+
+namespace {
+
+/// The indices of a batch; 0 where nothing is seen.
+template <class Real>
+struct IndexBatch {
+  std::array<std::array<Real, batchSize>, 4> index;
+  std::array<std::uint32_t, batchSize> seen;
+};
+
+template <class Real>
+inline void keep(const RealMap<Real>& m, const RealHit<Real>& h, std::size_t k,
+                 IndexBatch<Real>& batch) {
+  const bool seen = isSeen(m, h);
+  batch.index[0][k] = seen ? h.i : 0;
+  batch.index[1][k] = seen ? h.j : 0;
+  batch.index[2][k] = seen ? h.u : 0;
+  batch.index[3][k] = seen ? h.v : 0;
+  batch.seen[k] = seen ? 255 : 0;
+}
+
+template <class Real>
+inline __attribute__((always_inline)) void split(const IndexBatch<Real>& from, int count,
+                                                 CellBatch& batch) {
+  const auto rays = std::size_t(count);
+  for (std::size_t axis = 0; axis < 4; ++axis)
+    for (std::size_t k = 0; k < rays; ++k) {
+      const Real index = from.index[axis][k];
+      const auto cell = static_cast<std::int32_t>(index);
+      batch.cell[axis][k] = static_cast<std::uint32_t>(cell);
+      batch.place[axis][k] = static_cast<float>(index - static_cast<Real>(cell));
+    }
+  for (std::size_t k = 0; k < rays; ++k) batch.seen[k] = static_cast<std::uint8_t>(from.seen[k]);
 }
 
 template <class Real>
 inline __attribute__((always_inline)) void cellsIn(const HitMap& map, const double* x,
                                                    const double* y, int count, CellBatch& batch) {
   const RealMap<Real> m(map);
-  for (int k = 0; k < count; ++k)
-    keep(m, hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, batch);
+  IndexBatch<Real> found;
+  for (std::size_t k = 0; k < std::size_t(count); ++k)
+    keep(m, hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k])), k, found);
+  split(found, count, batch);
 }
 
 }  // namespace
-
-MULTIVERSIONED
-void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
-                     int count, std::uint32_t* address) {
-  if (map.isSingle)
-    addressesOfHitsIn<float>(map, layout, x, y, count, address);
-  else
-    addressesOfHitsIn<double>(map, layout, x, y, count, address);
-}
-
-MULTIVERSIONED
-void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
-               int count, std::uint32_t unseen, std::uint32_t* address) {
-  if (map.isSingle)
-    addressesIn<float>(map, layout, x, y, count, unseen, address);
-  else
-    addressesIn<double>(map, layout, x, y, count, unseen, address);
-}
 
 MULTIVERSIONED
 void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
@@ -175,12 +260,14 @@ void curvedCellsIn(const HitMap& map, const HogelLens& across, const HogelLens& 
     return static_cast<Real>(lens.directionOf(static_cast<double>(slope)));
   };
   constexpr auto half = static_cast<Real>(0.5);
-  for (int k = 0; k < count; ++k) {
+  IndexBatch<Real> found;
+  for (std::size_t k = 0; k < std::size_t(count); ++k) {
     RealHit<Real> h = hitOf(m, static_cast<Real>(x[k]), static_cast<Real>(y[k]));
     h.u = m.count[2] * (half + directionOf(across, h.u));
     h.v = m.count[3] * (half - directionOf(down, h.v));
-    keep(m, h, k, batch);
+    keep(m, h, k, found);
   }
+  split(found, count, batch);
 }
 
 }  // namespace
@@ -209,22 +296,15 @@ void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* c
 }
 
 MULTIVERSIONED
-void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
-            Texel<std::uint8_t>* out) {
-  const auto* from = reinterpret_cast<const Word*>(texels);
-  auto* to = reinterpret_cast<Word*>(out);
-  for (int k = 0; k < count; ++k) to[k] = from[address[k]];
-}
-
-void packRgb(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb) {
-  // Whole texels, each over the last one's unused byte; the last has no room for its own.
-  for (int k = 0; k + 1 < count; ++k) std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + k, 4);
-  if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + count - 1, 3);
-}
-
-MULTIVERSIONED
-void maskSeen(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen) {
-  for (int k = 0; k < count; ++k) seen[k] = address[k] == unseen ? 0 : 255;
+void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
+  for (int k = 0; k < count; ++k) {
+    const float positive = codeValues[k] > 0 ? codeValues[k] : 0;
+    const float value = positive < 255 ? positive : 255;
+    const auto whole = static_cast<std::int32_t>(value);
+    // The fraction is exact, and the value and a half may be not.
+    const std::int32_t up = value - static_cast<float>(whole) >= 0.5F ? 1 : 0;
+    bytes[k] = static_cast<std::uint8_t>(whole + up);
+  }
 }
 
 namespace {
@@ -262,10 +342,14 @@ inline __attribute__((always_inline)) void sumTaps(const TapBatch& taps, int cou
   float* r = sum.r.data();
   float* g = sum.g.data();
   float* b = sum.b.data();
+  std::array<std::uint32_t, batchSize> at;
   for (int t = 0; t < taps.taps; ++t) {
     const std::uint32_t* offset = taps.offset[t].data();
+    // Summed in a loop of their own, since addresses in memory are loaded one by one, and those in
+    // vectors would have to be extracted.
+    for (int k = 0; k < count; ++k) at[std::size_t(k)] = base[k] + offset[k];
     const auto add = [&](int k, float weight) {
-      const Light c = light(base[k] + offset[k]);
+      const Light c = light(at[std::size_t(k)]);
       r[k] += weight * c.r;
       g[k] += weight * c.g;
       b[k] += weight * c.b;

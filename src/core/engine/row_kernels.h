@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops: they turn batches of rays into texel addresses, and those into light. Plain
+// The innermost loops: from rays to cells, texels and light. Plain
 // loops, which the compiler vectorises for AVX-512, AVX2 and the baseline.
 #pragma once
 
@@ -37,14 +37,15 @@ struct CellBatch {
   std::array<std::uint8_t, batchSize> seen;
 };
 
-/// Computes addresses in a light field that is all in memory, for rays that are known to hit. A
-/// coordinate that rounding has put on a border counts to the last cell.
-void addressesOfHits(const HitMap& map, const BlockLayout& layout, const double* x, double y,
-                     int count, std::uint32_t* address);
+/// Copies the texels of rays that are known to hit, from a light field that is all in memory: three
+/// bytes each. A coordinate that rounding has put on a border counts to the last cell.
+void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+              const double* x, double y, int count, std::uint8_t* rgb);
 
-/// Computes addresses for any rays; those that see nothing get `unseen`.
-void addresses(const HitMap& map, const BlockLayout& layout, const double* x, const double* y,
-               int count, std::uint32_t unseen, std::uint32_t* address);
+/// Copies the texels of any rays; those that see nothing get the one behind all others. Writes 255
+/// or 0 for seen or not.
+void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+              const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
 
 /// Fills a batch by a map whose hogel lens is linear; cell 0 where nothing is seen.
 void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
@@ -58,21 +59,8 @@ void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& do
 void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
                      const float* place, std::uint32_t* offset, float* weight);
 
-/// Prefetches the cache lines of texels.
-template <class T>
-inline void prefetch(const Texel<T>* texels, const std::uint32_t* address, int count) {
-#if defined(__GNUC__)
-  for (int k = 0; k < count; ++k) __builtin_prefetch(texels + address[k]);
-#endif
-}
-
-void gather(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
-            Texel<std::uint8_t>* out);
-
-/// Writes three bytes per texel.
-void packRgb(const Texel<std::uint8_t>* texels, int count, std::uint8_t* rgb);
-/// Writes 0 where the address is `unseen`, else 255.
-void maskSeen(const std::uint32_t* address, int count, std::uint32_t unseen, std::uint8_t* seen);
+/// Rounds code values as quantised() does.
+void quantise(const float* codeValues, int count, std::uint8_t* bytes);
 
 /// The sums of a batch, by channel.
 struct LightBatch {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/multiversioned.h"
+
 namespace hogelscope {
 
 namespace {
@@ -68,6 +70,7 @@ const AxisLayout& TexelFilter::layoutOf(std::size_t axis) const {
 }
 
 /// Makes one tap: the cell itself.
+MULTIVERSIONED
 void TexelFilter::nearestTap(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   static constexpr float whole = 1;
   taps.taps = 1;
@@ -88,6 +91,7 @@ void TexelFilter::linearTaps(std::size_t axis, const CellBatch& batch, AxisTaps&
 }
 
 /// Makes the taps of a direction axis without interpolation: the window of each ray's cell.
+MULTIVERSIONED
 void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   const AxisWeights& weights = m_weights[axis - 2];
   const AxisLayout layout = layoutOf(axis);
@@ -95,8 +99,13 @@ void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTa
   taps.taps = 2 * weights.reach + 1;
   taps.offset.resize(std::size_t(taps.taps));
   taps.weight.resize(taps.offset.size());
-  const auto [low, high] = std::minmax_element(cell.begin(), cell.end());
-  const bool isInner = int(*low) >= weights.firstInner && int(*high) <= weights.lastInner;
+  std::uint32_t low = cell[0];
+  std::uint32_t high = cell[0];
+  for (const std::uint32_t at : cell) {
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  const bool isInner = int(low) >= weights.firstInner && int(high) <= weights.lastInner;
   taps.share = isInner ? weights.of(weights.firstInner) : nullptr;
   for (int t = 0; t < taps.taps; ++t) {
     const int step = t - weights.reach;
@@ -114,6 +123,7 @@ void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTa
 }
 
 /// Makes those with interpolation: the windows of the two cells around the hit, one tap apart.
+MULTIVERSIONED
 void TexelFilter::interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   const AxisWeights& weights = m_weights[axis - 2];
   const AxisLayout layout = layoutOf(axis);
@@ -162,29 +172,41 @@ void TexelFilter::addTaps(int count, const TapBatch& taps, LightBatch& sum) cons
       m_lightField->texels());
 }
 
+MULTIVERSIONED
 void TexelFilter::sum(int count, const CellBatch& batch, Scratch& scratch, LightBatch& sum) const {
-  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, batch, scratch[axis]);
-  const auto& [i, j, u, v] = scratch;
+  for (const std::size_t axis : {0U, 1U, 2U, 3U}) tapsOf(axis, batch, scratch.axes[axis]);
+  const auto& [i, j, u, v] = scratch.axes;
   sum = {};
+  std::array<std::array<std::uint32_t, batchSize>, 4> hogel;
+  std::array<std::array<float, batchSize>, 4> weight;
+  const auto hogels = std::size_t(i.taps * j.taps);
+  for (std::size_t t = 0; t < hogels; ++t) {
+    const std::size_t ti = t % std::size_t(i.taps);
+    const std::size_t tj = t / std::size_t(i.taps);
+    for (std::size_t k = 0; k < batchSize; ++k) hogel[t][k] = i.offset[ti][k] + j.offset[tj][k];
+    if (i.taps == 1) continue;
+    for (std::size_t k = 0; k < batchSize; ++k) weight[t][k] = i.weight[ti][k] * j.weight[tj][k];
+  }
   std::array<std::uint32_t, batchSize> base;
   std::array<float, batchSize> scale;
-  std::vector<float> share(std::size_t(u.taps));
-  const bool isUniform = u.share != nullptr && v.share != nullptr && i.taps * j.taps == 1;
-  for (int t = 0; t < i.taps * j.taps * v.taps; ++t) {
-    const auto ti = std::size_t(t % i.taps);
-    const auto tj = std::size_t(t / i.taps % j.taps);
-    const auto tv = std::size_t(t / i.taps / j.taps);
-    for (std::size_t k = 0; k < batchSize; ++k)
-      base[k] = i.offset[ti][k] + j.offset[tj][k] + v.offset[tv][k];
+  scratch.share.resize(std::size_t(u.taps));
+  const bool isUniform = u.share != nullptr && v.share != nullptr && hogels == 1;
+  for (std::size_t t = 0; t < hogels * std::size_t(v.taps); ++t) {
+    const std::size_t th = t % hogels;
+    const std::size_t tv = t / hogels;
+    for (std::size_t k = 0; k < batchSize; ++k) base[k] = hogel[th][k] + v.offset[tv][k];
     TapBatch taps{u.taps, base.data(), u.offset.data(), u.share, u.weight.data(), nullptr};
     if (isUniform) {
-      for (std::size_t tu = 0; tu < share.size(); ++tu) share[tu] = u.share[tu] * v.share[tv];
-      taps.share = share.data();
+      for (std::size_t tu = 0; tu < scratch.share.size(); ++tu)
+        scratch.share[tu] = u.share[tu] * v.share[tv];
+      taps.share = scratch.share.data();
     } else {
-      for (std::size_t k = 0; k < batchSize; ++k) {
-        const float hogel = i.taps == 2 ? i.weight[ti][k] * j.weight[tj][k] : 1;
-        scale[k] = hogel * (v.share != nullptr ? v.share[tv] : v.weight[tv][k]);
-      }
+      if (v.share != nullptr)
+        scale.fill(v.share[tv]);
+      else
+        scale = v.weight[tv];
+      if (hogels > 1)
+        for (std::size_t k = 0; k < batchSize; ++k) scale[k] *= weight[th][k];
       taps.scale = scale.data();
     }
     addTaps(wholeVectors(count), taps, sum);

@@ -23,7 +23,10 @@ struct AxisTaps {
 class TexelFilter {
  public:
   /// Working memory of one thread.
-  using Scratch = std::array<AxisTaps, 4>;
+  struct Scratch {
+    std::array<AxisTaps, 4> axes;
+    std::vector<float> share;
+  };
 
   TexelFilter(std::shared_ptr<const LightField> lightField, const RenderJob& job, const Plan& plan);
 
