@@ -335,9 +335,9 @@ inline Light encodedLight(const Texel<float>* texels, std::uint32_t at) {
 }
 
 /// Loops over the rays for each tap; `light(at)` is the light of texel `at`.
-template <class LightAt>
-inline __attribute__((always_inline)) void sumTaps(const TapBatch& taps, int count, LightBatch& sum,
-                                                   LightAt light) {
+template <class T, class LightAt>
+inline __attribute__((always_inline)) void sumTaps(const Texel<T>* texels, const TapBatch& taps,
+                                                   int count, LightBatch& sum, LightAt light) {
   const std::uint32_t* base = taps.base;
   float* r = sum.r.data();
   float* g = sum.g.data();
@@ -348,6 +348,10 @@ inline __attribute__((always_inline)) void sumTaps(const TapBatch& taps, int cou
     // Summed in a loop of their own, since addresses in memory are loaded one by one, and those in
     // vectors would have to be extracted.
     for (int k = 0; k < count; ++k) at[std::size_t(k)] = base[k] + offset[k];
+    if (taps.ahead != nullptr && (t == 0 || t == taps.taps - 1)) {
+#pragma GCC unroll 8
+      for (int k = 0; k < count; ++k) __builtin_prefetch(texels + (taps.ahead[k] + offset[k]));
+    }
     const auto add = [&](int k, float weight) {
       const Light c = light(at[std::size_t(k)]);
       r[k] += weight * c.r;
@@ -377,23 +381,26 @@ inline __attribute__((always_inline)) void sumTaps(const TapBatch& taps, int cou
 MULTIVERSIONED
 void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,
                 LightBatch& sum) {
-  sumTaps(taps, count, sum, [texels](std::uint32_t at) { return encodedLight(texels, at); });
+  sumTaps(texels, taps, count, sum,
+          [texels](std::uint32_t at) { return encodedLight(texels, at); });
 }
 
 MULTIVERSIONED
 void accumulate(const Texel<std::uint16_t>* texels, const TapBatch& taps, int count,
                 LightBatch& sum) {
-  sumTaps(taps, count, sum, [texels](std::uint32_t at) { return encodedLight(texels, at); });
+  sumTaps(texels, taps, count, sum,
+          [texels](std::uint32_t at) { return encodedLight(texels, at); });
 }
 
 MULTIVERSIONED
 void accumulate(const Texel<float>* texels, const TapBatch& taps, int count, LightBatch& sum) {
-  sumTaps(taps, count, sum, [texels](std::uint32_t at) { return encodedLight(texels, at); });
+  sumTaps(texels, taps, count, sum,
+          [texels](std::uint32_t at) { return encodedLight(texels, at); });
 }
 
 template <class T>
 void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, LightBatch& sum) {
-  sumTaps(taps, count, sum, [texels](std::uint32_t at) {
+  sumTaps(texels, taps, count, sum, [texels](std::uint32_t at) {
     const Light c = encodedLight(texels, at);
     return Light{static_cast<float>(linearFromEncoded(c.r)),
                  static_cast<float>(linearFromEncoded(c.g)),

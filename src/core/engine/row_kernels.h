@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops: from rays to cells, texels and light. Plain
-// loops, which the compiler vectorises for AVX-512, AVX2 and the baseline.
+// The innermost loops: from rays to cells, texels and light. Plain loops, which the compiler
+// vectorises for AVX-512, AVX2 and the baseline.
 #pragma once
 
 #include <array>
@@ -78,6 +78,8 @@ struct TapBatch {
   const float* share = nullptr;
   const std::array<float, batchSize>* weight = nullptr;
   const float* scale = nullptr;
+  const std::uint32_t* ahead =
+      nullptr;  ///< a later call's base; its first and last tap are fetched
 };
 
 /// Adds the weighted code values of the taps (encoded light).

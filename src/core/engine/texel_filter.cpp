@@ -187,15 +187,26 @@ void TexelFilter::sum(int count, const CellBatch& batch, Scratch& scratch, Light
     if (i.taps == 1) continue;
     for (std::size_t k = 0; k < batchSize; ++k) weight[t][k] = i.weight[ti][k] * j.weight[tj][k];
   }
-  std::array<std::uint32_t, batchSize> base;
+  constexpr std::size_t ahead = 2;  // rows of taps that are fetched before they are summed
+  std::array<std::array<std::uint32_t, batchSize>, ahead + 1> bases;
+  const std::size_t rows = hogels * std::size_t(v.taps);
+  const auto makeBase = [&, v = &v](std::size_t t) {
+    auto& base = bases[t % bases.size()];
+    for (std::size_t k = 0; k < batchSize; ++k)
+      base[k] = hogel[t % hogels][k] + v->offset[t / hogels][k];
+    return base.data();
+  };
+  for (std::size_t t = 0; t < std::min(ahead, rows); ++t) makeBase(t);
   std::array<float, batchSize> scale;
   scratch.share.resize(std::size_t(u.taps));
   const bool isUniform = u.share != nullptr && v.share != nullptr && hogels == 1;
-  for (std::size_t t = 0; t < hogels * std::size_t(v.taps); ++t) {
+  for (std::size_t t = 0; t < rows; ++t) {
     const std::size_t th = t % hogels;
     const std::size_t tv = t / hogels;
-    for (std::size_t k = 0; k < batchSize; ++k) base[k] = hogel[th][k] + v.offset[tv][k];
-    TapBatch taps{u.taps, base.data(), u.offset.data(), u.share, u.weight.data(), nullptr};
+    TapBatch taps{
+        u.taps, bases[t % bases.size()].data(), u.offset.data(), u.share, u.weight.data(), nullptr,
+        nullptr};
+    if (t + ahead < rows) taps.ahead = makeBase(t + ahead);
     if (isUniform) {
       for (std::size_t tu = 0; tu < scratch.share.size(); ++tu)
         scratch.share[tu] = u.share[tu] * v.share[tv];
