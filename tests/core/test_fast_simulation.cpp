@@ -4,6 +4,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 #include "tests/core/random_scene.h"
 #include "tests/core/rendered.h"
@@ -76,6 +77,7 @@ class TestFastSimulation : public QObject {
   void isTheReference();
   void plainScenesAreTheReference();
   void codeValuesAreTheReferences();
+  void roundsAsTheReference();
 };
 
 void TestFastSimulation::isTheReference() {
@@ -129,6 +131,20 @@ void TestFastSimulation::codeValuesAreTheReferences() {
       }
     }
   }
+}
+
+/// Halves and their neighbours, of which a half more may be a whole number in single precision.
+void TestFastSimulation::roundsAsTheReference() {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<float> values{std::numeric_limits<float>::quiet_NaN(), -infinity, infinity, 1e30F};
+  for (int k = -2; k < 258; ++k)
+    for (const float value : {float(k), float(k) + 0.5F})
+      for (const float to : {-infinity, value, infinity})
+        values.push_back(std::nextafter(value, to));
+  std::vector<std::uint8_t> bytes(values.size());
+  quantise(values.data(), int(values.size()), bytes.data());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    QVERIFY2(bytes[k] == quantised(double(values[k])), qPrintable(QString::number(values[k])));
 }
 
 QTEST_APPLESS_MAIN(TestFastSimulation)
