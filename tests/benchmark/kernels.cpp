@@ -3,7 +3,7 @@
 // of the processor's nominal frequency.
 #include <random>
 
-#include "core/engine/row_kernels.h"
+#include "core/engine/tap_kernels.h"
 #include "tests/benchmark/scene.h"
 
 namespace benchmarks {

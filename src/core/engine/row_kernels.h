@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops: from rays to cells, texels and light. Plain loops, which the compiler
-// vectorises for AVX-512, AVX2 and the baseline.
+// The innermost loops over rays: to the cells that they meet, or to the texels where a pixel is
+// one. Plain loops, which the compiler vectorises for AVX-512, AVX2 and the baseline.
 #pragma once
 
 #include <array>
@@ -53,44 +53,5 @@ void linearCells(const HitMap& map, const double* x, const double* y, int count,
 /// Fills a batch with hogel lenses that are not linear: the map's u and v are slopes.
 void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
                  const double* y, int count, CellBatch& batch);
-
-/// Finds the addresses and weights of the two cells of an axis whose centres lie around each
-/// position of a whole batch, the first cells in [0, batchSize), the second ones after them.
-void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
-                     const float* place, std::uint32_t* offset, float* weight);
-
-/// Rounds code values as quantised() does.
-void quantise(const float* codeValues, int count, std::uint8_t* bytes);
-
-/// The sums of a batch, by channel.
-struct LightBatch {
-  alignas(64) std::array<float, batchSize> r;
-  alignas(64) std::array<float, batchSize> g;
-  alignas(64) std::array<float, batchSize> b;
-};
-
-/// `taps` texels of each ray of a batch: tap t of ray k is at base[k] + offset[t][k], its weight is
-/// share[t] or weight[t][k], times scale[k] where there is one.
-struct TapBatch {
-  int taps = 0;
-  const std::uint32_t* base = nullptr;
-  const std::array<std::uint32_t, batchSize>* offset = nullptr;
-  const float* share = nullptr;
-  const std::array<float, batchSize>* weight = nullptr;
-  const float* scale = nullptr;
-  const std::uint32_t* ahead =
-      nullptr;  ///< a later call's base; its first and last tap are fetched
-};
-
-/// Adds the weighted code values of the taps (encoded light).
-void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,
-                LightBatch& sum);
-void accumulate(const Texel<std::uint16_t>* texels, const TapBatch& taps, int count,
-                LightBatch& sum);
-void accumulate(const Texel<float>* texels, const TapBatch& taps, int count, LightBatch& sum);
-
-/// Adds the weighted linear light of the taps.
-template <class T>
-void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, LightBatch& sum);
 
 }  // namespace hogelscope

@@ -179,7 +179,7 @@ void TexelFilter::sum(int count, const CellBatch& batch, Scratch& scratch, Light
   sum = {};
   std::array<std::array<std::uint32_t, batchSize>, 4> hogel;
   std::array<std::array<float, batchSize>, 4> weight;
-  const auto hogels = std::size_t(i.taps * j.taps);
+  const auto hogels = std::size_t(i.taps) * std::size_t(j.taps);
   for (std::size_t t = 0; t < hogels; ++t) {
     const std::size_t ti = t % std::size_t(i.taps);
     const std::size_t tj = t / std::size_t(i.taps);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/engine/plan.h"
-#include "core/engine/row_kernels.h"
+#include "core/engine/tap_kernels.h"
 
 namespace hogelscope {
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loops over the taps of rays, compiled once for each kind of machine.
+#include "core/engine/tap_kernels.h"
+
+#include <algorithm>
+
+#include "core/base/multiversioned.h"
+#include "core/optics/psf.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// A texel of 8-bit values as one word, red in the lowest byte.
+#if defined(__GNUC__)
+using Word = std::uint32_t __attribute__((may_alias));
+#else
+using Word = std::uint32_t;
+#endif
+
+}  // namespace
+
+MULTIVERSIONED
+void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
+                     const float* place, std::uint32_t* offset, float* weight) {
+  const AxisLayout l = layout;
+  for (int k = 0; k < batchSize; ++k) {
+    const int before = place[k] < 0.5F ? 1 : 0;
+    const int left = static_cast<int>(cell[k]) - before;
+    const float share = place[k] - 0.5F + static_cast<float>(before);
+    offset[k] = l(static_cast<std::uint32_t>(std::max(left, 0)));
+    offset[batchSize + k] = l(static_cast<std::uint32_t>(std::min(left + 1, cells - 1)));
+    weight[k] = 1 - share;
+    weight[batchSize + k] = share;
+  }
+}
+
+MULTIVERSIONED
+void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
+  for (int k = 0; k < count; ++k) {
+    const float positive = codeValues[k] > 0 ? codeValues[k] : 0;
+    const float value = positive < 255 ? positive : 255;
+    const auto whole = static_cast<std::int32_t>(value);
+    // The fraction is exact, and the value and a half may be not.
+    const std::int32_t up = value - static_cast<float>(whole) >= 0.5F ? 1 : 0;
+    bytes[k] = static_cast<std::uint8_t>(whole + up);
+  }
+}
+
+namespace {
+
+/// Returns r, g, b of a stored texel as code values.
+struct Light {
+  float r;
+  float g;
+  float b;
+};
+
+inline Light encodedLight(const Texel<std::uint8_t>* texels, std::uint32_t at) {
+  const std::uint32_t word = reinterpret_cast<const Word*>(texels)[at];
+  return {static_cast<float>(std::int32_t(word & 255U)),
+          static_cast<float>(std::int32_t(word >> 8U & 255U)),
+          static_cast<float>(std::int32_t(word >> 16U & 255U))};
+}
+
+inline Light encodedLight(const Texel<std::uint16_t>* texels, std::uint32_t at) {
+  constexpr float scale = 1 / 257.0F;
+  const Texel<std::uint16_t>& t = texels[at];
+  return {scale * t.r, scale * t.g, scale * t.b};
+}
+
+inline Light encodedLight(const Texel<float>* texels, std::uint32_t at) {
+  const Texel<float>& t = texels[at];
+  return {255 * t.r, 255 * t.g, 255 * t.b};
+}
+
+/// Loops over the rays for each tap; `light(at)` is the light of texel `at`.
+template <class T, class LightAt>
+inline __attribute__((always_inline)) void sumTaps(const Texel<T>* texels, const TapBatch& taps,
+                                                   int count, LightBatch& sum, LightAt light) {
+  const std::uint32_t* base = taps.base;
+  float* r = sum.r.data();
+  float* g = sum.g.data();
+  float* b = sum.b.data();
+  std::array<std::uint32_t, batchSize> at;
+  for (int t = 0; t < taps.taps; ++t) {
+    const std::uint32_t* offset = taps.offset[t].data();
+    // Summed in a loop of their own, since addresses in memory are loaded one by one, and those in
+    // vectors would have to be extracted.
+    for (int k = 0; k < count; ++k) at[std::size_t(k)] = base[k] + offset[k];
+    if (taps.ahead != nullptr && (t == 0 || t == taps.taps - 1)) {
+#pragma GCC unroll 8
+      for (int k = 0; k < count; ++k) __builtin_prefetch(texels + (taps.ahead[k] + offset[k]));
+    }
+    const auto add = [&](int k, float weight) {
+      const Light c = light(at[std::size_t(k)]);
+      r[k] += weight * c.r;
+      g[k] += weight * c.g;
+      b[k] += weight * c.b;
+    };
+    if (taps.share != nullptr && taps.scale == nullptr) {
+      const float share = taps.share[t];
+#pragma GCC ivdep
+      for (int k = 0; k < count; ++k) add(k, share);
+    } else if (taps.share != nullptr) {
+      const float share = taps.share[t];
+      const float* scale = taps.scale;
+#pragma GCC ivdep
+      for (int k = 0; k < count; ++k) add(k, share * scale[k]);
+    } else {
+      const float* weight = taps.weight[t].data();
+      const float* scale = taps.scale;
+#pragma GCC ivdep
+      for (int k = 0; k < count; ++k) add(k, weight[k] * scale[k]);
+    }
+  }
+}
+
+}  // namespace
+
+MULTIVERSIONED
+void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,
+                LightBatch& sum) {
+  sumTaps(texels, taps, count, sum,
+          [texels](std::uint32_t at) { return encodedLight(texels, at); });
+}
+
+MULTIVERSIONED
+void accumulate(const Texel<std::uint16_t>* texels, const TapBatch& taps, int count,
+                LightBatch& sum) {
+  sumTaps(texels, taps, count, sum,
+          [texels](std::uint32_t at) { return encodedLight(texels, at); });
+}
+
+MULTIVERSIONED
+void accumulate(const Texel<float>* texels, const TapBatch& taps, int count, LightBatch& sum) {
+  sumTaps(texels, taps, count, sum,
+          [texels](std::uint32_t at) { return encodedLight(texels, at); });
+}
+
+template <class T>
+void accumulateLinear(const Texel<T>* texels, const TapBatch& taps, int count, LightBatch& sum) {
+  sumTaps(texels, taps, count, sum, [texels](std::uint32_t at) {
+    const Light c = encodedLight(texels, at);
+    return Light{static_cast<float>(linearFromEncoded(c.r)),
+                 static_cast<float>(linearFromEncoded(c.g)),
+                 static_cast<float>(linearFromEncoded(c.b))};
+  });
+}
+
+template void accumulateLinear(const Texel<std::uint8_t>*, const TapBatch&, int, LightBatch&);
+template void accumulateLinear(const Texel<std::uint16_t>*, const TapBatch&, int, LightBatch&);
+template void accumulateLinear(const Texel<float>*, const TapBatch&, int, LightBatch&);
+
+}  // namespace hogelscope
