@@ -13,9 +13,9 @@ constexpr double farthest = 100;  // beyond any image but those of nearly 180°
 
 /// The radial terms f(r) = r (1 + k1 r² + k2 r⁴ + k3 r⁶) near a radius.
 struct Radial {
-  double value;  ///< f
-  double slope;  ///< f'
-  double across;
+  double value;         ///< f
+  double slope;         ///< f'
+  double across;        ///< f / r
   double slopeChange;   ///< f''
   double acrossChange;  ///< (f / r)'
   double slopeBend;     ///< f'''
@@ -32,34 +32,29 @@ struct Radial {
   }
 };
 
-/// What the terms of the sector are at most and at least from the radius `from` on, for `step`.
-class Ring {
- public:
+/// Bounds of the radial terms from the radius `from` on, for `step`.
+struct Ring {
+  double rounding;
+  double leastSlope;
+  double mostSlope;
+  double leastAcross;
+
   Ring(const DistortionParams& lens, const Radial& inner, double from, double step) {
     const auto& [k1, k2, p1, p2, k3] = lens;
     const double r = from + step;
     const double s = r * r;
-    m_rounding =
-        1e-14 * (1 + s * (3 * std::abs(k1) + s * (5 * std::abs(k2) + s * 7 * std::abs(k3))) +
-                 6 * r * std::hypot(p1, p2));
+    rounding = 1e-14 * (1 + s * (3 * std::abs(k1) + s * (5 * std::abs(k2) + s * 7 * std::abs(k3))) +
+                        6 * r * std::hypot(p1, p2));
     const double bend =
         std::abs(inner.slopeBend) + step * r * (120 * std::abs(k2) + 840 * std::abs(k3) * s);
     const double acrossBend = 2 * std::abs(k1) + s * (12 * std::abs(k2) + s * 30 * std::abs(k3));
     const auto fall = [step](double change, double bound) {
       return std::max(0.0, -change) * step + bound * step * step / 2;
     };
-    leastSlope = inner.slope - fall(inner.slopeChange, bend) - m_rounding;
-    mostSlope = inner.slope + fall(-inner.slopeChange, bend) + m_rounding;
-    leastAcross = inner.across - fall(inner.acrossChange, acrossBend) - m_rounding;
+    leastSlope = inner.slope - fall(inner.slopeChange, bend) - rounding;
+    mostSlope = inner.slope + fall(-inner.slopeChange, bend) + rounding;
+    leastAcross = inner.across - fall(inner.acrossChange, acrossBend) - rounding;
   }
-
-  [[nodiscard]] double rounding() const { return m_rounding; }
-  double leastSlope;
-  double mostSlope;
-  double leastAcross;
-
- private:
-  double m_rounding;
 };
 
 /// The tangential terms are the gradient of r³ c(φ), c = (p2, p1)·(cos φ, sin φ). In a direction
@@ -99,10 +94,10 @@ double darkFrom(const DistortionParams& lens, double angle, double halfWidth, do
     const double turned = std::max(away, halfWidth + mostTurn(lens, ring, r));
     if (!std::isfinite(turned)) break;
     const Tangential c(lens, angle, turned);
-    if (Radial(lens, r).slope + 6 * r * c.most + ring.rounding() > 0) continue;
+    if (Radial(lens, r).slope + 6 * r * c.most + ring.rounding > 0) continue;
     const double growth = std::max(0.0, ring.mostSlope + 6 * r * std::max(0.0, c.most));
     const double along = inner.value + 3 * from * from * c.most + step * growth;
-    return std::hypot(along, r * r * c.mostChange) + r * ring.rounding();
+    return std::hypot(along, r * r * c.mostChange) + r * ring.rounding;
   }
   return std::numeric_limits<double>::infinity();
 }
@@ -135,7 +130,7 @@ LensSector certifySector(const DistortionParams& lens, double angle, double half
       r = end;
       away = turned;
       sector.ideal = r;
-      sector.distorted = Radial(lens, r).value + 3 * r * r * c.least - r * ring.rounding();
+      sector.distorted = Radial(lens, r).value + 3 * r * r * c.least - r * ring.rounding;
       break;
     }
     if (!(step > 1e-10 * (1 + r))) {
