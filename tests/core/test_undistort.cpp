@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/lens/batch_undistort.h"
+#include "core/lens/lens_sector.h"
 #include "core/optics/lens_branch.h"
 #include "tests/core/lens_oracle.h"
 #include "tests/core/random.h"
@@ -140,6 +141,8 @@ class TestUndistort : public QObject {
   void hardLensesAgreeWithTheWalk();
   void picturesOfHardLensesAreTheSame();
   void whatHoldsOfADiscHoldsOfItsPoints();
+  void sectorsAgreeWithTheWalk();
+  void tablesNearADoubleFoldNeedFewSteps();
   void stepsAreFew_data();
   void stepsAreFew();
   void stopIsHeard();
@@ -356,6 +359,69 @@ void TestUndistort::whatHoldsOfADiscHoldsOfItsPoints() {
     }
   }
   QVERIFY2(kinds[0] > 2000 && kinds[1] > 2000, qPrintable(QString::number(kinds[0])));
+}
+
+/// On both sides of a sector: points with a ray, the roots that count as right, points without one.
+void TestUndistort::sectorsAgreeWithTheWalk() {
+  Random random(25);
+  int rays = 0;
+  int roots = 0;
+  int folds = 0;
+  for (int repeat = 0; repeat < 1500; ++repeat) {
+    const DistortionParams params =
+        touchingLens(random, 1e-3, std::pow(10, random.uniform(-6, -1)));
+    const LensOracle oracle = oracleOf(params);
+    const double angle = random.uniform(0, turn);
+    const double halfWidth = std::pow(10, random.uniform(-3.5, -0.5));
+    const LensSector sector = certifySector(params, angle, halfWidth);
+    const LensOracle::Point side = std::polar(1.0, angle + (random.flip() ? 1 : -1) * halfWidth);
+    // The walk goes by the determinant, which is then large enough for it to tell.
+    const auto walked = [&](LensOracle::Point q) { return oracle.walk(q, 0.005); };
+    const auto reaches = [&](const LensOracle::Walk& walk, LensOracle::Point q) {
+      return std::abs(oracle.distort(walk.point) - q) < 1e-6 * (1 + std::abs(q));
+    };
+    const LensOracle::Point inside = std::min(sector.distorted * 0.99999, 10.0) * side;
+    if (sector.distorted > 0) {
+      ++rays;
+      const auto walk = walked(inside);
+      QVERIFY(reaches(walk, inside));
+      const Vec2 guess = guessInSector(params, sector, {inside.real(), inside.imag()});
+      QVERIFY(std::hypot(guess.x, guess.y) <= sector.ideal);
+      QVERIFY(std::abs(walk.point) < sector.ideal);
+    }
+    // A root that is nearly as far out as one may be.
+    const LensOracle::Point root = std::polar(random.uniform(0.97, 1) * sector.ideal, angle);
+    const LensOracle::Point image = oracle.distort(root);
+    const double off = std::abs(std::arg(image * std::polar(1.0, -angle)));
+    if (off < halfWidth && std::abs(image) < std::min(sector.distorted, 10.0)) {
+      ++roots;
+      QVERIFY(std::abs(oracle.refined(walked(image).point, image) - root) < 1e-5);
+    }
+    if (std::isfinite(sector.dark)) {
+      ++folds;
+      QVERIFY(sector.dark > sector.distorted);
+      const LensOracle::Point outside = 1.00001 * sector.dark * side;
+      QVERIFY(!reaches(walked(outside), outside));
+    }
+  }
+  QVERIFY2(rays > 1400 && roots > 300 && folds > 300,
+           qPrintable(QString("%1 %2 %3").arg(rays).arg(roots).arg(folds)));
+}
+
+/// Lenses whose every ray took some 70 steps of its own before sectors were certified.
+void TestUndistort::tablesNearADoubleFoldNeedFewSteps() {
+  Random random(26);
+  for (int repeat = 0; repeat < 40; ++repeat) {
+    const double tangential = std::pow(10, random.uniform(-7, -3));
+    int steps = 0;
+    const BatchUndistort inverse(Distortion(touchingLens(random, 1e-5, tangential)), [&](double) {
+      ++steps;
+      return true;
+    });
+    constexpr int side = 200;
+    (void)inverted(inverse, {side, random.uniform(0.5, 5)});
+    QVERIFY2(steps < 2 * side * side, qPrintable(QString::number(steps)));
+  }
 }
 
 /// `most` is about 1.3 times what it took when this was written.

@@ -13,8 +13,8 @@ using namespace hogelscope;
 
 namespace {
 
-/// A lens so near to a double fold that pixels beyond it need some hundred steps of the certified
-/// inverse each; of 16384² pixels hardly any has a ray.
+/// Of 16384² pixels, which take long, hardly any has a ray: they lie beyond a fold, nearly a double
+/// one.
 CameraState throughHardLens(CameraState state) {
   state.camera.res = {16384, 16384};
   state.camera.fov = 120;

@@ -93,8 +93,12 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
   };
   int run = 0;  // points before k that are neither certain nor in the shadow
   for (int k = 0; k <= count; ++k) {
-    const bool isDone = k == count || isCertain(k);
-    if (!isDone && !m_shadow.holds({x[k], y[k]})) {
+    Vec2 root{none, none};
+    const bool isQuick = k < count && isCertain(k);
+    if (isQuick) root = {idealX[std::size_t(k)], idealY[std::size_t(k)]};
+    const bool isDone =
+        k == count || isQuick || m_shadow.holds({x[k], y[k]}) || solveInSector({x[k], y[k]}, root);
+    if (!isDone) {
       ++run;
       continue;
     }
@@ -103,9 +107,27 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
                 certainStart(discAround(x + k - run, y + k - run, run)));
     run = 0;
     if (k == count) break;
-    x[k] = isDone ? idealX[std::size_t(k)] : none;
-    y[k] = isDone ? idealY[std::size_t(k)] : none;
+    x[k] = root.x;
+    y[k] = root.y;
   }
+}
+
+/// False if the sector is not certain of the point; then `ideal` is left as it is.
+bool BatchUndistort::solveInSector(const Vec2& distorted, Vec2& ideal) const {
+  if (!std::isfinite(distorted.x + distorted.y)) return false;
+  const LensSector sector = m_shadow.sector(distorted);
+  if (!(squaredNorm(distorted) > 0 && std::sqrt(squaredNorm(distorted)) < sector.distorted))
+    return false;
+  hearStop(m_progress);
+  Vec2 root = guessInSector(m_distortion.params(), sector, distorted);
+  double move = 0;
+  for (int step = 0; step < mostSteps; ++step)
+    if (newtonStep(m_distortion.params(), std::numeric_limits<double>::infinity(), &distorted.x,
+                   &distorted.y, 1, &root.x, &root.y, &move) == 0)
+      break;
+  if (!(move < shortMoveSquared && squaredNorm(root) < sector.ideal * sector.ideal)) return false;
+  ideal = root;
+  return true;
 }
 
 /// Goes as far as plain Newton is certain for all of the disc.

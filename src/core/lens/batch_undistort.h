@@ -26,6 +26,7 @@ class BatchUndistort {
  private:
   [[nodiscard]] double leastEigenvalue(double radius) const;
   void undistortBatch(double* x, double* y, int count) const;
+  bool solveInSector(const Vec2& distorted, Vec2& ideal) const;
   [[nodiscard]] BranchStart certainStart(const Disc& disc) const;
   void followRun(double* x, double* y, int count, const BranchStart& start) const;
   bool solveFrom(const Vec2& start, double* x, double* y, int count) const;

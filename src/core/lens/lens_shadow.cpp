@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The distorted points behind a fold, in sectors around the centre.
+// What is known of the directions of distorted points, in sectors around the centre.
 #include "core/lens/lens_shadow.h"
 
 #include <algorithm>
@@ -29,11 +29,33 @@ int LensShadow::sectorOf(const Vec2& distorted) const {
   return std::clamp(int(turns * sectorCount), 0, sectorCount - 1);
 }
 
+double LensShadow::halfWidth() const {
+  return m_isRound ? 0 : std::numbers::pi / sectorCount * (1 + 1e-9);
+}
+
+double LensShadow::middleOf(int index) {
+  return (2 * index + 1 - sectorCount) * std::numbers::pi / sectorCount;
+}
+
+/// Two threads may certify a sector at once: they write the same, but for what one has learnt
+/// since.
+LensSector LensShadow::sector(const Vec2& distorted) const {
+  const int index = sectorOf(distorted);
+  Sector& sector = m_sectors[std::size_t(index)];
+  if (!sector.isKnown.load(std::memory_order_acquire)) {
+    const LensSector certain = certifySector(m_distortion.params(), middleOf(index), halfWidth());
+    sector.ideal.store(certain.ideal, std::memory_order_relaxed);
+    sector.distorted.store(certain.distorted, std::memory_order_relaxed);
+    sector.dark.store(certain.dark, std::memory_order_relaxed);
+    sector.isKnown.store(true, std::memory_order_release);
+  }
+  return {sector.ideal.load(std::memory_order_relaxed),
+          sector.distorted.load(std::memory_order_relaxed),
+          sector.dark.load(std::memory_order_relaxed)};
+}
+
 bool LensShadow::holds(const Vec2& distorted) const {
-  if (!std::isfinite(distorted.x + distorted.y)) return false;
-  const Sector& sector = m_sectors[std::size_t(sectorOf(distorted))];
-  const double dark = sector.dark.load(std::memory_order_relaxed);
-  return dark > 0 && norm(distorted) >= dark;
+  return std::isfinite(distorted.x + distorted.y) && norm(distorted) >= sector(distorted).dark;
 }
 
 /// The segments to the points of a disc that touches both sides of the sector fill all of it.
@@ -43,8 +65,8 @@ void LensShadow::learn(const Vec2& distorted, const Progress& progress) {
   Sector& sector = m_sectors[std::size_t(index)];
   const double distance = norm(distorted);
   if (distance <= sector.failed.load(std::memory_order_relaxed)) return;
-  const double half = m_isRound ? 0 : std::numbers::pi / sectorCount * (1 + 1e-9);
-  const double angle = (2 * index + 1 - sectorCount) * std::numbers::pi / sectorCount;
+  const double half = halfWidth();
+  const double angle = middleOf(index);
   // The disc's farthest point of each direction is at most at `distance`.
   const double middle = distance / (1 + std::sin(half));
   const Branch branch = followBranch(

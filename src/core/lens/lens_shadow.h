@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The distorted points that have no ray because a fold lies between them and the centre.
+// What is known of the directions of distorted points: where their rays end at a fold.
 #pragma once
 
 #include <array>
 #include <atomic>
+#include <limits>
 
 #include "core/base/progress.h"
+#include "core/lens/lens_sector.h"
 #include "core/optics/distortion.h"
 
 namespace hogelscope {
 
-/// Learns, from points without a ray, from where on their directions have none. What it says is
+/// Knows of each of many sectors what certifySector() says, from when it is first asked, and
+/// learns, from points without a ray, from where on their directions have none. What it says is
 /// certain, and does not depend on what it was taught before, or by which threads.
 class LensShadow {
  public:
   explicit LensShadow(const Distortion& distortion);
 
+  /// Returns what is known of the sector of a point, which has to be finite.
+  [[nodiscard]] LensSector sector(const Vec2& distorted) const;
   /// True if a point is known to have no ray.
   [[nodiscard]] bool holds(const Vec2& distorted) const;
   /// Tries to certify the sector of a point without a ray, from there outwards. Throws Cancelled.
@@ -25,16 +30,22 @@ class LensShadow {
   static constexpr int sectorCount = 4096;
 
   [[nodiscard]] int sectorOf(const Vec2& distorted) const;
+  /// Angles of a sector.
+  [[nodiscard]] double halfWidth() const;
+  [[nodiscard]] static double middleOf(int index);
 
   /// Distances from the centre, in units of the plane z = 1; 0: not yet known.
   struct Sector {
-    std::atomic<double> dark{0};    ///< no point from here outwards has a ray
-    std::atomic<double> failed{0};  ///< up to here nothing could be certified
+    std::atomic<bool> isKnown{false};
+    std::atomic<double> ideal{0};  ///< this and the next are LensSector's
+    std::atomic<double> distorted{0};
+    std::atomic<double> dark{std::numeric_limits<double>::infinity()};
+    std::atomic<double> failed{0};  ///< up to here nothing could be learnt
   };
 
   Distortion m_distortion;
   bool m_isRound;  ///< the first sector is all of the plane
-  std::array<Sector, sectorCount> m_sectors;
+  mutable std::array<Sector, sectorCount> m_sectors;
 };
 
 }  // namespace hogelscope

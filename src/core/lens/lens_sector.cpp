@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sector of a lens in polar coordinates, where the radial terms depend on the radius alone.
+#include "core/lens/lens_sector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double farthest = 100;  // beyond any image but those of nearly 180°
+
+/// The radial terms f(r) = r (1 + k1 r² + k2 r⁴ + k3 r⁶) near a radius.
+struct Radial {
+  double value;         ///< f
+  double slope;         ///< f'
+  double across;        ///< f / r
+  double slopeChange;   ///< f''
+  double acrossChange;  ///< (f / r)'
+  double slopeBend;     ///< f'''
+
+  Radial(const DistortionParams& lens, double r) {
+    const auto& [k1, k2, p1, p2, k3] = lens;
+    const double s = r * r;
+    across = 1 + s * (k1 + s * (k2 + s * k3));
+    value = r * across;
+    slope = 1 + s * (3 * k1 + s * (5 * k2 + s * 7 * k3));
+    slopeChange = r * (6 * k1 + s * (20 * k2 + s * 42 * k3));
+    acrossChange = r * (2 * k1 + s * (4 * k2 + s * 6 * k3));
+    slopeBend = 6 * k1 + s * (60 * k2 + s * 210 * k3);
+  }
+};
+
+/// Bounds of the radial terms from the radius `from` on, for `step`.
+struct Ring {
+  double rounding;
+  double leastSlope;
+  double mostSlope;
+  double leastAcross;
+
+  Ring(const DistortionParams& lens, const Radial& inner, double from, double step) {
+    const auto& [k1, k2, p1, p2, k3] = lens;
+    const double r = from + step;
+    const double s = r * r;
+    rounding = 1e-14 * (1 + s * (3 * std::abs(k1) + s * (5 * std::abs(k2) + s * 7 * std::abs(k3))) +
+                        6 * r * std::hypot(p1, p2));
+    const double bend =
+        std::abs(inner.slopeBend) + step * r * (120 * std::abs(k2) + 840 * std::abs(k3) * s);
+    const double acrossBend = 2 * std::abs(k1) + s * (12 * std::abs(k2) + s * 30 * std::abs(k3));
+    const auto fall = [step](double change, double bound) {
+      return std::max(0.0, -change) * step + bound * step * step / 2;
+    };
+    leastSlope = inner.slope - fall(inner.slopeChange, bend) - rounding;
+    mostSlope = inner.slope + fall(-inner.slopeChange, bend) + rounding;
+    leastAcross = inner.across - fall(inner.acrossChange, acrossBend) - rounding;
+  }
+};
+
+/// The tangential terms are the gradient of r³ c(φ), c = (p2, p1)·(cos φ, sin φ). In a direction
+/// near `angle` these are c and |c'|, at most and at least.
+struct Tangential {
+  double least;
+  double most;
+  double mostChange;
+
+  Tangential(const DistortionParams& lens, double angle, double away) {
+    const double size = std::hypot(lens.p1, lens.p2);
+    const double value = lens.p2 * std::cos(angle) + lens.p1 * std::sin(angle);
+    const double change = std::abs(lens.p1 * std::cos(angle) - lens.p2 * std::sin(angle));
+    const double range = away * change + away * away / 2 * size;
+    least = value - range;
+    most = value + range;
+    mostChange = change + away * size;
+  }
+};
+
+/// Returns how far at most the direction of an ideal point is from that of its distorted one.
+/// Infinite if nothing is known.
+double mostTurn(const DistortionParams& lens, const Ring& ring, double r) {
+  const double size = r * std::hypot(lens.p1, lens.p2);
+  const double along = ring.leastAcross - 3 * size;
+  return along > 0 ? size / along : std::numeric_limits<double>::infinity();
+}
+
+/// Looks for an arc beyond `from`, up to which all is regular, that no path can cross as the model
+/// does not grow along the radius there. Returns the largest distorted radius before it.
+double darkFrom(const DistortionParams& lens, double angle, double halfWidth, double away,
+                double from) {
+  const Radial inner(lens, from);
+  for (double step = 1e-10 * (1 + from); step < 0.1 * (1 + from); step *= 2) {
+    const double r = from + step;
+    const Ring ring(lens, inner, from, step);
+    const double turned = std::max(away, halfWidth + mostTurn(lens, ring, r));
+    if (!std::isfinite(turned)) break;
+    const Tangential c(lens, angle, turned);
+    if (Radial(lens, r).slope + 6 * r * c.most + ring.rounding > 0) continue;
+    const double growth = std::max(0.0, ring.mostSlope + 6 * r * std::max(0.0, c.most));
+    const double along = inner.value + 3 * from * from * c.most + step * growth;
+    return std::hypot(along, r * r * c.mostChange) + r * ring.rounding;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+/// Marches outwards. A path of the sector is never farther from its direction than `away`, and
+/// where the Jacobian's rows (f' + 6 r c, 2 r c') and (2 r c', f / r + 2 r c), along and across the
+/// radius, are positive definite for all directions so near, it goes on to the end of the ring.
+LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth) {
+  LensSector sector;
+  double away = halfWidth;
+  double step = 0.05;
+  double r = 0;
+  while (r < farthest) {
+    const Radial inner(lens, r);
+    step = std::min({2 * step, 0.2 * r + 0.05, farthest - r});
+    for (; step > 1e-10 * (1 + r); step /= 2) {
+      const Ring ring(lens, inner, r, step);
+      const double end = r + step;
+      const double turn = mostTurn(lens, ring, end);
+      if (!std::isfinite(turn)) continue;
+      const double turned = std::max(away, halfWidth + turn);
+      const Tangential c(lens, angle, turned);
+      const double most = 6 * end * std::min(0.0, c.least);
+      const double along = ring.leastSlope + (c.least > 0 ? 6 * r * c.least : most);
+      const double across = ring.leastAcross + 2 * end * std::min(0.0, c.least);
+      const double mixed = 2 * end * c.mostChange;
+      if (!(along > 0 && across > 0 && along * across > mixed * mixed)) continue;
+      r = end;
+      away = turned;
+      sector.ideal = r;
+      sector.distorted = Radial(lens, r).value + 3 * r * r * c.least - r * ring.rounding;
+      break;
+    }
+    if (!(step > 1e-10 * (1 + r))) {
+      sector.dark = darkFrom(lens, angle, halfWidth, away, r);
+      break;
+    }
+  }
+  return sector;
+}
+
+/// Newton's method along the radius, kept within what is known to hold the root.
+Vec2 guessInSector(const DistortionParams& lens, const LensSector& sector, const Vec2& distorted) {
+  const double length = std::hypot(distorted.x, distorted.y);
+  const double c = (lens.p2 * distorted.x + lens.p1 * distorted.y) / length;
+  double low = 0;
+  double high = sector.ideal;
+  double r = std::min(length, high / 2);
+  for (int step = 0; step < 60; ++step) {
+    const Radial at(lens, r);
+    const double error = at.value + 3 * r * r * c - length;
+    (error < 0 ? low : high) = r;
+    double next = r - error / (at.slope + 6 * r * c);
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    const bool isNear = std::abs(next - r) < 1e-9 * r;
+    r = next;
+    if (isNear) break;
+  }
+  return {r * distorted.x / length, r * distorted.y / length};
+}
+
+}  // namespace hogelscope

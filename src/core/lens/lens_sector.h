@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is certain of a lens in a narrow sector around the centre, however near it is to a fold.
+#pragma once
+
+#include <limits>
+
+#include "core/optics/distortion.h"
+
+namespace hogelscope {
+
+/// Of the distorted points of a sector. Distances from the centre, in units of the plane z = 1.
+struct LensSector {
+  double ideal = 0;      ///< of the roots nearer than this, each is the right one
+  double distorted = 0;  ///< all points nearer than this have such a root
+  double dark = std::numeric_limits<double>::infinity();  ///< no point from here outwards has a ray
+};
+
+/// Certifies the directions within `halfWidth` of `angle`, in some microseconds. It is of use where
+/// the tangential terms are small (docs/formulas.md, Distortion).
+LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth);
+
+/// Returns a point near the root of a distorted point of which a sector says that it has one.
+Vec2 guessInSector(const DistortionParams& lens, const LensSector& sector, const Vec2& distorted);
+
+}  // namespace hogelscope
