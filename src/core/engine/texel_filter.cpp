@@ -44,13 +44,12 @@ TexelFilter::AxisWeights TexelFilter::axisWeights(const PsfParams& psf, int reac
   for (int cell = 0; cell < cells; ++cell) {
     std::vector<double> weights(window);
     double total = 0;
-    for (int x = -reach; x <= reach; ++x) {
-      const double weight = gaussian[std::size_t(x + reach)];
-      int tap = cell + x;
+    for (int place = 0; place <= 2 * reach; ++place) {
+      const double weight = gaussian[std::size_t(place)];
+      int tap = cell + place - reach;
       if (psf.border == PsfBorder::clamp) tap = std::clamp(tap, 0, cells - 1);
       const bool inside = tap >= 0 && tap < cells;
-      const int place = tap - cell + axis.reach;
-      if (inside) weights[std::size_t(place)] += weight;
+      if (inside) weights[std::size_t(tap - cell + axis.reach)] += weight;
       if (inside || psf.border == PsfBorder::black) total += weight;
     }
     std::transform(weights.begin(), weights.end(),
