@@ -71,7 +71,7 @@ class TestViewWorker : public QObject {
     worker.load(m_session);
     QVERIFY(loaded.wait(patience));
     ViewRequest first = request(plain(m_session.cameras[0]));
-    // One row, in a direction that touches a fold so nearly that each point needs hundreds of steps.
+    // One row that touches a fold so nearly that each of its points needs hundreds of steps.
     first.state.camera.res = {16384, 1};
     first.state.intrinsics = {1e3, 1e3, 20000, 0};
     first.state.distortion = {3.2161829187638151, -7.6176025310617304, 0.01,

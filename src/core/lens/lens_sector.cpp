@@ -9,7 +9,8 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double farthest = 100;  // beyond any image but those of nearly 180°
+constexpr double farthest = 100;     // beyond any image but those of nearly 180°
+constexpr double leastStep = 1e-10;  // of a ring, relative to 1 + its radius
 
 /// The radial terms f(r) = r (1 + k1 r² + k2 r⁴ + k3 r⁶) near a radius.
 struct Radial {
@@ -88,7 +89,8 @@ double mostTurn(const DistortionParams& lens, const Ring& ring, double r) {
 double darkFrom(const DistortionParams& lens, double angle, double halfWidth, double away,
                 double from) {
   const Radial inner(lens, from);
-  for (double step = 1e-10 * (1 + from); step < 0.1 * (1 + from); step *= 2) {
+  for (int doublings = 0; doublings < 30; ++doublings) {
+    const double step = std::ldexp(leastStep * (1 + from), doublings);
     const double r = from + step;
     const Ring ring(lens, inner, from, step);
     const double turned = std::max(away, halfWidth + mostTurn(lens, ring, r));
@@ -102,43 +104,62 @@ double darkFrom(const DistortionParams& lens, double angle, double halfWidth, do
   return std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-/// Marches outwards. A path of the sector is never farther from its direction than `away`, and
+/// Marches outwards. A path of the sector is never farther from its direction than `m_away`, and
 /// where the Jacobian's rows (f' + 6 r c, 2 r c') and (2 r c', f / r + 2 r c), along and across the
 /// radius, are positive definite for all directions so near, it goes on to the end of the ring.
-LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth) {
-  LensSector sector;
-  double away = halfWidth;
-  double step = 0.05;
-  double r = 0;
-  while (r < farthest) {
-    const Radial inner(lens, r);
-    step = std::min({2 * step, 0.2 * r + 0.05, farthest - r});
-    for (; step > 1e-10 * (1 + r); step /= 2) {
-      const Ring ring(lens, inner, r, step);
-      const double end = r + step;
-      const double turn = mostTurn(lens, ring, end);
-      if (!std::isfinite(turn)) continue;
-      const double turned = std::max(away, halfWidth + turn);
-      const Tangential c(lens, angle, turned);
-      const double most = 6 * end * std::min(0.0, c.least);
-      const double along = ring.leastSlope + (c.least > 0 ? 6 * r * c.least : most);
-      const double across = ring.leastAcross + 2 * end * std::min(0.0, c.least);
-      const double mixed = 2 * end * c.mostChange;
-      if (!(along > 0 && across > 0 && along * across > mixed * mixed)) continue;
-      r = end;
-      away = turned;
-      sector.ideal = r;
-      sector.distorted = Radial(lens, r).value + 3 * r * r * c.least - r * ring.rounding;
-      break;
+class March {
+ public:
+  March(const DistortionParams& lens, double angle, double halfWidth)
+      : m_lens(lens), m_angle(angle), m_halfWidth(halfWidth), m_away(halfWidth) {}
+
+  LensSector run() {
+    double step = 0.05;
+    while (m_sector.ideal < farthest) {
+      const double r = m_sector.ideal;
+      const Radial inner(m_lens, r);
+      step = std::min({2 * step, 0.2 * r + 0.05, farthest - r});
+      while (!extend(inner, step)) {
+        step /= 2;
+        if (step > leastStep * (1 + r)) continue;
+        m_sector.dark = darkFrom(m_lens, m_angle, m_halfWidth, m_away, r);
+        return m_sector;
+      }
     }
-    if (!(step > 1e-10 * (1 + r))) {
-      sector.dark = darkFrom(lens, angle, halfWidth, away, r);
-      break;
-    }
+    return m_sector;
   }
-  return sector;
+
+ private:
+  /// Returns whether the ring of this width is certain, and adds it then.
+  bool extend(const Radial& inner, double step) {
+    const double r = m_sector.ideal;
+    const double end = r + step;
+    const Ring ring(m_lens, inner, r, step);
+    const double turn = mostTurn(m_lens, ring, end);
+    if (!std::isfinite(turn)) return false;
+    const double turned = std::max(m_away, m_halfWidth + turn);
+    const Tangential c(m_lens, m_angle, turned);
+    const double most = 6 * end * std::min(0.0, c.least);
+    const double along = ring.leastSlope + (c.least > 0 ? 6 * r * c.least : most);
+    const double across = ring.leastAcross + 2 * end * std::min(0.0, c.least);
+    const double mixed = 2 * end * c.mostChange;
+    if (!(along > 0 && across > 0 && along * across > mixed * mixed)) return false;
+    m_away = turned;
+    m_sector.ideal = end;
+    m_sector.distorted = Radial(m_lens, end).value + 3 * end * end * c.least - end * ring.rounding;
+    return true;
+  }
+
+  DistortionParams m_lens;
+  double m_angle;
+  double m_halfWidth;
+  double m_away;
+  LensSector m_sector;
+};
+
+}  // namespace
+
+LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth) {
+  return March(lens, angle, halfWidth).run();
 }
 
 /// Newton's method along the radius, kept within what is known to hold the root.
