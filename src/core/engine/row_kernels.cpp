@@ -121,15 +121,15 @@ template <Rays rays, class Real>
 inline __attribute__((always_inline)) void findAddresses(
     const RealMap<Real>& m, const BlockLayout& l, const Texel<std::uint8_t>* texels,
     const double* x, const double* y, int count, std::uint32_t* address, std::uint8_t* seen) {
-  Strip<double> wholeX;
-  Strip<double> wholeY;
+  Strip<double> paddedX;
+  Strip<double> paddedY;
   if (count < stripSize) {
-    wholeX.fill(x[0]);
-    wholeY.fill(y[0]);
-    std::copy_n(x, count, wholeX.begin());
-    if constexpr (rays == Rays::any) std::copy_n(y, count, wholeY.begin());
-    x = wholeX.data();
-    y = wholeY.data();
+    paddedX.fill(x[0]);
+    paddedY.fill(y[0]);
+    std::copy_n(x, count, paddedX.begin());
+    if constexpr (rays == Rays::any) std::copy_n(y, count, paddedY.begin());
+    x = paddedX.data();
+    y = paddedY.data();
   }
   CellStrip strip;
   findCells<rays>(m, x, y, strip);
