@@ -45,8 +45,10 @@ def blocks(lines):
 def cycles(body, processor):
     turns = 100
     command = ["llvm-mca", f"-mcpu={processor}", f"-iterations={turns}", "-"]
-    text = subprocess.run(command, input="\n".join(body), text=True, check=True, capture_output=True).stdout
-    numbers = [re.search(what + r":\s+(\d+)", text).group(1) for what in ("Total Cycles", "Total uOps")]
+    run = subprocess.run(command, input="\n".join(body), text=True, capture_output=True, check=False)
+    if run.returncode != 0:
+        sys.exit(f"kernel_model.py: no model of AVX-512 on {processor}: {run.stderr.strip().splitlines()[0]}")
+    numbers = [re.search(what + r":\s+(\d+)", run.stdout).group(1) for what in ("Total Cycles", "Total uOps")]
     return [int(number) / turns for number in numbers]
 
 

@@ -23,6 +23,7 @@ class TestSideBySide : public QObject {
   void progressOfSteps();
   void progressStops();
   void progressForThreads();
+  void fractionsAreKept();
 };
 
 void TestSideBySide::everyPieceOnce() {
@@ -112,6 +113,19 @@ void TestSideBySide::progressForThreads() {
   QCOMPARE(stopped.load(), 4);
   QVERIFY(!progress(1));
   QCOMPARE(calls, 4);
+}
+
+/// A fraction between two calls of the listener is not lost, though most calls only ask.
+void TestSideBySide::fractionsAreKept() {
+  std::vector<double> told;
+  const Progress progress = forThreads([&](double done) {
+    told.push_back(done);
+    return told.size() < 2;
+  });
+  QVERIFY(progress(0));
+  QVERIFY(progress(0.5));
+  while (progress(0)) continue;
+  QCOMPARE(told, (std::vector{0.0, 0.5}));
 }
 
 QTEST_GUILESS_MAIN(TestSideBySide)

@@ -37,8 +37,9 @@ def interrupt_soon(started):
 
 class Stopping(FolderTest):
     def test_threads_run(self):
-        """A thread ticks while a view is rendered, until it has ticked enough."""
+        """A thread ticks while a view is rendered, until it has ticked enough; progress goes on meanwhile."""
         ticks = 0
+        told = []
         enough = threading.Event()
 
         def tick():
@@ -48,7 +49,8 @@ class Stopping(FolderTest):
                 time.sleep(0.001)
             enough.set()
 
-        def stop(_):
+        def stop(done):
+            told.append(done)
             if enough.is_set():
                 raise Enough
 
@@ -58,6 +60,7 @@ class Stopping(FolderTest):
             slow_session().render("Fig 4", progress=stop)
         thread.join()
         self.assertEqual(ticks, 200)
+        self.assertLess(told[-1], 1)
 
     def test_interrupt(self):
         """Also without a listener that Python code could stop in."""

@@ -2,7 +2,6 @@
 // Progress reporting and cancellation.
 #include "core/base/progress.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -22,11 +21,13 @@ class SharedProgress {
   bool tell(double done) {
     using Clock = std::chrono::steady_clock;
     constexpr Clock::duration pause = std::chrono::milliseconds(20);
+    // Kept in any case: most calls only ask whether to stop, and one of them may be the next told.
+    double farthest = m_farthest;
+    while (done > farthest && !m_farthest.compare_exchange_weak(farthest, done)) continue;
     const auto isTold = [this] { return m_stops || Clock::now() < m_next.load(); };
     if (isTold()) return !m_stops;
     const std::unique_lock lock(m_mutex, std::try_to_lock);
     if (!lock || isTold()) return !m_stops;  // another thread reports, or has just done so
-    m_farthest = std::max(m_farthest, done);
     if (!m_listener(m_farthest)) m_stops = true;
     m_next = Clock::now() + pause;
     return !m_stops;
@@ -36,8 +37,8 @@ class SharedProgress {
   Progress m_listener;
   std::atomic<bool> m_stops = false;
   std::atomic<std::chrono::steady_clock::time_point> m_next{};
-  std::mutex m_mutex;  ///< guards m_farthest, and calls of the listener
-  double m_farthest = 0;
+  std::atomic<double> m_farthest = 0;
+  std::mutex m_mutex;  ///< guards calls of the listener
 };
 
 }  // namespace
