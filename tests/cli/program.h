@@ -74,5 +74,6 @@ inline double cpuSeconds(const QProcess& process) {
          double(::sysconf(_SC_CLK_TCK));
 }
 
-/// The paper's six states, on the sample light field.
-inline const QString sampleSession = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+/// The paper's six states, on a light field like the sample's with a sixteenth of its hogels.
+inline const QString sampleSession =
+    QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");

@@ -15,7 +15,7 @@ namespace {
 
 /// The sample light field as a JPEG.
 void writeJpeg(const QString& file, int quality) {
-  const QString source = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
+  const QString source = HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png";
   const OIIO::ImageSpec from = specOf(source);
   const std::vector<std::uint8_t> values = valuesOf<std::uint8_t>(source);
   OIIO::ImageSpec spec(from.width, from.height, 3, OIIO::TypeDesc::UINT8);
@@ -123,7 +123,7 @@ void TestReportMetrics::asScikitImage() {
 }
 
 void TestReportMetrics::againstItself() {
-  QCOMPARE(report({"--test", HOGELSCOPE_SOURCE_DIR "/data/scene.png"}, "self").status, 0);
+  QCOMPARE(report({"--test", HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png"}, "self").status, 0);
   for (const QStringList& row : tableOf("self/report.csv").mid(1)) {
     QCOMPARE(row.mid(2, 2), (QStringList{"0", "inf"}));
     QCOMPARE(row[6], QString("1"));
@@ -210,7 +210,7 @@ void TestReportMetrics::ratesFromFileSizes() {
   QCOMPARE(tableOf("sizes/bd.csv")[1][3].toDouble(), 0.0);
   for (const QStringList& row : tableOf("sizes/summary.csv"))
     if (row[1] == "rate_bpp")
-      QCOMPARE(row[2].toDouble(), 8.0 * double(QFileInfo(row[0]).size()) / (2560 * 2560));
+      QCOMPARE(row[2].toDouble(), 8.0 * double(QFileInfo(row[0]).size()) / (640 * 640));
 }
 
 /// One group is a curve, of which nothing is compared.
@@ -226,8 +226,9 @@ void TestReportMetrics::oneGroupIsACurve() {
 /// The page's pictures have 3 MB, however many tests there are; all pixels are in files.
 void TestReportMetrics::picturesOfThePageAreSmall() {
   const Outcome outcome =
-      run(QStringList{"--report", "--session", sampleSession, "--set", "camera.res=[600,560]",
-                      "--states", "Fig [1456]", "--output", "large"} +
+      run(QStringList{"--report", "--session", sampleSession, "--set", "camera.res=[480,448]",
+                      "--set", "sampling.reconstruction=quadrilinear", "--states", "Fig [1456]",
+                      "--output", "large"} +
               m_tests,
           m_folder.path());
   QCOMPARE(outcome.status, 0);
@@ -247,7 +248,7 @@ void TestReportMetrics::picturesOfThePageAreSmall() {
                              .arg(k / 9 + 1)
                              .arg(QStringList{"worst", "median", "best"}[k / 3 % 3],
                                   QStringList{"reference", "test", "difference"}[k % 3]);
-    QCOMPARE(specOf(file).width, 600);
+    QCOMPARE(specOf(file).width, 480);
     files += QFileInfo(file).size();
   }
   QVERIFY2(4 * files / 3 > 3000000,

@@ -23,7 +23,7 @@
 #include "io/documents/session_file.h"
 #include "tests/gui/patience.h"
 
-inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");
 
 /// Presses a key in the next box, and keeps what the box says.
 class BoxAnswer : public QObject {

@@ -152,14 +152,14 @@ class TestFiles : public HabitsTest {
     drop({file.fileName()});
     QTRY_COMPARE_WITH_TIMEOUT(model().current().distortion.k1, 0.125, patience);
     QVERIFY(!action("stopComparingAction")->isEnabled());
-    drop({QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/scene.png")});
+    drop({QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png")});
     QTRY_VERIFY_WITH_TIMEOUT(action("stopComparingAction")->isEnabled(), patience);
     QTRY_VERIFY_WITH_TIMEOUT(action("wipeAction")->isEnabled(), patience);
     QCOMPARE(model().file(), m_session);
   }
 
   void commandLineOpensAndCompares() {
-    makeWindow({HOGELSCOPE_SOURCE_DIR "/data/scene.png", m_session});  // in any order
+    makeWindow({HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png", m_session});  // in any order
     QCOMPARE(model().file(), m_session);
     QTRY_VERIFY_WITH_TIMEOUT(action("wipeAction")->isEnabled(), patience);
     makeWindow({m_folder->filePath("missing.json"), "picture.png"});
@@ -175,7 +175,7 @@ class TestFiles : public HabitsTest {
     saveSession(file.toStdString(), model().session());
     drop({file});
     QTRY_COMPARE_WITH_TIMEOUT(model().file(), file, patience);
-    makeWindow({HOGELSCOPE_SOURCE_DIR "/data/scene.png", file});
+    makeWindow({HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png", file});
     QTRY_COMPARE_WITH_TIMEOUT(model().file(), file, patience);
   }
 

@@ -33,7 +33,7 @@ using namespace hogelscope;
 
 namespace {
 
-const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");
 
 }  // namespace
 

@@ -35,7 +35,7 @@ using namespace hogelscope;
 
 namespace {
 
-const QString dataFolder = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/");
+const QString dataFolder = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/");
 constexpr int side = 120;  ///< of an image: quick to render, like the light field of 16×16 hogels
 
 QImage content(int grey) {

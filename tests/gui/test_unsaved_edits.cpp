@@ -99,7 +99,7 @@ class TestUnsavedEdits : public HabitsTest {
     const Session session = loadSession(copy.toStdString());
     QCOMPARE(session.cameras[0].camera.eye.x, 0.01);
     QCOMPARE(QFileInfo(QString::fromStdString(session.lightField.file)).canonicalFilePath(),
-             QFileInfo(HOGELSCOPE_SOURCE_DIR "/data/scene.png").canonicalFilePath());
+             QFileInfo(HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png").canonicalFilePath());
     action("saveAction")->trigger();
     QVERIFY(autosaved().isEmpty());
     eye()->setValue(0.02);

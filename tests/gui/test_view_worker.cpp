@@ -36,7 +36,7 @@ class TestViewWorker : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    m_session = loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
+    m_session = loadSession(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");
     m_session.cameras.resize(1);
   }
 

@@ -271,37 +271,23 @@ class TestLightFieldOrder : public QObject {
     QCOMPARE(wrong.warnings.size(), std::size_t(1));
   }
 
-  void realGrid_data() {
-    QTest::addColumn<bool>("isUp");
-    QTest::addColumn<bool>("isLeft");
-    QTest::addColumn<bool>("isTransposed");
-    QTest::newRow("as its names say") << false << false << false;
-    QTest::newRow("all reversed") << true << true << true;
-  }
-
-  /// Orders of a set made by others: its files are linked under other names.
+  /// A set made by others, with all reversed: its files are linked under other names.
   void realGrid() {
-    QFETCH(bool, isUp);
-    QFETCH(bool, isLeft);
-    QFETCH(bool, isTransposed);
     if (!QFileInfo::exists(data + "shop_13x13")) QSKIP("no ../shared/data/shop_13x13 here");
     QVERIFY(QDir().mkdir("v"));
     const QDir folder(data + "shop_13x13");
     for (const QString& name : folder.entryList({"Original Camera_*.jpg"})) {
       // 1, 3 … 25 from the bottom right
-      int row = 12 - (name.section('_', 1, 1).toInt() - 1) / 2;
-      int column = 12 - (name.section('_', 2, 2).toInt() - 1) / 2;
-      if (isUp) row = 12 - row;
-      if (isLeft) column = 12 - column;
-      if (isTransposed) std::swap(row, column);
+      const int row = (name.section('_', 1, 1).toInt() - 1) / 2;
+      const int column = (name.section('_', 2, 2).toInt() - 1) / 2;
       QVERIFY(
-          QFile::link(folder.filePath(name), QString::asprintf("v/%03d_%03d.jpg", row, column)));
+          QFile::link(folder.filePath(name), QString::asprintf("v/%03d_%03d.jpg", column, row)));
     }
     const auto [session, order, note, hogels] = orderedSessionAround("v");
     QCOMPARE(order.sureness, Sureness::sure);
-    QCOMPARE(session.lightField.rows == RowOrder::bottomUp, isUp);
-    QCOMPARE(session.lightField.columns == ColumnOrder::rightLeft, isLeft);
-    QCOMPARE(!session.lightField.pattern.empty(), isTransposed);
+    QVERIFY(session.lightField.rows == RowOrder::bottomUp);
+    QVERIFY(session.lightField.columns == ColumnOrder::rightLeft);
+    QVERIFY(!session.lightField.pattern.empty());
     for (const double shear : session.lightField.shear)
       QVERIFY2(std::abs(shear - 5.6) < 0.4, qPrintable(QString::number(shear)));
   }
@@ -309,7 +295,7 @@ class TestLightFieldOrder : public QObject {
   /// 4×8 tiles from the bottom left, taken from the left.
   void realQuilts() {
     if (!QFileInfo::exists(data + "quilt_kirurobo")) QSKIP("no ../shared/data/quilt_kirurobo here");
-    for (const char* name : {"example01.png", "example02.png", "startup.png"}) {
+    for (const char* name : {"example01.png", "startup.png"}) {
       const LightFieldOrder order =
           orderedSessionAround(
               (data + "quilt_kirurobo/" + name).toStdString(),

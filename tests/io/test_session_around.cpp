@@ -77,17 +77,18 @@ class TestSessionAround : public QObject {
     QTest::addColumn<int>("dv");
     QTest::addColumn<double>("depth");
     QTest::addColumn<QString>("name");
-    bool isJpeg = false;  // every other one: each shape and each depth meets both
+    int row = 0;
     for (const double depth : {-0.3, -0.11, 0.0, 0.12}) {
-      isJpeg = !isJpeg;
       for (const auto& [nx, ny, du, dv] : {std::array{40, 30, 24, 18},
                                            {50, 30, 21, 15},
                                            {30, 40, 8, 8},
                                            {24, 20, 16, 32},
                                            {100, 60, 5, 3},
                                            {11, 13, 40, 10}}) {
-        isJpeg = !isJpeg;
-        const char* name = isJpeg ? "g.jpg" : "g.png";
+        // Half of them, so that each shape meets two depths and each depth three shapes.
+        const int half = row++ + int(depth == -0.3 || depth == 0.0);
+        if (half % 2 != 0) continue;
+        const char* name = row % 4 < 2 ? "g.jpg" : "g.png";
         QTest::addRow("%d %d %d %d at %g, %s", nx, ny, du, dv, depth, name)
             << nx << ny << du << dv << depth << QString(name);
       }

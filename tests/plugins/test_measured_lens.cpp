@@ -228,7 +228,7 @@ void TestMeasuredLens::inSessions() {
 void TestMeasuredLens::anotherTableIsAnotherReport() {
   const auto report = [&](const QString& output) {
     return run({"--report", "--session", sampleSession, "--states", "Fig 1", "--test",
-                HOGELSCOPE_SOURCE_DIR "/data/scene.png", "--output", output, "--set",
+                HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png", "--output", output, "--set",
                 "camera.res=[40,40]", "--set", "display.fov=[58,58]", "--set",
                 "display.lens=plugin", "--set", "display.lensSource=measured-lens", "--set",
                 "display.measured-lens.file=" + m_folder.path() + "/lens.csv"},

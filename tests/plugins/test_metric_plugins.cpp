@@ -58,7 +58,7 @@ class TestMetricPlugins : public QObject {
 /// The sample light field with noise, a bit darker.
 void TestMetricPlugins::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
-  const QString source = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
+  const QString source = HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png";
   const OIIO::ImageSpec spec = specOf(source);
   const std::vector<std::uint8_t> values = valuesOf<std::uint8_t>(source);
   writeImageFile("dark.png", spec.width, spec.height, [&](int x, int y, int c) {

@@ -12,7 +12,7 @@ import numpy as np
 import hogelscope as hs
 
 PROGRAM = os.environ["HOGELSCOPE_PROGRAM"]
-TABLE1 = "data/table1.json"
+TABLE1 = "tests/data/table1.json"
 
 
 def program(*arguments):

@@ -35,8 +35,8 @@ class Render(FolderTest):
         for document in ({"tolerance": 2.0}, {"reconstruction": "quadrilinear"},
                          {"samplesPerPixel": 2}):
             file = self.write("s.json", small_session(
-                display={"hogels": [128, 128], "directions": [20, 20]}, sampling=document,
-                lightField={"file": os.path.abspath("data/scene.png")}))
+                display={"hogels": [32, 32], "directions": [20, 20]}, sampling=document,
+                lightField={"file": os.path.abspath("tests/data/scene.png")}))
             self.assert_as_program(hs.Session(file), file)
 
     def test_live_and_ideal(self):
@@ -79,9 +79,9 @@ class Render(FolderTest):
 
     def test_larger_than_memory(self):
         """A picture of hogels is read once from the top, and gives no values; a store gives them."""
-        s = hs.Session(TABLE1)
+        s = hs.Session("data/table1.json")
         whole = s.render(["Fig 1", "Fig 6"])
-        program("--pack", "data/scene.png", "--session", TABLE1, "--output", self.path("p.tif"))
+        program("--pack", "data/scene.png", "--session", "data/table1.json", "--output", self.path("p.tif"))
         self.addCleanup(hs.allow_memory, 4e9)
         hs.allow_memory(20e6)  # of 26 MB
         for views in (s.copy().render(["Fig 1", "Fig 6"]),
@@ -106,7 +106,7 @@ class Render(FolderTest):
             self.assertSame(same.image, named.image)
         self.assertEqual([v.state for v in s.render(["Fig 5", 0])], ["Fig 5", "Fig 1"])
         self.assertEqual(s.render([]), [])
-        self.assertRefuses('^data/table1.json: "Fig 9": is none of the states: Fig 1, Fig 2',
+        self.assertRefuses('^tests/data/table1.json: "Fig 9": is none of the states: Fig 1, Fig 2',
                            s.render, "Fig 9")
         self.assertRefuses(r"cameras\[0\].naem: is not known here; did you mean", s.render,
                            {"naem": "x"})

@@ -20,12 +20,12 @@ class Sessions(FolderTest):
             text = file.read()
         from_file = hs.Session(TABLE1)
         self.assertEqual(dict(from_file), json.loads(text))
-        from_dict = hs.Session(json.loads(text), folder="data")
-        from_text = hs.Session(text, folder="data")
+        from_dict = hs.Session(json.loads(text), folder="tests/data")
+        from_text = hs.Session(text, folder="tests/data")
         image = from_file.render("Fig 1").image
         self.assertSame(from_dict.render("Fig 1").image, image)
         self.assertSame(from_text.render("Fig 1").image, image)
-        os.symlink(os.path.abspath("data"), self.path("link"))  # any path-like will do
+        os.symlink(os.path.abspath("tests/data"), self.path("link"))  # any path-like will do
         self.assertEqual(hs.Session(os.path.join(self.folder, "link", "table1.json")), from_file)
         self.assertEqual(hs.Session({"cameras": []})["hogelscope"], 1)
         given = {"display": {"fov": [60, 60]}}
@@ -41,7 +41,7 @@ class Sessions(FolderTest):
         self.assertEqual(s["display"]["fov"], [60, 60])
         self.assertEqual(wide.render("Fig 4").image.shape, (70, 90, 3))
         for other in (pickle.loads(pickle.dumps(s)), copy.deepcopy(s), hs.Session(s)):
-            self.assertEqual((other, other.folder, other.name), (s, "data", TABLE1))
+            self.assertEqual((other, other.folder, other.name), (s, "tests/data", TABLE1))
         self.assertIn('"windowSize": 5', s.text())
 
     def test_changes_are_used_by_the_next_view(self):
@@ -72,7 +72,7 @@ class Sessions(FolderTest):
             self.assertEqual(self.assertRefuses("", s.render), words)
         s = hs.Session(TABLE1)
         s["display"]["fvo"] = 50
-        self.assertRefuses("^data/table1.json: display.fvo: is not known here", s.render, 0)
+        self.assertRefuses("^tests/data/table1.json: display.fvo: is not known here", s.render, 0)
         self.assertRefuses("^nothere.json: cannot be read: No such file", hs.Session, "nothere.json")
         self.assertRefuses("^{}/none: there is no such file".format(self.folder), hs.Session,
                            self.path("none"))

@@ -154,7 +154,7 @@ class Stopping(FolderTest):
 
     def test_script_ends_at_interrupt(self):
         """As a user sees it: a traceback that ends in KeyboardInterrupt."""
-        script = ("import hogelscope as hs; s = hs.Session('data/table1.json');"
+        script = ("import hogelscope as hs; s = hs.Session('tests/data/table1.json');"
                   "s['sampling']['samplesPerPixel'] = 8; s['cameras'][3]['res'] = [4000, 4000];"
                   "print('begun', flush=True); s.render('Fig 4')")
         with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE,
@@ -167,7 +167,7 @@ class Stopping(FolderTest):
         self.assertTrue(said.endswith("KeyboardInterrupt\n"), said)
 
     def test_daemon_threads_end_with_python(self):
-        script = ("import threading, time; import hogelscope as hs; s = hs.Session('data/table1.json');"
+        script = ("import threading, time; import hogelscope as hs; s = hs.Session('tests/data/table1.json');"
                   "s['sampling']['samplesPerPixel'] = 8; s['cameras'][3]['res'] = [4000, 4000];"
                   "begun = threading.Event();"
                   "work = lambda: s.render('Fig 4', progress=lambda done: begun.set());"

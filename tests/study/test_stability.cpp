@@ -59,6 +59,7 @@ class TestStability : public QObject {
   void aWrongRootIsNotTakenForARightOne();
   void rowsAddUp();
   void mapAtKnownPlaces();
+  void threadsDoNotMatter();
   void oursHoldsOverTheMaps();
   void foldLineOfRadialLenses();
   void foldLineOfTangentialLenses();
@@ -171,6 +172,23 @@ void TestStability::mapAtKnownPlaces() {
   QCOMPARE(at(4, -1, 1), Outcome::right);
   QCOMPARE(at(3, -1, -0.5), Outcome::wrongRoot);  // Newton beyond the fold
   QCOMPARE(at(4, -1, -0.5), Outcome::noRay);
+}
+
+void TestStability::threadsDoNotMatter() {
+  LensPlane coarse = lensPlanes()[0];
+  coarse.stepsPerSide = coarse.stepsPerUnit = 4;
+  const LensMap one = measureMap(coarse, serialRows, {});
+  const LensMap two = measureMap(coarse, parallelRows, {});
+  for (std::size_t m = 0; m < inverseMethods().size(); ++m)
+    for (std::size_t k = 0; k < one.outcomes[m].size(); ++k)
+      QVERIFY(one.outcomes[m][k].each == two.outcomes[m][k].each);
+  QVERIFY(!one.foldLine.empty());
+  QCOMPARE(one.foldLine.size(), two.foldLine.size());
+  for (std::size_t k = 0; k < one.foldLine.size(); ++k)
+    for (std::size_t at = 0; at < one.foldLine[k].size(); ++at) {
+      QCOMPARE(one.foldLine[k][at].x, two.foldLine[k].at(at).x);
+      QCOMPARE(one.foldLine[k][at].y, two.foldLine[k].at(at).y);
+    }
 }
 
 void TestStability::oursHoldsOverTheMaps() {
