@@ -67,7 +67,8 @@ class TestMainWindow : public QObject {
     waitForSample();
     const Session session = loadSession(sampleFile.toStdString());
     const Scene scene = loadScene(session, {});
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.job(session.cameras[0]))), patience);
+    const Image expected = simulate(scene.job(session.cameras[0]));
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
     QVERIFY(m_window->windowTitle().startsWith("table1.json"));
     QVERIFY(!m_window->isWindowModified());
   }
@@ -103,7 +104,8 @@ class TestMainWindow : public QObject {
     Session session = loadSession(sampleFile.toStdString());
     session.cameras[0].psf.windowSize = 1;
     const Scene scene = loadScene(session, {});
-    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), simulate(scene.job(session.cameras[0]))), patience);
+    const Image expected = simulate(scene.job(session.cameras[0]));
+    QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
   }
 
   void importsACalibrationAndSaysWhatTheLensIsWorth() {

@@ -302,7 +302,7 @@ void TestReportDock::plotsShowTheRows() {
 }
 
 void TestReportDock::stopsAndGoesOn() {
-  open("[800, 600]", R"({"samplesPerPixel": 8})");
+  open("[800, 600]", R"({"samplesPerPixel": 5})");
   m_dock->addTest("b.png");
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 1).isEmpty(), patience);
