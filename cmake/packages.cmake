@@ -63,7 +63,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libhogelscope-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_version}, libhdf5-dev, libopencv-dev, "
- "libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libxxhash-dev, libyaml-dev, libzstd-dev, "
+ "libopenexr-dev, libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libxxhash-dev, libyaml-dev, libzstd-dev, "
  "nlohmann-json3-dev, pkg-config")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "simulated viewing of light field displays - development files
 Headers, static libraries and the CMake package of Hogelscope: the renderer,

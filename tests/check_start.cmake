@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
 # A job loads what it uses: the program starts without VTK, Qt's widgets, OpenImageIO and OpenCV's
-# codecs, a picture made of PNGs needs none of them, and one made of a JPEG loads the codecs.
+# codecs, a picture and a report made of PNGs need none of them, and one of a JPEG loads the codecs.
 function(loaded_by output)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env LD_DEBUG=files ${PROGRAM} ${ARGN}
     OUTPUT_QUIET ERROR_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
@@ -17,7 +17,9 @@ endif()
 set(render --render --session ${SOURCE}/data/table1.json --states "Fig 1" --quiet
   --set camera.res=[20,20])
 loaded_by(png ${render} --output ${WORK}/png)
-foreach(libraries "${version}" "${png}")
+loaded_by(report --report --session ${SOURCE}/data/table1.json --test ${SOURCE}/data/scene.png
+  --states "Fig 1" --quiet --set camera.res=[20,20] --output ${WORK}/report)
+foreach(libraries "${version}" "${png}" "${report}")
   if(libraries MATCHES "${heavy}")
     message(FATAL_ERROR "${PROGRAM} loads ${CMAKE_MATCH_0}")
   endif()

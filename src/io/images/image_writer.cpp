@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Image files: PNGs by libspng, all others by codecs().
+// Image files: PNGs by libspng, floats by OpenEXR, all others by codecs().
 #include "io/images/image_writer.h"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "io/files/atomic_file.h"
 #include "io/images/checked_file.h"
 #include "io/images/codecs.h"
+#include "io/images/exr_output.h"
 #include "io/images/png_output.h"
 
 namespace hogelscope {
@@ -43,6 +44,8 @@ struct ImageRowWriter::Output {
       image = std::make_unique<PngOutput>(
           file.string(), spec, effort,
           [this](const void* data, std::size_t size) { bytes.write(data, size); });
+    else if (extension == ".exr" && spec.type == StoredType::real)
+      image = std::make_unique<ExrOutput>(file.string(), spec, bytes);
     else
       image = codecs().create(file, spec, bytes);
   }
