@@ -81,9 +81,8 @@ class TestLiveScenes : public SceneTest {
   void theMeshStandsInTheScene() {
     const QImage with = drawn();
     child<QAction>("sceneMeshAction")->trigger();
-    QTest::qWait(100);
     QVERIFY(!scene().mesh().isShown());
-    QVERIFY(drawn() != with);
+    QTRY_VERIFY_WITH_TIMEOUT(drawn() != with, patience);
     child<QAction>("sceneMeshAction")->trigger();
     QVERIFY(scene().mesh().isShown());
   }

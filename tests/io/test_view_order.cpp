@@ -106,7 +106,7 @@ class TestViewOrder : public QObject {
       if (layer.width < 1e6) layer.width = layer.height = 90;
     }
     scene.layers[0].parallax = -4;
-    const ViewOrder order = findViewOrder(gridOf(scene, 3, 9, {true, true, false}));
+    const ViewOrder order = findViewOrder(gridOf(scene, 3, 5, {true, true, false}));
     QVERIFY2(isRight(order, {true, true, false}), qPrintable(said(order)));
     // Most is background, in the files' own pixels and not in those that are looked at.
     QVERIFY2(std::abs(order.middleMotion[0] + 4) < 0.1, qPrintable(said(order)));
