@@ -14,7 +14,7 @@ using namespace hogelscope;
 
 namespace {
 
-/// Not the small sample, in which some sums are halfway between two code values.
+/// Not the small sample: in some of its pictures a sum is halfway between two code values.
 const QString table1 = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
 
 const QStringList states{"Fig 1", "Fig 2", "Fig 3", "Fig 4", "Fig 5", "Fig 6"};
@@ -25,12 +25,12 @@ QStringList filesOf(const QStringList& names, const QString& ending) {
   return files;
 }
 
-/// Renders the sample's states with 60×60 px, or as `more` says, to "out".
+/// Renders the sample's states with 64×64 px, or as `more` says, to "out".
 QStringList job(const QStringList& more = {}) {
   QStringList arguments{"--render", "--session", table1, "--output", "out"};
   if (more.filter("camera.res=").isEmpty())
     arguments << "--set"
-              << "camera.res=[60,60]";
+              << "camera.res=[64,64]";
   return arguments + more;
 }
 
@@ -68,7 +68,7 @@ class TestRender : public QObject {
 };
 
 void TestRender::initTestCase() {
-  m_session = loadSession(table1.toStdString(), {"camera.res=[60,60]"});
+  m_session = loadSession(table1.toStdString(), {"camera.res=[64,64]"});
   m_expected = simulated(m_session);
   QCOMPARE(m_expected.size(), std::size_t(6));
 }
@@ -123,10 +123,10 @@ void TestRender::exrHoldsTheValues() {
   const Scene scene = loadScene(m_session, {});
   const Simulation simulation(scene.job(m_session.cameras[0]));
   int fractions = 0;
-  for (int y = 0; y < 60; ++y) {
-    for (int x = 0; x < 60; ++x) {
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
       const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});
-      const float* rgb = &values[std::size_t(3 * (60 * y + x))];
+      const float* rgb = &values[std::size_t(3 * (64 * y + x))];
       QVERIFY(std::abs(255.0 * rgb[0] - expected.r) < 1e-4);
       QVERIFY(std::abs(255.0 * rgb[1] - expected.g) < 1e-4);
       QVERIFY(std::abs(255.0 * rgb[2] - expected.b) < 1e-4);
@@ -143,10 +143,10 @@ void TestRender::tiffHoldsSixteenBits() {
   const std::vector<std::uint16_t> values = valuesOf<std::uint16_t>("out/Fig 1.tif");
   const Scene scene = loadScene(m_session, {});
   const Simulation simulation(scene.job(m_session.cameras[0]));
-  for (int y = 0; y < 60; ++y) {
-    for (int x = 0; x < 60; ++x) {
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
       const Rgb expected = simulation.pixel(x, y).value_or(Rgb{});
-      const std::uint16_t* rgb = &values[std::size_t(3 * (60 * y + x))];
+      const std::uint16_t* rgb = &values[std::size_t(3 * (64 * y + x))];
       QVERIFY(std::abs(rgb[0] - 257 * expected.r) < 0.51);
       QVERIFY(std::abs(rgb[1] - 257 * expected.g) < 0.51);
       QVERIFY(std::abs(rgb[2] - 257 * expected.b) < 0.51);
