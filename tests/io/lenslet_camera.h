@@ -3,6 +3,7 @@
 // and a sensor behind. It knows nothing of the program.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -90,9 +91,10 @@ struct LensletCamera {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         double sum = 0;
+        const std::vector<Point> close = nearTo(images, {double(x), double(y)});
         for (int ray = 0; ray < 16; ++ray) {
           const Point at{x + (ray % 4 - 1.5) / 4, y + (ray / 4 - 1.5) / 4};
-          sum += light(at, nearest(images, at));
+          sum += light(at, nearest(close, at));
         }
         values.push_back(sum / 16);
       }
@@ -100,16 +102,27 @@ struct LensletCamera {
   }
 
  private:
+  static double squaredDistance(const Point& a, const Point& b) {
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+  }
   static Point nearest(const std::vector<Point>& points, const Point& at) {
     Point best = points.front();
-    double least = 1e30;
+    double least = squaredDistance(best, at);
     for (const Point& point : points) {
-      const double distance = std::pow(point.x - at.x, 2) + std::pow(point.y - at.y, 2);
-      if (distance < least) {
-        least = distance;
-        best = point;
-      }
+      const double distance = squaredDistance(point, at);
+      if (distance >= least) continue;
+      least = distance;
+      best = point;
     }
     return best;
+  }
+  /// The points of which one is nearest to each ray of a pixel.
+  static std::vector<Point> nearTo(const std::vector<Point>& points, const Point& pixel) {
+    constexpr double mostOff = 0.54;  // a ray, from the pixel's middle
+    const double most = std::sqrt(squaredDistance(nearest(points, pixel), pixel)) + 2 * mostOff;
+    std::vector<Point> close;
+    for (const Point& point : points)
+      if (squaredDistance(point, pixel) <= most * most) close.push_back(point);
+    return close;
   }
 };
