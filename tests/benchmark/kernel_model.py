@@ -14,7 +14,7 @@ import sys
 
 def assembly(source):
     command = "g++ -S -o - -DHOGELSCOPE_BASELINE -Isrc -O3 -DNDEBUG -fPIC -std=gnu++20 -fno-trapping-math"
-    command += " -fno-math-errno -march=x86-64-v4"
+    command += " -fno-math-errno -ffp-contract=off -march=x86-64-v4"
     return subprocess.check_output(command.split() + [source], text=True).split("\n")
 
 
