@@ -31,17 +31,18 @@ void TestGenerateJob::init() {
   QVERIFY(QDir::setCurrent(m_folder->path()));
 }
 
+/// The README's command.
 void TestGenerateJob::makesTheSampleAgain() {
-  const Outcome outcome =
-      run({"--generate", "scene", "--session", sampleSession, "--output", "scene.png"},
-          m_folder->path());
+  const Outcome outcome = run({"--generate", "scene", "--session",
+                               HOGELSCOPE_SOURCE_DIR "/data/table1.json", "--output", "scene.png"},
+                              m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
-  QCOMPARE(outcome.out, QByteArray("scene.png: 640×640 px\n"));
+  QCOMPARE(outcome.out, QByteArray("scene.png: 2560×2560 px\n"));
   QCOMPARE(outcome.status, 0);
   QCOMPARE(namesIn("."), QStringList{"scene.png"});
   const auto made = valuesOf<std::uint8_t>("scene.png");
-  QCOMPARE(made.size(), std::size_t(3 * 640 * 640));
-  QVERIFY(made == valuesOf<std::uint8_t>(HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png"));
+  QCOMPARE(made.size(), std::size_t(3 * 2560 * 2560));
+  QVERIFY(made == valuesOf<std::uint8_t>(HOGELSCOPE_SOURCE_DIR "/data/scene.png"));
 }
 
 void TestGenerateJob::makesItsFolder() {

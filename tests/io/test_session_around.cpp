@@ -77,7 +77,7 @@ class TestSessionAround : public QObject {
     QTest::addColumn<int>("dv");
     QTest::addColumn<double>("depth");
     QTest::addColumn<QString>("name");
-    int row = 0;
+    int index = 0;
     for (const double depth : {-0.3, -0.11, 0.0, 0.12}) {
       for (const auto& [nx, ny, du, dv] : {std::array{40, 30, 24, 18},
                                            {50, 30, 21, 15},
@@ -85,10 +85,12 @@ class TestSessionAround : public QObject {
                                            {24, 20, 16, 32},
                                            {100, 60, 5, 3},
                                            {11, 13, 40, 10}}) {
-        // Half of them, so that each shape meets two depths and each depth three shapes.
-        const int half = row++ + int(depth == -0.3 || depth == 0.0);
-        if (half % 2 != 0) continue;
-        const char* name = row % 4 < 2 ? "g.jpg" : "g.png";
+        // Half of them, so that each shape meets two depths and both formats, and each depth three
+        // shapes and both formats.
+        const int layer = index / 6;
+        const int shape = index++ % 6;
+        if ((layer + shape) % 2 == 0) continue;
+        const char* name = (layer / 2 + shape / 2) % 2 == 0 ? "g.png" : "g.jpg";
         QTest::addRow("%d %d %d %d at %g, %s", nx, ny, du, dv, depth, name)
             << nx << ny << du << dv << depth << QString(name);
       }
