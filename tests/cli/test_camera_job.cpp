@@ -70,7 +70,7 @@ void TestCameraJob::setRendersAndSeesTheDisplay() {
   QCOMPARE(drawn.err, QByteArray());
   QCOMPARE(namesIn("out").size(), 9);
   for (const QString& name : namesIn("out")) {
-    const auto values = valuesOf<std::uint8_t>("out/" + name);
+    const auto values = bytesOf("out/" + name);
     QCOMPARE(values.size(), std::size_t(3 * 40 * 30));
     QVERIFY2(values[3 * (15 * 40 + 20)] == 255, qPrintable(name));
   }

@@ -104,8 +104,7 @@ class TestFolders : public QObject {
   /// --generate fills a display with as many hogels and directions, over none of the views.
   void aFolderIsASession() {
     QCOMPARE(done({"--generate", "directions", "--session", "v", "--output", "g.png"}).status, 0);
-    QCOMPARE(specOf("g.png").width, 24);
-    QCOMPARE(specOf("g.png").height, 18);
+    QCOMPARE(sizeOf("g.png"), QSize(24, 18));
     const Outcome over = done(
         {"--generate", "directions", "--session", "v", "--output", "v/scene_001_001_crop.png"});
     QCOMPARE(over.status, 2);

@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "tests/cli/program.h"
+#include "tests/io/any_images.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
 
 namespace {
 
@@ -61,7 +61,7 @@ void TestOutputs::init() {
   m_folder = std::make_unique<QTemporaryDir>();
   QVERIFY(QDir::setCurrent(m_folder->path()));
   writeImageFile("a.png", 32, 32, wave);
-  writeImageFile("b.tif", 32, 32, wave);
+  writeImageFile("b.tif", 32, 32, wave, PictureKind{});
   writeFile("s.json", session(R"({"file": "a.png"})"));
 }
 
@@ -247,8 +247,9 @@ void TestOutputs::unreadableFolder() {
 
 /// Two light fields are read side by side, on two threads; what is said afterwards is heard.
 void TestOutputs::everyLineIsHeard() {
-  writeImageFile("r.tif", 640, 640, wave);
-  writeImageFile("t.tif", 640, 640, [](int x, int y, int c) { return 0.9F * wave(x, y, c); });
+  writeImageFile("r.tif", 640, 640, wave, PictureKind{});
+  writeImageFile(
+      "t.tif", 640, 640, [](int x, int y, int c) { return 0.9F * wave(x, y, c); }, PictureKind{});
   writeFile("s.json", session(R"({"file": "r.tif"})"));
   for (int k = 0; k < 5; ++k) {
     const Outcome outcome =

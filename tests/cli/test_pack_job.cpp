@@ -142,7 +142,7 @@ void TestPackJob::rendersTheSame() {
   QCOMPARE(render("p.json", "3", {"--memory", "1"}), QByteArray("0"));
   QCOMPARE(contentOf("2/a.png"), contentOf("1/a.png"));
   QCOMPARE(contentOf("3/a.png"), contentOf("1/a.png"));
-  const auto values = valuesOf<std::uint8_t>("1/a.png");
+  const auto values = bytesOf("1/a.png");
   // The display is a third of the picture.
   QVERIFY(std::count(values.begin(), values.end(), 0) < std::ptrdiff_t(values.size()) * 3 / 4);
 }

@@ -9,7 +9,7 @@
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 
 using namespace hogelscope;
 

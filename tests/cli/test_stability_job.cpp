@@ -24,9 +24,9 @@ QStringList stability(const QStringList& more) {
 
 /// How many of the 41×41 pixels of the first lens are blue in lenses.png, by a method.
 int blueOnes(int method) {
-  const auto spec = specOf("out/lenses.png");
-  const auto values = valuesOf<std::uint8_t>("out/lenses.png");
-  const std::size_t channels = values.size() / std::size_t(spec.width * spec.height);
+  const QSize size = sizeOf("out/lenses.png");
+  const auto values = bytesOf("out/lenses.png");
+  const std::size_t channels = values.size() / std::size_t(size.width() * size.height());
   constexpr double across = (1000 - 2 * 14 - 4 * 16) / 5.0;  // points, half as many as pixels
   constexpr double up = across * 480 / 640;
   int count = 0;
@@ -34,7 +34,7 @@ int blueOnes(int method) {
     for (int column = 0; column < 41; ++column) {
       const int x = int(2 * (14 + method * (across + 16) + (column + 0.5) * across / 41));
       const int y = int(2 * (72 + (row + 0.5) * up / 41));
-      const std::size_t at = std::size_t(y * spec.width + x) * channels;
+      const std::size_t at = std::size_t(y * size.width() + x) * channels;
       count += values[at] == 0x79 && values[at + 1] == 0xbf && values[at + 2] == 0xe8 ? 1 : 0;
     }
   }
@@ -77,9 +77,9 @@ void TestStabilityJob::writesItsFiles() {
   QCOMPARE(table.count("\nlens,\"a, b\","), 5);
   QCOMPARE(table.count("\nlens,c,"), 5);
   QCOMPARE(table.count("\nlens,c,OpenCV 5,1681,1681,0,0,0,0,0,right,,,\n"), 1);
-  const auto spec = specOf("out/stability.png");
-  QCOMPARE(spec.width, 2000);
-  QVERIFY(spec.height > 1000);
+  const QSize size = sizeOf("out/stability.png");
+  QCOMPARE(size.width(), 2000);
+  QVERIFY(size.height() > 1000);
   const QList<QByteArray> lines = table.split('\n');
   for (int method = 0; method < 5; ++method) {
     const QStringList row = cellsOf(lines[1 + 6 * 5 + method]);  // after the six hard lenses

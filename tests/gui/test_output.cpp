@@ -36,7 +36,7 @@
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 
 using namespace hogelscope;
 

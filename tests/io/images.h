@@ -1,38 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files of any kind, written and read by OpenImageIO alone.
+// PNGs, JPEGs and PPMs of 8 bit, written and read by Qt alone; any_images.h has all kinds, and
+// takes 230 libraries to load.
 #pragma once
-
-#include <OpenImageIO/imageio.h>
 
 #include <QDir>
 #include <QFileInfo>
+#include <QImage>
+#include <QImageReader>
 #include <QString>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <vector>
-
-struct PictureKind {
-  OIIO::TypeDesc::BASETYPE type = OIIO::TypeDesc::UINT8;
-  int channels = 3;
-  int tile = 0;  ///< side of a tile, 0 = rows
-};
 
 /// 0 … 1 is the range of an integer type.
 using PictureValue = std::function<float(int x, int y, int channel)>;
 
-/// Makes the file's folder too.
-inline void writeImageFile(const QString& file, int width, int height, const PictureValue& value,
-                           const PictureKind& kind = {}) {
+/// RGB. Makes the file's folder too.
+inline void writeImageFile(const QString& file, int width, int height, const PictureValue& value) {
   QDir().mkpath(QFileInfo(file).path());
-  OIIO::ImageSpec spec(width, height, kind.channels, kind.type);
-  spec.tile_width = spec.tile_height = kind.tile;
-  spec.attribute("oiio:UnassociatedAlpha", 1);  // colours are written as they are given
-  std::vector<float> values;
-  for (int y = 0; y < height; ++y)
+  QImage image(width, height, QImage::Format_RGB888);
+  for (int y = 0; y < height; ++y) {
+    uchar* row = image.scanLine(y);
     for (int x = 0; x < width; ++x)
-      for (int c = 0; c < kind.channels; ++c) values.push_back(value(x, y, c));
-  const auto out = OIIO::ImageOutput::create(file.toStdString());
-  if (!out || !out->open(file.toStdString(), spec) ||
-      !out->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !out->close())
+      for (int c = 0; c < 3; ++c)
+        row[3 * x + c] = uchar(std::lround(255 * std::clamp(value(x, y, c), 0.0F, 1.0F)));
+  }
+  // For a PNG it is the effort of zlib: the least.
+  if (const int quality = file.endsWith(".png") ? 80 : 95; !image.save(file, nullptr, quality))
     qFatal("cannot write %s", qPrintable(file));
 }
 
@@ -40,19 +36,20 @@ inline void writeGrey(const QString& file, int width, int height) {
   writeImageFile(file, width, height, [](int, int, int) { return 0.5F; });
 }
 
-inline OIIO::ImageSpec specOf(const QString& file) {
-  const auto in = OIIO::ImageInput::open(file.toStdString());
-  return in ? in->spec() : OIIO::ImageSpec();
+inline QSize sizeOf(const QString& file) {
+  return QImageReader(file).size();
 }
 
-/// All channels of all pixels, as T: unsigned char, unsigned short or float; none if unreadable.
-template <class T>
-std::vector<T> valuesOf(const QString& file) {
-  const auto in = OIIO::ImageInput::open(file.toStdString());
-  if (!in) return {};
-  const OIIO::ImageSpec& spec = in->spec();
-  std::vector<T> values(spec.image_pixels() * std::size_t(spec.nchannels));
-  const bool isRead =
-      in->read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<T>::value, values.data());
-  return isRead && !in->has_error() ? values : std::vector<T>();
+/// RGB of all pixels; one channel of a picture without colours; none if unreadable.
+inline std::vector<std::uint8_t> bytesOf(const QString& file) {
+  const QImage stored(file);
+  if (stored.isNull()) return {};
+  const bool isGrey = stored.format() == QImage::Format_Grayscale8;
+  const QImage image = isGrey ? stored : stored.convertToFormat(QImage::Format_RGB888);
+  std::vector<std::uint8_t> bytes;
+  for (int y = 0; y < image.height(); ++y) {
+    const uchar* row = image.constScanLine(y);
+    bytes.insert(bytes.end(), row, row + (isGrey ? 1 : 3) * image.width());
+  }
+  return bytes;
 }

@@ -6,7 +6,7 @@
 #include "io/images/image_file.h"
 #include "io/images/library_versions.h"
 #include "io/scene/scene.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 #include "tests/io/refusal.h"
 
 using namespace hogelscope;
@@ -111,7 +111,7 @@ void TestBadLightFields::initTestCase() {
   QVERIFY(QFile::link("none.png", "nowhere/001_001.png"));
   writeViews("sizes", {"000_000.png", "000_001.png", "001_000.png"});
   writeGrey("sizes/001_001.png", 4, 6);
-  writeViews("twice", {"000_000.png", "000_001.png", "000_001.tif"});
+  writeViews("twice", {"000_000.png", "000_001.png", "000_001.jpg"});
   writeImageFile("broken/000_000.jpg", 64, 48, noise);
   cut("noise.jpg", "broken/000_001.jpg");
   writeViews("five", {"input_Cam000.png", "input_Cam001.png", "input_Cam002.png",
@@ -141,7 +141,7 @@ void TestBadLightFields::pictures_data() {
   refused("PNG damaged",
           text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
                 .lightField = R"({"file": "damaged.png"})"}),
-          "damaged.png: row 0: is damaged: IDAT stream error");
+          "damaged.png: row 10: is damaged: IDAT stream error");
   refused("JPEG cut in half",
           text({.display = R"({"hogels": [64, 48], "directions": [1, 1]})",
                 .lightField = R"({"file": "cut.jpg"})"}),
@@ -201,7 +201,7 @@ void TestBadLightFields::twoFilesForOneView() {
       run({"--render", "--session", "s.json", "--output", "out"}, m_folder.path());
   QCOMPARE(outcome.status, 2);
   const QByteArray one = "000_001.png";
-  const QByteArray other = "000_001.tif";
+  const QByteArray other = "000_001.jpg";
   const auto line = [](const QByteArray& a, const QByteArray& b) {
     return "hogelscope: twice: views: " + a + " and " + b + " are the same view\n";
   };

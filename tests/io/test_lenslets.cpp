@@ -11,7 +11,7 @@
 #include "io/scene/light_field_export.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 #include "tests/io/lenslet_camera.h"
 #include "tests/io/texels.h"
 

@@ -10,7 +10,7 @@
 #include "io/store/store_writer.h"
 #include "tests/core/random.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 
 using namespace hogelscope;
 

@@ -6,7 +6,7 @@
 #include "io/documents/session_file.h"
 #include "io/layouts/view_layouts.h"
 #include "io/scene/scene.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 #include "tests/io/texels.h"
 
 using namespace hogelscope;
@@ -206,7 +206,7 @@ void TestLightFieldFile::quilts_data() {
   QTest::newRow("as the session says") << "q.png" << quiltColumns << quiltRows << false;
   QTest::newRow("as its name says") << "a_qs3x2a0.75.png" << 0 << 0 << false;
   QTest::newRow("the session overrules the name") << "a_qs2x3a1.png" << 3 << 2 << false;
-  QTest::newRow("incoming") << "q.tif" << quiltColumns << quiltRows << true;
+  QTest::newRow("incoming") << "q.ppm" << quiltColumns << quiltRows << true;
 }
 
 void TestLightFieldFile::quilts() {

@@ -6,7 +6,7 @@
 
 #include "io/images/image_file.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
+#include "tests/io/any_images.h"
 
 using namespace hogelscope;
 

@@ -13,6 +13,7 @@
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"
+#include "tests/io/any_images.h"
 #include "tests/io/documents.h"
 #include "tests/io/light_fields.h"
 
@@ -434,7 +435,7 @@ void TestStore::contentHash() {
 
 void TestStore::recognised() {
   constexpr LightFieldSize size{10, 9, 11, 7};
-  writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size));
+  writeImageFile("a.tif", int(size.width()), int(size.height()), hogelImage(size), PictureKind{});
   (void)packed(paramsOf("a.tif"), displayOf(size));
   QFile::rename("store.tif", "of any name");
   QVERIFY(lightFieldOf("of any name").layout == Layout::pack);

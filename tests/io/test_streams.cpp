@@ -6,6 +6,7 @@
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"
+#include "tests/io/any_images.h"
 #include "tests/io/light_fields.h"
 
 using namespace hogelscope;

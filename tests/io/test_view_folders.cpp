@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "io/scene/scene.h"
+#include "tests/io/any_images.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
 #include "tests/io/light_fields.h"
 #include "tests/io/texels.h"
 
@@ -22,10 +22,13 @@ Rgb colourOf(int row, int column, int x, int y) {
 }
 
 void writeView(const QString& file, int row, int column) {
-  writeImageFile(file, width, height, [row, column](int x, int y, int channel) {
-    const Rgb colour = colourOf(row, column, x, y);
-    return float((channel == 0 ? colour.r : channel == 1 ? colour.g : colour.b) / 255);
-  });
+  writeImageFile(
+      file, width, height,
+      [row, column](int x, int y, int channel) {
+        const Rgb colour = colourOf(row, column, x, y);
+        return float((channel == 0 ? colour.r : channel == 1 ? colour.g : colour.b) / 255);
+      },
+      PictureKind{});
 }
 
 void writeViews(const QString& folder, int rows, int columns) {

@@ -59,10 +59,10 @@ class TestMetricPlugins : public QObject {
 void TestMetricPlugins::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   const QString source = HOGELSCOPE_SOURCE_DIR "/tests/data/scene.png";
-  const OIIO::ImageSpec spec = specOf(source);
-  const std::vector<std::uint8_t> values = valuesOf<std::uint8_t>(source);
-  writeImageFile("dark.png", spec.width, spec.height, [&](int x, int y, int c) {
-    const auto at = std::size_t(y) * std::size_t(spec.width) + std::size_t(x);
+  const QSize size = sizeOf(source);
+  const std::vector<std::uint8_t> values = bytesOf(source);
+  writeImageFile("dark.png", size.width(), size.height(), [&](int x, int y, int c) {
+    const auto at = std::size_t(y) * std::size_t(size.width()) + std::size_t(x);
     return (0.8F * float(values[3 * at + std::size_t(c)]) + float((x * 7 + y * 11) % 40)) / 255;
   });
 }
@@ -97,8 +97,8 @@ void TestMetricPlugins::inEveryFile() {
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
     const QString name = QString("/Fig %1.png").arg(k + 1);
-    const auto reference = valuesOf<std::uint8_t>("with/reference" + name);
-    const auto test = valuesOf<std::uint8_t>("with/test1" + name);
+    const auto reference = bytesOf("with/reference" + name);
+    const auto test = bytesOf("with/test1" + name);
     const double figure = metric->compare({200, 170, reference, {}}, {200, 170, test, {}});
     QVERIFY(figure > 0.5 && figure < 0.99999);
     QVERIFY2(says(figures.value(k), figure), qPrintable(figures.value(k)));

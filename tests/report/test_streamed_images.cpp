@@ -9,8 +9,8 @@
 
 #include "io/documents/session_file.h"
 #include "tests/core/rendered.h"
+#include "tests/io/any_images.h"
 #include "tests/io/documents.h"
-#include "tests/io/images.h"
 
 using namespace hogelscope;
 
@@ -99,7 +99,7 @@ class TestStreamedImages : public QObject {
 void TestStreamedImages::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   for (const char* name : {"bytes.png", "bytes.tif", "bytes.jpg"})
-    writeImageFile(name, 180, 192, noise);
+    writeImageFile(name, 180, 192, noise, PictureKind{});
   writeImageFile("words.png", 180, 192, noise, {OIIO::TypeDesc::UINT16});
   writeImageFile("reals.exr", 180, 192, noise, {OIIO::TypeDesc::FLOAT});
 }
