@@ -64,6 +64,10 @@ if ls "$packages"/python3-hogelscope_*.deb >/dev/null 2>&1; then
   if [ -d "$root/usr/lib/python3/dist-packages/hogelscope" ]; then
     cp tests/install/ten_lines.py "$root/ten_lines.py"
     inside python3 /ten_lines.py /usr/share/hogelscope/samples/table1.hogelscope
+    inside hogelscope --generate scene --session /usr/share/hogelscope/samples/table1.hogelscope \
+      --set 'display.hogels=[8,8]' --quiet --output /scene.jpg
+    inside python3 -c 'import hogelscope
+hogelscope.open("/scene.jpg", "hogels", display={"hogels": [8, 8], "directions": [20, 20]}).array()'
   fi
 fi
 

@@ -3,7 +3,7 @@
 """Makes docs/NAME.ipynb of docs/NAME.py, run with its outputs: packaging/notebooks.py [NAME ...].
 
 Needs Debian's python3-nbconvert, python3-ipykernel, python3-matplotlib and a built package:
-    PYTHONPATH=build/release/python /usr/bin/python3 packaging/notebooks.py notebook
+    PYTHONPATH=build/release/lib/python3/dist-packages /usr/bin/python3 packaging/notebooks.py notebook
 A notebook whose modules are missing is written without outputs.
 """
 

@@ -3,13 +3,14 @@
 
 import gc
 import os
+import subprocess
 import sys
 import threading
 import unittest
 import warnings
 
 import numpy as np
-from support import FolderTest, program, random_views, small_session
+from support import TABLE1, FolderTest, program, random_views, small_session
 
 import hogelscope as hs
 
@@ -163,6 +164,26 @@ class LightFields(FolderTest):
         self.assertEqual(quilt.shape, (1, 4, 10, 12, 3))
         self.assertEqual(store.shape, views.shape)
         self.assertEqual(found.shape, views.shape)
+
+    def test_codecs_are_loaded_by_a_jpeg(self):
+        program("--generate", "scene", "--session", TABLE1, "--set", "display.hogels=[8,6]",
+                "--output", self.path("h.jpg"))
+        opened = """
+import os, sys
+import hogelscope as hs
+def has_codecs():
+    with open("/proc/self/maps", encoding="utf-8") as file: return "libOpenImageIO" in file.read()
+before = has_codecs()
+sys.path.clear()
+os.chdir("/")  # they are found from wherever the module was imported
+lf = hs.open(sys.argv[1], "hogels", display={"hogels": [8, 6], "directions": [20, 20]})
+print(before, has_codecs(), lf.array().shape, lf.array().std() > 20)
+"""
+        package = os.path.dirname(os.path.dirname(hs.__file__))
+        done = subprocess.run([sys.executable, "-c", opened, os.path.abspath(self.path("h.jpg"))],
+                              env={**os.environ, "PYTHONPATH": os.path.relpath(package)},
+                              capture_output=True, text=True, check=False)
+        self.assertEqual((done.stdout, done.stderr), ("False True (20, 20, 6, 8, 3) True\n", ""))
 
     def test_open_is_what_info_finds(self):
         views = random_views()

@@ -54,11 +54,12 @@ __all__ = [
 def _add_own_plugins() -> None:
     """The program finds its plugins beside itself; here the program is Python."""
     name = f"plugins-{_hogelscope.plugin_abi}"
-    package = _os.path.dirname(_os.path.abspath(__file__))
-    build = _os.path.dirname(_os.path.dirname(package))
-    prefix = _os.path.dirname(_os.path.dirname(build))  # of PREFIX/lib/python3/dist-packages
-    found = [_os.path.join(build, name)]
-    found += _glob.glob(_os.path.join(_glob.escape(prefix), "lib", "*", "hogelscope", name))
+    prefix = _os.path.abspath(__file__)
+    for _ in "PREFIX/lib/python3/dist-packages/hogelscope/__init__.py".split("/")[1:]:
+        prefix = _os.path.dirname(prefix)
+    found = [_os.path.join(prefix, name)]  # of a build
+    for libraries in ("lib", "lib/*"):
+        found += _glob.glob(_os.path.join(_glob.escape(prefix), libraries, "hogelscope", name))
     for folder in found:
         if _os.path.isdir(folder):
             add_plugin_folder(folder)
