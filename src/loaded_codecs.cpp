@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the program or module that this is linked into; read at its start, since a relative path is of
-/// the current folder.
+/// Of the program or module that this is linked into; read at its start, since a relative path is
+/// of the current folder.
 const fs::path ownFolder = [] {
   Dl_info symbol{};
   void* own = nullptr;  // a program's name is empty

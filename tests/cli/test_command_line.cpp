@@ -7,8 +7,8 @@
 #include "cli/help.h"
 #include "cli/parser.h"
 #include "tests/cli/program.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 

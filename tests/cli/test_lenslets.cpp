@@ -8,8 +8,8 @@
 
 #include "core/base/random_numbers.h"
 #include "tests/cli/program.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 #include "tests/io/lenslet_camera.h"
 
 using namespace hogelscope;

@@ -7,8 +7,8 @@
 
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 

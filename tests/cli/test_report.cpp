@@ -8,8 +8,8 @@
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/cli/views.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 

@@ -108,8 +108,7 @@ void TestStop::signalsStop() {
   QCOMPARE(process.exitCode(), signal);
   for (const QString& name : namesIn("out"))
     if (!name.startsWith("report."))  // by which it goes on
-      QVERIFY2(!name.contains(".part") && !bytesOf("out/" + name).empty(),
-               qPrintable(name));
+      QVERIFY2(!name.contains(".part") && !bytesOf("out/" + name).empty(), qPrintable(name));
   const QByteArray told = process.readAllStandardError();
   QVERIFY2(told.endsWith("hogelscope: stopped; what is finished is kept\n"), told);
   const auto lines = told.count('\n');

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 

@@ -10,8 +10,8 @@
 #include "io/order/light_field_order.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/scene.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 #include "tests/io/lenslet_camera.h"
 #include "tests/io/texels.h"
 

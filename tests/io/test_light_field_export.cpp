@@ -9,8 +9,8 @@
 #include "io/scene/scene.h"
 #include "io/store/store_writer.h"
 #include "tests/core/random.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 

@@ -5,8 +5,8 @@
 #include <QtEndian>
 
 #include "io/images/image_file.h"
-#include "tests/io/documents.h"
 #include "tests/io/any_images.h"
+#include "tests/io/documents.h"
 
 using namespace hogelscope;
 

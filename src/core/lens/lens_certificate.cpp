@@ -58,7 +58,8 @@ void add(const LensKey& key, int y, const double* idealX, const double* idealY,
 
 double validRadius(const Distortion& distortion, const Progress& progress) {
   constexpr double farthest = 100;
-  constexpr int directions = 720;
+  const DistortionParams& lens = distortion.params();
+  const int directions = lens.p1 == 0 && lens.p2 == 0 ? 1 : 720;  // all are alike, or not
   double radius = farthest;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2 * std::numbers::pi * k / directions;

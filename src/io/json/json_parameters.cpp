@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "core/base/error.h"
@@ -188,16 +187,45 @@ Override parseOverride(const std::string& text) {
 
 namespace {
 
-/// Called with a document's structure while it is parsed: refuses a key that occurs twice in an
-/// object, and a depth or a number of keys that no document of the program has.
-class StructureCheck {
+/// Goes through a document's structure: refuses a key that occurs twice in an object, and a depth
+/// or a number of keys that no document of the program has. Not a callback of Json::parse(), which
+/// would look through all that is read of an array at each object's end.
+class StructureCheck : public Json::json_sax_t {
  public:
-  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-    if (depth > deepestDocument) throw InputError("is nested deeper than any session", "");
-    if (event == Json::parse_event_t::object_start) m_open.emplace_back();
-    if (event == Json::parse_event_t::object_end) m_open.pop_back();
-    if (event == Json::parse_event_t::key) addKey(parsed.get<std::string>());
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*count*/) override {
+    m_open.emplace_back();
+    return deeper();
+  }
+  bool key(string_t& name) override {
+    m_open.back().latest = name;
+    if (m_open.back().keys.size() == mostKeys)
+      throw InputError("has more than " + std::to_string(mostKeys) + " keys in one object", "");
+    if (m_open.back().keys.insert(name).second) return true;
+    std::string path;
+    for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
+    throw InputError(path, "stands twice in one object");
+  }
+  bool end_object() override {
+    m_open.pop_back();
+    --m_depth;
     return true;
+  }
+  bool start_array(std::size_t /*count*/) override { return deeper(); }
+  bool end_array() override {
+    --m_depth;
+    return true;
+  }
+  /// Left to Json::parse().
+  bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*error*/) override {
+    return false;
   }
 
  private:
@@ -206,17 +234,13 @@ class StructureCheck {
     std::string latest;
   };
 
-  void addKey(const std::string& key) {
-    m_open.back().latest = key;
-    if (m_open.back().keys.size() == mostKeys)
-      throw InputError("has more than " + std::to_string(mostKeys) + " keys in one object", "");
-    if (m_open.back().keys.insert(key).second) return;
-    std::string path;
-    for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
-    throw InputError(path, "stands twice in one object");
+  bool deeper() {
+    if (++m_depth > deepestDocument) throw InputError("is nested deeper than any session", "");
+    return true;
   }
 
   std::vector<Object> m_open;
+  int m_depth = 0;
 };
 
 }  // namespace
@@ -224,9 +248,11 @@ class StructureCheck {
 Json parseJson(const std::string& text, JsonComments comments) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("is empty: not a session document", "");
+  const bool areIgnored = comments == JsonComments::ignored;
   StructureCheck check;
+  Json::sax_parse(text, &check, Json::input_format_t::json, true, areIgnored);
   try {
-    return Json::parse(text, std::ref(check), true, comments == JsonComments::ignored);
+    return Json::parse(text, nullptr, true, areIgnored);
   } catch (const Json::exception& error) {
     std::string why = error.what();
     why.erase(0, std::min(why.size(), why.find("] ") + 2));

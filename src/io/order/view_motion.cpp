@@ -20,14 +20,6 @@ cv::Mat1f smoothed(const cv::Mat1b& picture) {
   return result;
 }
 
-cv::Mat2f flowBetween(const cv::Mat1b& from, const cv::Mat1b& to) {
-  const auto flow = cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM);
-  cv::Mat2f shift;
-  flow->setFinestScale(0);  // every pixel: what hides what is seen at edges alone
-  flow->calc(from, to, shift);
-  return shift;
-}
-
 /// Where each pixel arrives.
 cv::Mat2f arrivals(const cv::Mat2f& shift) {
   cv::Mat2f map(shift.size());
@@ -59,12 +51,23 @@ Occlusions& Occlusions::operator+=(const Occlusions& more) {
   return *this;
 }
 
-DenseMotion motionBetween(const cv::Mat1b& from, const cv::Mat1b& to) {
+MotionFinder::MotionFinder()
+    : m_flow(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM)) {
+  m_flow->setFinestScale(0);  // every pixel: what hides what is seen at edges alone
+}
+
+cv::Mat2f MotionFinder::flow(const cv::Mat1b& from, const cv::Mat1b& to) {
+  cv::Mat2f shift;  // empty: no guess to begin with
+  m_flow->calc(from, to, shift);
+  return shift;
+}
+
+DenseMotion MotionFinder::between(const cv::Mat1b& from, const cv::Mat1b& to) {
   constexpr double mostReturn = 0.5;  // pixels
   constexpr double mostChange = 8;    // code values
-  DenseMotion motion{flowBetween(from, to), cv::Mat1b::zeros(from.size())};
+  DenseMotion motion{flow(from, to), cv::Mat1b::zeros(from.size())};
   const cv::Mat2f map = arrivals(motion.shift);
-  const cv::Mat2f back = fetched(flowBetween(to, from), map);
+  const cv::Mat2f back = fetched(flow(to, from), map);
   const cv::Mat1f here = smoothed(from);
   const cv::Mat1f there = fetched(smoothed(to), map);
   for (int y = 0; y < from.rows; ++y)
@@ -207,17 +210,16 @@ double spreadOf(const DenseMotion& motion, int axis) {
 
 }  // namespace
 
-Occlusions occlusionsIn(const Neighbours& neighbours, int axis, int before, int after,
-                        const std::function<cv::Mat1b(int)>& target) {
+Occlusions occlusionsIn(const Neighbours& neighbours, const cv::Mat1b& repeats, int axis,
+                        int before, int after, const std::function<cv::Mat1b(int)>& target) {
   constexpr double wanted = 48;  // pixels that the nearest and the farthest content move apart
   Occlusions votes;
-  const cv::Mat1b isUnique = ~repetitions(neighbours.view, axis);
   const double spread = spreadOf(motionPerView(neighbours), axis);
   if (!(spread > 0)) return votes;
   const cv::Mat1f view = smoothed(neighbours.view);
   const auto judge = [&](const DenseMotion& motion, int stepOfMotion, int t) {
     if (motion.shift.empty() || t == 0) return;
-    const DenseMotion certain{motion.shift, motion.isSure & isUnique};
+    const DenseMotion certain{motion.shift, motion.isSure & ~repeats};
     votes += votesOf(view, smoothed(target(t)),
                      arrivalsOf(certain, double(t) / stepOfMotion, t, axis), t);
   };

@@ -8,6 +8,10 @@
 
 #include "io/order/view_order.h"
 
+namespace cv {
+class DISOpticalFlow;
+}  // namespace cv
+
 namespace hogelscope {
 
 /// Dense motion from one view to another, and where it can be trusted: there the motion back leads
@@ -17,8 +21,18 @@ struct DenseMotion {
   cv::Mat1b isSure;
 };
 
-/// Both pictures are 8-bit grey and of one size.
-DenseMotion motionBetween(const cv::Mat1b& from, const cv::Mat1b& to);
+/// Measures motion. Keeps the buffers of the flow: to allocate them anew takes a third of its time.
+class MotionFinder {
+ public:
+  MotionFinder();
+  /// Both pictures are 8-bit grey and of one size.
+  DenseMotion between(const cv::Mat1b& from, const cv::Mat1b& to);
+
+ private:
+  cv::Mat2f flow(const cv::Mat1b& from, const cv::Mat1b& to);
+
+  cv::Ptr<cv::DISOpticalFlow> m_flow;
+};
 
 /// Returns where a picture, moved along axis 0 (x) or 1 (y) by 4 to 28 pixels, looks as it did:
 /// there a motion may as well be another. Repeated patterns are such places, and edges along the
@@ -42,9 +56,10 @@ DenseMotion motionPerView(const Neighbours& neighbours);
 
 /// Judges, along picture axis 0 (x) or 1 (y), which of two pixels that arrive at one pixel of
 /// another view is seen there. The motion comes from the neighbour on the other side of the view,
-/// so what is hidden there was not needed to measure it. `target(t)` is the view t steps further;
+/// so what is hidden there was not needed to measure it, and `repeats` are the view's repetitions()
+/// along the axis. `target(t)` is the view t steps further;
 /// it is called for t within [-before, after].
-Occlusions occlusionsIn(const Neighbours& neighbours, int axis, int before, int after,
-                        const std::function<cv::Mat1b(int)>& target);
+Occlusions occlusionsIn(const Neighbours& neighbours, const cv::Mat1b& repeats, int axis,
+                        int before, int after, const std::function<cv::Mat1b(int)>& target);
 
 }  // namespace hogelscope

@@ -31,6 +31,9 @@ class Views {
     if (isNew) known->second = scaled(m_grid.view(row, column));
     return known->second;
   }
+  DenseMotion motion(const cv::Mat1b& from, const cv::Mat1b& to) {
+    return m_finder.between(from, to);
+  }
   /// Our pixels for one of the pictures'.
   [[nodiscard]] double scale() const { return m_scale; }
 
@@ -52,6 +55,7 @@ class Views {
 
   const GreyGrid& m_grid;
   std::map<std::pair<int, int>, cv::Mat1b> m_views;
+  MotionFinder m_finder;
   double m_scale = 1;
 };
 
@@ -61,6 +65,9 @@ double percentile(std::vector<double> values, double part) {
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
+
+/// Of a view along x and y.
+using Repetitions = std::array<cv::Mat1b, 2>;
 
 /// One direction of the grid: along its columns (within a row) or along its rows.
 class Direction {
@@ -75,8 +82,8 @@ class Direction {
 
   Neighbours neighbours(const Centre& centre, int step) {
     Neighbours result{m_views.at(centre.row, centre.column), step, {}, {}};
-    if (has(centre, -step)) result.before = motionBetween(result.view, other(centre, -step));
-    if (has(centre, step)) result.after = motionBetween(result.view, other(centre, step));
+    if (has(centre, -step)) result.before = m_views.motion(result.view, other(centre, -step));
+    if (has(centre, step)) result.after = m_views.motion(result.view, other(centre, step));
     return result;
   }
 
@@ -98,9 +105,10 @@ class Direction {
   }
   [[nodiscard]] int step() const { return m_step; }
 
-  Occlusions occlusions(const Centre& centre, const Neighbours& around, int axis) {
-    return occlusionsIn(around, axis, reach(centre, -1), reach(centre, 1),
-                        [&](int t) { return other(centre, t); });
+  Occlusions occlusions(const Centre& centre, const Neighbours& around, const Repetitions& repeats,
+                        int axis) {
+    return occlusionsIn(around, repeats[std::size_t(axis)], axis, reach(centre, -1),
+                        reach(centre, 1), [&](int t) { return other(centre, t); });
   }
 
  private:
@@ -127,8 +135,8 @@ class Direction {
 };
 
 /// Motions of squares of pixels that have structure in all directions.
-std::vector<PlaceMotion> placesOf(const cv::Mat1b& view, const DenseMotion& alongColumns,
-                                  const DenseMotion& alongRows) {
+std::vector<PlaceMotion> placesOf(const cv::Mat1b& view, const Repetitions& repetitions,
+                                  const DenseMotion& alongColumns, const DenseMotion& alongRows) {
   constexpr int side = 16;          // pixels of a square
   constexpr int leastPixels = 24;   // in a square
   constexpr float leastCorner = 4;  // (code values per pixel)²; noise of two has less
@@ -140,8 +148,7 @@ std::vector<PlaceMotion> placesOf(const cv::Mat1b& view, const DenseMotion& alon
   cv::cornerMinEigenVal(picture, corner, 7, sobel);
   corner *= perPixel;
   // A grid needs x and y; one row or column needs the one along which it moves.
-  const cv::Mat1b repeatsX = repetitions(view, 0);
-  const cv::Mat1b repeatsY = repetitions(view, 1);
+  const auto& [repeatsX, repeatsY] = repetitions;
   const bool isGrid = !alongColumns.shift.empty() && !alongRows.shift.empty();
   const cv::Mat1b repeats = isGrid ? repeatsX | repeatsY : repeatsX & repeatsY;
   corner.setTo(0, repeats);
@@ -388,6 +395,7 @@ class Finder {
   /// A centre with its neighbours.
   struct Around {
     Centre centre;
+    Repetitions repeats;
     Neighbours columns;
     Neighbours rows;
   };
@@ -404,9 +412,11 @@ class Finder {
     Neighbours columns = neighboursOf(m_columns, centre, part(progress, 0, 0.5));
     reportProgress(progress, 0.5);
     Neighbours rows = neighboursOf(m_rows, centre, part(progress, 0.5, 1));
-    m_measured.places.push_back(placesOf(m_views.at(centre.row, centre.column),
-                                         motionPerView(columns), motionPerView(rows)));
-    m_around.push_back({centre, std::move(columns), std::move(rows)});
+    const cv::Mat1b view = m_views.at(centre.row, centre.column);
+    Repetitions repeats{repetitions(view, 0), repetitions(view, 1)};
+    m_measured.places.push_back(
+        placesOf(view, repeats, motionPerView(columns), motionPerView(rows)));
+    m_around.push_back({centre, std::move(repeats), std::move(columns), std::move(rows)});
   }
 
   /// Puts the middle view's motions into the result, in the pictures' own pixels.
@@ -443,10 +453,12 @@ class Finder {
     reportProgress(progress, 0);
     const int axis = m_order.isTransposed ? 1 : 0;
     if (m_columns.hasNeighbours())
-      m_measured.alongColumns += m_columns.occlusions(around.centre, around.columns, axis);
+      m_measured.alongColumns +=
+          m_columns.occlusions(around.centre, around.columns, around.repeats, axis);
     hearStop(progress);
     if (m_rows.hasNeighbours())
-      m_measured.alongRows += m_rows.occlusions(around.centre, around.rows, 1 - axis);
+      m_measured.alongRows +=
+          m_rows.occlusions(around.centre, around.rows, around.repeats, 1 - axis);
   }
 
   /// From here on rows and columns are those of cameras.
