@@ -158,7 +158,7 @@ void TestPackJob::startLimited(QProcess& process, int hogels, rlim_t bytes) {
 
 /// By a signal that it cannot hear, wherever it is.
 void TestPackJob::killed() {
-  constexpr int hogels = 96;
+  constexpr int hogels = 64;
   writeSource(hogels);
   QCOMPARE(run(packArguments(hogels), m_folder->path()).status, 0);
   const QByteArray whole = contentOf("store.tif");
@@ -182,7 +182,7 @@ void TestPackJob::killed() {
 }
 
 void TestPackJob::interrupted() {
-  constexpr int hogels = 96;
+  constexpr int hogels = 64;
   writeSource(hogels);
   QProcess process;
   do {  // again if it was faster

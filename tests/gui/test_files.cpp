@@ -180,7 +180,7 @@ class TestFiles : public HabitsTest {
   }
 
   void readingCanBeStopped() {
-    const QString file = largeSession();
+    const QString file = largeSession(4000);
     auto* bar = m_window->findChild<QWidget*>("readingBar");
     auto* image = m_window->findChild<ImageWidget*>("pictureView");
     QTRY_VERIFY_WITH_TIMEOUT(!image->image().isNull(), patience);
@@ -203,7 +203,7 @@ class TestFiles : public HabitsTest {
 
   /// The bar moves, but what is read while the window is busy is not painted step by step after it.
   void progressQueuesNothing() {
-    const QString file = largeSession();
+    const QString file = largeSession(6000);
     auto* bar = m_window->findChild<QWidget*>("readingBar")->findChild<QProgressBar*>();
     auto* worker = m_window->findChild<ViewWorker*>();
     QSignalSpy moved(bar, &QProgressBar::valueChanged);
@@ -220,15 +220,16 @@ class TestFiles : public HabitsTest {
 
  private:
   /// Over a light field that takes a while to read.
-  QString largeSession() {
-    constexpr int side = 6000;
+  QString largeSession(int side) {
     const QString image = m_folder->filePath("large.png");
     QImage large(side, side, QImage::Format_RGB888);
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < 3 * side; ++x) large.scanLine(y)[x] = uchar(x * 7 ^ y * 13);
+    for (int y = 0; y < side; ++y) {
+      uchar* row = large.scanLine(y);
+      for (int x = 0; x < 3 * side; ++x) row[x] = uchar(x * 7 ^ y * 13);
+    }
     if (!large.save(image, nullptr, 100)) qFatal("cannot write %s", qPrintable(image));
     Session session = loadSession(m_session.toStdString());
-    session.display.hogels = {300, 300};
+    session.display.hogels = {side / 20, side / 20};
     session.display.directions = {20, 20};
     session.lightField.file = image.toStdString();
     const QString file = m_folder->filePath("large.json");

@@ -310,8 +310,8 @@ void TestMeshTracing::raysDoNotDependOnEachOther() {
              : number == 2 ? hills(64)
                            : cardsInPlanes(),
              {{"shading", shading.toStdString()}});
-  QCOMPARE(differing(scene.source, gridRays(100000, 6)), std::size_t(0));
-  QCOMPARE(differing(scene.source, randomRays(50000, 7)), std::size_t(0));
+  QCOMPARE(differing(scene.source, gridRays(30000, 6)), std::size_t(0));
+  QCOMPARE(differing(scene.source, randomRays(20000, 7)), std::size_t(0));
 }
 
 void TestMeshTracing::threadsDoNotMatter() {

@@ -15,7 +15,7 @@ import hogelscope as hs
 
 class Contract(FolderTest):
     def test_ten_lines(self):
-        s = hs.Session("data/table1.json")
+        s = hs.Session(TABLE1)
         with self.assertRaises(hs.InputError):
             hs.Session({"display": {"fov": [50]}}).check()
         s["display"]["fov"] = [50, 50]

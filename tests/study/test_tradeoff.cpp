@@ -31,7 +31,7 @@ std::vector<RenderJob> someViews(const SamplingParams& sampling = {}) {
   job.display.hogels = {40, 40};
   job.display.directions = {12, 12};
   job.sampling = sampling;
-  job.state.camera.res = {64, 48};
+  job.state.camera.res = {48, 36};
   job.state.psf = {0.67, 5};
   job.state.distortion = {0.6, 0.4, 0, 0, 0.3};  // the paper's Fig. 1
   std::vector<RenderJob> views{job, job};
@@ -168,8 +168,8 @@ class TestTradeoff : public QObject {
     for (const TradeoffRow& row : m_found.rows) {
       QCOMPARE(row.runs, leastRuns);  // all agree
       QVERIFY(!row.isSampled);
-      QCOMPARE(row.timedPixels, 2 * 64.0 * 48);
-      QCOMPARE(row.errorPixels, 2 * 64.0 * 48);
+      QCOMPARE(row.timedPixels, 2 * 48.0 * 36);
+      QCOMPARE(row.errorPixels, 2 * 48.0 * 36);
     }
   }
 

@@ -83,10 +83,11 @@ namespace {
 /// What a form says for a name of a document: "windowSize" is "Window size", and what nobody can
 /// pronounce is "PSF", or "k1".
 QString inWords(const QString& name) {
-  if (!name.contains(QRegularExpression("[aeiouyAEIOUY]")))
-    return name.size() < 3 ? name : name.toUpper();
+  static const QRegularExpression vowel("[aeiouyAEIOUY]");
+  static const QRegularExpression wordEnd("([a-z])([A-Z])");
+  if (!name.contains(vowel)) return name.size() < 3 ? name : name.toUpper();
   QString words = QString(name).replace('-', ' ');
-  words.replace(QRegularExpression("([a-z])([A-Z])"), "\\1 \\2");
+  words.replace(wordEnd, "\\1 \\2");
   return words.left(1).toUpper() + words.mid(1).toLower();
 }
 
