@@ -24,7 +24,7 @@ inline QByteArray longSession() {
   for (int k = 0; k < stateCount; ++k)
     cameras += (k == 0 ? "" : ", ") + QByteArray("{\"name\": \"s") + QByteArray::number(k + 10) +
                "\", \"eye\": [" + QByteArray::number(0.01 * k - 0.2) +
-               ", 0, 0.7], \"fov\": 45, \"res\": [120, 90], \"psf\": {\"sigma\": 0.8, "
+               ", 0, 0.7], \"fov\": 45, \"res\": [90, 68], \"psf\": {\"sigma\": 0.8, "
                "\"windowSize\": 5}}";
   return text({.display = R"({"hogels": [16, 16], "directions": [8, 8]})",
                .lightField = R"({"file": "a.png"})",

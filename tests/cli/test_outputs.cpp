@@ -251,7 +251,7 @@ void TestOutputs::everyLineIsHeard() {
   writeImageFile(
       "t.tif", 640, 640, [](int x, int y, int c) { return 0.9F * wave(x, y, c); }, PictureKind{});
   writeFile("s.json", session(R"({"file": "r.tif"})"));
-  for (int k = 0; k < 5; ++k) {
+  for (int k = 0; k < 3; ++k) {
     const Outcome outcome =
         job({"--report", "--session", "s.json", "--test", "t.tif", "--output", "out", "--memory",
              "1", "--fail-below", "90", "--set", "display.directions=[80,80]"});

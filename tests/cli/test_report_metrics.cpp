@@ -225,9 +225,9 @@ void TestReportMetrics::oneGroupIsACurve() {
 void TestReportMetrics::picturesOfThePageAreSmall() {
   const Outcome outcome =
       run(QStringList{"--report", "--session", sampleSession, "--set", "camera.res=[480,448]",
-                      "--set", "sampling.reconstruction=quadrilinear", "--states", "Fig [1456]",
+                      "--set", "sampling.reconstruction=quadrilinear", "--states", "Fig [145]",
                       "--output", "large"} +
-              m_tests,
+              m_tests.mid(0, 6),
           m_folder.path());
   QCOMPARE(outcome.status, 0);
   const QByteArray page = contentOf("large/report.html");
@@ -237,11 +237,11 @@ void TestReportMetrics::picturesOfThePageAreSmall() {
     bytes += page.indexOf('"', at) - at - 7;
     ++pictures;
   }
-  QCOMPARE(pictures, 4 * (9 + 4));
+  QCOMPARE(pictures, 3 * (9 + 4));
   QVERIFY2(bytes < 3000000 && bytes > 500000, qPrintable(QString::number(bytes)));
   QVERIFY(page.contains(" of the size of the files in views</h3>"));
   qint64 files = 0;
-  for (int k = 0; k < 36; ++k) {
+  for (int k = 0; k < 27; ++k) {
     const QString file = QString("large/views/test%1_%2_%3.png")
                              .arg(k / 9 + 1)
                              .arg(QStringList{"worst", "median", "best"}[k / 3 % 3],

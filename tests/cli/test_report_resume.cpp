@@ -142,7 +142,7 @@ void TestReportResume::noMemoryForOneState() {
   QSKIP("the sanitizer's own memory is beyond any limit");
 #endif
   QByteArray document = longSession();
-  const QByteArray small = "[120, 90]";
+  const QByteArray small = "[90, 68]";
   const qsizetype res = document.indexOf(small, document.indexOf("\"s12\""));
   writeFile("large.json", document.replace(res, small.size(), "[16384, 16384]"));
   QProcess process;

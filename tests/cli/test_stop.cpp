@@ -24,7 +24,7 @@ bool catches(const QProcess& process, int signal) {
 
 /// It has come beyond its start, however busy the machine is.
 bool isAtWork(const QProcess& process) {
-  constexpr double start = 0.4;  // seconds of a core
+  constexpr double start = 0.15;  // seconds of a core
   return catches(process, SIGINT) && cpuSeconds(process) > start;
 }
 

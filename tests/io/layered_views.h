@@ -83,7 +83,8 @@ inline hogelscope::GreyPicture viewOf(const ViewScene& scene, double u, double v
         value += light * layer->opacity * textureAt(px, py, *layer);
         light *= 1 - layer->opacity;
       }
-      value = 255 * gain * (0.5 + scene.contrast * (value - 0.5)) + scene.noise * noise(random);
+      value = 255 * gain * (0.5 + scene.contrast * (value - 0.5));
+      if (scene.noise > 0) value += scene.noise * noise(random);
       picture.values.push_back(std::uint8_t(std::clamp(value, 0.0, 255.0) + 0.5));
     }
   return picture;
