@@ -21,7 +21,8 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
                         const Progress& progress = {});
 
 /// Returns the distance from the centre to the nearest point where the Jacobian is singular, over
-/// 720 directions, or one where all are alike; infinite where there is none within 100 (89.4° off the axis).
+/// 720 directions, or one where all are alike; infinite where there is none within 100 (89.4° off
+/// the axis).
 double validRadius(const Distortion& distortion, const Progress& progress = {});
 
 /// Describes a certificate in one line.
