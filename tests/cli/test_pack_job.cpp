@@ -213,7 +213,7 @@ void TestPackJob::fullDisk() {
   QCOMPARE(run(packArguments(40), m_folder->path()).status, 0);
 }
 
-/// Sixteen times the rows of hogels, no more memory.
+/// Eight times the rows of hogels, no more memory.
 void TestPackJob::memoryIsBounded() {
 #ifdef __SANITIZE_ADDRESS__
   QSKIP("the sanitizer keeps what was freed");
@@ -231,7 +231,7 @@ void TestPackJob::memoryIsBounded() {
                   m_folder->path());
   };
   const long few = pack(16);
-  const long many = pack(256);  // 98 MB of pixels
+  const long many = pack(128);  // 49 MB of pixels
   QVERIFY(few > 0 && many > 0);
   QVERIFY2(many < few + 20000, qPrintable(QString("%1 kB, %2 kB").arg(few).arg(many)));
 }

@@ -6,17 +6,22 @@
 
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
+#include "tests/gui/pattern_file.h"
 #include "tests/gui/window_test.h"
 
 inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
 
 class DocksTest : public WindowTest {
  protected:
-  /// The reference renders its images quickly.
+  /// With few directions and small images: read and rendered quickly.
   void openSmall() {
     const QString file = m_folder.filePath("small.json");
-    hogelscope::saveSession(file.toStdString(), hogelscope::loadSession(sampleFile.toStdString(),
-                                                                        {"camera.res=[90,80]"}));
+    hogelscope::Session session = hogelscope::loadSession(
+        sampleFile.toStdString(), {"display.directions=[5,5]", "camera.res=[90,80]"});
+    session.lightField.file = m_folder.filePath("small.png").toStdString();
+    if (!QFileInfo::exists(m_folder.filePath("small.png")))
+      writePattern("scene", session.display, session.lightField.file);
+    hogelscope::saveSession(file.toStdString(), session);
     open(file);
   }
   [[nodiscard]] const QImage& view() const {

@@ -25,15 +25,11 @@ class SceneTest : public WindowTest {
  protected:
   static constexpr const char* sampleFile = HOGELSCOPE_SOURCE_DIR "/data/table1.json";
 
-  void start() {
-    hogelscope::Session session = hogelscope::loadSession(sampleFile);
-    session.lightField.file = HOGELSCOPE_SOURCE_DIR "/data/scene.png";
-    start(session);
-  }
-  /// With few directions and small images, which are quick.
-  void startSmall() {
-    hogelscope::Session session =
-        hogelscope::loadSession(sampleFile, {"display.directions=[6,6]", "camera.res=[120,120]"});
+  void start() { startWith({"display.directions=[6,6]"}); }
+  /// With small images, which are quick.
+  void startSmall() { startWith({"display.directions=[6,6]", "camera.res=[120,120]"}); }
+  void startWith(const std::vector<std::string>& overrides) {
+    hogelscope::Session session = hogelscope::loadSession(sampleFile, overrides);
     session.lightField.file = m_folder.filePath("scene.png").toStdString();
     if (!QFileInfo::exists(m_folder.filePath("scene.png")))
       writePattern("scene", session.display, session.lightField.file);

@@ -188,23 +188,23 @@ class TestDocks : public DocksTest {
     openSmall();
     auto* contents = child<QLabel>("contentsLabel");
     QTRY_VERIFY_WITH_TIMEOUT(
-        contents->text().startsWith("128×128 hogels of 20×20 directions, 8 bit"), patience);
+        contents->text().startsWith("128×128 hogels of 5×5 directions, 8 bit"), patience);
     const QImage before = view().copy();
     for (const char* name : {"hogels.0", "hogels.1"})
       editor<QSpinBox>("displayArea", name)->setValue(64);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 20×20 directions need"), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("64×64 hogels of 5×5 directions need"), patience);
     QVERIFY(view() == before);
-    QVERIFY(child<ImageWidget>("pictureView")->notice().contains("64×64 hogels of 20×20"));
+    QVERIFY(child<ImageWidget>("pictureView")->notice().contains("64×64 hogels of 5×5"));
     editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(0.7);  // nothing to render it from
     QTest::qWait(100);
     QVERIFY2(!message().startsWith("Reading"), qPrintable(message()));
     QCOMPARE(contents->text(), QString("Nothing is in memory."));
     for (const char* name : {"directions.0", "directions.1"})
-      editor<QSpinBox>("displayArea", name)->setValue(40);
+      editor<QSpinBox>("displayArea", name)->setValue(10);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     const Image image = expected();
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), image), patience);
-    QVERIFY(contents->text().startsWith("64×64 hogels of 40×40 directions"));
+    QVERIFY(contents->text().startsWith("64×64 hogels of 10×10 directions"));
   }
 
   void aFolderOpensAsASessionAndAnotherFileIsChosen() {

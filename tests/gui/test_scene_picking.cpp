@@ -133,7 +133,7 @@ class TestScenePicking : public SceneTest {
     const Vec2 middle = hogelscope::Display(m_loaded.display).position(100.5, 20.5);
     click(onScreen({middle.x, middle.y, 0}));
     QVERIFY2(readout().contains("Hogel i 100, j 20 at x "), qPrintable(readout()));
-    QVERIFY(readout().endsWith("20 × 20 directions over 60° × 60°"));
+    QVERIFY(readout().endsWith("6 × 6 directions over 60° × 60°"));
     QVERIFY(!scene().picked().hasRay());
     QCOMPARE(scene().picked().label(), std::string("hogel 100, 20"));
     press(Qt::Key_0, Qt::ControlModifier);
