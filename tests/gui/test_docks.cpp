@@ -187,8 +187,8 @@ class TestDocks : public DocksTest {
   void hogelsThatDoNotFitAreToldAndMended() {
     openSmall();
     auto* contents = child<QLabel>("contentsLabel");
-    QTRY_VERIFY_WITH_TIMEOUT(
-        contents->text().startsWith("128×128 hogels of 5×5 directions, 8 bit"), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(contents->text().startsWith("128×128 hogels of 5×5 directions, 8 bit"),
+                             patience);
     const QImage before = view().copy();
     for (const char* name : {"hogels.0", "hogels.1"})
       editor<QSpinBox>("displayArea", name)->setValue(64);
