@@ -64,8 +64,8 @@ class LensOracle {
         return at;
       }
     }
-    // It passed so near a fold that rounding decides on which side.
-    if (at.smallestDet < 1e-3) at.end = Walk::End::unclear;
+    // It passed so near a fold that the steps' error decides on which side.
+    if (at.smallestDet < change / 10) at.end = Walk::End::unclear;
     return at;
   }
 

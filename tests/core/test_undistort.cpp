@@ -139,6 +139,7 @@ class TestUndistort : public QObject {
   void theQuickInverseIsTheSame();
   void hardRadialLensEndsAtItsFold();
   void hardLensesAgreeWithTheWalk();
+  void pathsThatNearlyTouchAFold();
   void picturesOfHardLensesAreTheSame();
   void whatHoldsOfADiscHoldsOfItsPoints();
   void sectorsAgreeWithTheWalk();
@@ -312,6 +313,26 @@ void TestUndistort::hardLensesAgreeWithTheWalk() {
   }
   QVERIFY2(ends[0] > 600 && ends[1] > 600 && ends[2] < 200,
            qPrintable(QString("%1 %2 %3").arg(ends[0]).arg(ends[1]).arg(ends[2])));
+}
+
+/// On whose way the residual grows with Newton's first step.
+void TestUndistort::pathsThatNearlyTouchAFold() {
+  const DistortionParams params{-2.3499040207165715e-05, 0.001254227207402778, -0.17465881859086854,
+                                0.00031531395378207514, 0.0036582705942063815};
+  const BatchUndistort inverse{Distortion(params)};
+  for (const Vec2 q :
+       {Vec2{-2.619274073544243, 1.2097992357625877}, Vec2{6.565803619332879, 3.0656077721751007},
+        Vec2{-6.7302423504074049, 3.1125902667678225},
+        Vec2{-7.0356285652600974, 3.2535377505459881}}) {
+    const auto walk = oracleOf(params).walk(complex(q), 1e-3);
+    QVERIFY(walk.end == LensOracle::Walk::End::ray && walk.smallestDet < 1e-3);
+    const auto ideal = Distortion(params).undistort(q);
+    QVERIFY(ideal.has_value());
+    QVERIFY(std::abs(complex(*ideal) - walk.point) < 1e-6);
+    Vec2 quick = q;
+    inverse.undistort(&quick.x, &quick.y, 1);
+    QVERIFY(std::abs(complex(quick) - walk.point) < 1e-6);
+  }
 }
 
 /// So what is said of whole runs of points, and of sectors, holds for each point alone.

@@ -140,27 +140,24 @@ class Place {
   double m_www = 0;
 };
 
-/// Makes Newton steps from inside the root's basin until the residual is `enough`, or no longer
-/// shrinks.
-Vec2 polished(const Distortion& lens, Vec2 ideal, const Vec2& distorted, double enough) {
-  const auto residualAt = [&](const Vec2& p) {
-    const Vec2 d = lens.distort(p);
-    return Vec2{distorted.x - d.x, distorted.y - d.y};
-  };
-  Vec2 residual = residualAt(ideal);
-  double size = norm(residual);
-  for (int step = 0; step < 20 && size > enough; ++step) {
+/// Makes Newton steps from `ideal`, in whose basin `place` knows the root to be, until the residual
+/// is `enough`. The certificate says that steps shrink, but for rounding; the residual may grow.
+Vec2 polished(const Distortion& lens, const Place& place, Vec2 ideal, const Vec2& distorted,
+              double enough) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (;;) {
+    const Vec2 d = lens.distort(ideal);
+    const Vec2 residual{distorted.x - d.x, distorted.y - d.y};
+    if (norm(residual) <= enough) return ideal;
     const Jacobian j = lens.jacobian(ideal);
     const double det = j.xx * j.yy - j.xy * j.yx;
-    const Vec2 next{ideal.x + (j.yy * residual.x - j.xy * residual.y) / det,
-                    ideal.y + (j.xx * residual.y - j.yx * residual.x) / det};
-    residual = residualAt(next);
-    const double nextSize = norm(residual);
-    if (!(nextSize < size)) break;
-    ideal = next;
-    size = nextSize;
+    const Vec2 step{(j.yy * residual.x - j.xy * residual.y) / det,
+                    (j.xx * residual.y - j.yx * residual.x) / det};
+    const double size = place.size(place.turned(step));
+    if (!(size < shortest / 2)) return ideal;
+    shortest = size;
+    ideal = {ideal.x + step.x, ideal.y + step.y};
   }
-  return ideal;
 }
 
 }  // namespace
@@ -204,9 +201,9 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
   // The part of the centre's segment whose preimage, with those of the line there, is known.
   double reached = isStarted ? from.distance / dot(disc.centre, fan.normal) : 0;
   if (reached >= 1) reached = 0;
-  branch.ideal = reached == 0
-                     ? Vec2{}
-                     : polished(lens, from.ideal, times(reached, disc.centre), 2e-16 * length);
+  branch.ideal = reached == 0 ? Vec2{}
+                              : polished(lens, Place(lens, from.ideal), from.ideal,
+                                         times(reached, disc.centre), 2e-16 * length);
   double step = 1;
   for (;;) {
     hearStop(progress);
@@ -245,7 +242,7 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     reached = step == left ? 1 : reached + step;
     // On the way the root needs to be no nearer than what the next step is certain of.
     const double enough = reached == 1 ? 2e-16 * length : 1e-6 * step * length;
-    branch.ideal = polished(lens, branch.ideal, times(reached, disc.centre), enough);
+    branch.ideal = polished(lens, place, branch.ideal, times(reached, disc.centre), enough);
   }
 }
 
