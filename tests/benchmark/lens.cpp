@@ -60,6 +60,8 @@ void addLens() {
   add("lens table", lensTable);
   add("lens table, behind a fold, one thread", lensTableBehindAFold,
       DistortionParams{-5.14195, -7.85298, 5.40661, -2.98797, -6.24715}, 300 / 6.68814);
+  add("lens table, beside a fold, one thread", lensTableBehindAFold,
+      DistortionParams{0.163024, 0.00769362, 0.00359861, -0.372889, 0.185056}, 300 / 5.18985);
   add("lens table, radial fold, one thread", lensTableBehindAFold,
       DistortionParams{-3.62126, 7.51604, 0, 0, -6.00146}, 300 / 1.87501);
   add("lens table, nearly a double fold, one thread", lensTableBehindAFold,

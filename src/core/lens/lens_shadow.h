@@ -28,24 +28,37 @@ class LensShadow {
 
  private:
   static constexpr int sectorCount = 4096;
+  static constexpr int partCount = 8 * sectorCount;
 
-  [[nodiscard]] int sectorOf(const Vec2& distorted) const;
-  /// Angles of a sector.
-  [[nodiscard]] double halfWidth() const;
-  [[nodiscard]] static double middleOf(int index);
+  /// One of `count` equal shares of a turn, or all of it.
+  struct Share {
+    std::size_t index = 0;
+    double middle = 0;     ///< angles
+    double halfWidth = 0;  ///< 0: the lens is the same in all directions
+  };
+  [[nodiscard]] Share shareOf(const Vec2& distorted, int count) const;
 
-  /// Distances from the centre, in units of the plane z = 1; 0: not yet known.
+  /// What was learnt of a share: distances from the centre, in units of the plane z = 1.
+  struct Shade {
+    std::atomic<double> dark{std::numeric_limits<double>::infinity()};
+    std::atomic<double> failed{0};  ///< up to here nothing could be learnt
+  };
+  /// Returns whether a share is dark from the distance on.
+  bool learn(Shade& shade, const Share& share, double distance, const Progress& progress);
+
   struct Sector {
     std::atomic<bool> isKnown{false};
     std::atomic<double> ideal{0};  ///< this and the next are LensSector's
     std::atomic<double> distorted{0};
-    std::atomic<double> dark{std::numeric_limits<double>::infinity()};
-    std::atomic<double> failed{0};  ///< up to here nothing could be learnt
+    Shade shade;
   };
+
+  [[nodiscard]] const Sector& certifiedSector(const Vec2& distorted) const;
 
   Distortion m_distortion;
   bool m_isRound;  ///< the first sector is all of the plane
   mutable std::array<Sector, sectorCount> m_sectors;
+  std::array<Shade, partCount> m_parts;  ///< of sectors of which nothing could be learnt as a whole
 };
 
 }  // namespace hogelscope

@@ -140,24 +140,27 @@ class Place {
   double m_www = 0;
 };
 
-/// Makes Newton steps from `ideal`, in whose basin `place` knows the root to be, until the residual
-/// is `enough`. The certificate says that steps shrink, but for rounding; the residual may grow.
+/// Makes Newton steps from `ideal`, in whose basin `place` knows the root to be, until one is at
+/// most `part` of the first. The certificate says that each is shorter than half the one before,
+/// but for rounding; the residual may grow.
 Vec2 polished(const Distortion& lens, const Place& place, Vec2 ideal, const Vec2& distorted,
-              double enough) {
+              double part) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (;;) {
+  double enough = 0;
+  while (shortest > enough) {
     const Vec2 d = lens.distort(ideal);
     const Vec2 residual{distorted.x - d.x, distorted.y - d.y};
-    if (norm(residual) <= enough) return ideal;
     const Jacobian j = lens.jacobian(ideal);
     const double det = j.xx * j.yy - j.xy * j.yx;
     const Vec2 step{(j.yy * residual.x - j.xy * residual.y) / det,
                     (j.xx * residual.y - j.yx * residual.x) / det};
     const double size = place.size(place.turned(step));
-    if (!(size < shortest / 2)) return ideal;
+    if (!(size < shortest / 2)) break;
+    if (enough == 0) enough = part * size;
     shortest = size;
     ideal = {ideal.x + step.x, ideal.y + step.y};
   }
+  return ideal;
 }
 
 }  // namespace
@@ -189,6 +192,7 @@ struct Fan {
 
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
                     const BranchStart& from) {
+  constexpr double toRounding = 1e-9;     // Newton's steps are quadratic
   constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
   Branch branch{Branch::Kind::unclear, from.ideal, from, 1};
   if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
@@ -203,7 +207,7 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
   if (reached >= 1) reached = 0;
   branch.ideal = reached == 0 ? Vec2{}
                               : polished(lens, Place(lens, from.ideal), from.ideal,
-                                         times(reached, disc.centre), 2e-16 * length);
+                                         times(reached, disc.centre), toRounding);
   double step = 1;
   for (;;) {
     hearStop(progress);
@@ -240,9 +244,9 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     if (reached > 0)
       branch.known = {fan.normal, reached * dot(disc.centre, fan.normal), branch.ideal};
     reached = step == left ? 1 : reached + step;
-    // On the way the root needs to be no nearer than what the next step is certain of.
-    const double enough = reached == 1 ? 2e-16 * length : 1e-6 * step * length;
-    branch.ideal = polished(lens, place, branch.ideal, times(reached, disc.centre), enough);
+    // A root on the way may be off by a thousandth of the step.
+    branch.ideal = polished(lens, place, branch.ideal, times(reached, disc.centre),
+                            reached == 1 ? toRounding : 0.05);
   }
 }
 
