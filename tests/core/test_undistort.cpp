@@ -453,8 +453,7 @@ void TestUndistort::stepsAreFew_data() {
   QTest::newRow("folds all around") << 2.0 << Coefficients{6.18, -4.75, 0.0, 0.0, -9.02} << 33000;
   QTest::newRow("grazed by segments")
       << 9.7 << Coefficients{-2.05, -3.83, 6.64, -3.92, 9.91} << 920000;
-  QTest::newRow("folds near the axis")
-      << 6.3 << Coefficients{0.37, -0.01, 1e-5, 8e-6, -5.3} << 25;
+  QTest::newRow("folds near the axis") << 6.3 << Coefficients{0.37, -0.01, 1e-5, 8e-6, -5.3} << 25;
   QTest::newRow("no fold") << 3.0 << Coefficients{10.0, 10.0, 0.1, 0.1, 10.0} << 330;
 }
 
