@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/lens/batch_undistort.h"
+#include "core/lens/lens_fans.h"
 #include "core/lens/lens_sector.h"
 #include "core/optics/lens_branch.h"
 #include "tests/core/lens_oracle.h"
@@ -128,6 +129,16 @@ std::optional<double> fold(const RadialLens& lens, double end) {
   return end;
 }
 
+/// One step of Newton's method.
+Vec2 newton(const Distortion& lens, const Vec2& ideal, const Vec2& distorted) {
+  const Vec2 at = lens.distort(ideal);
+  const auto [xx, xy, yx, yy] = lens.jacobian(ideal);
+  const double x = distorted.x - at.x;
+  const double y = distorted.y - at.y;
+  const double det = xx * yy - xy * yx;
+  return {ideal.x + (yy * x - xy * y) / det, ideal.y + (xx * y - yx * x) / det};
+}
+
 }  // namespace
 
 class TestUndistort : public QObject {
@@ -143,6 +154,7 @@ class TestUndistort : public QObject {
   void picturesOfHardLensesAreTheSame();
   void whatHoldsOfADiscHoldsOfItsPoints();
   void sectorsAgreeWithTheWalk();
+  void fansAgreeWithEachSegment();
   void tablesNearADoubleFoldNeedFewSteps();
   void stepsAreFew_data();
   void stepsAreFew();
@@ -429,6 +441,51 @@ void TestUndistort::sectorsAgreeWithTheWalk() {
            qPrintable(QString("%1 %2 %3").arg(rays).arg(roots).arg(folds)));
 }
 
+/// At the sides of fans, where they hold least: the farthest points that still have a ray by them,
+/// the nearest that have none.
+void TestUndistort::fansAgreeWithEachSegment() {
+  using Kind = LensFans::Place::Kind;
+  Random random(27);
+  int rays = 0;
+  int none = 0;
+  for (int repeat = 0; repeat < 1500; ++repeat) {
+    const Distortion lens(hardLens(random, std::array{1, 3, 4}[std::size_t(repeat % 3)]));
+    const LensFans fans(lens);
+    const int count = 256 << (2 * random.integer(0, 4));
+    const double angle =
+        turn * (random.integer(0, count - 1) + (random.flip() ? 1e-9 : -1e-9)) / count;
+    const auto point = [&](double distance) {
+      return Vec2{distance * std::cos(angle), distance * std::sin(angle)};
+    };
+    const auto kindAt = [&](double distance) { return fans.find(point(distance), {}).kind; };
+    /// Returns the distance, up to 30, that is the last of which `holds` is true.
+    const auto last = [&](auto&& holds) {
+      double low = 1e-3;
+      double high = 30;
+      if (holds(high)) return high;
+      while (high - low > 1e-12 * high) {
+        const double middle = (low + high) / 2;
+        (holds(middle) ? low : high) = middle;
+      }
+      return low;
+    };
+    const double inside = last([&](double distance) { return kindAt(distance) == Kind::ray; });
+    if (kindAt(inside) == Kind::ray) {
+      ++rays;
+      const auto certain = lens.undistort(point(inside));
+      QVERIFY(certain.has_value());
+      Vec2 root = fans.find(point(inside), {}).line.ideal;
+      for (int step = 0; step < 20; ++step) root = newton(lens, root, point(inside));
+      QVERIFY(std::hypot(root.x - certain->x, root.y - certain->y) < 1e-6);
+    }
+    const double before = last([&](double distance) { return kindAt(distance) != Kind::none; });
+    if (before == 30) continue;
+    ++none;
+    QVERIFY(!lens.undistort(point(1.000001 * before)));
+  }
+  QVERIFY2(rays > 1400 && none > 300, qPrintable(QString("%1 %2").arg(rays).arg(none)));
+}
+
 /// Lenses whose every ray took some 70 steps of its own before sectors were certified.
 void TestUndistort::tablesNearADoubleFoldNeedFewSteps() {
   Random random(26);
@@ -441,7 +498,7 @@ void TestUndistort::tablesNearADoubleFoldNeedFewSteps() {
     });
     constexpr int side = 200;
     (void)inverted(inverse, {side, random.uniform(0.5, 5)});
-    QVERIFY2(steps < 2 * side * side, qPrintable(QString::number(steps)));
+    QVERIFY2(steps < side * side / 8, qPrintable(QString::number(steps)));
   }
 }
 
@@ -450,9 +507,9 @@ void TestUndistort::stepsAreFew_data() {
   QTest::addColumn<double>("height");
   QTest::addColumn<Coefficients>("k");
   QTest::addColumn<int>("most");
-  QTest::newRow("folds all around") << 2.0 << Coefficients{6.18, -4.75, 0.0, 0.0, -9.02} << 33000;
+  QTest::newRow("folds all around") << 2.0 << Coefficients{6.18, -4.75, 0.0, 0.0, -9.02} << 25;
   QTest::newRow("grazed by segments")
-      << 9.7 << Coefficients{-2.05, -3.83, 6.64, -3.92, 9.91} << 920000;
+      << 9.7 << Coefficients{-2.05, -3.83, 6.64, -3.92, 9.91} << 51000;
   QTest::newRow("folds near the axis") << 6.3 << Coefficients{0.37, -0.01, 1e-5, 8e-6, -5.3} << 25;
   QTest::newRow("no fold") << 3.0 << Coefficients{10.0, 10.0, 0.1, 0.1, 10.0} << 330;
 }
@@ -471,12 +528,12 @@ void TestUndistort::stepsAreFew() {
 }
 
 void TestUndistort::stopIsHeard() {
-  for (const int most : {1, 30, 300, 3000, 30000}) {
+  for (const int most : {1, 30, 300, 3000, 20000}) {
     int polls = 0;
     const auto work = [&] {
-      const BatchUndistort inverse(Distortion({6.18, -4.75, 0, 0, -9.02}),
+      const BatchUndistort inverse(Distortion({-2.05, -3.83, 6.64, -3.92, 9.91}),
                                    [&](double) { return ++polls < most; });
-      (void)inverted(inverse, {600, 2});
+      (void)inverted(inverse, {600, 9.7});
     };
     QVERIFY_EXCEPTION_THROWN(work(), Cancelled);
     QCOMPARE(polls, most);

@@ -3,20 +3,18 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/lens/lens_shadow.h"
+#include "core/lens/lens_fans.h"
 #include "core/optics/distortion.h"
-#include "core/optics/lens_branch.h"
 
 namespace hogelscope {
 
-/// Inverts a lens in batches. Within a certain radius of ideal points the Jacobian is positive
-/// definite, so the model is injective there, and preimages of segments up to a certain length stay
-/// in it: any root that Newton finds there is the right one. Elsewhere runs of points follow their
-/// branch together from there on.
+/// Inverts a lens in batches of points. Within a certain radius of ideal points the Jacobian is
+/// positive definite, so the model is injective there, and preimages of segments up to a certain
+/// length stay in it: any root that Newton finds there is the right one. Elsewhere Newton starts
+/// from what is known of a point's direction, and near a fold each point follows its branch.
 class BatchUndistort {
  public:
-  /// `progress` is called before each point that Distortion inverts, which takes up to some
-  /// milliseconds near a fold.
+  /// `progress` is called before each step along a branch. Throws Cancelled.
   explicit BatchUndistort(const Distortion& distortion, Progress progress = {});
 
   /// Replaces `count` distorted points by ideal ones; NaN where there is no ray.
@@ -26,14 +24,10 @@ class BatchUndistort {
  private:
   [[nodiscard]] double leastEigenvalue(double radius) const;
   void undistortBatch(double* x, double* y, int count) const;
-  bool solveInSector(const Vec2& distorted, Vec2& ideal) const;
-  [[nodiscard]] BranchStart certainStart(const Disc& disc) const;
-  void followRun(double* x, double* y, int count, const BranchStart& start) const;
-  bool solveFrom(const Vec2& start, double* x, double* y, int count) const;
 
   Distortion m_distortion;
   Progress m_progress;
-  mutable LensShadow m_shadow;    ///< safe to use from several threads
+  LensFans m_fans;
   double m_certainRadius = 0;     ///< radius of ideal points
   double m_certainDistorted = 0;  ///< radius of distorted points
 };

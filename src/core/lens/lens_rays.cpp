@@ -47,8 +47,7 @@ void LensRays::invert(double* x, double* y, int count) const {
   std::vector<double> notes(std::size_t(count), 0.0);
   for (int step = 0; step < m_key.steps; ++step) {
     if (m_key.inverse == LensInverse::newton)
-      newtonStep(m_key.distortion, 0, distortedX.data(), distortedY.data(), count, x, y,
-                 notes.data());
+      newtonStep(m_key.distortion, distortedX.data(), distortedY.data(), count, x, y, notes.data());
     else
       fixedPointStep(m_key.distortion, distortedX.data(), distortedY.data(), count, x, y,
                      notes.data());

@@ -7,10 +7,9 @@
 namespace hogelscope {
 
 MULTIVERSIONED
-int newtonStep(const DistortionParams& lens, double certainDistorted, const double* x,
-               const double* y, int count, double* idealX, double* idealY, double* move) {
+int newtonStep(const DistortionParams& lens, const double* x, const double* y, int count,
+               double* idealX, double* idealY, double* move) {
   const auto [k1, k2, p1, p2, k3] = lens;
-  const double farthest = certainDistorted * certainDistorted;
   int moving = 0;
   for (int k = 0; k < count; ++k) {
     const double px = idealX[k];
@@ -29,9 +28,7 @@ int newtonStep(const DistortionParams& lens, double certainDistorted, const doub
     idealX[k] = px + moveX;
     idealY[k] = py + moveY;
     move[k] = moveX * moveX + moveY * moveY;
-    const bool isCertain = x[k] * x[k] + y[k] * y[k] < farthest;
-    const bool isMoving = !(move[k] < 1e-18);
-    moving += static_cast<int>(isCertain & isMoving);
+    moving += move[k] < shortMoveSquared ? 0 : 1;
   }
   return moving;
 }

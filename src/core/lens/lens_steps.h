@@ -6,11 +6,13 @@
 
 namespace hogelscope {
 
+/// Newton's error is squared by the next step: after a move this short it is below rounding.
+constexpr double shortMoveSquared = 1e-18;
+
 /// Makes a Newton step. `x`, `y` are the distorted points, `move` receives the squared length of
-/// each step. Returns how many of the points nearer to the centre than `certainDistorted` made a
-/// step of more than 1e-9.
-int newtonStep(const DistortionParams& lens, double certainDistorted, const double* x,
-               const double* y, int count, double* idealX, double* idealY, double* move);
+/// each step. Returns how many points made one that is not short, or no number.
+int newtonStep(const DistortionParams& lens, const double* x, const double* y, int count,
+               double* idealX, double* idealY, double* move);
 
 /// Makes a step of cv::undistortPoints' fixed point (OpenCV 4.6), which gives up and returns the
 /// distorted point where the radial factor turns negative. `isOver`, initially 0, records that.

@@ -14,6 +14,9 @@ namespace {
 /// Kantorovich's h = ω η has to stay at or below 1/2.
 constexpr double certain = 0.45;
 
+/// The ball, in units of η, that then holds the root: (1 − √(1 − 2h)) / h.
+constexpr double ball = 1.52;
+
 Vec2 times(double s, const Vec2& a) {
   return {s * a.x, s * a.y};
 }
@@ -52,6 +55,12 @@ class Place {
   /// Returns J⁻¹ a.
   [[nodiscard]] Vec2 solved(const Vec2& a) const { return {a.x / m_least, a.y / m_most}; }
 
+  /// Returns the direction in which the lens folds, of the two the one with a positive `a`.
+  [[nodiscard]] Vec2 foldAlong(const Vec2& a) const {
+    const Vec2 v{m_w.y, -m_w.x};
+    return a.x * v.x + a.y * v.y < 0 ? Vec2{-v.x, -v.y} : v;
+  }
+
   /// Returns the norm in which steps are certified: across the fold's direction a length counts
   /// √(μ/λ) times, since the lens bends little there compared with how far it is from folding.
   [[nodiscard]] double size(const Vec2& a) const {
@@ -63,11 +72,11 @@ class Place {
   [[nodiscard]] double largestSolved() const { return std::max(1 / m_least, m_stretch / m_most); }
 
   /// Is there exactly one root, and no fold, for all targets that Newton's first move, of size
-  /// `eta`, leads to? ω bounds J⁻¹ D²F over the ball of the size 2η.
+  /// `eta`, leads to? ω bounds J⁻¹ D²F over the ball.
   [[nodiscard]] bool isCertain(double eta) const {
     const double across = 1 / m_stretch;
     const double change =
-        longest() * longest() * m_lens.derivativeBounds(m_radius, 2 * eta * longest()).change;
+        longest() * longest() * m_lens.derivativeBounds(m_radius, ball * eta * longest()).change;
     const double alongV =
         (std::abs(m_vvv) + across * (2 * std::abs(m_vvw) + across * std::abs(m_vww)) + change) /
         m_least;
@@ -190,27 +199,45 @@ struct Fan {
 
 }  // namespace
 
+const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine>& lines) {
+  // Lines of one direction are in order. Others may cross within the segments: then either holds.
+  std::size_t first = 0;
+  std::size_t count = lines.size();
+  while (count > 0) {
+    const BranchLine& middle = lines[first + count / 2];
+    if (dot(distorted, middle.normal) < middle.distance) {
+      count /= 2;
+    } else {
+      first += count / 2 + 1;
+      count -= count / 2 + 1;
+    }
+  }
+  return first == 0 ? nullptr : &lines[first - 1];
+}
+
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
-                    const BranchStart& from) {
+                    const BranchLine& start, std::vector<BranchLine>* lines) {
   constexpr double toRounding = 1e-9;     // Newton's steps are quadratic
   constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
-  Branch branch{Branch::Kind::unclear, from.ideal, from, 1};
+  Branch branch;
   if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
   const double length = norm(disc.centre);
   // Then its square is too small for a number, and the lens bends the centre by less.
-  if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre, from, 1};
-  const bool isStarted = from.distance > 0;
-  const Fan fan(disc, isStarted ? from.normal : times(1 / length, disc.centre));
+  if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre};
+  Fan fan(disc, start.distance > 0 ? start.normal : times(1 / length, disc.centre));
   if (!(fan.nearest > 0.1)) return branch;
+  double distance = dot(disc.centre, fan.normal);
   // The part of the centre's segment whose preimage, with those of the line there, is known.
-  double reached = isStarted ? from.distance / dot(disc.centre, fan.normal) : 0;
+  double reached = start.distance / distance;
   if (reached >= 1) reached = 0;
-  branch.ideal = reached == 0 ? Vec2{}
-                              : polished(lens, Place(lens, from.ideal), from.ideal,
-                                         times(reached, disc.centre), toRounding);
+  if (reached > 0)
+    branch.ideal = polished(lens, Place(lens, start.ideal), start.ideal,
+                            times(reached, disc.centre), toRounding);
   double step = 1;
+  double turnedAt = 0;  // the part up to which the lines have been turned
   for (;;) {
     hearStop(progress);
+    branch.reached = reached * distance;
     const Place place(lens, branch.ideal);
     if (!place.isRegular()) return branch;
     if (reached == 1) {
@@ -230,19 +257,42 @@ Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& pr
     };
     step = std::min(4 * step, left);
     if (!place.isCertain(sizeAfter(step))) {
-      const double start = sizeAfter(0);
-      const double end = reached + place.timeToFold(2 * start, q, fan.halfWidth);
-      if (end < fan.nearest && place.isCertain(start))
-        return {Branch::Kind::none, branch.ideal, from, end / fan.nearest};
+      const double before = sizeAfter(0);
+      const double end = reached + place.timeToFold(2 * before, q, fan.halfWidth);
+      if (end < fan.nearest && place.isCertain(before)) {
+        branch.kind = Branch::Kind::none;
+        branch.end = end / fan.nearest;
+        return branch;
+      }
+      bool isTooWide = false;  // of lines that are wider than the step is long, parts get farther
       do {
         step /= 2;
-        // Of lines that are wider than the step is long, parts get farther.
-        const bool isTooWide = step * speed < reached * width / 4;
-        if (isTooWide || !(step > shortestStep * reached)) return branch;
-      } while (!place.isCertain(sizeAfter(step)));
+        isTooWide = step * speed < reached * width / 4;
+        if (!isTooWide && !(step > shortestStep * reached)) return branch;
+      } while (!isTooWide && !place.isCertain(sizeAfter(step)));
+      if (isTooWide) {
+        // Along the fold the lens allows more.
+        const Fan turned(disc, place.foldAlong(disc.centre));
+        const double turnedWidth =
+            turned.halfWidth * place.size(place.solved(place.turned(turned.along)));
+        // The line of that direction that is all within what is known.
+        const double back = reached * distance /
+                            (distance + turned.halfWidth * std::abs(dot(fan.normal, turned.along)));
+        const BranchLine* line =
+            lines == nullptr ? nullptr : lineBefore(times(back, disc.centre), *lines);
+        if (line == nullptr ||
+            !(reached > turnedAt && turned.nearest > 0.1 && turnedWidth < width / 2))
+          return branch;
+        turnedAt = reached;
+        reached = back;
+        fan = turned;
+        distance = dot(disc.centre, fan.normal);
+        branch.ideal = polished(lens, Place(lens, line->ideal), line->ideal,
+                                times(reached, disc.centre), toRounding);
+        continue;
+      }
     }
-    if (reached > 0)
-      branch.known = {fan.normal, reached * dot(disc.centre, fan.normal), branch.ideal};
+    if (lines != nullptr) lines->push_back({fan.normal, branch.reached, branch.ideal});
     reached = step == left ? 1 : reached + step;
     // A root on the way may be off by a thousandth of the step.
     branch.ideal = polished(lens, place, branch.ideal, times(reached, disc.centre),

@@ -3,6 +3,8 @@
 // (docs/formulas.md, Distortion).
 #pragma once
 
+#include <vector>
+
 #include "core/base/progress.h"
 #include "core/optics/distortion.h"
 
@@ -14,13 +16,17 @@ struct Disc {
   double radius = 0;
 };
 
-/// What is known of the segments to a disc: up to a line across them none meets a fold, and from
-/// this ideal point plain Newton finds the preimages of their points on the line.
-struct BranchStart {
-  Vec2 normal;          ///< of the line, of length 1
-  double distance = 0;  ///< of the line from the centre; 0: nothing is known
+/// A line across the segments to the points of a disc, none of which meets a fold before the next
+/// line, or, if this is the last one, before Branch::reached. From `ideal` plain Newton finds the
+/// preimages of their points from this line to there.
+struct BranchLine {
+  Vec2 normal;          ///< of length 1
+  double distance = 0;  ///< from the centre
   Vec2 ideal;
 };
+
+/// Returns the last line before a point of the segments; none if there is none.
+const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine>& lines);
 
 struct Branch {
   enum class Kind {
@@ -28,14 +34,15 @@ struct Branch {
     none,    ///< no point of the disc has one
     unclear  ///< some may have one; of a single point: so near a fold that rounding decides
   } kind = Kind::unclear;
-  Vec2 ideal;         ///< of the disc's centre; plain Newton from it finds the ray of each point
-  BranchStart known;  ///< of the disc, and so of each disc within it
+  Vec2 ideal;          ///< of the disc's centre; plain Newton from it finds the ray of each point
+  double reached = 0;  ///< distance of the line across all segments before which none meets a fold
   double end = 1;  ///< the part of the segments to the disc's points before which all meet a fold
 };
 
-/// Follows the preimages of the segments from the centre of the image to all points of a disc.
-/// `progress` is asked before each step, which takes less than a microsecond. Throws Cancelled.
+/// Follows the preimages of the segments from the centre of the image to all points of a disc, from
+/// `start` on if that is a line across them. Adds the lines on the way to `lines`. `progress` is
+/// asked before each step, which takes less than a microsecond. Throws Cancelled.
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
-                    const BranchStart& start = {});
+                    const BranchLine& start = {}, std::vector<BranchLine>* lines = nullptr);
 
 }  // namespace hogelscope
