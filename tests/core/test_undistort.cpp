@@ -129,6 +129,21 @@ std::optional<double> fold(const RadialLens& lens, double end) {
   return end;
 }
 
+constexpr double farthest = 30;
+
+/// Returns the last distance at which something holds that holds from near the centre on.
+template <class Holds>
+double lastOf(Holds holds) {
+  double low = 1e-3;
+  double high = farthest;
+  if (holds(high)) return high;
+  while (high - low > 1e-12 * high) {
+    const double middle = (low + high) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 /// One step of Newton's method.
 Vec2 newton(const Distortion& lens, const Vec2& ideal, const Vec2& distorted) {
   const Vec2 at = lens.distort(ideal);
@@ -441,8 +456,8 @@ void TestUndistort::sectorsAgreeWithTheWalk() {
            qPrintable(QString("%1 %2 %3").arg(rays).arg(roots).arg(folds)));
 }
 
-/// At the sides of fans, where they hold least: the farthest points that still have a ray by them,
-/// the nearest that have none.
+/// At the sides of neighbouring fans, where they hold least: the farthest points that still have a
+/// ray by them, the nearest that have none.
 void TestUndistort::fansAgreeWithEachSegment() {
   using Kind = LensFans::Place::Kind;
   Random random(27);
@@ -452,38 +467,29 @@ void TestUndistort::fansAgreeWithEachSegment() {
     const Distortion lens(hardLens(random, std::array{1, 3, 4}[std::size_t(repeat % 3)]));
     const LensFans fans(lens);
     const int count = 256 << (2 * random.integer(0, 4));
-    const double angle =
-        turn * (random.integer(0, count - 1) + (random.flip() ? 1e-9 : -1e-9)) / count;
-    const auto point = [&](double distance) {
-      return Vec2{distance * std::cos(angle), distance * std::sin(angle)};
-    };
-    const auto kindAt = [&](double distance) { return fans.find(point(distance), {}).kind; };
-    /// Returns the distance, up to 30, that is the last of which `holds` is true.
-    const auto last = [&](auto&& holds) {
-      double low = 1e-3;
-      double high = 30;
-      if (holds(high)) return high;
-      while (high - low > 1e-12 * high) {
-        const double middle = (low + high) / 2;
-        (holds(middle) ? low : high) = middle;
+    const int first = random.integer(0, count - 1);
+    for (int side = 0; side < 8; ++side) {
+      const double angle = turn * (first + side / 2 + (side % 2 == 0 ? 1e-9 : 1 - 1e-9)) / count;
+      const auto point = [angle](double distance) {
+        return Vec2{distance * std::cos(angle), distance * std::sin(angle)};
+      };
+      const auto kindAt = [&](double distance) { return fans.find(point(distance), {}).kind; };
+      const double inside = lastOf([&](double distance) { return kindAt(distance) == Kind::ray; });
+      if (kindAt(inside) == Kind::ray) {
+        ++rays;
+        const auto certain = lens.undistort(point(inside));
+        QVERIFY(certain.has_value());
+        Vec2 root = fans.find(point(inside), {}).line.ideal;
+        for (int step = 0; step < 20; ++step) root = newton(lens, root, point(inside));
+        QVERIFY(std::hypot(root.x - certain->x, root.y - certain->y) < 1e-6);
       }
-      return low;
-    };
-    const double inside = last([&](double distance) { return kindAt(distance) == Kind::ray; });
-    if (kindAt(inside) == Kind::ray) {
-      ++rays;
-      const auto certain = lens.undistort(point(inside));
-      QVERIFY(certain.has_value());
-      Vec2 root = fans.find(point(inside), {}).line.ideal;
-      for (int step = 0; step < 20; ++step) root = newton(lens, root, point(inside));
-      QVERIFY(std::hypot(root.x - certain->x, root.y - certain->y) < 1e-6);
+      const double before = lastOf([&](double distance) { return kindAt(distance) != Kind::none; });
+      if (before == farthest) continue;
+      ++none;
+      QVERIFY(!lens.undistort(point(1.000001 * before)));
     }
-    const double before = last([&](double distance) { return kindAt(distance) != Kind::none; });
-    if (before == 30) continue;
-    ++none;
-    QVERIFY(!lens.undistort(point(1.000001 * before)));
   }
-  QVERIFY2(rays > 1400 && none > 300, qPrintable(QString("%1 %2").arg(rays).arg(none)));
+  QVERIFY2(rays > 11000 && none > 3000, qPrintable(QString("%1 %2").arg(rays).arg(none)));
 }
 
 /// Lenses whose every ray took some 70 steps of its own before sectors were certified.
@@ -509,7 +515,10 @@ void TestUndistort::stepsAreFew_data() {
   QTest::addColumn<int>("most");
   QTest::newRow("folds all around") << 2.0 << Coefficients{6.18, -4.75, 0.0, 0.0, -9.02} << 25;
   QTest::newRow("grazed by segments")
-      << 9.7 << Coefficients{-2.05, -3.83, 6.64, -3.92, 9.91} << 51000;
+      << 9.7 << Coefficients{-2.05, -3.83, 6.64, -3.92, 9.91} << 22000;
+  QTest::newRow("a long valley of the determinant")
+      << 26.26 << Coefficients{6.76502362, -6.54678706, 0.0803365880, 1.35738813, 3.26393743}
+      << 260000;
   QTest::newRow("folds near the axis") << 6.3 << Coefficients{0.37, -0.01, 1e-5, 8e-6, -5.3} << 25;
   QTest::newRow("no fold") << 3.0 << Coefficients{10.0, 10.0, 0.1, 0.1, 10.0} << 330;
 }
@@ -524,11 +533,12 @@ void TestUndistort::stepsAreFew() {
     return true;
   });
   (void)inverted(inverse, {300, height});
+
   QVERIFY2(steps <= most, qPrintable(QString::number(steps)));
 }
 
 void TestUndistort::stopIsHeard() {
-  for (const int most : {1, 30, 300, 3000, 20000}) {
+  for (const int most : {1, 30, 300, 3000, 10000}) {
     int polls = 0;
     const auto work = [&] {
       const BatchUndistort inverse(Distortion({-2.05, -3.83, 6.64, -3.92, 9.91}),

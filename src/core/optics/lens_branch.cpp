@@ -4,6 +4,7 @@
 #include "core/optics/lens_branch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,6 +26,26 @@ double norm(const Vec2& a) {
   return std::sqrt(a.x * a.x + a.y * a.y);  // nothing here is near to overflow
 }
 
+/// Bounds of a vector's coordinates along v and w.
+struct Extent {
+  double v = 0;
+  double w = 0;
+  friend Extent operator+(const Extent& a, const Extent& b) { return {a.v + b.v, a.w + b.w}; }
+  friend Extent operator*(double s, const Extent& a) { return {s * a.v, s * a.w}; }
+};
+
+using Sizes = std::array<double, 3>;
+
+/// Is each of the sizes less than this part of the other one?
+bool areBelow(const Sizes& a, double part, const Sizes& b) {
+  return a[0] < part * b[0] && a[1] < part * b[1] && a[2] < part * b[2];
+}
+
+/// Is one of them?
+bool isOneBelow(const Sizes& a, double part, const Sizes& b) {
+  return a[0] < part * b[0] || a[1] < part * b[1] || a[2] < part * b[2];
+}
+
 /// The lens near an ideal point, along the eigenvectors of its Jacobian, which is symmetric: along
 /// v, the direction in which the lens folds, and along w. Vectors here have these coordinates, x
 /// along v.
@@ -42,18 +63,23 @@ class Place {
       const double smaller = j.xy / spread / (2 * larger);
       m_w = half >= 0 ? Vec2{larger, smaller} : Vec2{smaller, larger};
     }
-    m_stretch = std::sqrt(std::max(1.0, m_most / m_least));
+    const double stretch = std::sqrt(std::max(1.0, m_most / m_least));
+    m_stretch = {stretch, std::cbrt(stretch), 1};
     setThird(ideal);
   }
 
   /// False on a fold and beyond it.
-  [[nodiscard]] bool isRegular() const { return m_least > 0 && std::isfinite(m_stretch); }
+  [[nodiscard]] bool isRegular() const { return m_least > 0 && std::isfinite(m_stretch[0]); }
 
   [[nodiscard]] Vec2 turned(const Vec2& a) const {
     return {a.x * m_w.y - a.y * m_w.x, a.x * m_w.x + a.y * m_w.y};
   }
-  /// Returns J⁻¹ a.
-  [[nodiscard]] Vec2 solved(const Vec2& a) const { return {a.x / m_least, a.y / m_most}; }
+  /// Returns how far J⁻¹ a reaches.
+  [[nodiscard]] Extent solved(const Vec2& a) const {
+    return {std::abs(a.x) / m_least, std::abs(a.y) / m_most};
+  }
+  /// Returns how far J⁻¹ a reaches for all a of this length.
+  [[nodiscard]] Extent solved(double length) const { return {length / m_least, length / m_most}; }
 
   /// Returns the direction in which the lens folds, of the two the one with a positive `a`.
   [[nodiscard]] Vec2 foldAlong(const Vec2& a) const {
@@ -61,38 +87,30 @@ class Place {
     return a.x * v.x + a.y * v.y < 0 ? Vec2{-v.x, -v.y} : v;
   }
 
-  /// Returns the norm in which steps are certified: across the fold's direction a length counts
-  /// √(μ/λ) times, since the lens bends little there compared with how far it is from folding.
-  [[nodiscard]] double size(const Vec2& a) const {
-    return std::max(std::abs(a.x), m_stretch * std::abs(a.y));
-  }
-  /// Returns the largest plain length of a vector of size 1.
-  [[nodiscard]] double longest() const { return std::sqrt(1 + 1 / (m_stretch * m_stretch)); }
-  /// Returns the largest such size of J⁻¹ a over all a of length 1.
-  [[nodiscard]] double largestSolved() const { return std::max(1 / m_least, m_stretch / m_most); }
-
-  /// Is there exactly one root, and no fold, for all targets that Newton's first move, of size
-  /// `eta`, leads to? ω bounds J⁻¹ D²F over the ball.
-  [[nodiscard]] bool isCertain(double eta) const {
-    const double across = 1 / m_stretch;
-    const double change =
-        longest() * longest() * m_lens.derivativeBounds(m_radius, ball * eta * longest()).change;
-    const double alongV =
-        (std::abs(m_vvv) + across * (2 * std::abs(m_vvw) + across * std::abs(m_vww)) + change) /
-        m_least;
-    const double alongW =
-        (std::abs(m_vvw) + across * (2 * std::abs(m_vww) + across * std::abs(m_www)) + change) *
-        m_stretch / m_most;
-    return std::max(alongV, alongW) * eta <= certain;
+  /// Returns the sizes of an extent in the norms in which steps are certified: across the fold's
+  /// direction a length counts √(μ/λ) times, since the lens bends little there compared with how
+  /// far it is from folding, or less, for what is long across it.
+  [[nodiscard]] Sizes sizes(const Extent& e) const {
+    Sizes sizes{};
+    for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = std::max(e.v, m_stretch[k] * e.w);
+    return sizes;
   }
 
-  /// Returns a time in which every path meets a fold that starts where size() from here is at most
-  /// `start`, with dp/dt = J⁻¹ q' for a q' within `radius` of q; infinite if nothing is certain. In
-  /// a box of the coordinates a along v, b along w, where n = J_ww q'_v − J_vw q'_w is positive, a
-  /// grows all the way, by da/dt = n / det J, and b changes by at most a slope times as much. So a
-  /// path leaves the box at its end, where J_vv, and with it det J, is no longer positive: it has
-  /// met the fold.
-  [[nodiscard]] double timeToFold(double start, const Vec2& q, double radius) const {
+  /// Is there exactly one root, and no fold, for all targets that Newton's first move, within
+  /// `extent`, leads to?
+  [[nodiscard]] bool isCertain(const Extent& extent) const {
+    const Sizes eta = sizes(extent);
+    for (std::size_t k = 0; k < eta.size(); ++k)
+      if (isCertain(m_stretch[k], eta[k])) return true;
+    return false;
+  }
+
+  /// Returns a time in which every path meets a fold that starts within `start` from here, with
+  /// dp/dt = J⁻¹ q' for a q' within `radius` of q; infinite if nothing is certain. In a box of the
+  /// coordinates a along v, b along w, where n = J_ww q'_v − J_vw q'_w is positive, a grows all the
+  /// way, by da/dt = n / det J, and b changes by at most a slope times as much. So a path leaves
+  /// the box at its end, where J_vv, and with it det J, is no longer positive: it has met the fold.
+  [[nodiscard]] double timeToFold(const Extent& start, const Vec2& q, double radius) const {
     constexpr double unknown = std::numeric_limits<double>::infinity();
     const double sign = q.x < 0 ? -1 : 1;
     const double fall = -sign * m_vvv;
@@ -100,28 +118,42 @@ class Place {
     const double root = fall * fall - 2 * m_least * third;  // of λ − fall a + third a²/2
     if (!(fall > 0 && root > 0)) return unknown;
     const double end = std::min(3 * m_least / (fall + std::sqrt(root)), fall / third);
-    const double startW = start / m_stretch;
     const double acrossQ = std::abs(q.y) + radius;
-    double halfWidth = startW;
+    double halfWidth = start.w;
     for (int attempt = 0; attempt < 3; ++attempt) {
-      const double longest = std::max(end, start);
+      const double longest = std::max(end, start.v);
       const double reach = norm({longest, halfWidth});
       const double rest = m_lens.derivativeBounds(m_radius, reach).third * reach * reach / 2;
       const double mixed = std::abs(m_vvw) * longest + std::abs(m_vww) * halfWidth + rest;
       const double bend = std::abs(m_vww) * longest + std::abs(m_www) * halfWidth + rest;
-      const double most = m_least + std::abs(m_vvw) * halfWidth + rest + fall * start;
+      const double most = m_least + std::abs(m_vvw) * halfWidth + rest + fall * start.v;
       const double atEnd = m_least + std::abs(m_vvw) * halfWidth + rest - fall * end;
       const double n = (m_most - bend) * (std::abs(q.x) - radius) - mixed * acrossQ;
       if (!(atEnd <= 0 && bend < m_most && n > 0)) return unknown;
       const double slope = (most * acrossQ + mixed * (std::abs(q.x) + radius)) / n;
-      const double needed = startW + slope * (end + start);
-      if (needed <= halfWidth) return (end + start) * most * (m_most + bend) / n;
+      const double needed = start.w + slope * (end + start.v);
+      if (needed <= halfWidth) return (end + start.v) * most * (m_most + bend) / n;
       halfWidth = 1.5 * needed;
     }
     return unknown;
   }
 
  private:
+  /// The same in a norm, for a size η. ω bounds J⁻¹ D²F over the ball.
+  [[nodiscard]] bool isCertain(double stretch, double eta) const {
+    const double across = 1 / stretch;
+    const double squared = 1 + across * across;  // the largest plain length of a vector of size 1
+    const double change =
+        squared * m_lens.derivativeBounds(m_radius, ball * eta * std::sqrt(squared)).change;
+    const double alongV =
+        (std::abs(m_vvv) + across * (2 * std::abs(m_vvw) + across * std::abs(m_vww)) + change) /
+        m_least;
+    const double alongW =
+        (std::abs(m_vvw) + across * (2 * std::abs(m_vww) + across * std::abs(m_www)) + change) *
+        stretch / m_most;
+    return std::max(alongV, alongW) * eta <= certain;
+  }
+
   /// Sets the second derivative: with h' the radial factor as a function of r²/2 it is h''' p p p,
   /// and the symmetric product of the unit matrix with h'' p + 2 (p2, p1).
   void setThird(const Vec2& ideal) {
@@ -142,7 +174,7 @@ class Place {
   double m_least = 1;  ///< λ, eigenvalue along v
   double m_most = 1;   ///< μ
   Vec2 m_w{0, 1};
-  double m_stretch = 1;
+  Sizes m_stretch{};  ///< of the norms
   double m_vvv = 0;
   double m_vvw = 0;
   double m_vww = 0;
@@ -150,52 +182,35 @@ class Place {
 };
 
 /// Makes Newton steps from `ideal`, in whose basin `place` knows the root to be, until one is at
-/// most `part` of the first. The certificate says that each is shorter than half the one before,
-/// but for rounding; the residual may grow.
+/// most `part` of the first. The certificate says that each is shorter than half the one before in
+/// one of the norms, but for rounding; the residual may grow.
 Vec2 polished(const Distortion& lens, const Place& place, Vec2 ideal, const Vec2& distorted,
               double part) {
-  double shortest = std::numeric_limits<double>::infinity();
-  double enough = 0;
-  while (shortest > enough) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Sizes shortest{infinite, infinite, infinite};
+  Sizes enough{};
+  for (;;) {
     const Vec2 d = lens.distort(ideal);
     const Vec2 residual{distorted.x - d.x, distorted.y - d.y};
     const Jacobian j = lens.jacobian(ideal);
     const double det = j.xx * j.yy - j.xy * j.yx;
     const Vec2 step{(j.yy * residual.x - j.xy * residual.y) / det,
                     (j.xx * residual.y - j.yx * residual.x) / det};
-    const double size = place.size(place.turned(step));
-    if (!(size < shortest / 2)) break;
-    if (enough == 0) enough = part * size;
-    shortest = size;
+    const Vec2 turned = place.turned(step);
+    const Sizes sizes = place.sizes({std::abs(turned.x), std::abs(turned.y)});
+    if (!isOneBelow(sizes, 0.5, shortest)) return ideal;
     ideal = {ideal.x + step.x, ideal.y + step.y};
+    if (areBelow(sizes, 1, enough)) return ideal;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      if (shortest[k] == infinite) enough[k] = part * sizes[k];
+      shortest[k] = std::min(shortest[k], sizes[k]);
+    }
   }
-  return ideal;
 }
-
-}  // namespace
-
-namespace {
 
 double dot(const Vec2& a, const Vec2& b) {
   return a.x * b.x + a.y * b.y;
 }
-
-/// The segments to a disc cut by lines of one direction, since near a fold the lens allows less
-/// along the segments than across them: at t they cut the line through t·centre over a length of
-/// 2·t·halfWidth.
-struct Fan {
-  Vec2 normal;
-  Vec2 along;  ///< the lines' direction
-  double halfWidth = 0;
-  double nearest = 1;  ///< the t before which no line meets the disc
-
-  Fan(const Disc& disc, const Vec2& lineNormal)
-      : normal(lineNormal), along{-lineNormal.y, lineNormal.x} {
-    const double distance = dot(disc.centre, normal);
-    halfWidth = norm(disc.centre) * disc.radius / (distance - disc.radius);
-    nearest = 1 - disc.radius / distance;
-  }
-};
 
 }  // namespace
 
@@ -215,89 +230,166 @@ const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine
   return first == 0 ? nullptr : &lines[first - 1];
 }
 
+namespace {
+
+/// The segments to a disc cut by lines of one direction, since near a fold the lens allows less
+/// along the segments than across them: at t they cut the line through t·centre over a length of
+/// 2·t·halfWidth.
+struct Lines {
+  Vec2 normal;
+  Vec2 along;        ///< their direction
+  double distance;   ///< from the image's centre, of the line through the disc's
+  double halfWidth;  ///< of that line
+  double nearest;    ///< the t before which no line meets the disc
+
+  Lines(const Disc& disc, const Vec2& lineNormal)
+      : normal(lineNormal),
+        along{-lineNormal.y, lineNormal.x},
+        distance(dot(disc.centre, normal)),
+        halfWidth(norm(disc.centre) * disc.radius / (distance - disc.radius)),
+        nearest(1 - disc.radius / distance) {}
+
+  /// False of a disc that is too near to the image's centre, or seen from there along the lines.
+  [[nodiscard]] bool canBeFollowed() const { return nearest > 0.1; }
+};
+
+/// How far Newton's first moves go from a place on the way: to the point of the centre's segment,
+/// per part of the segment, and to the end of the line through the disc's centre.
+struct Moves {
+  double reached;
+  Extent residual;
+  Extent speed;
+  Extent width;
+
+  /// To all points up to the line that is further by this part of the segment.
+  [[nodiscard]] Extent after(double further) const {
+    return residual + further * speed + (reached + further) * width;
+  }
+};
+
+class Walk {
+ public:
+  Walk(const Distortion& lens, const Disc& disc, const BranchLine& start,
+       std::vector<BranchLine>* lines)
+      : m_lens(lens),
+        m_disc(disc),
+        m_known(lines),
+        m_lines(disc,
+                start.distance > 0 ? start.normal : times(1 / norm(disc.centre), disc.centre)) {
+    const double part = start.distance / m_lines.distance;
+    if (part > 0 && part < 1) restart(part, start.ideal);
+  }
+
+  Branch run(const Progress& progress) {
+    if (!m_lines.canBeFollowed()) return m_branch;
+    while (m_reached < 1) {
+      hearStop(progress);
+      const Place place(m_lens, m_branch.ideal);
+      if (!place.isRegular()) return m_branch;
+      const Moves moves = movesAt(place);
+      m_step = std::min(2 * m_step, 1 - m_reached);
+      const bool isCertain = place.isCertain(moves.after(m_step));
+      if (!isCertain && isDark(place, moves)) return m_branch;
+      if (isCertain || shorten(place, moves))
+        advance(place);
+      else if (!turn(place, moves))
+        return m_branch;
+    }
+    const Place place(m_lens, m_branch.ideal);
+    // A disc of this radius holds the line and all of the disc.
+    if (place.isRegular() && place.isCertain(place.solved(m_lines.halfWidth)))
+      m_branch.kind = Branch::Kind::ray;
+    return m_branch;
+  }
+
+ private:
+  /// Goes to a part of the centre's segment, whose root Newton finds from an ideal point.
+  void restart(double part, const Vec2& ideal) {
+    m_reached = part;
+    m_branch.ideal =
+        polished(m_lens, Place(m_lens, ideal), ideal, times(part, m_disc.centre), toRounding);
+  }
+
+  [[nodiscard]] Moves movesAt(const Place& place) const {
+    const Vec2 here = m_lens.distort(m_branch.ideal);
+    const Vec2 target = times(m_reached, m_disc.centre);
+    return {m_reached, place.solved(place.turned({target.x - here.x, target.y - here.y})),
+            place.solved(place.turned(m_disc.centre)),
+            m_lines.halfWidth * place.solved(place.turned(m_lines.along))};
+  }
+
+  /// Do all segments meet a fold soon, and before the disc?
+  bool isDark(const Place& place, const Moves& moves) {
+    const Extent here = moves.after(0);
+    const double end =
+        m_reached + place.timeToFold(2.0 * here, place.turned(m_disc.centre), m_lines.halfWidth);
+    if (!(end < m_lines.nearest && place.isCertain(here))) return false;
+    m_branch.kind = Branch::Kind::none;
+    m_branch.end = end / m_lines.nearest;
+    return true;
+  }
+
+  /// Halves the step until it is certain. Returns whether that is of use: of lines that are wider
+  /// than the step is long, parts get farther.
+  bool shorten(const Place& place, const Moves& moves) {
+    constexpr double shortestStep = 1e-13;  // of what is reached: a nearer point is on the fold
+    do {
+      m_step /= 2;
+      if (areBelow(place.sizes(m_step * moves.speed), 0.25, place.sizes(m_reached * moves.width)) ||
+          !(m_step > shortestStep * m_reached))
+        return false;
+    } while (!place.isCertain(moves.after(m_step)));
+    return true;
+  }
+
+  void advance(const Place& place) {
+    if (m_known != nullptr)
+      m_known->push_back({m_lines.normal, m_reached * m_lines.distance, m_branch.ideal});
+    m_reached = m_step == 1 - m_reached ? 1 : m_reached + m_step;
+    m_branch.reached = m_reached * m_lines.distance;
+    // A root on the way may be off by a thousandth of the step.
+    m_branch.ideal = polished(m_lens, place, m_branch.ideal, times(m_reached, m_disc.centre),
+                              m_reached == 1 ? toRounding : 0.05);
+  }
+
+  /// Goes on with lines along which the lens bends least here, if those are much narrower, from the
+  /// last that is all within what is known. Returns whether it does, once for each place.
+  bool turn(const Place& place, const Moves& moves) {
+    const Lines turned(m_disc, place.foldAlong(m_disc.centre));
+    if (m_known == nullptr || !turned.canBeFollowed() || !(m_reached > m_turnedAt)) return false;
+    const Extent width = turned.halfWidth * place.solved(place.turned(turned.along));
+    if (!isOneBelow(place.sizes(width), 0.5, place.sizes(moves.width))) return false;
+    const double part =
+        m_reached * m_lines.distance /
+        (m_lines.distance + turned.halfWidth * std::abs(dot(m_lines.normal, turned.along)));
+    const BranchLine* line = lineBefore(times(part, m_disc.centre), *m_known);
+    if (line == nullptr) return false;
+    m_turnedAt = m_reached;
+    m_lines = turned;
+    restart(part, line->ideal);
+    return true;
+  }
+
+  static constexpr double toRounding = 1e-9;  // Newton's steps are quadratic
+
+  const Distortion& m_lens;
+  const Disc& m_disc;
+  std::vector<BranchLine>* m_known;
+  Lines m_lines;
+  Branch m_branch;        ///< `ideal` is where the walk is
+  double m_reached = 0;   ///< the part of the centre's segment up to which all is known
+  double m_step = 1;      ///< likewise
+  double m_turnedAt = 0;  ///< the last part at which the lines were turned
+};
+
+}  // namespace
+
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
                     const BranchLine& start, std::vector<BranchLine>* lines) {
-  constexpr double toRounding = 1e-9;     // Newton's steps are quadratic
-  constexpr double shortestStep = 1e-13;  // of `reached`: a nearer point counts as on the fold
-  Branch branch;
-  if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return branch;
-  const double length = norm(disc.centre);
+  if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return {};
   // Then its square is too small for a number, and the lens bends the centre by less.
-  if (length == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre};
-  Fan fan(disc, start.distance > 0 ? start.normal : times(1 / length, disc.centre));
-  if (!(fan.nearest > 0.1)) return branch;
-  double distance = dot(disc.centre, fan.normal);
-  // The part of the centre's segment whose preimage, with those of the line there, is known.
-  double reached = start.distance / distance;
-  if (reached >= 1) reached = 0;
-  if (reached > 0)
-    branch.ideal = polished(lens, Place(lens, start.ideal), start.ideal,
-                            times(reached, disc.centre), toRounding);
-  double step = 1;
-  double turnedAt = 0;  // the part up to which the lines have been turned
-  for (;;) {
-    hearStop(progress);
-    branch.reached = reached * distance;
-    const Place place(lens, branch.ideal);
-    if (!place.isRegular()) return branch;
-    if (reached == 1) {
-      // A disc of this radius holds the line and all of the disc.
-      if (place.isCertain(fan.halfWidth * place.largestSolved())) branch.kind = Branch::Kind::ray;
-      return branch;
-    }
-    const double width = fan.halfWidth * place.size(place.solved(place.turned(fan.along)));
-    const Vec2 here = lens.distort(branch.ideal);
-    const Vec2 q = place.turned(disc.centre);
-    const double speed = place.size(place.solved(q));
-    const double residual = place.size(place.solved(
-        place.turned({reached * disc.centre.x - here.x, reached * disc.centre.y - here.y})));
-    const double left = 1 - reached;
-    const auto sizeAfter = [&](double further) {
-      return residual + further * speed + (reached + further) * width;
-    };
-    step = std::min(4 * step, left);
-    if (!place.isCertain(sizeAfter(step))) {
-      const double before = sizeAfter(0);
-      const double end = reached + place.timeToFold(2 * before, q, fan.halfWidth);
-      if (end < fan.nearest && place.isCertain(before)) {
-        branch.kind = Branch::Kind::none;
-        branch.end = end / fan.nearest;
-        return branch;
-      }
-      bool isTooWide = false;  // of lines that are wider than the step is long, parts get farther
-      do {
-        step /= 2;
-        isTooWide = step * speed < reached * width / 4;
-        if (!isTooWide && !(step > shortestStep * reached)) return branch;
-      } while (!isTooWide && !place.isCertain(sizeAfter(step)));
-      if (isTooWide) {
-        // Along the fold the lens allows more.
-        const Fan turned(disc, place.foldAlong(disc.centre));
-        const double turnedWidth =
-            turned.halfWidth * place.size(place.solved(place.turned(turned.along)));
-        // The line of that direction that is all within what is known.
-        const double back = reached * distance /
-                            (distance + turned.halfWidth * std::abs(dot(fan.normal, turned.along)));
-        const BranchLine* line =
-            lines == nullptr ? nullptr : lineBefore(times(back, disc.centre), *lines);
-        if (line == nullptr ||
-            !(reached > turnedAt && turned.nearest > 0.1 && turnedWidth < width / 2))
-          return branch;
-        turnedAt = reached;
-        reached = back;
-        fan = turned;
-        distance = dot(disc.centre, fan.normal);
-        branch.ideal = polished(lens, Place(lens, line->ideal), line->ideal,
-                                times(reached, disc.centre), toRounding);
-        continue;
-      }
-    }
-    if (lines != nullptr) lines->push_back({fan.normal, branch.reached, branch.ideal});
-    reached = step == left ? 1 : reached + step;
-    // A root on the way may be off by a thousandth of the step.
-    branch.ideal = polished(lens, place, branch.ideal, times(reached, disc.centre),
-                            reached == 1 ? toRounding : 0.05);
-  }
+  if (norm(disc.centre) == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre};
+  return Walk(lens, disc, start, lines).run(progress);
 }
 
 }  // namespace hogelscope

@@ -35,7 +35,7 @@ struct Branch {
     unclear  ///< some may have one; of a single point: so near a fold that rounding decides
   } kind = Kind::unclear;
   Vec2 ideal;          ///< of the disc's centre; plain Newton from it finds the ray of each point
-  double reached = 0;  ///< distance of the line across all segments before which none meets a fold
+  double reached = 0;  ///< before here, along the last line's normal, no segment meets a fold
   double end = 1;  ///< the part of the segments to the disc's points before which all meet a fold
 };
 
