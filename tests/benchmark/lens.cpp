@@ -62,6 +62,12 @@ void addLens() {
       DistortionParams{-5.14195, -7.85298, 5.40661, -2.98797, -6.24715}, 300 / 6.68814);
   add("lens table, beside a fold, one thread", lensTableBehindAFold,
       DistortionParams{0.163024, 0.00769362, 0.00359861, -0.372889, 0.185056}, 300 / 5.18985);
+  add("lens table, a long valley before the fold, one thread", lensTableBehindAFold,
+      DistortionParams{6.76502362, -6.54678706, 0.0803365880, 1.35738813, 3.26393743}, 300 / 26.26);
+  add("lens table, a near fold, one thread", lensTableBehindAFold,
+      DistortionParams{-0.4138192309484881, 0.11117772827646458, 0.00040812941370169125,
+                       -0.84255396964284013, 0.00071436773639603631},
+      300 / 0.14980698065784556);
   add("lens table, radial fold, one thread", lensTableBehindAFold,
       DistortionParams{-3.62126, 7.51604, 0, 0, -6.00146}, 300 / 1.87501);
   add("lens table, nearly a double fold, one thread", lensTableBehindAFold,
