@@ -122,6 +122,8 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
       candidates.add(k, q, m_certainRadius);
   });
   candidates.solve(lens, isDone);
+  // Of most lenses all points.
+  if (std::all_of(isDone.begin(), isDone.begin() + count, [](bool is) { return is; })) return;
   forTheRest([&](int k, const Vec2& q) {
     if (!std::isfinite(q.x + q.y)) return setNone(k);
     const LensSector& sector = m_fans.sector(q);
