@@ -267,6 +267,7 @@ struct Moves {
   }
 };
 
+/// Follows the branch from line to line.
 class Walk {
  public:
   Walk(const Distortion& lens, const Disc& disc, const BranchLine& start,
