@@ -362,7 +362,7 @@ void TestUndistort::pathsThatNearlyTouchAFold() {
   }
 }
 
-/// So what is said of whole runs of points, and of sectors, holds for each point alone.
+/// So what is said of sectors and ranges of directions holds for each point alone.
 void TestUndistort::picturesOfHardLensesAreTheSame() {
   Random random(23);
   std::size_t rays = 0;
@@ -533,7 +533,6 @@ void TestUndistort::stepsAreFew() {
     return true;
   });
   (void)inverted(inverse, {300, height});
-
   QVERIFY2(steps <= most, qPrintable(QString::number(steps)));
 }
 
