@@ -122,7 +122,7 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
       candidates.add(k, q, m_certainRadius);
   });
   candidates.solve(lens, isDone);
-  // Of most lenses all points.
+  // Most lenses are certain everywhere, and going on costs them a tenth of their time.
   if (std::all_of(isDone.begin(), isDone.begin() + count, [](bool is) { return is; })) return;
   forTheRest([&](int k, const Vec2& q) {
     if (!std::isfinite(q.x + q.y)) return setNone(k);
