@@ -469,7 +469,8 @@ void TestUndistort::fansAgreeWithEachSegment() {
     const int count = 256 << (2 * random.integer(0, 4));
     const int first = random.integer(0, count - 1);
     for (int side = 0; side < 8; ++side) {
-      const double angle = turn * (first + side / 2 + (side % 2 == 0 ? 1e-9 : 1 - 1e-9)) / count;
+      const int fan = first + side / 2;
+      const double angle = turn * (fan + (side % 2 == 0 ? 1e-9 : 1 - 1e-9)) / count;
       const auto point = [angle](double distance) {
         return Vec2{distance * std::cos(angle), distance * std::sin(angle)};
       };
