@@ -272,7 +272,7 @@ void TestOutput::sceneOfDoubleSize() {
       near += distance(small.pixelColor(x, y), before.pixelColor(x, y)) < 60 ? 1 : 0;
   const double share = double(near) / (small.width() * small.height());
   QVERIFY2(share > 0.95, qPrintable(QString::number(share)));
-  // The current state's frustum, which is 3 px thick.
+  // The current state's frustum, which is 3 px thick, lies on those of other states.
   const QColor orange(255, 166, 38);
   const double thick = double(count(picture, orange)) / count(before, orange);
   QVERIFY2(thick > 2.5 && thick < 6, qPrintable(QString::number(thick)));

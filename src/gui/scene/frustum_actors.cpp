@@ -39,11 +39,9 @@ FrustumActors::FrustumActors(vtkRenderer* renderer) {
   addToScene(renderer, m_otherImages, m_others->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
   addToScene(renderer, m_markedImage, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
   addToScene(renderer, m_otherLines, m_others->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
-  addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
+  addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), {1, 1, 1}, SceneLevel::inFront);
   addToScene(renderer, m_previewLines, m_previewed->GetOutputPort(0), {1, 1, 1},
              SceneLevel::onPanel);
-  // In front of all others, wherever it is.
-  m_markedLines->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, -1e6);
   m_markedLines->GetProperty()->SetLineWidth(3);
   m_markedLines->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
   for (vtkActor* images : {m_otherImages.Get(), m_markedImage.Get()})

@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
@@ -19,11 +20,19 @@ void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* sour
   if (level == SceneLevel::panel)
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 4);
   else
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -4);
+    setLineDepth(actor, level);
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
   renderer->AddActor(actor);
+}
+
+void setLineDepth(vtkActor* lines, SceneLevel level) {
+  // After VTK's own; the offset is twice that which VTK gives to coincident lines.
+  const std::string place = "//VTK::Depth::Impl";
+  const std::string depth = level == SceneLevel::inFront ? "0.0" : "gl_FragCoord.z - 8.0 / 65000.0";
+  lines->GetShaderProperty()->AddFragmentShaderReplacement(
+      place, true, place + "\n  gl_FragDepth = " + depth + ";\n", false);
 }
 
 void makePlain(vtkTextProperty* text) {

@@ -13,12 +13,15 @@ class vtkTextProperty;
 
 namespace hogelscope {
 
-/// Which of two things in one plane lies on top.
-enum class SceneLevel { panel, onPanel };
+/// Which of two things in one plane lies on top; lines inFront hide all others, wherever they are.
+enum class SceneLevel { panel, onPanel, inFront };
 
 /// Puts a source's output into the scene, in one colour unless its cells have their own.
 void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
                 const std::array<double, 3>& colour, SceneLevel level);
+
+/// Gives an actor's lines their depth: VTK's own is undefined where lines are thick and unlit.
+void setLineDepth(vtkActor* lines, SceneLevel level);
 
 /// Light, upright, without a shadow.
 void makePlain(vtkTextProperty* text);

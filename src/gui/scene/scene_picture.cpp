@@ -11,6 +11,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
+#include <vtkShaderProperty.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
@@ -20,6 +21,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "gui/scene/scene_actor.h"
 #include "io/files/system_limits.h"
 
 namespace hogelscope {
@@ -56,6 +58,8 @@ class ThickerLines {
   ThickerLines(vtkRenderWindow& window, double factor) {
     for (vtkActor* actor : actorsOf(window)) {
       if (!hasLinesAlone(actor)) continue;
+      if (actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0)
+        setLineDepth(actor, SceneLevel::onPanel);
       vtkProperty* look = actor->GetProperty();
       m_before.push_back(
           {look, look->GetLineWidth(), look->GetRenderLinesAsTubes(), look->GetLighting()});
