@@ -44,7 +44,7 @@ class Shooting {
   void run() {
     m_window.resize(m_size);
     m_window.show();
-    QApplication::setActiveWindow(&m_window);
+    m_window.activateWindow();
     QTest::qWait(300);
     m_window.resize(m_size);  // docks let it grow while they are laid out for the first time
     QTest::qWait(300);

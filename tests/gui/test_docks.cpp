@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
+#include <set>
 
 #include "core/engine/fast_simulation.h"
 #include "gui/docks/light_field_dock.h"
@@ -73,7 +74,11 @@ class TestDocks : public DocksTest {
     camera->setFloating(true);
     QVERIFY(camera->isWindow() && camera->isVisible());
     camera->setFloating(false);
-    QCOMPARE(m_window->tabifiedDockWidgets(child<QDockWidget>("cameraDock")).size(), 5);
+    // Behind its neighbour's tab again; Qt 6.4 lists a dock that came back twice.
+    const auto tabs = m_window->tabifiedDockWidgets(child<QDockWidget>("displayDock"));
+    QCOMPARE(std::set(tabs.begin(), tabs.end()),
+             (std::set{child<QDockWidget>("lightFieldDock"), camera,
+                       child<QDockWidget>("distortionDock"), child<QDockWidget>("psfDock")}));
   }
 
   /// A dock's key closes what can be seen, and brings to the front what cannot.

@@ -44,6 +44,8 @@ class TestHabits : public HabitsTest {
     QVERIFY(!dock->isVisible());
     dock->show();
     m_window->addDockWidget(Qt::LeftDockWidgetArea, camera);
+    const QSize screen = m_window->screen()->availableSize();
+    QVERIFY2(screen.width() >= 1200 && screen.height() >= 900, "needs a screen of 1200×900");
     m_window->resize(1111, 850);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 850), patience);
     QVERIFY(m_window->close());
@@ -65,7 +67,7 @@ class TestHabits : public HabitsTest {
     auto* scene = m_window->findChild<QWidget*>("sceneArea");
     auto* camera = m_window->findChild<QDockWidget*>("cameraDock");
     auto* report = m_window->findChild<QDockWidget*>("reportDock");
-    QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
+    activate(m_window.get());
     const int width = view->width();
     QTest::keyClick(m_window.get(), Qt::Key_F11);
     QVERIFY(view->isVisible() && !scene->isVisible() && !camera->isVisible());
@@ -96,7 +98,7 @@ class TestHabits : public HabitsTest {
       return names.join(' ');
     };
     const QString first = shown();
-    QApplication::setActiveWindow(m_window.get());
+    activate(m_window.get());
     QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(shown(), QString("pictureArea cameraDock distortionDock"));
     QVERIFY(!m_window->findChild<QWidget*>("distortionArea")->visibleRegion().isEmpty());

@@ -91,7 +91,7 @@ class TestImageWidget : public QObject {
     m_view->setImages(coordinates(200, 150, firstBlue));
     m_view->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_view.get(), patience));
-    QApplication::setActiveWindow(m_view.get());
+    activate(m_view.get());
     m_view->setFocus();
     lookAway();
   }

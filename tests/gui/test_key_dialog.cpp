@@ -72,7 +72,7 @@ QString TestKeyDialog::cell(const char* action, int column) const {
 /// As a user does: a click on the row, Return.
 void TestKeyDialog::choose(const char* action) const {
   auto* table = child<QTableWidget>("keyTable");
-  QApplication::setActiveWindow(m_window->findChild<KeyDialog*>());
+  activate(m_window->findChild<KeyDialog*>());
   QTableWidgetItem* item = table->item(rowOf(action), 0);
   table->scrollToItem(item);
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(item).center());
@@ -85,7 +85,7 @@ void TestKeyDialog::press(const char* action, Qt::Key which,
   auto* field = child<KeyField>("keyField");
   QVERIFY(field->hasFocus());
   QTest::keyClick(field, which, modifiers);
-  QApplication::setActiveWindow(m_window.get());
+  activate(m_window.get());
 }
 
 void TestKeyDialog::everythingHasAKeyOfItsOwn() {
@@ -131,7 +131,7 @@ void TestKeyDialog::anotherKeyAtOnce() {
   QTest::mouseClick(child<QPushButton>("resetKeyButton"), Qt::LeftButton);
   QVERIFY(!child<QPushButton>("resetKeyButton")->isEnabled());
   QVERIFY(loadKeyTexts(keysFile().toStdString()).empty());
-  QApplication::setActiveWindow(m_window.get());
+  activate(m_window.get());
   key(Qt::Key_W);
   QCOMPARE(eye().z, 0.68);
 }
@@ -180,7 +180,7 @@ void TestKeyDialog::searching() {
   QVERIFY(shown().contains("orbitUpAction") && shown().contains("orbitUpLargeAction"));
   QVERIFY(!shown().contains("walkForwardAction"));
   QCOMPARE(table->currentRow(), rowOf("orbitUpAction"));
-  QApplication::setActiveWindow(m_window->findChild<KeyDialog*>());
+  activate(m_window->findChild<KeyDialog*>());
   QTest::keyClick(search, Qt::Key_Return);
   QVERIFY(child<KeyField>("keyField")->hasFocus());
   m_window->findChild<KeyDialog*>()->grab().save(QCoreApplication::applicationDirPath() +

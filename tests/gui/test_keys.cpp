@@ -95,13 +95,13 @@ void TestKeys::whereverTheFocusIs() {
   }
   auto* floating = child<QDockWidget>("psfDock");
   floating->setFloating(true);
-  QApplication::setActiveWindow(floating);
+  activate(floating);
   auto* slider = child<QWidget>("sigma.slider");
   slider->setFocus();
   QTest::keyClick(slider, Qt::Key_W);
   z -= 0.01;
   QVERIFY(std::abs(eye().z - z) < 1e-12);
-  QApplication::setActiveWindow(m_window.get());
+  activate(m_window.get());
   child<QDockWidget>("reportDock")->raise();
   auto* table = child<QWidget>("reportTable");
   table->setFocus();
@@ -147,7 +147,7 @@ void TestKeys::afterReturn() {
   auto* dock = child<QDockWidget>("cameraDock");
   dock->setFloating(isFloating);
   const auto type = [&](QWidget* field, const QString& text) {
-    QApplication::setActiveWindow(dock->window());
+    activate(dock->window());
     field->setFocus();
     QTRY_VERIFY_WITH_TIMEOUT(field->hasFocus(), patience);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
@@ -255,7 +255,7 @@ void TestKeys::nothingIsOpen() {
   MainWindow empty;
   empty.show();
   QVERIFY(QTest::qWaitForWindowExposed(&empty, patience));
-  QApplication::setActiveWindow(&empty);
+  activate(&empty);
   for (const KeyMap::Command& command : empty.findChild<KeyMap*>()->commands())
     if (command.section.startsWith("Camera") || command.section == "Edit")
       if (command.name != "keysAction") command.actions[0]->trigger();

@@ -126,7 +126,7 @@ void TestReportDock::init() {
   m_window->resize(1600, 1000);
   m_window->show();
   QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-  QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
+  activate(m_window.get());
   m_dock = m_window->findChild<ReportDock*>();
 }
 

@@ -97,7 +97,7 @@ class TestSimulatedView : public QObject {
     m_window = std::make_unique<MainWindow>();
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-    QApplication::setActiveWindow(m_window.get());
+    activate(m_window.get());
   }
   void cleanup() { m_window.reset(); }
 

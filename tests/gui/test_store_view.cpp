@@ -66,7 +66,7 @@ void TestStoreView::init() {
   m_window = std::make_unique<MainWindow>();
   m_window->show();
   QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-  QApplication::setActiveWindow(m_window.get());
+  activate(m_window.get());
   connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
           [this](const RenderedView& rendered) { m_views.push_back(rendered); });
   QVERIFY(files(*m_window).open("s.json"));

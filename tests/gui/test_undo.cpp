@@ -137,7 +137,7 @@ void TestUndo::eachStatesCommandComesBack() {
   QCOMPARE(shown(), names);
   QCOMPARE(steps(), 1);
   QCOMPARE(undoText(), step);
-  QApplication::setActiveWindow(m_window.get());
+  activate(m_window.get());
   undo();
   QVERIFY(m_model->session() == before);
   QCOMPARE(shown(), QStringList({"a", "b", "c"}));

@@ -47,7 +47,7 @@ class WindowTest : public QObject {
     if (size.isValid()) m_window->resize(size);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), patience));
-    QApplication::setActiveWindow(m_window.get());  // there is no window manager that would
+    activate(m_window.get());
     m_model = m_window->findChild<hogelscope::SessionModel*>();
   }
   /// Until its image is shown.
