@@ -39,25 +39,17 @@ void TestBadJson::atTheProgram_data() {
   refusalColumns();
   refusedIn("empty file", "", "is empty: not a session document");
   refusedIn("truncated", R"({"hogelscope": 1, "display": {"fov": [60,)",
-            "is not JSON: parse error at line 1, column 42: syntax error while parsing value - "
-            "unexpected end of input; expected '[', '{', or a literal");
-  refusedIn("trailing comma", R"({"hogelscope": 1,})",
-            "is not JSON: parse error at line 1, column 18: syntax error while parsing object key "
-            "- unexpected '}'; expected string literal");
-  refusedIn("comment", R"({"hogelscope": 1 /* first */})",
-            "is not JSON: parse error at line 1, column 18: syntax error while parsing object - "
-            "invalid literal; last read: '1 /'; expected '}'");
+            "is not JSON: line 1, column 42: …");
+  refusedIn("trailing comma", R"({"hogelscope": 1,})", "is not JSON: line 1, column 18: …");
+  refusedIn("comment", R"({"hogelscope": 1 /* first */})", "is not JSON: line 1, column 18: …");
   refusedIn("NaN", R"({"hogelscope": 1, "display": {"fov": [NaN, 60]}})",
-            "is not JSON: parse error at line 1, column 39: syntax error while parsing value - "
-            "invalid literal; last read: '\"fov\": [N'");
+            "is not JSON: line 1, column 39: …");
   refusedIn("1e999", R"({"hogelscope": 1, "display": {"fov": [1e999, 60]}})",
-            "is not JSON: number overflow parsing '1e999'");
+            "is not JSON: line 1, column 43: …");
   refusedIn("a picture", QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
-            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "invalid literal; last read: '\\x89'");
+            "is not JSON: line 1, column 1: …");
   refusedIn("no UTF-8", "{\"hogelscope\": 1, \"x\": \"\xff\"}",
-            "is not JSON: parse error at line 1, column 25: syntax error while parsing value - "
-            "invalid string: ill-formed UTF-8 byte; last read: '\"\\xff'");
+            "is not JSON: line 1, column 25: …");
   // TODO wording: which of the cameras?
   refusedIn(
       "twice the same key, deeper",
@@ -73,44 +65,26 @@ void TestBadJson::notJson_data() {
   refusedIn("truncated on line 3", R"({
   "hogelscope": 1,
   "disp)",
-            "is not JSON: parse error at line 3, column 8: syntax error while parsing object key - "
-            "invalid string: missing closing quote; last read: '\"disp'; expected string literal");
+            "is not JSON: line 3, column 8: …");
   refusedIn("trailing comma in a list", R"({"hogelscope": 1, "cameras": [{"name": "a"},]})",
-            "is not JSON: parse error at line 1, column 45: syntax error while parsing value - "
-            "unexpected ']'; expected '[', '{', or a literal");
-  refusedIn("single quotes", "{'hogelscope': 1}",
-            "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
-            "invalid literal; last read: '{''; expected string literal");
+            "is not JSON: line 1, column 45: …");
+  refusedIn("single quotes", "{'hogelscope': 1}", "is not JSON: line 1, column 2: …");
   refusedIn("two documents", R"({"hogelscope": 1} {"hogelscope": 1})",
-            "is not JSON: parse error at line 1, column 19: syntax error while parsing value - "
-            "unexpected '{'; expected end of input");
+            "is not JSON: line 1, column 19: …");
   refusedIn("Infinity", R"({"hogelscope": 1, "display": {"fov": [-Infinity, 60]}})",
-            "is not JSON: parse error at line 1, column 40: syntax error while parsing value - "
-            "invalid number; expected digit after '-'; last read: '-I'");
-  refusedIn("hexadecimal", R"({"hogelscope": 0x1})",
-            "is not JSON: parse error at line 1, column 17: syntax error while parsing object - "
-            "invalid literal; last read: '0x'; expected '}'");
-  refusedIn("leading plus", R"({"hogelscope": +1})",
-            "is not JSON: parse error at line 1, column 16: syntax error while parsing value - "
-            "invalid literal; last read: '\"hogelscope\": +'");
+            "is not JSON: line 1, column 40: …");
+  refusedIn("hexadecimal", R"({"hogelscope": 0x1})", "is not JSON: line 1, column 17: …");
+  refusedIn("leading plus", R"({"hogelscope": +1})", "is not JSON: line 1, column 16: …");
   refusedIn("True", R"({"hogelscope": 1, "lightField": {"incoming": True}})",
-            "is not JSON: parse error at line 1, column 46: syntax error while parsing value - "
-            "invalid literal; last read: '\"incoming\": T'");
+            "is not JSON: line 1, column 46: …");
   refusedIn("line break in a text", R"({"hogelscope": 1, "x": "a
 b"})",
-            "is not JSON: parse error at line 2, column 0: syntax error while parsing value - "
-            "invalid string: control character U+000A (LF) must be escaped to \\u000A or \\n; last "
-            "read: '\"a<U+000A>'");
-  refusedIn("zeros", QByteArray(64, '\0'),
-            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "unexpected end of input; expected '[', '{', or a literal");
-  refusedIn("UTF-16", QByteArray("\xff\xfe{\0}\0", 6),
-            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "invalid literal; last read: '\\xff'");
+            "is not JSON: line 1, column 26: …");
+  refusedIn("zeros", QByteArray(64, '\0'), "is not JSON: line 1, column 1: …");
+  refusedIn("UTF-16", QByteArray("\xff\xfe{\0}\0", 6), "is not JSON: line 1, column 1: …");
   refusedIn("a CSV file", R"(state,test,mse
 )",
-            "is not JSON: parse error at line 1, column 1: syntax error while parsing value - "
-            "invalid literal; last read: 's'");
+            "is not JSON: line 1, column 1: …");
   refusedIn("twice the same key", R"({"hogelscope": 1, "hogelscope": 1})",
             "hogelscope: stands twice in one object");
 }

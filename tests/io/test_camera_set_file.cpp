@@ -278,8 +278,7 @@ void TestCameraSetFile::badDocuments_data() {
   const QByteArray pose = R"({"eye": [0, 0, 1]})";
   row("empty", " \n", "is empty: not a camera set");
   row("truncated", R"({"hogelscopeCameras": 1, "poses": [{"eye": [0, )",
-      "is not JSON: parse error at line 1, column 48: syntax error while parsing value - "
-      "unexpected end of input; expected '[', '{', or a literal");
+      "is not JSON: line 1, column 48: …");
   row("a list", "[1]", "[1] is not an object: { \"name\": value, … }");
   row("a session", text(),
       "hogelscopeCameras: is missing: a camera set says \"hogelscopeCameras\": 1");
@@ -341,7 +340,7 @@ void TestCameraSetFile::badDocuments() {
   QFETCH(const QByteArray, text);
   QFETCH(const QString, line);
   writeFile("c.json", text);
-  QCOMPARE(errorOf([] { (void)loadCameraSet("c.json"); }), line);
+  compareLine(errorOf([] { (void)loadCameraSet("c.json"); }).toUtf8(), line.toUtf8());
 }
 
 void TestCameraSetFile::badTraces_data() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -187,11 +188,13 @@ Override parseOverride(const std::string& text) {
 
 namespace {
 
-/// Goes through a document's structure: refuses a key that occurs twice in an object, and a depth
-/// or a number of keys that no document of the program has. Not a callback of Json::parse(), which
-/// would look through all that is read of an array at each object's end.
+/// Goes through a document's structure: refuses what is not JSON, a key that occurs twice in an
+/// object, and a depth or a number of keys that no document of the program has. Not a callback of
+/// Json::parse(), which would look through all that is read of an array at each object's end.
 class StructureCheck : public Json::json_sax_t {
  public:
+  explicit StructureCheck(const std::string& text) : m_text(text) {}
+
   bool null() override { return true; }
   bool boolean(bool /*value*/) override { return true; }
   bool number_integer(number_integer_t /*value*/) override { return true; }
@@ -222,10 +225,21 @@ class StructureCheck : public Json::json_sax_t {
     --m_depth;
     return true;
   }
-  /// Left to Json::parse().
-  bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
-                   const nlohmann::detail::exception& /*error*/) override {
-    return false;
+  /// `read` bytes were read, the last one of which is wrong. The place is counted here, since the
+  /// library's words change with its versions; what follows them is its reason.
+  bool parse_error(std::size_t read, const std::string& /*token*/,
+                   const nlohmann::detail::exception& error) override {
+    const std::string_view before(m_text.data(), std::min(m_text.size(), read - 1));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+    std::string why = error.what();
+    why.erase(0, std::min(why.size(), why.find("] ") + 2));
+    if (const std::size_t place = why.find(", column "); place != std::string::npos)
+      why.erase(0, std::min(why.size(), why.find(": ", place) + 2));
+    std::replace_if(
+        why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
+    throw InputError("is not JSON", "line " + std::to_string(line) + ", column " +
+                                        std::to_string(column) + ": " + why);
   }
 
  private:
@@ -239,6 +253,7 @@ class StructureCheck : public Json::json_sax_t {
     return true;
   }
 
+  const std::string& m_text;
   std::vector<Object> m_open;
   int m_depth = 0;
 };
@@ -249,17 +264,9 @@ Json parseJson(const std::string& text, JsonComments comments) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("is empty: not a session document", "");
   const bool areIgnored = comments == JsonComments::ignored;
-  StructureCheck check;
+  StructureCheck check(text);
   Json::sax_parse(text, &check, Json::input_format_t::json, true, areIgnored);
-  try {
-    return Json::parse(text, nullptr, true, areIgnored);
-  } catch (const Json::exception& error) {
-    std::string why = error.what();
-    why.erase(0, std::min(why.size(), why.find("] ") + 2));
-    std::replace_if(
-        why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
-    throw InputError("is not JSON", why);
-  }
+  return Json::parse(text, nullptr, true, areIgnored);
 }
 
 namespace {
