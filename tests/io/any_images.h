@@ -20,6 +20,7 @@ inline void writeImageFile(const QString& file, int width, int height, const Pic
   spec.tile_width = spec.tile_height = kind.tile;
   spec.attribute("oiio:UnassociatedAlpha", 1);  // colours are written as they are given
   spec.attribute("png:compressionLevel", 1);
+  spec.attribute("pnm:pfmflip", 0);  // OpenImageIO 2.5 turns PPMs, too, upside down
   std::vector<float> values;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
