@@ -49,9 +49,11 @@ class Output : public ImageOutput {
     spec.channelnames = wanted.channels;
     spec.attribute("DateTime", "");  // the same content is the same file: no clock in it
     m_image = OIIO::ImageOutput::create(file.string());
-    if (!m_image)
+    if (!m_image) {
+      (void)OIIO::geterror();  // unless asked for, it is printed
       throw InputError(file.string(), "cannot be written",
                        "no picture format has the extension \"" + file.extension().string() + "\"");
+    }
     constexpr std::size_t jpegLimit = 65500;  // beyond it libjpeg would end the process
     if (m_image->format_name() == std::string("jpeg") &&
         std::max(wanted.width, wanted.height) > jpegLimit)
