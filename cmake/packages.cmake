@@ -64,7 +64,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 string(CONCAT CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_version}, libhdf5-dev, libopencv-dev, "
  "libopenexr-dev, libopenimageio-dev, libspng-dev, libtbb-dev, libvtk9-dev, libxxhash-dev, libyaml-dev, libzstd-dev, "
- "nlohmann-json3-dev, pkg-config")
+ "nlohmann-json3-dev, openimageio-tools, pkgconf")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "simulated viewing of light field displays - development files
 Headers, static libraries and the CMake package of Hogelscope: the renderer,
 the readers of light fields and sessions, the VTK module, and the SDK for
@@ -72,8 +72,10 @@ plugins.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hogelscope)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
- "${same_version}, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, "
+ "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), "
+ "python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-vtk9")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst
   ${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm)

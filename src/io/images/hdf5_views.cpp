@@ -2,6 +2,7 @@
 // The views of an HDF5 file, by libhdf5.
 #include "io/images/hdf5_views.h"
 
+#define H5_USE_110_API  // Debian 12 has no other; later versions give H5Ovisit2 another callback
 #include <hdf5.h>
 
 #include <algorithm>
