@@ -22,6 +22,12 @@ foreach(sample table1 room)
     RENAME ${sample}.hogelscope COMPONENT program)
 endforeach()
 
+# After the rules that install headers.
+foreach(component dev sdk)
+  install(CODE "set(HOGELSCOPE_HEADERS ${HOGELSCOPE_HEADERS})" COMPONENT ${component})
+  install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/prefix_includes.cmake COMPONENT ${component})
+endforeach()
+
 # The program itself writes its man page and completion, so they cannot be out of date.
 set(made ${CMAKE_CURRENT_BINARY_DIR}/share)
 find_program(HOGELSCOPE_GZIP gzip REQUIRED)

@@ -228,6 +228,8 @@ class TestHabits : public HabitsTest {
     QVERIFY(page->toPlainText().contains("windowSize"));
     page->setSource(QUrl("plugins.md"));
     QVERIFY(page->toPlainText().contains("HOGELSCOPE_PLUGIN"));
+    page->setSource(QUrl("cpp.md"));
+    QVERIFY(page->toPlainText().contains("find_package"));
     QTest::keyClick(manual, Qt::Key_Escape);
     QVERIFY(!manual->isVisible());
   }

@@ -7,3 +7,12 @@ function(run)
   endif()
   set(out "${out}" PARENT_SCOPE)
 endfunction()
+
+# write_block(PAGE KIND FILE): writes a manual's first block of code of a kind (cmake, cpp, json).
+function(write_block page kind file)
+  file(READ ${page} text)
+  if(NOT text MATCHES "```${kind}\n([^`]*)```")
+    message(FATAL_ERROR "${page} has no block of ${kind}")
+  endif()
+  file(WRITE ${file} "${CMAKE_MATCH_1}")
+endfunction()

@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <exception>
 
-#include "core/engine/renderer.h"
-#include "io/documents/session_file.h"
-#include "io/images/image_writer.h"
-#include "io/scene/scene.h"
+#include <hogelscope/core/engine/renderer.h>
+#include <hogelscope/io/documents/session_file.h>
+#include <hogelscope/io/images/image_writer.h>
+#include <hogelscope/io/scene/scene.h>
 
 namespace {
 
