@@ -45,7 +45,7 @@ step() {
 ### What the README says, by a user.
 built=$work/built
 user=$built/home/maker
-step "bare system" bare "$built" git,sudo
+step "bare system" bare "$built" git,passwd,sudo
 inside "$built" useradd --create-home --shell /bin/sh maker
 echo 'maker ALL=(ALL) NOPASSWD: ALL' >"$built/etc/sudoers.d/maker"
 git clone --quiet . "$user/hogelscope"
