@@ -1,12 +1,12 @@
 # What cmake --install gives, beside the plugins, the SDK and the libraries, which say it where they
-# are made. Components: program, dev (libraries, headers, CMake package), sdk (the part of it that
-# plugins need), python.
+# are made. Components: program, libraries (that it and Python load), dev (libraries, headers, CMake
+# package), sdk (the part of it that plugins need), python.
 set(HOGELSCOPE_APP io.github.hogelscope.Hogelscope)
 set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
 
 install(TARGETS hogelscope hogelscope-window RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS hogelscope-codecs LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/hogelscope/lib
-  COMPONENT program)
+  COMPONENT libraries)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.desktop
   DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
 install(FILES ${desktop}/${HOGELSCOPE_APP}.metainfo.xml
@@ -44,11 +44,15 @@ install(FILES ${made}/hogelscope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-
   RENAME hogelscope COMPONENT program)
 
 # What has to be built before cmake --install and cpack: neither builds anything.
-add_custom_target(hogelscope_installed DEPENDS hogelscope hogelscope-window hogelscope_share hogelscope_core
-  hogelscope_io ViewFilters)
-foreach(target hogelscope_plugin_mesh hogelscope_plugin_measured-lens hogelscope_plugin_ms-ssim
-    hogelscope_vtkPython _hogelscope hogelscope_python)
+add_custom_target(hogelscope_wheel DEPENDS hogelscope-codecs)  # of pyproject.toml
+foreach(target hogelscope_plugin_mesh hogelscope_plugin_measured-lens hogelscope_plugin_ms-ssim _hogelscope
+    hogelscope_python)
   if(TARGET ${target})
-    add_dependencies(hogelscope_installed ${target})
+    add_dependencies(hogelscope_wheel ${target})
   endif()
 endforeach()
+add_custom_target(hogelscope_installed DEPENDS hogelscope_wheel hogelscope hogelscope-window hogelscope_share
+  hogelscope_core hogelscope_io ViewFilters)
+if(TARGET hogelscope_vtkPython)
+  add_dependencies(hogelscope_installed hogelscope_vtkPython)
+endif()

@@ -13,7 +13,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 # Of each package: its name, and the install components in it.
-set(hogelscope_packages "program:hogelscope:program" "dev:libhogelscope-dev:dev,sdk")
+set(hogelscope_packages "program:hogelscope:program,libraries" "dev:libhogelscope-dev:dev,sdk")
 if(HOGELSCOPE_PYTHON_VTK OR TARGET _hogelscope)
   list(APPEND hogelscope_packages "python:python3-hogelscope:python")
 endif()

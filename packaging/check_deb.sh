@@ -55,6 +55,14 @@ step try.sh as_maker ./packaging/try.sh
 step check.sh as_maker ./packaging/check.sh
 grep -E 'tests passed|tests failed|^style.sh|[0-9]+ - .*(Skipped|Failed)' "$work/log" || true
 inside "$built" dpkg-query -W | wc -l | sed 's/$/ packages are installed/'
+if inside "$built" apt-cache show python3-scikit-build-core >/dev/null 2>&1; then
+  step "python packages" inside "$built" apt-get -y -qq --no-install-recommends install \
+    python3-pip python3-scikit-build-core python3-venv
+  as_maker 'python3 -m venv --system-site-packages ~/venv'
+  step "pip install" as_maker '../venv/bin/pip install --no-build-isolation --no-index .'
+  inside "$built" su - maker -c "venv/bin/python hogelscope/tests/install/ten_lines.py \
+    hogelscope/data/table1.json"
+fi
 source=$user/hogelscope
 packages=$source/build/release/packages
 

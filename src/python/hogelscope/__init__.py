@@ -55,9 +55,10 @@ def _add_own_plugins() -> None:
     """The program finds its plugins beside itself; here the program is Python."""
     name = f"plugins-{_hogelscope.plugin_abi}"
     prefix = _os.path.abspath(__file__)
+    own = _os.path.join(_os.path.dirname(prefix), "lib", "hogelscope", name)  # as pip installs it
     for _ in "PREFIX/lib/python3/dist-packages/hogelscope/__init__.py".split("/")[1:]:
         prefix = _os.path.dirname(prefix)
-    found = [_os.path.join(prefix, name)]  # of a build
+    found = [own, _os.path.join(prefix, name)]  # of a build
     for libraries in ("lib", "lib/*"):
         found += _glob.glob(_os.path.join(_glob.escape(prefix), libraries, "hogelscope", name))
     for folder in found:
