@@ -5,7 +5,7 @@ set -eu
 here=$(dirname "$0")
 "$here/build.sh" hogelscope_installed
 cd "$here/.."
-rm -rf build/release/packages
+rm -rf build/release/packages/*.deb
 umask 022
 (cd build/release && cpack -G DEB >packages.log 2>&1) || {
   cat build/release/packages.log >&2
