@@ -169,11 +169,14 @@ class PlyReader {
     std::array<char, 8> bytes{};
     const std::size_t size = typeBytes[std::size_t(type)];
     if (m_rest.size() < size) endsEarly();
-    std::copy_n(m_rest.begin(), size, bytes.begin());
+    const std::string_view stored = m_rest.substr(0, size);
     m_rest.remove_prefix(size);
     const bool isSwapped =
         (m_format == Format::big) == (std::endian::native == std::endian::little);
-    if (isSwapped) std::reverse(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
+    if (isSwapped)
+      std::ranges::reverse_copy(stored, bytes.begin());
+    else
+      std::ranges::copy(stored, bytes.begin());
     return valueOf(type, bytes.data());
   }
 
