@@ -74,8 +74,9 @@ class TestDocks : public DocksTest {
     camera->setFloating(true);
     QVERIFY(camera->isWindow() && camera->isVisible());
     camera->setFloating(false);
-    // Behind its neighbour's tab again; Qt 6.4 lists a dock that came back twice.
-    const auto tabs = m_window->tabifiedDockWidgets(child<QDockWidget>("displayDock"));
+    // Behind its neighbour's tab again; Qt 6.4 lists docks that are closed, too.
+    auto tabs = m_window->tabifiedDockWidgets(child<QDockWidget>("displayDock"));
+    tabs.removeIf([](const QDockWidget* dock) { return dock->isHidden(); });
     QCOMPARE(std::set(tabs.begin(), tabs.end()),
              (std::set{child<QDockWidget>("lightFieldDock"), camera,
                        child<QDockWidget>("distortionDock"), child<QDockWidget>("psfDock")}));
