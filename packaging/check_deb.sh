@@ -85,8 +85,10 @@ listed() { (cd "$root" && find etc usr opt srv var/lib -xdev ! -path 'var/lib/dp
 listed >"$work/before"
 apt() { step "apt-get $*" inside "$root" apt-get -y -qq --no-install-recommends "$@"; }
 
+deb() { echo /debs/"$(basename "$root"/debs/"$1"_*.deb)"; }
+
 apt update
-apt install /debs/hogelscope_*.deb
+apt install "$(deb hogelscope)"
 samples=/usr/share/hogelscope/samples
 render() { inside "$1" "$2" --render --quiet --session "$3" --output "$4"; }
 inside "$root" hogelscope --version
@@ -102,7 +104,7 @@ inside "$root" hogelscope --render --quiet --session $samples/table1.hogelscope 
   --format tif --output /codecs
 inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-1/mesh$'
 
-apt install /debs/python3-hogelscope_*.deb python3-vtk9
+apt install "$(deb python3-hogelscope)" python3-vtk9
 inside "$root" python3 /source/tests/install/vtk_view.py $samples/table1.hogelscope 'Fig 4' \
   '/out/table1/Fig 4.png'
 inside "$root" python3 /source/tests/install/ten_lines.py $samples/table1.hogelscope
@@ -111,7 +113,7 @@ inside "$root" hogelscope --generate scene --session $samples/table1.hogelscope 
 inside "$root" python3 -c 'import hogelscope
 hogelscope.open("/scene.jpg", "hogels", display={"hogels": [8, 8], "directions": [20, 20]}).array()'
 
-apt install /debs/libhogelscope-dev_*.deb cmake g++ make
+apt install "$(deb libhogelscope-dev)" cmake g++ make
 set -- cmake -D SOURCE=/source -D PREFIX=/usr -D PROGRAM=/usr/bin/hogelscope -D COMPILER=c++ \
   -D 'GENERATOR=Unix Makefiles'
 step "programs in C++" inside "$root" "$@" -D WORK=/consumer \
