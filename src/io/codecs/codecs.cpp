@@ -13,8 +13,9 @@ namespace {
 
 class AllCodecs : public Codecs {
  public:
-  [[nodiscard]] std::unique_ptr<ImageInput> open(const std::filesystem::path& file) const override {
-    return openByOpenImageIo(file);
+  [[nodiscard]] std::unique_ptr<ImageInput> open(const std::filesystem::path& file,
+                                                 const std::string& format) const override {
+    return openByOpenImageIo(file, format);
   }
   [[nodiscard]] std::unique_ptr<ImageOutput> create(const std::filesystem::path& file,
                                                     const ImageSpec& spec,

@@ -13,7 +13,8 @@
 namespace hogelscope {
 
 /// Throw InputError that names the file.
-std::unique_ptr<ImageInput> openByOpenImageIo(const std::filesystem::path& file);
+std::unique_ptr<ImageInput> openByOpenImageIo(const std::filesystem::path& file,
+                                              const std::string& format);
 std::unique_ptr<ImageOutput> createByOpenImageIo(const std::filesystem::path& file,
                                                  const ImageSpec& spec, ByteOutput& bytes);
 

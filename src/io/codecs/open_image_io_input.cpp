@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures and videos read by OpenImageIO.
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/optics/image.h"
 #include "io/codecs/open_image_io.h"
 
@@ -73,8 +76,7 @@ bool isJpegXl(const fs::path& file) {
 }
 
 /// Throws InputError for a file that OpenImageIO cannot open.
-[[noreturn]] void refuse(const fs::path& file) {
-  const std::string why = asOneLine(OIIO::geterror(), file);  // unless asked for, it is printed
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
   if (isJpegXl(file))
     throw InputError(file.string(), "",
                      "is JPEG XL, which OpenImageIO " OIIO_VERSION_STRING
@@ -82,29 +84,82 @@ bool isJpegXl(const fs::path& file) {
   throw InputError(file.string(), "cannot be read as a picture", why);
 }
 
+/// Whether a file begins as a video, or as one of the texts that name other files or addresses
+/// which FFmpeg would read: lists of files (ffconcat), HLS, DASH, SDP.
+bool isVideo(const fs::path& file) {
+  using namespace std::string_view_literals;
+  constexpr std::size_t longest = 12;
+  std::string begin(longest, '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), longest);
+  const std::string_view all(begin);
+  static constexpr std::array boxes{"ftyp"sv, "moov"sv, "mdat"sv, "free"sv, "skip"sv, "wide"sv};
+  static constexpr std::array signatures{
+      "\x1a\x45\xdf\xa3"sv, "\0\0\1\xba"sv, "\0\0\1\xb3"sv, "FLV\1"sv,
+      "\x30\x26\xb2\x75"sv, "OggS"sv,       "YUV4MPEG2"sv,  "\x47\x40"sv};
+  const auto begins = [&](std::string_view signature) { return all.starts_with(signature); };
+  return std::ranges::find(boxes, all.substr(4, 4)) != boxes.end() ||
+         std::ranges::any_of(signatures, begins) ||
+         (begins("RIFF") && all.substr(8, 4) == "AVI "sv);
+}
+
+/// Opens a file as a format of OpenImageIO. Null, with the reason, where it is none.
+std::unique_ptr<OIIO::ImageInput> openAs(const std::string& format, const fs::path& file,
+                                         std::string& why) {
+  std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (image && image->open(file.string(), spec)) return image;
+  why = asOneLine(image ? image->geterror() : OIIO::geterror(), file);
+  return nullptr;
+}
+
+/// Opens a file as the first format that accepts it, that of its ending before others. Only videos
+/// are shown to FFmpeg.
+std::unique_ptr<OIIO::ImageInput> openAny(const fs::path& file, std::string& why) {
+  if (isVideo(file)) {
+    std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::open(file.string());
+    if (!image) why = asOneLine(OIIO::geterror(), file);  // unless asked for, it is printed
+    return image;
+  }
+  // An ending is a name of its format, too.
+  std::string ending = lowerCase(file.extension().string());
+  if (!ending.empty()) ending.erase(0, 1);
+  const std::string list = OIIO::get_string_attribute("input_format_list");
+  std::istringstream formats(ending + "," + list);
+  std::string own;
+  for (std::string format; std::getline(formats, format, ',');) {
+    const auto reader = OIIO::ImageInput::create(format);
+    if (!reader || reader->format_name() == std::string("FFmpeg movie")) continue;
+    if (auto image = openAs(format, file, why)) return image;
+    if (format == ending) own = why;
+  }
+  why = own.empty() ? "its content is of no known format" : own;
+  return nullptr;
+}
+
 class Input : public ImageInput {
  public:
-  explicit Input(const fs::path& file)
-      : m_file(file), m_image(OIIO::ImageInput::open(file.string())) {
-    if (!m_image) refuse(m_file);
+  Input(const fs::path& file, const std::string& format) : m_file(file) {
+    std::string why;
+    m_image = format.empty() ? openAny(file, why) : openAs(format, file, why);
+    if (!m_image) refuse(m_file, why);
     m_spec = m_image->spec();
     if (m_spec.width < 1 || m_spec.height < 1 || m_spec.nchannels < 1 || m_spec.depth > 1 ||
         m_spec.deep)
       throw InputError(m_file.string(), "", "is not a flat picture with pixels");
     checkSize(m_spec, m_file);
     const StoredType type = typeOf(m_spec);
-    const std::string format = m_image->format_name();
+    const std::string found = m_image->format_name();
     const int bits = type == StoredType::uint8    ? 8
-                     : type == StoredType::uint16 ? bitsOf(m_spec, format, m_file)
+                     : type == StoredType::uint16 ? bitsOf(m_spec, found, m_file)
                                                   : 16;
-    const bool isVideo = m_spec.get_int_attribute("oiio:Movie") != 0;
-    const int frames = isVideo ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
+    const bool isMovie = m_spec.get_int_attribute("oiio:Movie") != 0;
+    const int frames = isMovie ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
     m_facts = {std::size_t(m_spec.width),
                std::size_t(m_spec.height),
                m_spec.nchannels,
                type,
                bits,
-               format,
+               found,
                std::size_t(std::max(frames, 1))};
   }
 
@@ -155,8 +210,8 @@ void Input::readRows(int frame, std::size_t first, std::size_t rows, T* to) {
 
 }  // namespace
 
-std::unique_ptr<ImageInput> openByOpenImageIo(const fs::path& file) {
-  return std::make_unique<Input>(file);
+std::unique_ptr<ImageInput> openByOpenImageIo(const fs::path& file, const std::string& format) {
+  return std::make_unique<Input>(file, format);
 }
 
 }  // namespace hogelscope

@@ -6,23 +6,29 @@
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <fstream>
 #include <new>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/files/system_limits.h"
 
 namespace hogelscope {
 
 namespace {
 
 constexpr unsigned longestAnswer = 120;  // seconds
+constexpr time_t longestWork = 10;       // seconds of processor time
+constexpr std::size_t mostMemory = std::size_t{1} << 30U;
 
 struct Header {
   std::uint64_t bytes = 0;
@@ -76,6 +82,26 @@ int becomeAlone(int socket) {
   return kept;
 }
 
+/// Limits what may be allocated from now on: of what this process has the copy has a part.
+void limitMemory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::size_t kilobytes = 0;
+    if (word != "VmData:" || !(status >> kilobytes)) continue;
+    const rlim_t most = kilobytes * 1024 + std::min(mostMemory, allowedMemory());
+    const rlimit limit{most, most};
+    ::setrlimit(RLIMIT_DATA, &limit);
+    return;
+  }
+}
+
+/// A signal ends the process after so many seconds; 0: none.
+void limitTime(unsigned answer, time_t work) {
+  ::alarm(answer);
+  const itimerval timer{{0, 0}, {work, 0}};
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
 /// Answers until the other end of the socket is closed.
 void serve(int socket, const std::function<Isolated::Service()>& start) {
   Isolated::Service service;
@@ -83,7 +109,7 @@ void serve(int socket, const std::function<Isolated::Service()>& start) {
   while (receiveAll(socket, &header, sizeof header)) {
     std::string request(header.bytes, '\0');
     if (!receiveAll(socket, request.data(), request.size())) return;
-    ::alarm(longestAnswer);
+    limitTime(longestAnswer, longestWork);
     std::string answer;
     bool isError = true;
     try {
@@ -96,11 +122,16 @@ void serve(int socket, const std::function<Isolated::Service()>& start) {
       answer = error.what();
     }
     if (!sendMessage(socket, answer, isError)) return;
-    ::alarm(0);
+    limitTime(0, 0);
   }
 }
 
 }  // namespace
+
+std::shared_mutex& Isolated::librariesInUse() {
+  static std::shared_mutex mutex;
+  return mutex;
+}
 
 Isolated::Isolated(std::filesystem::path file, std::function<Service()> start)
     : m_file(std::move(file)), m_start(std::move(start)) {}
@@ -113,9 +144,14 @@ void Isolated::start() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw InputError(m_file.string(), "cannot be read", std::generic_category().message(errno));
-  m_process = ::fork();
+  {
+    const std::unique_lock lock(librariesInUse());
+    m_process = ::fork();
+  }
   if (m_process == 0) {
-    serve(becomeAlone(ends[1]), m_start);
+    const int socket = becomeAlone(ends[1]);
+    limitMemory();
+    serve(socket, m_start);
     ::_exit(0);
   }
   ::close(ends[1]);
@@ -145,7 +181,8 @@ void Isolated::receive(char* to, std::size_t bytes, const Progress& progress) co
     const ssize_t read = ::recv(m_socket, to, bytes, 0);
     if (read < 0 && errno == EINTR) continue;
     if (read <= 0)
-      throw InputError(m_file.string(), "is damaged", "the library that reads it crashed or hung");
+      throw InputError(m_file.string(), "is damaged",
+                       "the library that reads it crashed, hung, or wanted too much memory");
     to += read;
     bytes -= std::size_t(read);
   }
@@ -165,8 +202,10 @@ std::string Isolated::ask(const std::string& request, const Progress& progress) 
     stop();
     throw;
   }
-  if (header.isError != 0) throw InputError(m_file.string(), "", answer);
-  return answer;
+  if (header.isError == 0) return answer;
+  const std::string name = m_file.string() + ": ";
+  throw InputError(m_file.string(), "",
+                   answer.starts_with(name) ? answer.substr(name.size()) : answer);
 }
 
 }  // namespace hogelscope

@@ -62,8 +62,9 @@ class ByteOutput {
 class Codecs {
  public:
   virtual ~Codecs() = default;
-  [[nodiscard]] virtual std::unique_ptr<ImageInput> open(
-      const std::filesystem::path& file) const = 0;
+  /// `format` is OpenImageIO's name of the only one that is tried; empty for any.
+  [[nodiscard]] virtual std::unique_ptr<ImageInput> open(const std::filesystem::path& file,
+                                                         const std::string& format) const = 0;
   /// The file's extension chooses the format. `bytes` has to outlive the output.
   [[nodiscard]] virtual std::unique_ptr<ImageOutput> create(const std::filesystem::path& file,
                                                             const ImageSpec& spec,

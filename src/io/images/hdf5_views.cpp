@@ -196,25 +196,12 @@ struct Facts {
   StoredType type = StoredType::uint8;
 };
 
-template <class T>
-std::string asBytes(const T& value) {
-  return {reinterpret_cast<const char*>(&value), sizeof value};
-}
-
-template <class T>
-T fromBytes(const std::string& bytes) {
-  T value;
-  if (bytes.size() != sizeof value) throw std::logic_error("Hdf5Views: a message of another size");
-  std::memcpy(&value, bytes.data(), sizeof value);
-  return value;
-}
-
 std::string factsOf(const Shape& shape) {
   Facts facts;
   std::ranges::transform(shape.lengths, facts.lengths.begin(),
                          [](hsize_t length) { return std::int32_t(length); });
   facts.type = shape.type.value_or(StoredType::uint8);
-  return asBytes(facts);
+  return messageOf(facts);
 }
 
 std::string rowsOf(const DataSet& dataSet, const Request& request) {
@@ -237,7 +224,7 @@ std::string rowsOf(const DataSet& dataSet, const Request& request) {
 Isolated::Service serviceOf(const fs::path& file, const std::string& name) {
   const auto dataSet = std::make_shared<const DataSet>(openDataSet(file, name));
   return [dataSet](const std::string& bytes) {
-    const auto request = fromBytes<Request>(bytes);
+    const auto request = valueOf<Request>(bytes);
     return request.row < 0 ? factsOf(dataSet->shape) : rowsOf(*dataSet, request);
   };
 }
@@ -274,7 +261,7 @@ bool Hdf5Views::isHdf5(const fs::path& file) {
 
 Hdf5Views::Hdf5Views(const fs::path& file, const std::string& name)
     : m_reader(file, [file, name] { return serviceOf(file, name); }), m_file(file) {
-  const auto facts = fromBytes<Facts>(m_reader.ask(asBytes(Request{})));
+  const auto facts = valueOf<Facts>(m_reader.ask(messageOf(Request{})));
   const auto& n = facts.lengths;
   m_size = {n[3], n[2], n[1], n[0]};
   m_type = facts.type;
@@ -296,7 +283,7 @@ void Hdf5View::read(StoredType type, const ImageFile::Band& band, const Progress
       reportProgress(progress, double(first) / height);
       const int rows = std::min(most, height - first);
       const std::string bytes =
-          m_views.m_reader.ask(asBytes(Request{m_row, m_column, first, rows}), progress);
+          m_views.m_reader.ask(messageOf(Request{m_row, m_column, first, rows}), progress);
       std::vector<T> values(std::size_t(rows) * width() * channels);
       if (bytes.size() != values.size() * sizeof(T))
         throw std::logic_error("Hdf5View: an answer of another size");

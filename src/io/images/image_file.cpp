@@ -8,9 +8,8 @@
 
 #include "core/base/error.h"
 #include "io/images/big_tiff.h"
-#include "io/images/codecs.h"
-#include "io/images/exr_header.h"
 #include "io/images/pgx_rows.h"
+#include "io/images/picture_input.h"
 #include "io/images/png_rows.h"
 #include "io/images/yuv_rows.h"
 
@@ -64,8 +63,7 @@ ImageFile::ImageFile(const fs::path& file, const YuvParams& yuv) : m_file(file),
       take(PgxRows(file), "pgx");
       break;
     default:
-      checkExrHeader(m_file);
-      m_input = codecs().open(m_file);
+      m_input = openPicture(m_file);
       m_facts = m_input->facts();
   }
 }

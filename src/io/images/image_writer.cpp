@@ -6,10 +6,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <shared_mutex>
 #include <utility>
 
 #include "core/base/error.h"
 #include "io/files/atomic_file.h"
+#include "io/files/isolated.h"
 #include "io/images/checked_file.h"
 #include "io/images/codecs.h"
 #include "io/images/exr_output.h"
@@ -24,6 +26,37 @@ namespace {
 InputError cannotWrite(const fs::path& file, int error) {
   return {file.string(), "cannot be written", std::strerror(error)};
 }
+
+}  // namespace
+
+namespace {
+
+/// Holds Isolated::librariesInUse() while the library works.
+class LibraryOutput : public ImageOutput {
+ public:
+  LibraryOutput(const fs::path& file, const ImageSpec& spec, ByteOutput& bytes) {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_output = codecs().create(file, spec, bytes);
+  }
+  ~LibraryOutput() override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_output.reset();
+  }
+  LibraryOutput(const LibraryOutput&) = delete;
+  LibraryOutput& operator=(const LibraryOutput&) = delete;
+
+  void write(const StoredRows& values, std::size_t rows) override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_output->write(values, rows);
+  }
+  void finish() override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_output->finish();
+  }
+
+ private:
+  std::unique_ptr<ImageOutput> m_output;
+};
 
 }  // namespace
 
@@ -47,7 +80,7 @@ struct ImageRowWriter::Output {
     else if (extension == ".exr" && spec.type == StoredType::real)
       image = std::make_unique<ExrOutput>(file.string(), spec, bytes);
     else
-      image = codecs().create(file, spec, bytes);
+      image = std::make_unique<LibraryOutput>(file, spec, bytes);
   }
 
   void close() {

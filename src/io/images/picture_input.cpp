@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures and videos by codecs(), in this process or in a copy of it.
+#include "io/images/picture_input.h"
+
+#include <array>
+#include <cstring>
+#include <shared_mutex>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/files/isolated.h"
+#include "io/files/random_access_file.h"
+#include "io/images/big_tiff.h"
+#include "io/images/exr_header.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The first bytes of a file; fewer if it is shorter.
+std::string beginOf(const fs::path& path) {
+  constexpr std::size_t longest = 16;
+  std::string begin(longest, '\0');
+  const RandomAccessFile file(path);
+  begin.resize(file.readSome(0, std::as_writable_bytes(std::span(begin))));
+  return begin;
+}
+
+/// OpenImageIO's name of a format that this process reads; empty for all others. Raw pictures of
+/// cameras begin as TIFFs, but are none.
+std::string_view trustedFormatOf(const fs::path& file) {
+  using namespace std::string_view_literals;
+  struct Signature {
+    std::string_view begin;
+    std::string_view format;
+  };
+  static constexpr std::array signatures{Signature{"\xff\xd8\xff"sv, "jpeg"},
+                                         Signature{"\x76\x2f\x31\x01"sv, "openexr"},
+                                         Signature{"BM"sv, "bmp"},
+                                         Signature{"II*\0"sv, "tiff"},
+                                         Signature{"MM\0*"sv, "tiff"},
+                                         Signature{"II+\0"sv, "tiff"},
+                                         Signature{"MM\0+"sv, "tiff"},
+                                         Signature{"P1"sv, "pnm"},
+                                         Signature{"P2"sv, "pnm"},
+                                         Signature{"P3"sv, "pnm"},
+                                         Signature{"P4"sv, "pnm"},
+                                         Signature{"P5"sv, "pnm"},
+                                         Signature{"P6"sv, "pnm"},
+                                         Signature{"PF"sv, "pnm"},
+                                         Signature{"Pf"sv, "pnm"}};
+  const std::string begin = beginOf(file);
+  for (const Signature& signature : signatures) {
+    if (!begin.starts_with(signature.begin)) continue;
+    const bool isTiff = signature.format == "tiff"sv;
+    return isTiff && !lowerCase(file.extension().string()).starts_with(".tif") ? ""sv
+                                                                               : signature.format;
+  }
+  return {};
+}
+
+/// Holds Isolated::librariesInUse() while the library works.
+class OwnInput : public ImageInput {
+ public:
+  OwnInput(const fs::path& file, const std::string& format) {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_input = codecs().open(file, format);
+  }
+  ~OwnInput() override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_input.reset();
+  }
+  OwnInput(const OwnInput&) = delete;
+  OwnInput& operator=(const OwnInput&) = delete;
+
+  [[nodiscard]] const ImageFacts& facts() const override { return m_input->facts(); }
+  [[nodiscard]] std::size_t tileRows() const override { return m_input->tileRows(); }
+  void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    const std::shared_lock lock(Isolated::librariesInUse());
+    m_input->read(frame, first, rows, to);
+  }
+
+ private:
+  std::unique_ptr<ImageInput> m_input;
+};
+
+/// What the copy is asked for; no rows: for PictureFacts and the format's name.
+struct PictureRequest {
+  std::size_t frame = 0;
+  std::size_t first = 0;
+  std::size_t rows = 0;
+  StoredType type = StoredType::uint8;
+};
+
+struct PictureFacts {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::size_t frames = 0;
+  std::size_t tileRows = 0;
+  int channels = 0;
+  int bits = 0;
+  StoredType type = StoredType::uint8;
+};
+
+std::string factsOf(const ImageInput& input) {
+  const ImageFacts& facts = input.facts();
+  return messageOf(PictureFacts{facts.width, facts.height, facts.frames, input.tileRows(),
+                                facts.channels, facts.bits, facts.type}) +
+         facts.format;
+}
+
+std::string rowsOf(ImageInput& input, const PictureRequest& request) {
+  std::string bytes;
+  withStoredType(request.type, [&](auto value) {
+    using T = decltype(value);
+    bytes.resize(3 * input.facts().width * request.rows * sizeof(T));
+    input.read(request.frame, request.first, request.rows, reinterpret_cast<T*>(bytes.data()));
+  });
+  return bytes;
+}
+
+class IsolatedInput : public ImageInput {
+ public:
+  explicit IsolatedInput(const fs::path& file) : m_process(file, [file] { return serve(file); }) {
+    (void)codecs();  // loaded once, here, and not by each copy
+    const std::string answer = m_process.ask(messageOf(PictureRequest{}));
+    const auto facts = valueOf<PictureFacts>(answer);
+    m_tileRows = facts.tileRows;
+    m_facts = {facts.width, facts.height, facts.channels,
+               facts.type,  facts.bits,   answer.substr(sizeof facts),
+               facts.frames};
+  }
+
+  [[nodiscard]] const ImageFacts& facts() const override { return m_facts; }
+  [[nodiscard]] std::size_t tileRows() const override { return m_tileRows; }
+  void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    std::visit(
+        [&](auto* values) {
+          using T = std::remove_pointer_t<decltype(values)>;
+          constexpr StoredType type = std::is_same_v<T, std::uint8_t>    ? StoredType::uint8
+                                      : std::is_same_v<T, std::uint16_t> ? StoredType::uint16
+                                                                         : StoredType::real;
+          const std::string bytes =
+              m_process.ask(messageOf(PictureRequest{frame, first, rows, type}));
+          if (bytes.size() != 3 * m_facts.width * rows * sizeof(T))
+            throw std::logic_error("openPicture: an answer of another size");
+          std::memcpy(values, bytes.data(), bytes.size());
+        },
+        to);
+  }
+
+ private:
+  static Isolated::Service serve(const fs::path& file) {
+    const std::shared_ptr<ImageInput> input = codecs().open(file, {});
+    return [input](const std::string& bytes) {
+      const auto request = valueOf<PictureRequest>(bytes);
+      return request.rows == 0 ? factsOf(*input) : rowsOf(*input, request);
+    };
+  }
+
+  Isolated m_process;
+  ImageFacts m_facts;
+  std::size_t m_tileRows = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<ImageInput> openPicture(const fs::path& file) {
+  const std::string_view format = trustedFormatOf(file);
+  if (format.empty()) return std::make_unique<IsolatedInput>(file);
+  if (format == "openexr") checkExrHeader(file);
+  return std::make_unique<OwnInput>(file, std::string(format));
+}
+
+}  // namespace hogelscope
