@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
 #include "io/plugins/plugin_folders.h"
 #include "python/bindings.h"
 #include "python/stoppable.h"
@@ -24,7 +25,13 @@ std::string normal(const Document& document) {
 }
 
 void save(const Document& document, const std::string& file) {
-  runStoppable(py::none(), [&](const Progress&) { saveSession(file, sessionOf(document)); });
+  runStoppable(py::none(), [&](const Progress&) {
+    const Session session = sessionOf(document);
+    if (!isSessionFile(file))
+      throw InputError(file, "cannot be written", "a session's name ends in .hogelscope or .json");
+    checkOutputs({file}, {contentName(session.lightField)});
+    saveSession(file, session);
+  });
 }
 
 std::string load(const std::string& file, const std::vector<std::string>& overrides,

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/engine/renderer.h"
 #include "io/documents/session_file.h"
+#include "io/files/output_folder.h"
 #include "io/images/image_writer.h"
 #include "io/scene/scene.h"
 #include "python/bindings.h"
@@ -31,6 +32,11 @@ struct RenderedView {
   std::optional<std::vector<float>> values;
 };
 
+struct RenderedViews {
+  std::vector<RenderedView> views;
+  std::vector<std::string> inputs;  ///< the files that the light field was read from
+};
+
 /// What is asked for; `light` is null for the session's own.
 struct RenderRequest {
   Session session;
@@ -41,7 +47,7 @@ struct RenderRequest {
 /// Keeps the session's light field, and tables of lenses, from one view to the next.
 class SessionViews {
  public:
-  std::vector<RenderedView> render(const RenderRequest& request, const Progress& progress);
+  RenderedViews render(const RenderRequest& request, const Progress& progress);
 
  private:
   std::shared_ptr<Content> ownOf(const Session& session, const Progress& progress);
@@ -86,8 +92,7 @@ std::vector<RenderedView> renderPassing(const Session& session, LightFieldFile& 
   return views;
 }
 
-std::vector<RenderedView> SessionViews::render(const RenderRequest& request,
-                                               const Progress& progress) {
+RenderedViews SessionViews::render(const RenderRequest& request, const Progress& progress) {
   const auto lock = lockFor(m_mutex, progress);
   const bool isOwn = !request.light || request.light->lightField().layout == Layout::live;
   const Session session = request.light ? request.light->in(request.session) : request.session;
@@ -97,18 +102,22 @@ std::vector<RenderedView> SessionViews::render(const RenderRequest& request,
   const auto contentLock = lockFor(content->mutex(), progress);
   LightFieldFile& file = *content->file();
   const DisplayParams display = resolved(displayOf(session), file.size());
-  if (mustPass(file, allowedMemory())) return renderPassing(session, file, progress);
+  RenderedViews result;
+  for (const auto& input : file.files()) result.inputs.push_back(input.string());
+  if (mustPass(file, allowedMemory())) {
+    result.views = renderPassing(session, file, progress);
+    return result;
+  }
   const Scene scene{content->source(part(progress, 0.1, 0.5)), display, session.sampling,
                     request.isIdeal};
-  std::vector<RenderedView> views;
   const auto count = double(session.cameras.size());
   for (const CameraState& state : session.cameras) {
-    const auto done = double(views.size());
-    views.push_back(
+    const auto done = double(result.views.size());
+    result.views.push_back(
         renderOne(m_renderer, scene.job(state),
                   part(progress, 0.5 + 0.5 * done / count, 0.5 + 0.5 * (done + 1) / count)));
   }
-  return views;
+  return result;
 }
 
 /// Returns the session with the states of these names, in this order.
@@ -149,11 +158,11 @@ py::tuple tupleOf(RenderedView view) {
       view.values ? py::object(arrayOf(std::move(*view.values), {height, width, 3})) : py::none());
 }
 
-py::list render(SessionViews& views, const Document& document,
-                const std::optional<std::vector<std::string>>& states, const LightChoice& light,
-                bool ideal, int threads, const py::object& progress) {
+py::tuple render(SessionViews& views, const Document& document,
+                 const std::optional<std::vector<std::string>>& states, const LightChoice& light,
+                 bool ideal, int threads, const py::object& progress) {
   const ThreadsOfCall limit(threads);
-  std::vector<RenderedView> rendered = stoppable(progress, [&](const Progress& hear) {
+  RenderedViews rendered = stoppable(progress, [&](const Progress& hear) {
     RenderRequest request{sessionOf(document), {}, ideal};
     if (states) select(request.session, *states, document.name);
     if (const auto* file = std::get_if<std::string>(&light))
@@ -163,20 +172,22 @@ py::list render(SessionViews& views, const Document& document,
     return views.render(request, hear);
   });
   py::list result;
-  for (RenderedView& view : rendered) result.append(tupleOf(std::move(view)));
-  return result;
+  for (RenderedView& view : rendered.views) result.append(tupleOf(std::move(view)));
+  return py::make_tuple(result, rendered.inputs);
 }
 
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
 using Floats = py::array_t<float, py::array::c_style>;
 
-void write(const std::string& file, const Bytes& image, const std::optional<Floats>& values) {
+void write(const std::string& file, const Bytes& image, const std::optional<Floats>& values,
+           const std::vector<std::string>& inputs) {
   const auto height = int(image.shape(0));
   const auto width = int(image.shape(1));
   const auto size = std::size_t(image.size());
   const std::uint8_t* const rgb = image.data();
   const float* const floats = values ? values->data() : nullptr;
   runStoppable(py::none(), [&](const Progress& hear) {
+    checkOutputs({file}, {inputs.begin(), inputs.end()});
     if (floats != nullptr)
       writeImage(file, width, height, std::span(floats, size));
     else
@@ -199,9 +210,9 @@ void addViews(py::module_& module) {
       .def(py::init<>())
       .def("render", &render, py::arg("document"), py::arg("states"), py::arg("light_field"),
            py::arg("ideal"), py::arg("threads"), py::arg("progress"),
-           "Renders states: (name, image, seen, values) of each.");
+           "Renders states: (name, image, seen, values) of each, and the files that were read.");
   module.def("write", &write, py::arg("file"), py::arg("image"), py::arg("values"),
-             "Writes 8-bit RGB, or values as EXR or TIFF.");
+             py::arg("inputs"), "Writes 8-bit RGB, or values as EXR or TIFF, over no input.");
 }
 
 }  // namespace hogelscope

@@ -3,6 +3,7 @@
 
 import math
 import os
+import shutil
 import unittest
 
 import numpy as np
@@ -77,6 +78,33 @@ class Render(FolderTest):
         self.assertRefuses("", v.save, self.path("a.notapicture"))
         self.assertEqual(os.listdir(self.folder).count("a.notapicture"), 0)
 
+    def test_no_input_is_replaced(self):
+        """Under no name and by no link."""
+        file = self.write("s.json", small_session(lightField={"file": "lf.png"}))
+        shutil.copy("tests/data/scene.png", self.path("lf.png"))
+        os.link(self.path("lf.png"), self.path("link.tif"))
+        os.symlink("lf.png", self.path("symbolic.json"))
+        session = hs.Session(file, overrides=["display.hogels=[32,32]", "display.directions=[20,20]"])
+        view = session.render(0)
+        for name in ("lf.png", "link.tif", "s.json", "symbolic.json"):
+            with open(self.path(name), "rb") as file:
+                before = file.read()
+            with self.assertRaises(hs.InputError):
+                view.save(self.path(name))
+            if name != "s.json":
+                with self.assertRaises(hs.InputError):
+                    session.save(self.path(name))
+            with open(self.path(name), "rb") as file:
+                self.assertEqual(file.read(), before)
+        with self.assertRaisesRegex(hs.InputError, "ends in .hogelscope or .json"):
+            session.save(self.path("new.png"))
+        session.save(self.path("s.json"))  # its own document may be
+        for save in (session.save, view.save):
+            with self.assertRaisesRegex(hs.InputError, "NUL"):
+                save(self.path("x\0y.json"))
+        self.assertEqual(sorted(os.listdir(self.path())),
+                         ["lf.png", "link.tif", "s.json", "symbolic.json"])
+
     def test_larger_than_memory(self):
         """A picture of hogels is read once from the top, and gives no values; a store gives them."""
         s = hs.Session("data/table1.json")
@@ -114,7 +142,7 @@ class Render(FolderTest):
         for wrong in (3.5, [3.5], {1, 2.5}):
             with self.assertRaises(TypeError):
                 s.render(wrong)
-        with self.assertRaises(IndexError):
+        with self.assertRaises(hs.InputError):
             s.render(17)
         with self.assertRaises(TypeError):
             s.render(0, lightfield=None)
@@ -122,6 +150,13 @@ class Render(FolderTest):
             s.render(0, threads=10**12)
         self.assertRefuses("threads: -1 is below 0", s.render, 0, threads=-1)
         self.assertRefuses("list of camera states", hs.Session({"cameras": [5]}).render, [0])
+
+    def test_states_that_are_none(self):
+        session = hs.Session(TABLE1)
+        for state, error in ((b"one", TypeError), (["Fig 1", 9], hs.InputError),
+                             (["Fig 1", b"x"], TypeError), (-7, hs.InputError), (6, hs.InputError)):
+            with self.assertRaises(error):
+                session.render(state)
 
     def test_files_that_change(self):
         """A session reads its light field once, and again when its file was written again."""

@@ -17,6 +17,16 @@ Path = Union[str, "os.PathLike[str]"]
 Progress = Callable[[float], object]
 
 
+def path_text(file: Path) -> str:
+    """The name of a file, which has no NUL: the system would end the name there."""
+    name = os.fspath(file)
+    if not isinstance(name, str):
+        raise TypeError(f"a file's name is a str or a path, not {type(name).__name__}")
+    if "\0" in name:
+        raise InputError(f"{name!r}: is no file's name: it contains NUL")
+    return name
+
+
 def json_text(value: Any) -> str:
     """The text of JSON, with numpy's numbers and arrays, and paths."""
 
@@ -74,7 +84,7 @@ def open(  # noqa: A001: as in hogelscope.open
     Stores larger than memory are read where views need them. What the light field lacks is a
     UserWarning. Raises InputError.
     """
-    name = os.fspath(file)
+    name = path_text(file)
     lines: List[str] = []
     if layout is None:
         overrides = overrides_of("lightField", settings) + overrides_of("display", display or {})
@@ -100,7 +110,7 @@ def light_choice(light: Any) -> Any:
     if isinstance(light, np.ndarray):
         return LightField(light)
     if isinstance(light, (str, os.PathLike)):
-        return os.fspath(light)
+        return path_text(light)
     raise TypeError(
         f"a light field is a LightField, a numpy array or a file's name, not {type(light).__name__}"
     )

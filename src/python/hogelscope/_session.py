@@ -10,7 +10,7 @@ from numbers import Integral
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union, overload
 
 from . import _hogelscope
-from ._content import Path, Progress, around, json_text, light_choice, warn
+from ._content import Path, Progress, around, json_text, light_choice, path_text, warn
 from ._hogelscope import InputError, LightField
 from ._view import View
 
@@ -45,7 +45,7 @@ class Session(Dict[str, Any]):
         calibration: Optional[Path] = None,
         progress: Optional[Progress] = None,
     ) -> None:
-        self.folder = os.fspath(folder)
+        self.folder = path_text(folder)
         self.name = ""
         self._views: Optional[_hogelscope.SessionViews] = None
         changes = list(overrides)
@@ -58,7 +58,7 @@ class Session(Dict[str, Any]):
             if changes or calibration is not None:
                 raise InputError("overrides and calibration are for files; change the mapping")
             return
-        text = os.fspath(source)
+        text = path_text(source)
         if text.lstrip().startswith("{"):
             self._read(text)
             if changes or calibration is not None:
@@ -70,7 +70,7 @@ class Session(Dict[str, Any]):
             self._read(found)
             warn(lines)
         elif changes or calibration is not None:
-            given = "" if calibration is None else os.fspath(calibration)
+            given = "" if calibration is None else path_text(calibration)
             self.name = text
             self._read(_hogelscope.load(text, changes, given))
         else:
@@ -119,9 +119,9 @@ class Session(Dict[str, Any]):
         return _hogelscope.normal(self._document())
 
     def save(self, file: Path) -> None:
-        """Write a session file, its files relative to it; complete or not at all. Raises
-        InputError."""
-        _hogelscope.save(self._document(), os.fspath(file))
+        """Write a session file, NAME.json or NAME.hogelscope, its files relative to it; complete or
+        not at all, and never over a file that the session reads. Raises InputError."""
+        _hogelscope.save(self._document(), path_text(file))
 
     def light_field(self, *, progress: Optional[Progress] = None) -> LightField:
         """Open the session's own light field; ``.array()`` of it is what numpy code needs, of live
@@ -173,7 +173,7 @@ class Session(Dict[str, Any]):
 
         Other threads run meanwhile; Ctrl-C stops it. Raises InputError.
         """
-        is_one = isinstance(state, (str, Integral, Mapping))
+        is_one = isinstance(state, (str, bytes, Integral, Mapping))
         wanted: List[Any] = [state] if is_one else [] if state is None else list(state)
         names: Optional[List[str]] = None
         cameras: Optional[List[Any]] = None
@@ -187,8 +187,10 @@ class Session(Dict[str, Any]):
             self._views = _hogelscope.SessionViews()
         light = light_choice(light_field)
         document = self._document(cameras, not isinstance(light, LightField))
-        rendered = self._views.render(document, names, light, ideal, threads, progress)
+        rendered, inputs = self._views.render(document, names, light, ideal, threads, progress)
         views = [View(*one) for one in rendered]
+        for view in views:
+            view._inputs = [*inputs, self.name]
         return views[0] if is_one else views
 
     def _state(self, state: Any, index: int) -> Any:
@@ -203,6 +205,8 @@ class Session(Dict[str, Any]):
                     return one
             raise InputError(f'"{state}" is none of the session\'s states')
         if isinstance(state, Integral):
+            if not -len(own) <= state < len(own):
+                raise InputError(f"state {state}: the session has {len(own)}, numbered from 0")
             return own[int(state)]
         raise TypeError(f"a state is a name, an index or a mapping, not {type(state).__name__}")
 
@@ -229,7 +233,7 @@ def cameras(
 
     The session is not changed: session["cameras"] += cameras(…) adds them. Raises InputError.
     """
-    kind = os.fspath(what)
+    kind = path_text(what)
     changes = [
         f"{section}.{name}={json_text(value)}"
         for section, values in (("cameraSet", settings), ("cameraRegion", region), ("trace", trace))
@@ -281,7 +285,7 @@ def report(
         raise InputError(f'against: "{against}" is not "ideal"')
     if isinstance(tests, (str, os.PathLike)):
         tests = [tests]
-    named = tests if isinstance(tests, Mapping) else {os.fspath(one): one for one in tests}
+    named = tests if isinstance(tests, Mapping) else {path_text(one): one for one in tests}
     choices = []
     for name, light in named.items():
         if light is None:
@@ -293,7 +297,7 @@ def report(
     light = light_choice(light_field)
     document = session._document(states, not isinstance(light, LightField))
     rows: List[Dict[str, Any]] = _hogelscope.report(
-        document, light, choices, rates, os.fspath(output), against is not None, images,
+        document, light, choices, rates, path_text(output), against is not None, images,
         threads, progress,
     )
     return rows

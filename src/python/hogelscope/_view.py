@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Union
+from typing import Any, List, Optional, Union
 
 import numpy as np
 
 from . import _hogelscope
+from ._content import path_text
 
 
 class View:
@@ -23,7 +24,7 @@ class View:
             read once from the top (a PNG); pack it into a store then.
     """
 
-    __slots__ = ("state", "image", "seen", "values")
+    __slots__ = ("state", "image", "seen", "values", "_inputs")
 
     def __init__(
         self, state: str, image: np.ndarray, seen: np.ndarray, values: Optional[np.ndarray] = None
@@ -32,6 +33,7 @@ class View:
         self.image = image
         self.seen = seen
         self.values = values
+        self._inputs: List[str] = []  # files that it was made of
 
     def __repr__(self) -> str:
         height, width = self.seen.shape
@@ -39,12 +41,14 @@ class View:
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Write the picture: .png as ``--render`` does, .exr and .tif from ``values``, as its
-        ``--format`` does. The file is complete or not there. Raises InputError."""
-        name = os.fspath(file)
+        ``--format`` does. The file is complete or not there, and never replaces one that the view
+        was made of. Raises InputError."""
+        name = path_text(file)
         is_float = name.lower().endswith((".exr", ".tif", ".tiff"))
         if is_float and self.values is None:
             raise _hogelscope.InputError(f"{name}: the view has no values: write a PNG")
-        _hogelscope.write(name, np.ascontiguousarray(self.image), self.values if is_float else None)
+        values = self.values if is_float else None
+        _hogelscope.write(name, np.ascontiguousarray(self.image), values, self._inputs)
 
     def to_vtk(self) -> Any:
         """Return a new vtkImageData of the picture, for VTK and PyVista.
