@@ -2,9 +2,8 @@
 // A light field that Python has opened.
 #include "python/content.h"
 
-#include <sys/stat.h>
-
 #include "core/base/parallel.h"
+#include "io/files/content_hash.h"
 #include "io/scene/scene.h"
 
 namespace hogelscope {
@@ -14,14 +13,7 @@ namespace {
 /// A text that changes when a file is written or replaced.
 std::string stateOf(const std::vector<std::filesystem::path>& files) {
   std::string state;
-  for (const std::filesystem::path& file : files) {
-    struct stat facts {};
-    if (::stat(file.c_str(), &facts) != 0) continue;
-    for (const auto number :
-         {std::int64_t(facts.st_ino), std::int64_t(facts.st_size),
-          std::int64_t(facts.st_mtim.tv_sec), std::int64_t(facts.st_mtim.tv_nsec)})
-      state += std::to_string(number) + " ";
-  }
+  for (const std::filesystem::path& file : files) state += fileIdentity(file) + "\n";
   return state;
 }
 

@@ -40,9 +40,7 @@ FileHashes::FileHashes(const fs::path& folder) : m_cache(folder / "report.hashes
 
 std::string FileHashes::identityOf(const fs::path& file) {
   std::error_code none;
-  const auto changed = fs::last_write_time(file, none).time_since_epoch().count();
-  return std::to_string(fs::file_size(file, none)) + " " + std::to_string(changed) + " " +
-         fs::absolute(file, none).lexically_normal().string();
+  return fileIdentity(file) + " " + fs::absolute(file, none).lexically_normal().string();
 }
 
 /// Lines that a crash or a full disk has cut off count for nothing.

@@ -11,8 +11,9 @@
 
 namespace hogelscope {
 
-/// FOLDER/report.hashes keeps each file's XXH3-128 by its size, time of change and path, a line
-/// each. While one process reads a file that is not in it, the others wait.
+/// FOLDER/report.hashes keeps each file's XXH3-128 by fileIdentity() and path, a line each; a file
+/// whose identity is another is hashed again. While one process reads a file that is not in it, the
+/// others wait.
 class FileHashes {
  public:
   /// Throws InputError where a file of that name is another.

@@ -17,7 +17,9 @@ class TestReportShards : public QObject {
   void atWork();
   void otherShards();
   void statusOfNothing();
+  void statusOfTheImpossible();
   void hashesAreKept();
+  void anotherFileOfTheSameSizeAndTime();
   void hashOfAStore();
   void pictures();
   void wrongShards_data();
@@ -129,6 +131,21 @@ void TestReportShards::statusOfNothing() {
 }
 
 /// A file that has not changed is not read again; one that has is.
+/// Numbers that no report has, in a journal that somebody else has written.
+void TestReportShards::statusOfTheImpossible() {
+  const auto journal = [](const char* name, const char* states) {
+    writeFile(
+        QString("odd/report.journal") + name,
+        QByteArray(R"({"hogelscope report":1,"key":"k","states":)") + states + ",\"tests\":1}\n");
+  };
+  journal(".1-1000000000000000", "1000000000000000");
+  QCOMPARE(runHere({"--status", "odd"}).status, 2);
+  journal(".2-1000000000000000", "99999999");
+  const Outcome outcome = runHere({"--status", "odd"});
+  QCOMPARE(outcome.status, 1);
+  QVERIFY2(outcome.out.contains("not begun  1, 3 to 99999999\n"), outcome.out);
+}
+
 void TestReportShards::hashesAreKept() {
   const QByteArray hashes = contentOf("whole/report.hashes");
   QVERIFY(QDir().mkpath("kept"));
@@ -153,6 +170,33 @@ void TestReportShards::hashesAreKept() {
   QVERIFY2(outcome.err.startsWith("hogelscope: kept/report.hashes: "), outcome.err);
   QCOMPARE(outcome.status, 2);
   QCOMPARE(contentOf("kept/report.hashes"), QByteArray("my own notes"));
+}
+
+/// A report has rows of one file alone, also where another has taken its place and looks the same.
+void TestReportShards::anotherFileOfTheSameSizeAndTime() {
+  const QByteArray content = contentOf("b.png");
+  const QDateTime time = QFileInfo("b.png").lastModified();
+  const auto lastHash = [] {
+    const QByteArray lines = contentOf("same/report.hashes");
+    return lines.mid(lines.trimmed().lastIndexOf('\n') + 1, 32);
+  };
+  QCOMPARE(runHere(report("same")).status, 0);
+  const QByteArray first = lastHash();
+  const QByteArray rows = contentOf("same/report.csv");
+  // Decoders stop at the end of the picture.
+  const QByteArray other = contentOf("a.png");
+  writeFile("b.png", other + QByteArray(content.size() - other.size(), '\0'));
+  QFile file("b.png");
+  QVERIFY(file.open(QIODevice::ReadWrite));
+  QVERIFY(file.setFileTime(time, QFileDevice::FileModificationTime));
+  file.close();
+  QCOMPARE(QFileInfo("b.png").lastModified(), time);
+  QCOMPARE(QFileInfo("b.png").size(), content.size());
+  QCOMPARE(runHere(report("same")).status, 0);
+  QVERIFY(lastHash() != first);
+  QVERIFY(contentOf("same/report.html").contains(lastHash()));
+  QVERIFY(contentOf("same/report.csv") != rows);
+  writeFile("b.png", content);
 }
 
 /// A store says what it holds: nobody reads it whole.

@@ -17,6 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+void addRange(std::string& text, std::size_t first, std::size_t last) {
+  if (!text.empty()) text += ", ";
+  text += std::to_string(first);
+  if (last > first) text += (last > first + 1 ? " to " : ", ") + std::to_string(last);
+}
+
 /// "1 to 3, 7".
 std::string rangesText(const std::set<std::size_t>& numbers) {
   std::string text;
@@ -24,10 +30,21 @@ std::string rangesText(const std::set<std::size_t>& numbers) {
     const std::size_t first = *at;
     std::size_t last = first;
     while (++at != numbers.end() && *at == last + 1) last = *at;
-    if (!text.empty()) text += ", ";
-    text += std::to_string(first);
-    if (last > first) text += (last > first + 1 ? " to " : ", ") + std::to_string(last);
+    addRange(text, first, last);
   }
+  return text;
+}
+
+/// The numbers 1 … `count` that are not among `numbers`.
+std::string gapsText(const std::set<std::size_t>& numbers, std::size_t count) {
+  std::string text;
+  std::size_t next = 1;
+  for (const std::size_t number : numbers) {
+    if (number > count) break;
+    if (number > next) addRange(text, next, number - 1);
+    next = number + 1;
+  }
+  if (next <= count) addRange(text, next, count);
   return text;
 }
 
@@ -58,17 +75,19 @@ void printShards(const Run& run) {
                                                       : "stopped"]
         .insert(journal->shard->number);
   }
-  for (auto& [count, groups] : byCount) {
-    std::set<std::size_t> missing;
-    for (std::size_t k = 1; k <= std::min(count, run.head.states); ++k)
-      if (std::ranges::none_of(groups, [k](const auto& group) { return group.second.contains(k); }))
-        missing.insert(k);
-    if (!missing.empty()) groups["not begun"] = missing;
+  for (const auto& [count, groups] : byCount) {
     std::cout << count << " shards\n";
-    for (const char* group : {"done", "at work", "stopped", "not begun"})
-      if (groups.contains(group))
-        std::cout << "  " << group << std::string(11 - std::string(group).size(), ' ')
-                  << rangesText(groups[group]) << "\n";
+    std::set<std::size_t> begun;
+    const auto say = [](const std::string& group, const std::string& numbers) {
+      std::cout << "  " << group << std::string(11 - group.size(), ' ') << numbers << "\n";
+    };
+    for (const char* group : {"done", "at work", "stopped"})
+      if (const auto found = groups.find(group); found != groups.end()) {
+        say(group, rangesText(found->second));
+        begun.insert(found->second.begin(), found->second.end());
+      }
+    const std::string missing = gapsText(begun, std::min(count, run.head.states));
+    if (!missing.empty()) say("not begun", missing);
   }
 }
 

@@ -122,6 +122,8 @@ std::optional<FoundJournal> foundJournal(const fs::path& file) {
   } catch (const Json::exception&) {
     return std::nullopt;
   }
+  constexpr std::size_t most = 100'000'000;  // states or tests: no report has as many
+  if (found.head.states > most || found.head.tests > most) return std::nullopt;
   found.entries = std::move(lines.entries);
   return found;
 }

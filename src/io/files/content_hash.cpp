@@ -3,6 +3,7 @@
 #include "io/files/content_hash.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <xxhash.h>
 
@@ -76,6 +77,16 @@ std::string contentHash(const std::string& text) {
   ContentHash hash;
   hash.add(std::as_bytes(std::span(text)));
   return hash.hex();
+}
+
+std::string fileIdentity(const fs::path& file) {
+  struct stat facts {};
+  if (::stat(file.c_str(), &facts) != 0) return {};
+  const auto text = [](const timespec& time) {
+    return std::to_string(time.tv_sec) + "." + std::to_string(time.tv_nsec);
+  };
+  return std::to_string(facts.st_dev) + " " + std::to_string(facts.st_ino) + " " +
+         text(facts.st_ctim) + " " + text(facts.st_mtim) + " " + std::to_string(facts.st_size);
 }
 
 }  // namespace hogelscope

@@ -36,4 +36,9 @@ std::string contentHash(const std::vector<std::filesystem::path>& files,
                         const Progress& progress = {});
 std::string contentHash(const std::string& text);
 
+/// Returns a text that changes when a file is written or replaced, whatever its size and time are
+/// set to: device, inode, times of the last change of its status and content, size. "" if there is
+/// none.
+std::string fileIdentity(const std::filesystem::path& file);
+
 }  // namespace hogelscope

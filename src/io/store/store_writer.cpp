@@ -40,9 +40,7 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   std::string text = object.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::error_code none;
   for (const fs::path& path : file.files())
-    text += "\n" + fs::absolute(path, none).string() + " " +
-            std::to_string(fs::file_size(path, none)) + " " +
-            std::to_string(fs::last_write_time(path, none).time_since_epoch().count());
+    text += "\n" + fs::absolute(path, none).string() + " " + fileIdentity(path);
   std::array<char, 20> hash{};
   std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(hashOf(text)));
   const bool isLive = params.layout == Layout::live;
