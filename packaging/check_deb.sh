@@ -15,7 +15,9 @@ trap 'rm -rf "$work"' EXIT
 
 # bare FOLDER [PACKAGES]
 bare() {
-  mmdebstrap --quiet --variant=apt ${2:+"--include=$2"} "$suite" "$1" "$mirror"
+  # A mirror's copy of a suite that changes is soon out of date.
+  mmdebstrap --quiet --variant=apt --aptopt='Acquire::Check-Valid-Until "false"' \
+    ${2:+"--include=$2"} "$suite" "$1" "$mirror"
   cp /etc/resolv.conf "$1/etc/resolv.conf" 2>/dev/null || true
 }
 # inside FOLDER COMMAND ...: as root there; what it mounts and starts goes away with it.

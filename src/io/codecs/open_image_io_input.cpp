@@ -84,8 +84,8 @@ bool isJpegXl(const fs::path& file) {
   throw InputError(file.string(), "cannot be read as a picture", why);
 }
 
-/// Whether a file begins as a video, or as one of the texts that name other files or addresses
-/// which FFmpeg would read: lists of files (ffconcat), HLS, DASH, SDP.
+/// Whether a file begins as a video. Texts that name other files or addresses, which FFmpeg would
+/// read, do not: lists of files (ffconcat), HLS, DASH, SDP.
 bool isVideo(const fs::path& file) {
   using namespace std::string_view_literals;
   constexpr std::size_t longest = 12;
