@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens files as users do, in the real window: recent ones, dialogs, drops, the command line; and
 // stops reading one.
-#include <QListView>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
@@ -79,68 +78,6 @@ class TestFiles : public HabitsTest {
     const DialogAnswer next({});
     action("openLightFieldAction")->trigger();
     QCOMPARE(next.folder, far);
-  }
-
-  /// Qt's own dialog would delete, rename or move them.
-  void dialogsKeepFiles_data() {
-    QTest::addColumn<QByteArray>("name");
-    QTest::addColumn<bool>("makesFolders");
-    QTest::newRow("open") << QByteArray("openAction") << false;
-    QTest::newRow("save") << QByteArray("saveAsAction") << true;
-    QTest::newRow("folder") << QByteArray("compareFolderAction") << true;
-  }
-  void dialogsKeepFiles() {
-    QFETCH(QByteArray, name);
-    QFETCH(bool, makesFolders);
-    QVERIFY(QDir(m_folder->path()).mkpath("victim"));
-    writeFile(m_folder->filePath("victim/a.txt"), "a");
-    QTRY_VERIFY_WITH_TIMEOUT(action("compareAction")->isEnabled(), patience);
-    const QStringList before = namesIn(m_folder->path());
-    QTimer timer;
-    bool isPressed = false;
-    bool isFolderMade = false;
-    connect(&timer, &QTimer::timeout, this, [&] {
-      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      if (dialog == nullptr || !dialog->isVisible()) return;
-      auto* list = dialog->findChild<QListView*>("listView");
-      QModelIndex victim;
-      for (int row = 0; row < list->model()->rowCount(list->rootIndex()); ++row)
-        if (const auto index = list->model()->index(row, 0, list->rootIndex());
-            index.data() == "victim")
-          victim = index;
-      if (!victim.isValid()) return;  // not read yet
-      timer.stop();
-      // A question whether to delete is answered with yes.
-      QTimer yes;
-      connect(&yes, &QTimer::timeout, this, [] {
-        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
-          box->button(QMessageBox::Yes)->click();
-      });
-      yes.start(20);
-      for (auto* view : dialog->findChildren<QAbstractItemView*>()) {
-        if (view->model() != list->model()) continue;
-        view->setCurrentIndex(victim);
-        view->setFocus();
-        QTest::keyClick(view, Qt::Key_Delete);
-        QTest::keyClick(view, Qt::Key_F2);
-        if (auto* editor = view->findChild<QLineEdit*>()) {
-          editor->setText("renamed");
-          QTest::keyClick(editor, Qt::Key_Return);
-        }
-        QTest::qWait(50);
-      }
-      isPressed = true;
-      auto* folder = dialog->findChild<QAction*>("qt_new_folder_action");
-      folder->trigger();
-      QTest::qWait(50);
-      isFolderMade = namesIn(m_folder->path()).size() > before.size();
-      dialog->reject();
-    });
-    timer.start(20);
-    action(name.constData())->trigger();
-    QVERIFY(isPressed);
-    QCOMPARE(isFolderMade, makesFolders);
-    QVERIFY(QFile::exists(m_folder->filePath("victim/a.txt")));
   }
 
   /// A dropped mesh is a session of its own; the dock's button puts one behind this session's

@@ -2,13 +2,10 @@
 // File dialogs.
 #include "gui/widgets/file_dialogs.h"
 
-#include <QAbstractItemView>
-#include <QAction>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QSettings>
-#include <QShortcut>
 
 namespace hogelscope {
 
@@ -18,30 +15,6 @@ constexpr const char* folderKey = "lastFolder";
 
 QString lastFolder() {
   return QSettings().value(folderKey, QDir::homePath()).toString();
-}
-
-/// Qt's own dialog deletes whole folders with Del, and renames and moves what is in them. What is
-/// left is to make new folders, where something is to be written.
-void keepFiles(QFileDialog& dialog) {
-  QStringList hidden{"qt_rename_action", "qt_delete_action"};
-  if (dialog.testOption(QFileDialog::ReadOnly)) hidden << "qt_new_folder_action";
-  for (const QString& name : hidden)
-    if (auto* action = dialog.findChild<QAction*>(name)) action->setVisible(false);
-  for (auto* view : dialog.findChildren<QAbstractItemView*>()) {
-    view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    view->setDragDropMode(QAbstractItemView::NoDragDrop);
-    for (auto* shortcut : view->findChildren<QShortcut*>()) shortcut->setEnabled(false);
-  }
-}
-
-QStringList chosen(QFileDialog& dialog, const QString& filter = {}, const QString& name = {}) {
-  if (!filter.isEmpty()) dialog.setNameFilters(filter.split(";;"));
-  dialog.selectFile(name);
-  keepFiles(dialog);
-  QStringList files;
-  if (dialog.exec() == QDialog::Accepted) files = dialog.selectedFiles();
-  rememberFolderOf(files.value(0));
-  return files;
 }
 
 }  // namespace
@@ -55,33 +28,30 @@ QString sessionFilter() {
 }
 
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter) {
-  QFileDialog dialog(parent, title, lastFolder());
-  dialog.setOption(QFileDialog::ReadOnly);
-  dialog.setFileMode(QFileDialog::ExistingFile);
-  return chosen(dialog, filter).value(0);
+  QString file = QFileDialog::getOpenFileName(parent, title, lastFolder(), filter);
+  rememberFolderOf(file);
+  return file;
 }
 
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter) {
-  QFileDialog dialog(parent, title, lastFolder());
-  dialog.setOption(QFileDialog::ReadOnly);
-  dialog.setFileMode(QFileDialog::ExistingFiles);
-  return chosen(dialog, filter);
+  QStringList files = QFileDialog::getOpenFileNames(parent, title, lastFolder(), filter);
+  rememberFolderOf(files.value(0));
+  return files;
 }
 
 /// The folder around the one that is chosen: the next one is likely to lie beside it.
 QString chooseFolder(QWidget* parent, const QString& title) {
-  QFileDialog dialog(parent, title, lastFolder());
-  dialog.setOption(QFileDialog::ShowDirsOnly);
-  dialog.setFileMode(QFileDialog::Directory);
-  return chosen(dialog).value(0);
+  QString folder = QFileDialog::getExistingDirectory(parent, title, lastFolder());
+  rememberFolderOf(folder);
+  return folder;
 }
 
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
                       const QString& filter) {
-  QFileDialog dialog(parent, title, lastFolder());
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setFileMode(QFileDialog::AnyFile);
-  return chosen(dialog, filter, name).value(0);
+  QString file =
+      QFileDialog::getSaveFileName(parent, title, QDir(lastFolder()).filePath(name), filter);
+  rememberFolderOf(file);
+  return file;
 }
 
 }  // namespace hogelscope
