@@ -13,7 +13,7 @@ class vtkTextProperty;
 
 namespace hogelscope {
 
-/// Which of two things in one plane lies on top; lines inFront hide all others, wherever they are.
+/// Decides which of two things in one plane lies on top; lines inFront hide all others everywhere.
 enum class SceneLevel { panel, onPanel, inFront };
 
 /// Puts a source's output into the scene, in one colour unless its cells have their own.
