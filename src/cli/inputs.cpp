@@ -6,8 +6,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <iostream>
 
+#include "cli/notes.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -43,7 +43,7 @@ std::size_t pixelBytes(const LightFieldFile& file) {
 
 void warn(const CommandLine& line, const std::string& warning) {
   if (!line.has("quiet") && !warning.empty())
-    std::cerr << "hogelscope: " << line.text("session") << ": warning: " << warning << "\n";
+    printNote(line.text("session") + ": warning: " + warning);
 }
 
 /// A warning if the lenslets are not where a regular grid has them.
@@ -62,12 +62,11 @@ Session sessionAroundFile(const CommandLine& line) {
   for (const std::string& warning : around.order.warnings) warn(line, warning);
   warn(line, contradictionOf(used, around.order));
   if (!line.has("quiet") && !around.assumed.empty())
-    std::cerr << "hogelscope: " << line.text("session") << ": " << around.assumed << "\n";
+    printNote(line.text("session") + ": " + around.assumed);
   if (!line.has("quiet") && used.layout == Layout::views)
-    std::cerr << "hogelscope: " << line.text("session") << ": rows " << nameOf(used.rows)
-              << ", columns " << nameOf(used.columns) << " (" << nameOf(around.order.sureness)
-              << "), shear " << numberText(used.shear[0]) << ", " << numberText(used.shear[1])
-              << "\n";
+    printNote(line.text("session") + ": rows " + nameOf(used.rows) + ", columns " +
+              nameOf(used.columns) + " (" + nameOf(around.order.sureness) + "), shear " +
+              numberText(used.shear[0]) + ", " + numberText(used.shear[1]));
   checkLenslets(line, around.session);
   return around.session;
 }
@@ -142,7 +141,7 @@ std::optional<Shard> shardOf(const CommandLine& line) {
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line) {
   if (line.has("quiet")) return;
   for (const std::string& warning : lightField.warnings())
-    std::cerr << "hogelscope: " << name << ": warning: " << warning << "\n";
+    printNote(name + ": warning: " + warning);
 }
 
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
@@ -173,10 +172,10 @@ std::string readingTimeText(const LightFieldFile& file) {
 
 void announcePassing(const LightFieldFile& file, std::size_t memory, bool isQuiet) {
   if (isQuiet || !mustPass(file, memory)) return;
-  std::cerr << "hogelscope: " << file.files().front().string() << ": has "
-            << bytesText(pixelBytes(file)) << " of pixels, " << bytesText(memory)
-            << " are allowed: read from the top, all pictures made on the way"
-            << readingTimeText(file) << "\n";
+  printNote(file.files().front().string() + ": has " + bytesText(pixelBytes(file)) +
+            " of pixels, " + bytesText(memory) +
+            " are allowed: read from the top, all pictures made on the way" +
+            readingTimeText(file));
 }
 
 }  // namespace hogelscope

@@ -3,12 +3,13 @@
 #include "cli/program.h"
 
 #include <csignal>
-#include <cstdio>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <system_error>
 
+#include "cli/notes.h"
 #include "cli/parser.h"
 #include "cli/stop_signals.h"
 #include "core/base/error.h"
@@ -30,24 +31,21 @@ int runProgram(int argc, char** argv, const std::function<int(const CommandLine&
       allowMemory(std::size_t(1e6 * *line.number("memory")));
     return run(line);
   } catch (const InputError& error) {
-    std::fprintf(stderr, "hogelscope: %s\n", error.what());
+    printNote(error.what());
     return badInput;
   } catch (const std::filesystem::filesystem_error& error) {
-    std::fprintf(stderr, "hogelscope: %s: cannot be used: %s\n", error.path1().c_str(),
-                 error.code().message().c_str());
+    printNote(error.path1().string() + ": cannot be used: " + error.code().message());
     return badInput;
   } catch (const std::system_error& error) {
-    std::fprintf(stderr, "hogelscope: threads: cannot be started: %s; allow this user more\n",
-                 error.code().message().c_str());
+    printNote("threads: cannot be started: " + error.code().message() + "; allow this user more");
     return badInput;
   } catch (const Cancelled&) {
     endBySignal();
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr,
-                 "hogelscope: memory: not enough for this light field and these pictures\n");
+    printNote("memory: not enough for this light field and these pictures");
     return badInput;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "hogelscope: internal error: %s\n", error.what());
+    printNote(std::string("internal error: ") + error.what());
     return internalError;
   }
 }

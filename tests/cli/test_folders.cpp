@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/unicode.h"
 #include "io/store/light_field_store.h"
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
@@ -53,6 +54,27 @@ class TestFolders : public QObject {
     QCOMPARE(excluded.err, QByteArray("hogelscope: v: views: no names agree in all but their "
                                       "numbers: thumb.png is there; give lightField.pattern, such "
                                       "as RRR_CCC\n"));
+  }
+
+  /// On stdout and stderr: they could turn, colour or forge a terminal's lines.
+  void namesAreHarmless() {
+    const QString folder = QString::fromUtf8("w\x1b[31m\nconfidence  sure\u202e");
+    for (int k = 0; k < 4; ++k)
+      writeImageFile(folder + QString("/a\u009b%1_%2.png").arg(k / 2).arg(k % 2), 8, 6,
+                     [k](int, int, int) { return float(k) / 8; });
+    writeFile((folder + "/b\nc").toUtf8(), "x");
+    for (const QStringList& arguments :
+         {QStringList{"--info", folder}, QStringList{"--plugins", "--plugins-path", folder},
+          QStringList{"--render", "--session", folder, "--output", folder + "/" + folder},
+          QStringList{"--export", "views", "--session", folder, "--output", folder + "out"}}) {
+      const Outcome outcome = done(arguments);
+      const QString all = QString::fromUtf8(outcome.out + outcome.err);
+      QVERIFY2(!all.isEmpty(), qPrintable(arguments[0]));
+      for (const QString& line : all.split('\n'))
+        QVERIFY2(
+            !line.startsWith("confidence") && line.toStdString() == printable(line.toStdString()),
+            qPrintable(all));
+    }
   }
 
   /// Once, on stderr; --quiet is quiet. A session that is kept says it again.

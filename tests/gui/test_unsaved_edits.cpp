@@ -109,6 +109,19 @@ class TestUnsavedEdits : public HabitsTest {
     QVERIFY(QDir(autosaveFolder()).isEmpty());  // no lock either
   }
 
+  /// It is said once, and tried again.
+  void saysThatEditsAreNotKept() {
+    const QString folder = autosaveFolder();
+    QVERIFY(QDir(folder).removeRecursively() && QFile(folder).open(QIODevice::WriteOnly));
+    eye()->setValue(0.01);
+    const QString said = "a crash would lose the edits";
+    QTRY_VERIFY_WITH_TIMEOUT(errors().contains(said), patience);
+    QTest::qWait(4000);
+    QCOMPARE(errors().count(said), 1);
+    QVERIFY(QFile::remove(folder));
+    QTRY_COMPARE_WITH_TIMEOUT(autosaved().size(), 1, patience);
+  }
+
   /// Two values that do not go together are not written over what can be recovered.
   void neverKeepsWhatCannotBeOpened() {
     eye()->setValue(0.01);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests views in one file: data sets written by libhdf5, and videos of PNGs written by OpenCV.
 #include <hdf5.h>
+#include <sys/stat.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -87,8 +88,9 @@ ExpectedTexel inRaster(int columns, int channels = 3) {
 }
 
 /// Frames in lossless PNGs.
-void writeVideo(const char* name, int frames) {
-  cv::VideoWriter out(name, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('p', 'n', 'g', ' '), 25,
+void writeVideo(const char* name, int frames, const char* codec = "png ") {
+  cv::VideoWriter out(name, cv::CAP_FFMPEG,
+                      cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), 25,
                       cv::Size(width + 9, height + 11));
   QVERIFY(out.isOpened());
   for (int k = 0; k < frames; ++k) {
@@ -230,6 +232,37 @@ class TestViewSequences : public QObject {
                         "file"));
   }
 
+  /// Raw values elsewhere, a data set of another's parts, a link: a pipe there would wait for ever,
+  /// and any file of the user's could be read as pixels.
+  void otherFiles() {
+    QCOMPARE(::mkfifo("pipe", 0600), 0);
+    writeBytes("lf.h5");
+    const Lengths lengths = lengthsOf(2, 3);
+    const hid_t space = H5Screate_simple(int(lengths.size()), lengths.data(), nullptr);
+    const hid_t outside = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(outside, "pipe", 0, H5F_UNLIMITED);
+    const hid_t parts = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_virtual(parts, space, "lf.h5", "LF", space);
+    for (const auto& [name, layout] : {std::pair("outside.h5", outside), {"parts.h5", parts}}) {
+      const hid_t file = newFile(name);
+      H5Dclose(H5Dcreate2(file, "LF", H5T_NATIVE_UINT8, space, H5P_DEFAULT, layout, H5P_DEFAULT));
+      H5Fclose(file);
+      H5Pclose(layout);
+      QCOMPARE(errorOf(name), QByteArray(name) +
+                                  ": LF: keeps its values in other files; copy them into "
+                                  "this one");
+    }
+    H5Sclose(space);
+    for (const char* target : {"pipe", "lf.h5"}) {
+      const hid_t file = newFile("link.h5");
+      H5Lcreate_external(target, "/LF", file, "LF", H5P_DEFAULT, H5P_DEFAULT);
+      H5Fclose(file);
+      LightFieldParams params;
+      params.pattern = "LF";
+      QVERIFY(errorOf("link.h5", params).contains("\"LF\" is no data set of the file"));
+    }
+  }
+
   void notANumber() {
     std::vector<float> values = sampled<float>(2, 3, 3, 0.003);
     values[100] = std::numeric_limits<float>::quiet_NaN();
@@ -312,6 +345,9 @@ class TestViewSequences : public QObject {
                 .contains("12 views do not make a grid of 5×5; mend display.directions"));
     writeFile("text.mp4", "no video");
     QVERIFY(errorOf("text.mp4").startsWith("text.mp4: cannot be read as a picture"));
+    // The frames of a stream have to be counted; its reader gives 1 011 703 395 for 9.
+    writeVideo("views.mpg", 9, "PIM1");
+    QVERIFY(errorOf("views.mpg").contains("does not say how many frames it has"));
     const QByteArray whole = contentOf("views.avi");
     writeFile("cut.avi", whole.left(whole.size() / 2));
     const QByteArray error = errorOf("cut.avi");

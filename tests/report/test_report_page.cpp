@@ -259,6 +259,11 @@ void TestReportPage::namesAreEscaped() {
   const std::string text = html(page);
   QVERIFY(contains(text, "&lt;b&gt;&amp;&quot;") && contains(text, "a&lt;i&gt;.json"));
   QVERIFY(!contains(text, "<b>") && !contains(text, "<i>"));
+  // Bytes that are not UTF-8, characters that XML has not, those that turn the writing.
+  page.session = "\xff\x1b\ufffe\u202e.json";
+  const std::string odd = html(page);
+  QCOMPARE(QString::fromStdString(odd).toStdString(), odd);
+  QVERIFY(textsOf(odd, "h1")[0].contains("\\xff\\x1b\\ufffe\\u202e.json"));
 }
 
 QTEST_APPLESS_MAIN(TestReportPage)

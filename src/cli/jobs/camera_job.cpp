@@ -6,6 +6,7 @@
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
+#include "core/base/unicode.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
@@ -22,7 +23,8 @@ void sayWhatWasMade(const CameraSet& set, const Session& before, const Session& 
                                                               : set.params.templateState;
   std::cout << after.cameras.size() - first
             << " camera state(s) added: " << after.cameras[first].camera.name << " … "
-            << after.cameras.back().camera.name << "; " << after.cameras.size() << " in " << output
+            << after.cameras.back().camera.name << "; " << after.cameras.size() << " in "
+            << printable(output)
             << "\ntheir lens, PSF, resolution and field of view are those of \"" << model << "\", "
             << (isKept ? "which stays (--set cameraSet.keepTemplate=false leaves it out)"
                        : "which is left out")

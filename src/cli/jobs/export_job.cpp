@@ -7,6 +7,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
+#include "core/base/unicode.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/scene/light_field_export.h"
@@ -37,7 +38,7 @@ int runExport(const CommandLine& line) {
     exportViews(*file, output, bar.progress());
   bar.done();
   if (line.has("quiet")) return 0;
-  std::cout << output.string() << ": " << line.subject;
+  std::cout << printable(output.string()) << ": " << line.subject;
   if (isQuilt)
     std::cout << ", lightField.columns=" << tiles.columns << " lightField.rows=" << tiles.rows;
   std::cout << "\n";

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
+#include "core/base/unicode.h"
 #include "core/content/pattern_list.h"
 #include "io/documents/pattern_params.h"
 #include "io/documents/session_file.h"
@@ -147,7 +148,8 @@ int runGenerate(const CommandLine& line) {
   ProgressBar bar("generating", isQuiet);
   writeBands(*pattern, size, degradation, output, bar.progress());
   bar.done();
-  if (!isQuiet) std::cout << output << ": " << size.width() << "×" << size.height() << " px\n";
+  if (!isQuiet)
+    std::cout << printable(output) << ": " << size.width() << "×" << size.height() << " px\n";
   return 0;
 }
 

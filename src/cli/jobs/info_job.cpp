@@ -9,6 +9,7 @@
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/unicode.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_file.h"
@@ -73,7 +74,7 @@ void printOthers(std::ostream& out, const std::vector<std::string>& others) {
   constexpr std::size_t mostNamed = 4;
   out << "others      " << others.size() << ": ";
   for (std::size_t k = 0; k < std::min(mostNamed, others.size()); ++k)
-    out << (k == 0 ? "" : ", ") << others[k];
+    out << (k == 0 ? "" : ", ") << printable(others[k]);
   out << (others.size() > mostNamed ? ", …" : "") << "; no views\n";
 }
 
@@ -91,9 +92,9 @@ void printViews(std::ostream& out, const Session& around) {
   const std::vector<fs::path> files = views.found();
   const ImageFile first{files.front(), around.lightField.yuv};
   out << "layout      views, " << views.rows << " rows of " << views.columns << "\n";
-  if (!views.pattern.empty()) out << "names       " << views.pattern << "\n";
-  out << "first       " << files.front().filename().string() << "\n"
-      << "last        " << files.back().filename().string() << "\n";
+  if (!views.pattern.empty()) out << "names       " << printable(views.pattern) << "\n";
+  out << "first       " << printable(files.front().filename().string()) << "\n"
+      << "last        " << printable(files.back().filename().string()) << "\n";
   printOthers(out, views.others);
   out << "pictures    " << first.format() << ", " << first.channels() << " channel(s), "
       << typeName(first.type(), first.bits()) << "\n";
@@ -108,7 +109,7 @@ void printStore(std::ostream& out, const Session& around) {
       << " directions\n"
       << "overview    " << overview.nx << "×" << overview.ny << " hogels of " << overview.du << "×"
       << overview.dv << " directions\n"
-      << "made of     " << source.substr(0, source.rfind(' ')) << "\n";
+      << "made of     " << printable(source.substr(0, source.rfind(' '))) << "\n";
   if (display)
     out << "display     " << numberText(display->size[0]) << "×" << numberText(display->size[1])
         << " m, fov " << numberText(display->fov[0]) << "×" << numberText(display->fov[1]) << "°\n";
@@ -136,7 +137,9 @@ class ParameterLines : public ParameterVisitor {
   void flag(const Field& field, bool& value) override {
     begin(field) << (value ? "true" : "false") << "\n";
   }
-  void text(const Field& field, std::string& value) override { begin(field) << value << "\n"; }
+  void text(const Field& field, std::string& value) override {
+    begin(field) << printable(value) << "\n";
+  }
   void choice(const Field& field, int& index) override {
     begin(field) << field.choices[std::size_t(index)] << "\n";
   }
@@ -156,7 +159,7 @@ class ParameterLines : public ParameterVisitor {
 void printLive(std::ostream& out, const Session& session) {
   LightFieldParams params = session.lightField;
   out << "layout      live: rays of a scene are traced as views need them\n"
-      << "source      " << params.source << "\n";
+      << "source      " << printable(params.source) << "\n";
   ParameterLines lines(out);
   describe(lines, params.content);
   describe(lines, params.live);
@@ -167,7 +170,8 @@ void printLive(std::ostream& out, const Session& session) {
   file.content().depths(back, front);
   if (!corners.empty()) out << "triangles   " << corners.size() / 3 << "\n";
   out << "depths      " << numberText(back) << " … " << numberText(front) << " m\n";
-  for (const fs::path& name : file.files()) out << "file        " << name.string() << "\n";
+  for (const fs::path& name : file.files())
+    out << "file        " << printable(name.string()) << "\n";
 }
 
 void printMesh(std::ostream& out, const Session& around) {
@@ -183,7 +187,7 @@ void printSession(std::ostream& out, const Session& session) {
       << "display     " << numberText(session.display.size[0]) << "×"
       << numberText(session.display.size[1]) << " m, fov " << numberText(session.display.fov[0])
       << "×" << numberText(session.display.fov[1]) << "°\n"
-      << "light field " << contentName(session.lightField) << "\n";
+      << "light field " << printable(contentName(session.lightField)) << "\n";
   if (session.lightField.layout == Layout::live) {
     printLive(out, session);
     printSize(out, Display(session.display).size());
@@ -273,12 +277,13 @@ void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& a
     out << "display     " << numberText(display.size[0]) << "×" << numberText(display.size[1])
         << " m, fov " << numberText(display.fov[0]) << "×" << numberText(display.fov[1])
         << "°, its views' cameras " << numberText(params.viewingDistance) << " m before it\n";
-  for (const std::string& warning : assumed.warnings) out << "warning     " << warning << "\n";
+  for (const std::string& warning : assumed.warnings)
+    out << "warning     " << printable(warning) << "\n";
   const std::vector<std::string> mending = mendingOf(params, subject.order);
   if (mending.empty() || contradictionOf(params, subject.order).empty()) return;
   out << "mend it     ";
   for (const std::string& change : mending)
-    out << (change == mending.front() ? "" : " ") << "--set " << change;
+    out << (change == mending.front() ? "" : " ") << "--set " << printable(change);
   out << "\n";
 }
 

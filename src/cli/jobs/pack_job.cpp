@@ -7,6 +7,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
+#include "core/base/unicode.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/files/random_access_file.h"
@@ -62,7 +63,8 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   ProgressBar bar("packing", isQuiet);
   pack(*file, plan, output, int(line.number("threads").value_or(0)), bar.progress());
   bar.done();
-  if (!isQuiet) std::cout << output << ": " << bytesText(RandomAccessFile(output).size()) << "\n";
+  if (!isQuiet)
+    std::cout << printable(output) << ": " << bytesText(RandomAccessFile(output).size()) << "\n";
   return 0;
 }
 

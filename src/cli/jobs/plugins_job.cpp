@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "cli/jobs/all_jobs.h"
+#include "core/base/unicode.h"
 #include "io/files/folders.h"
 #include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_list.h"
@@ -39,13 +40,15 @@ int runPlugins(const CommandLine& /*line*/) {
   std::vector<Cells> rows{{"plugin", "version", "kinds", "folder, or why it is refused"}};
   for (const FoundPlugin& plugin : listPlugins()) {
     const bool isUsable = plugin.refusal.empty();
-    rows.push_back({plugin.name, plugin.version.empty() ? "-" : plugin.version,
+    rows.push_back({printable(plugin.name),
+                    plugin.version.empty() ? "-" : printable(plugin.version),
                     isUsable ? kindsText(plugin) : "refused",
-                    isUsable ? plugin.folder.string() : plugin.refusal});
+                    printable(isUsable ? plugin.folder.string() : plugin.refusal)});
   }
   print(rows);
   for (const std::filesystem::path& folder : pluginFolders())
-    std::cout << "looked in " << folder.string() << (isFolder(folder) ? "" : " (missing)") << "\n";
+    std::cout << "looked in " << printable(folder.string())
+              << (isFolder(folder) ? "" : " (missing)") << "\n";
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/unicode.h"
 #include "core/engine/renderer.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
@@ -126,7 +127,8 @@ int runRender(const CommandLine& line) {
     renderLoaded(session, output, bar.progress());
   bar.done();
   if (!isQuiet)
-    std::cout << session.cameras.size() << " picture(s) in " << output.folder.string() << "\n";
+    std::cout << session.cameras.size() << " picture(s) in " << printable(output.folder.string())
+              << "\n";
   return 0;
 }
 

@@ -10,8 +10,10 @@
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
 #include "cli/jobs/report_groups.h"
+#include "cli/notes.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
+#include "core/base/unicode.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/summary_page.h"
 #include "report/report_run.h"
@@ -30,12 +32,11 @@ int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
   for (const ReportRow& row : rows) {
     const double db = row.values[psnrSeenColumn];
     if (db >= *least || row.problem == seesNothing) continue;
-    std::cerr << "hogelscope: " << row.state << ": " << row.test << ": "
-              << (!row.problem.empty() ? row.problem
-                  : std::isnan(db)     ? "no pixel is seen in both pictures"
-                                   : "PSNR " + numberText(db) + " dB over what is seen is below " +
-                                         numberText(*least))
-              << "\n";
+    printNote(row.state + ": " + row.test + ": " +
+              (!row.problem.empty() ? row.problem
+               : std::isnan(db)     ? "no pixel is seen in both pictures"
+                                    : "PSNR " + numberText(db) + " dB over what is seen is below " +
+                                      numberText(*least)));
     status = 1;
   }
   return status;
@@ -79,9 +80,9 @@ Report makeWithProgress(const ReportRequest& request, const CommandLine& line) {
     return report;
   } catch (const Cancelled&) {
     bar.done();
-    std::cerr << "hogelscope: " << finished << " of "
-              << request.session.cameras.size() * request.tests.size()
-              << " views are done; the same command goes on from there\n";
+    printNote(std::to_string(finished) + " of " +
+              std::to_string(request.session.cameras.size() * request.tests.size()) +
+              " views are done; the same command goes on from there");
     throw;
   }
 }
@@ -125,14 +126,14 @@ int runReport(const CommandLine& line) {
   if (!isQuiet) {
     const fs::path folder = line.text("output");
     if (report.replacedAnother)
-      std::cerr << "hogelscope: " << (folder / "report.journal").string()
-                << ": was of another report that did not finish; begun anew\n";
+      printNote((folder / "report.journal").string() +
+                ": was of another report that did not finish; begun anew");
     if (report.taken > 0)
-      std::cerr << "hogelscope: went on after " << report.taken << " views of an earlier run\n";
+      printNote("went on after " + std::to_string(report.taken) + " views of an earlier run");
     std::cout << summaryText(report.summaries.back().summary, report.rows)
               << bdText(report.comparisons) << timesText(report) << "report in "
-              << (folder / "report.html").string() << " and " << (folder / "report.csv").string()
-              << "\n";
+              << printable((folder / "report.html").string()) << " and "
+              << printable((folder / "report.csv").string()) << "\n";
   }
   return checkGate(report.rows, line.number("fail-below"));
 }

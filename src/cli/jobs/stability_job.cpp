@@ -9,6 +9,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/parallel.h"
+#include "core/base/unicode.h"
 #include "core/engine/plan.h"
 #include "io/documents/calibration_file.h"
 #include "io/files/atomic_file.h"
@@ -58,12 +59,13 @@ int runStability(const CommandLine& line) {
     writeTextFile(folder / "lenses.png", pngOf(lensPictures, lensPicturesSize(stability, first)));
   bar.done();
   if (line.has("quiet")) return 0;
-  std::cout << lenses.size() << " lens(es) and two maps in " << (folder / "stability.csv").string()
-            << " and " << (folder / "stability.png").string() << "\n";
+  std::cout << lenses.size() << " lens(es) and two maps in "
+            << printable((folder / "stability.csv").string()) << " and "
+            << printable((folder / "stability.png").string()) << "\n";
   if (hasOwn)
     std::cout << std::min(lenses.size() - first, mostLensPictures)
               << " lens(es) of the calibrations, pixel by pixel, in "
-              << (folder / "lenses.png").string() << "\n";
+              << printable((folder / "lenses.png").string()) << "\n";
   return 0;
 }
 

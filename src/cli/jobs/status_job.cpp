@@ -8,6 +8,7 @@
 
 #include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
+#include "core/base/unicode.h"
 #include "io/documents/report_journal.h"
 #include "io/files/folders.h"
 
@@ -112,7 +113,7 @@ int runStatus(const CommandLine& line) {
   if (journals.empty()) {
     if (!fs::is_regular_file(folder / "report.csv"))
       throw InputError(line.subject, "holds no report, neither finished nor begun");
-    std::cout << "the report is finished: " << (folder / "report.csv").string() << "\n";
+    std::cout << "the report is finished: " << printable((folder / "report.csv").string()) << "\n";
     return 0;
   }
   for (const Run& run : runsOf(journals)) print(run);

@@ -11,6 +11,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/parallel.h"
+#include "core/base/unicode.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
 #include "io/scene/scene.h"
@@ -76,7 +77,8 @@ int runTradeoff(const CommandLine& line) {
   };
   print("for a moving view: ", forMovingView(result.rows));
   print("for a paper: ", forPaper(result.rows));
-  std::cout << "chart and table in " << (folder / "tradeoff.png").string() << ", .svg and .csv\n";
+  std::cout << "chart and table in " << printable((folder / "tradeoff.png").string())
+            << ", .svg and .csv\n";
   return 0;
 }
 

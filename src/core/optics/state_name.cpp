@@ -3,62 +3,27 @@
 #include "core/optics/state_name.h"
 
 #include <algorithm>
-#include <array>
 #include <locale>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "core/base/error.h"
+#include "core/base/unicode.h"
 
 namespace hogelscope {
 
 namespace {
 
-/// Returns the number of bytes after a character's first one, and its bits; none for another byte.
-std::optional<std::pair<int, char32_t>> leadOf(unsigned char byte) {
-  if (byte < 0x80) return std::pair{0, char32_t(byte)};
-  if (byte >= 0xC2 && byte < 0xE0) return std::pair{1, char32_t(byte & 0x1FU)};
-  if (byte >= 0xE0 && byte < 0xF0) return std::pair{2, char32_t(byte & 0x0FU)};
-  if (byte >= 0xF0 && byte < 0xF5) return std::pair{3, char32_t(byte & 0x07U)};
-  return std::nullopt;
-}
-
 /// Decodes UTF-8; none if the text is not UTF-8.
 std::optional<std::u32string> decoded(const std::string& text) {
-  constexpr std::array<char32_t, 4> least{0, 0x80, 0x800, 0x10000};
   std::u32string characters;
   for (std::size_t at = 0; at < text.size();) {
-    const auto lead = leadOf(static_cast<unsigned char>(text[at++]));
-    if (!lead) return std::nullopt;
-    auto [more, character] = *lead;
-    for (int k = 0; k < more; ++k) {
-      const unsigned byte = at < text.size() ? static_cast<unsigned char>(text[at++]) : 0U;
-      if ((byte & 0xC0U) != 0x80U) return std::nullopt;
-      character = character << 6U | (byte & 0x3FU);
-    }
-    const bool isSurrogate = character >= 0xD800 && character < 0xE000;
-    if (character < least[std::size_t(more)] || character > 0x10FFFF || isSurrogate)
-      return std::nullopt;
-    characters += character;
+    const Character next = characterAt(text, at);
+    if (!next.point) return std::nullopt;
+    characters += *next.point;
+    at += next.bytes;
   }
   return characters;
-}
-
-/// Whether a character controls a terminal, ends a line, turns the direction of writing or shows
-/// nothing. The joiners U+200C and U+200D are allowed: some scripts need them.
-bool isControl(char32_t c) {
-  constexpr std::array<std::pair<char32_t, char32_t>, 9> ranges{{{0x00, 0x1F},
-                                                                 {0x7F, 0x9F},
-                                                                 {0xAD, 0xAD},
-                                                                 {0x61C, 0x61C},
-                                                                 {0x200B, 0x200B},
-                                                                 {0x200E, 0x200F},
-                                                                 {0x2028, 0x202E},
-                                                                 {0x2060, 0x206F},
-                                                                 {0xFEFF, 0xFEFF}}};
-  return std::ranges::any_of(
-      ranges, [c](const auto& range) { return c >= range.first && c <= range.second; });
 }
 
 /// Whether Windows reserves the name for a device, with any extension.

@@ -43,13 +43,29 @@ void Autosave::writeSoon() {
 /// tried again; the one before stays meanwhile.
 void Autosave::write() {
   if (!m_model->isModified()) return forget();
+  QString failure;
   try {
     check(m_model->session());
-    makeFolder(autosaveFolder().toStdString());
-    if (!m_entry.lock()) return m_timer.start();
-    m_entry.write(m_model->session(), m_model->file());
+    failure = writeEntry();
   } catch (const std::exception&) {
     m_timer.start();
+    return;
+  }
+  if (!failure.isEmpty()) m_timer.start();
+  if (!failure.isEmpty() && failure != m_failure) Q_EMIT failed(failure);
+  m_failure = failure;
+}
+
+/// Returns what has gone wrong, or nothing.
+QString Autosave::writeEntry() {
+  try {
+    makeFolder(autosaveFolder().toStdString());
+    if (!m_entry.lock())
+      return tr("%1 cannot be written; a crash would lose the edits").arg(m_entry.sessionFile());
+    m_entry.write(m_model->session(), m_model->file());
+    return {};
+  } catch (const std::exception& error) {
+    return tr("%1; a crash would lose the edits").arg(QString::fromUtf8(error.what()));
   }
 }
 

@@ -30,12 +30,14 @@ class Autosave : public QObject {
 
  private:
   void write();
+  QString writeEntry();
   void writeSoon();
   bool recover(AutosaveEntry& entry);
 
   SessionModel* m_model;
   AutosaveEntry m_entry;
   QTimer m_timer;
+  QString m_failure;  ///< the last one, said once
 };
 
 }  // namespace hogelscope

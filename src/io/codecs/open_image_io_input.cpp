@@ -93,13 +93,20 @@ bool isVideo(const fs::path& file) {
   std::ifstream(file, std::ios::binary).read(begin.data(), longest);
   const std::string_view all(begin);
   static constexpr std::array boxes{"ftyp"sv, "moov"sv, "mdat"sv, "free"sv, "skip"sv, "wide"sv};
-  static constexpr std::array signatures{
-      "\x1a\x45\xdf\xa3"sv, "\0\0\1\xba"sv, "\0\0\1\xb3"sv, "FLV\1"sv,
-      "\x30\x26\xb2\x75"sv, "OggS"sv,       "YUV4MPEG2"sv,  "\x47\x40"sv};
+  static constexpr std::array signatures{"\x1a\x45\xdf\xa3"sv, "FLV\1"sv, "\x30\x26\xb2\x75"sv,
+                                         "OggS"sv, "YUV4MPEG2"sv};
   const auto begins = [&](std::string_view signature) { return all.starts_with(signature); };
   return std::ranges::find(boxes, all.substr(4, 4)) != boxes.end() ||
          std::ranges::any_of(signatures, begins) ||
          (begins("RIFF") && all.substr(8, 4) == "AVI "sv);
+}
+
+/// Whether a file begins as an MPEG stream, which does not say how many frames it has.
+bool isMpegStream(const fs::path& file) {
+  using namespace std::string_view_literals;
+  std::string begin(4, '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), 4);
+  return begin == "\0\0\1\xba"sv || begin == "\0\0\1\xb3"sv || begin.starts_with("\x47\x40"sv);
 }
 
 /// Opens a file as a format of OpenImageIO. Null, with the reason, where it is none.
@@ -119,6 +126,12 @@ std::unique_ptr<OIIO::ImageInput> openAny(const fs::path& file, std::string& why
     std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::open(file.string());
     if (!image) why = asOneLine(OIIO::geterror(), file);  // unless asked for, it is printed
     return image;
+  }
+  if (isMpegStream(file)) {
+    why =
+        "an MPEG stream does not say how many frames it has; copy it into another file, such as by "
+        "ffmpeg -i NAME.mpg -c copy NAME.mp4";
+    return nullptr;
   }
   // An ending is a name of its format, too.
   std::string ending = lowerCase(file.extension().string());
@@ -154,6 +167,9 @@ class Input : public ImageInput {
                                                   : 16;
     const bool isMovie = m_spec.get_int_attribute("oiio:Movie") != 0;
     const int frames = isMovie ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
+    if (isMovie && std::uintmax_t(frames) > fs::file_size(m_file))
+      throw InputError(m_file.string(), "",
+                       "does not say how many frames it has; copy it into another file");
     m_facts = {std::size_t(m_spec.width),
                std::size_t(m_spec.height),
                m_spec.nchannels,

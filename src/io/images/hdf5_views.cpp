@@ -55,8 +55,10 @@ std::string lastError() {
   return text;
 }
 
+/// Links into other files are not followed: checks of inputs and hashes do not know those files.
 Handle openFile(const fs::path& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // else errors are printed
+  H5Lunregister(H5L_TYPE_EXTERNAL);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.id(), false, true);  // archives are often read-only
   Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
@@ -134,6 +136,13 @@ void checkStored(const Handle& dataSet, const Shape& shape, const std::string& n
     throw InputError(name, "is damaged: " + shape.text() + " values are not in the file");
 }
 
+/// Neither raw values in other files nor a data set put together of others'.
+void checkLayout(const Handle& dataSet, const std::string& name) {
+  const Handle created(H5Dget_create_plist(dataSet.id()), H5Pclose);
+  if (H5Pget_external_count(created.id()) > 0 || H5Pget_layout(created.id()) == H5D_VIRTUAL)
+    throw InputError(name, "keeps its values in other files; copy them into this one");
+}
+
 /// "LF 9×9×512×512×3, depth 9×9×512×512".
 std::string listed(const Handle& file, const std::vector<std::string>& names) {
   constexpr std::size_t most = 5;
@@ -179,6 +188,7 @@ DataSet openDataSet(const fs::path& path, const std::string& name) {
     throw InputError(chosen, "has " + shape.text() +
                                  " values, not rows × columns × height × width × 3 of 8 or 16 bits "
                                  "or floats");
+  checkLayout(handle, chosen);
   checkStored(handle, shape, chosen);
   return {std::move(file), chosen, std::move(handle), shape};
 }

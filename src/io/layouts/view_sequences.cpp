@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 bool isVideo(const fs::path& file) {
-  constexpr std::array<std::string_view, 7> extensions{".avi", ".mov", ".mp4", ".m4v",
-                                                       ".mpg", ".qt",  ".mj2"};
+  constexpr std::array<std::string_view, 6> extensions{".avi", ".mov", ".mp4",
+                                                       ".m4v", ".qt",  ".mj2"};
   const std::string extension = lowerCase(file.extension().string());
   return std::ranges::find(extensions, extension) != extensions.end();
 }

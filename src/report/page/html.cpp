@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/unicode.h"
+
 namespace hogelscope {
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -26,7 +28,7 @@ std::string escaped(const std::string& text) {
         out += "&quot;";
         break;
       default:
-        out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+        out += c;
     }
   }
   return out;

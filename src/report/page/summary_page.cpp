@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/base/unicode.h"
 #include "report/page/html.h"
 #include "report/page/latex.h"
 
@@ -144,7 +145,7 @@ std::string summaryText(const ReportSummary& summary, const std::vector<ReportRo
   if (summary.worst) {
     const ReportRow& row = rows[*summary.worst];
     text += "worst view                " + decibels(row.values[psnrSeenColumn]) + ": " + row.state +
-            ", " + row.test + "\n";
+            ", " + printable(row.test) + "\n";
   }
   text += "identical views           " + std::to_string(summary.identical) + of;
   if (summary.withoutView == 0) return text;

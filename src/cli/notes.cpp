@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One line on stderr.
+#include "cli/notes.h"
+
+#include <iostream>
+
+#include "core/base/unicode.h"
+
+namespace hogelscope {
+
+void printNote(const std::string& text) {
+  std::cerr << "hogelscope: " + printable(text) + "\n";
+}
+
+}  // namespace hogelscope
