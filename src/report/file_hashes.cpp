@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/unicode.h"
 #include "io/files/atomic_file.h"
 #include "io/files/content_hash.h"
 
@@ -40,7 +41,8 @@ FileHashes::FileHashes(const fs::path& folder) : m_cache(folder / "report.hashes
 
 std::string FileHashes::identityOf(const fs::path& file) {
   std::error_code none;
-  return fileIdentity(file) + " " + fs::absolute(file, none).lexically_normal().string();
+  // One line: a name with a line end could say a hash of another file.
+  return fileIdentity(file) + " " + printable(fs::absolute(file, none).lexically_normal().string());
 }
 
 /// Lines that a crash or a full disk has cut off count for nothing.
