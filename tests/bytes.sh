@@ -81,7 +81,7 @@ run() {
     HOME=$work "$2" $(eval "echo $(printf '%s' "$line" | sed 's/[][*]/\\&/g')") >"out$count" 2>"err$count" </dev/null
     echo "$? $line" >>statuses
   done < <(PWD=. commands)
-  sed -i '/^time spent/d' out*
+  sed -i -e '/^time spent/d' -e "s#$(dirname "$(dirname "$2")")##" out* err*
   find . -name report.html -exec sed -i -E 's/20[0-9]{2}-[0-9]{2}-[0-9]{2}[T ][0-9:]{5,8}Z?//g' {} +
 }
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "campaign/streamed_images.h"
 #include "cli/notes.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
@@ -15,7 +16,6 @@
 #include "io/files/folders.h"
 #include "io/files/output_folder.h"
 #include "io/layouts/lenslet_picture.h"
-#include "report/streamed_images.h"
 
 namespace hogelscope {
 
@@ -170,8 +170,8 @@ std::string readingTimeText(const LightFieldFile& file) {
   return ", about " + numberText(std::ceil(minutes)) + " min";
 }
 
-void announcePassing(const LightFieldFile& file, std::size_t memory, bool isQuiet) {
-  if (isQuiet || !mustPass(file, memory)) return;
+void announceStreaming(const LightFieldFile& file, std::size_t memory, bool isQuiet) {
+  if (isQuiet || !mustStream(file, memory)) return;
   printNote(file.files().front().string() + ": has " + bytesText(pixelBytes(file)) +
             " of pixels, " + bytesText(memory) +
             " are allowed: read from the top, all pictures made on the way" +

@@ -53,6 +53,6 @@ std::string readingTimeText(const LightFieldFile& file);
 
 /// Prints before the wait, unless `isQuiet`, that a light field is too large for `memory` and will
 /// be read from the top, and about how long that takes.
-void announcePassing(const LightFieldFile& file, std::size_t memory, bool isQuiet);
+void announceStreaming(const LightFieldFile& file, std::size_t memory, bool isQuiet);
 
 }  // namespace hogelscope

@@ -3,7 +3,6 @@
 #include "cli/program.h"
 
 #include <csignal>
-#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <new>

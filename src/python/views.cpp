@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "campaign/state_images.h"
 #include "core/base/error.h"
 #include "core/engine/renderer.h"
 #include "io/documents/session_file.h"
@@ -16,7 +17,6 @@
 #include "python/bindings.h"
 #include "python/content.h"
 #include "python/stoppable.h"
-#include "report/streamed_images.h"
 
 namespace hogelscope {
 
@@ -66,30 +66,20 @@ std::shared_ptr<Content> SessionViews::ownOf(const Session& session, const Progr
   return m_own;
 }
 
-RenderedView renderOne(Renderer& renderer, const RenderJob& job, const Progress& progress) {
-  FloatImage values = renderer.renderFloat(job, progress);
-  RenderedView view{job.state.camera.name, {}, {}};
-  // A picture that a tolerance makes smaller is enlarged after it has been rounded.
-  view.image = job.sampling.tolerance > 0 ? renderer.render(job, progress) : rounded(values);
-  view.values = std::move(values.rgb);
-  return view;
-}
-
-/// Renders while the light field is read once.
-std::vector<RenderedView> renderPassing(const Session& session, LightFieldFile& file,
-                                        const Progress& progress) {
-  const Scene scene = unloadedScene(session, file);
-  std::vector<RenderJob> jobs;
-  for (const CameraState& state : session.cameras) jobs.push_back(scene.job(state));
-  std::vector<StateImage> images =
-      renderStreamed(file, jobs, allowedMemory(), parallelRows, progress);
-  std::vector<RenderedView> views;
-  for (std::size_t k = 0; k < images.size(); ++k) {
-    const std::string& name = session.cameras[k].camera.name;
-    if (!images[k].problem.empty()) throw InputError(name, images[k].problem);
-    views.push_back({name, std::move(images[k].image), {}});
+RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_t state,
+                       const Progress& progress) {
+  const RenderJob job = images.job(state);
+  const std::string& name = job.state.camera.name;
+  try {
+    if (images.areStreamed()) return {name, images.render(state, renderer, progress), {}};
+    FloatImage values = images.renderFloat(state, renderer, progress);
+    // A picture that a tolerance makes smaller is enlarged after it has been rounded.
+    Image image =
+        job.sampling.tolerance > 0 ? images.render(state, renderer, progress) : rounded(values);
+    return {name, std::move(image), std::move(values.rgb)};
+  } catch (const InputError& error) {
+    throw error.in(name);
   }
-  return views;
 }
 
 RenderedViews SessionViews::render(const RenderRequest& request, const Progress& progress) {
@@ -101,22 +91,20 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
       isOwn ? ownOf(session, part(progress, 0, 0.1)) : request.light;
   const auto contentLock = lockFor(content->mutex(), progress);
   LightFieldFile& file = *content->file();
-  const DisplayParams display = resolved(displayOf(session), file.size());
   RenderedViews result;
   for (const auto& input : file.files()) result.inputs.push_back(input.string());
-  if (mustPass(file, allowedMemory())) {
-    result.views = renderPassing(session, file, progress);
-    return result;
-  }
-  const Scene scene{content->source(part(progress, 0.1, 0.5)), display, session.sampling,
-                    request.isIdeal};
+  const Progress reading = part(progress, 0.1, 0.5);
+  StateImages images =
+      mustStream(file, allowedMemory())
+          ? StateImages(session, file, session.cameras, {}, reading)
+          : StateImages({content->source(reading), resolved(displayOf(session), file.size()),
+                         session.sampling, request.isIdeal},
+                        session.cameras);
   const auto count = double(session.cameras.size());
-  for (const CameraState& state : session.cameras) {
-    const auto done = double(result.views.size());
-    result.views.push_back(
-        renderOne(m_renderer, scene.job(state),
-                  part(progress, 0.5 + 0.5 * done / count, 0.5 + 0.5 * (done + 1) / count)));
-  }
+  for (std::size_t k = 0; k < session.cameras.size(); ++k)
+    result.views.push_back(renderOne(
+        m_renderer, images, k,
+        part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count)));
   return result;
 }
 

@@ -2,7 +2,7 @@
 // What was tested, for the report's page; and the key by which a run knows its own unfinished work.
 #pragma once
 
-#include "report/file_hashes.h"
+#include "campaign/file_hashes.h"
 #include "report/page/report_page.h"
 #include "report/report_request.h"
 

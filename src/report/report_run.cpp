@@ -6,13 +6,12 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
-#include <mutex>
 #include <numeric>
 #include <set>
 
+#include "campaign/rows.h"
 #include "core/base/parallel.h"
 #include "core/base/step_progress.h"
-#include "io/documents/report_journal.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
@@ -55,8 +54,6 @@ class ReportRun {
 
  private:
   void takeUp();
-  void take(const JournalEntries& entries);
-  void takeShards();
   void readLightFields(std::size_t test);
   [[nodiscard]] std::vector<std::size_t> openStates(std::size_t test) const;
   void runTest(std::size_t test);
@@ -81,15 +78,12 @@ class ReportRun {
   StepProgress m_progress;
   FileHashes m_hashes;
   ReportFacts m_facts;
-  ReportJournal m_journal;
+  CampaignRows m_rows;
   std::vector<std::unique_ptr<PanelProjection>> m_projections;  ///< of each test
-  std::vector<fs::path> m_shardFiles;                           ///< whose content is taken up
   std::size_t m_workers;
   ViewPairs m_pairs;
   std::vector<ReportView> m_views;
   std::vector<std::vector<double>> m_viewErrors;  ///< of each test; empty where not in memory
-  std::mutex m_mutex;                             ///< guards the next two, and the journal
-  std::vector<std::uint8_t> m_hasRow;
   Report m_report;
   TimeSum m_rendering;
   TimeSum m_comparing;
@@ -114,12 +108,12 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
       m_progress(listener.progress),
       m_hashes(m_folder),
       m_facts(factsOf(request, m_hashes, m_progress.within())),
-      m_journal(m_folder, {m_facts.key, states(), request.tests.size()}, request.shard),
+      m_rows(m_folder, {m_facts.key, states(), request.tests.size()}, request.shard,
+             request.metrics.columns().size()),
       m_workers(workersFor(request)),
-      m_pairs(request, m_workers, m_workers == 1 ? parallelRows : serialRows),
-      m_hasRow(states() * request.tests.size()) {
-  m_report.rows.resize(m_hasRow.size());
-  m_report.replacedAnother = m_journal.replacedAnother();
+      m_pairs(request, m_workers, m_workers == 1 ? parallelRows : serialRows) {
+  m_report.rows.resize(states() * request.tests.size());
+  m_report.replacedAnother = m_rows.replacedAnother();
   takeUp();
 }
 
@@ -132,45 +126,22 @@ void ReportRun::takeUp() {
       m_report.rows[rowOf(test, state)] = {
           camera.name, tests[test].name, {}, camera.eye, camera.weight};
   }
-  take(m_journal.entries());
-  for (std::size_t test = 0; test < tests.size(); ++test)
+  for (const auto& [index, entry] : m_rows.taken()) {
+    m_report.rows[index].values = entry.values;
+    m_report.rows[index].problem = entry.problem;
+    if (m_listener.finished) m_listener.finished(index, m_report.rows[index]);
+  }
+  m_report.taken = m_rows.taken().size();
+  for (std::size_t test = 0; test < tests.size(); ++test) {
     m_projections.push_back(std::make_unique<PanelProjection>(
         panelFile(test, m_request.shard), m_facts.key, m_request.file->size(),
         std::max(m_request.file->bits(), tests[test].file->bits()) > 8));
+    for (const Shard& shard : m_rows.shards()) m_projections[test]->join(panelFile(test, shard));
+  }
   if (m_request.shard) return;
-  takeShards();
   // What is there from an earlier report must not pass for this one.
   std::error_code none;
   fs::remove(m_folder / "report.csv", none);
-}
-
-void ReportRun::take(const JournalEntries& entries) {
-  for (const auto& [index, entry] : entries) {
-    if (index >= m_hasRow.size() || m_hasRow[index] != 0 ||
-        entry.values.size() != m_request.metrics.columns().size())
-      continue;
-    m_report.rows[index].values = entry.values;
-    m_report.rows[index].problem = entry.problem;
-    m_hasRow[index] = 1;
-    ++m_report.taken;
-    if (m_listener.finished) m_listener.finished(index, m_report.rows[index]);
-  }
-}
-
-/// What other processes have done of this report.
-void ReportRun::takeShards() {
-  for (const FoundJournal& found : findJournals(m_folder)) {
-    if (!found.shard || found.head.key != m_facts.key) continue;
-    if (found.isInUse)
-      throw InputError(found.file.string(), "is in use",
-                       "shard " + textOf(*found.shard) + " of this report is still at work; wait");
-    take(found.entries);
-    m_shardFiles.push_back(found.file);
-    for (std::size_t test = 0; test < m_projections.size(); ++test) {
-      m_shardFiles.push_back(panelFile(test, found.shard));
-      m_projections[test]->join(m_shardFiles.back());
-    }
-  }
 }
 
 void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t worker,
@@ -192,18 +163,18 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
     else
       row.problem = seesNothing;
   }
-  const std::lock_guard lock(m_mutex);
-  m_journal.add(rowOf(test, state), row.values, row.problem);
-  m_hasRow[rowOf(test, state)] = 1;
-  m_report.rows[rowOf(test, state)] = row;
-  if (m_listener.finished) m_listener.finished(rowOf(test, state), row);
+  const std::size_t index = rowOf(test, state);
+  m_rows.add(index, {row.values, row.problem}, [&] {
+    m_report.rows[index] = row;
+    if (m_listener.finished) m_listener.finished(index, row);
+  });
 }
 
 void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker) {
   const ViewPair pair =
       m_rendering.of([&] { return m_pairs.render(state, worker, m_progress.within()); });
   // Its row may be on disk while the projection was saved before it.
-  if (m_hasRow[rowOf(test, state)] == 0) compareState(test, state, worker, pair);
+  if (!m_rows.has(rowOf(test, state))) compareState(test, state, worker, pair);
   m_projections[test]->add(state, worker, pair, m_pairs, m_progress.within());
   m_progress.finish();
 }
@@ -244,7 +215,7 @@ std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
   std::vector<std::size_t> open;
   for (std::size_t state = 0; state < states(); ++state)
     if ((!m_request.shard || m_request.shard->has(state)) &&
-        (m_hasRow[rowOf(test, state)] == 0 || !m_projections[test]->has(state)))
+        (!m_rows.has(rowOf(test, state)) || !m_projections[test]->has(state)))
       open.push_back(state);
   return open;
 }
@@ -311,10 +282,12 @@ void ReportRun::writeAll() {
                                           m_viewErrors[test], display));
   writeTextFile(m_folder / "report.html", html(page));
   writeTables(m_folder, m_report, m_request.metrics);
-  m_journal.remove();
-  for (const auto& projection : m_projections) projection->remove();
-  std::error_code none;
-  for (const fs::path& file : m_shardFiles) fs::remove(file, none);
+  m_rows.remove();
+  for (std::size_t test = 0; test < m_projections.size(); ++test) {
+    m_projections[test]->remove();
+    std::error_code none;
+    for (const Shard& shard : m_rows.shards()) fs::remove(panelFile(test, shard), none);
+  }
   std::set<fs::path> folders;
   for (const fs::path& file : filesOf(m_request)) folders.insert(file.parent_path());
   for (const fs::path& folder : folders) removeLeftovers(folder);

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/engine/renderer.h"
-#include "io/scene/scene.h"
+#include "campaign/state_images.h"
 #include "report/report_request.h"
-#include "report/streamed_images.h"
 
 namespace hogelscope {
 
@@ -29,9 +27,10 @@ class ViewPairs {
   ViewPairs(const ReportRequest& request, std::size_t workers, const ParallelRows& rowsWithin);
 
   void setReference(const Scene& scene) {
-    m_reference.emplace().scene = scene;
-    m_reference->scene.isIdeal = m_isAgainstIdeal;
-    m_reference->scene.bits = m_file.bits();
+    Scene deep = scene;
+    deep.isIdeal = m_isAgainstIdeal;
+    deep.bits = m_file.bits();
+    m_reference.emplace(deep, m_session.cameras);
   }
   /// Reads the session's light field, the first time, and a test's, side by side where both pass
   /// by. The last test's memory is free before the next one is read.
@@ -42,32 +41,24 @@ class ViewPairs {
   /// The errors of the light fields' own views. Empty where there is nothing to compare: one is not
   /// whole in memory, their sizes differ, or the reference is the ideal view. Throws Cancelled.
   [[nodiscard]] std::vector<double> viewErrors(const Progress& progress) const;
-  [[nodiscard]] RenderJob job(std::size_t state) const;
-  [[nodiscard]] const Scene& reference() const { return m_reference->scene; }
-  [[nodiscard]] const Scene& test() const { return m_test->scene; }
+  [[nodiscard]] RenderJob job(std::size_t state) const { return m_reference->job(state); }
+  [[nodiscard]] const Scene& reference() const { return m_reference->scene(); }
+  [[nodiscard]] const Scene& test() const { return m_test->scene(); }
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 
  private:
-  /// A light field in memory, or the images of the states.
-  struct Source {
-    Scene scene;
-    std::vector<StateImage> pictures;
-  };
-
   [[nodiscard]] bool streams(const LightFieldFile& file) const;
   void readSideBySide(const ReportTest& test, const Progress& progress);
-  [[nodiscard]] Source readSource(const Session& session, LightFieldFile& file,
-                                  const Progress& progress) const;
-  [[nodiscard]] Image picture(const Source& source, std::size_t state, std::size_t worker,
-                              const Progress& progress);
+  [[nodiscard]] StateImages imagesOf(const Session& session, LightFieldFile& file,
+                                     const Progress& progress) const;
 
   Session m_session;
   LightFieldFile& m_file;  ///< the session's light field
   bool m_isAgainstIdeal;
   Shard m_shard;         ///< whose states are asked for
   std::size_t m_memory;  ///< of each of the two
-  std::optional<Source> m_reference;
-  std::optional<Source> m_test;
+  std::optional<StateImages> m_reference;
+  std::optional<StateImages> m_test;
   std::vector<Image> m_references;    ///< of the states rendered, if they are kept for more tests
   std::vector<Renderer> m_renderers;  ///< of the workers
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes a report's journal: what is added to one that was found is there when it is read again.
-#include "io/documents/report_journal.h"
+#include "campaign/journal.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;
@@ -10,11 +10,11 @@ void fuzz(std::string_view input) {
   (void)fileOf("report.journal", input);
   mayRefuse([&] {
     const std::size_t entries = [&] {
-      ReportJournal journal(folder(), {"key", 2, 3});
+      Journal journal(folder(), {"key", 2, 3});
       journal.add(row, {}, "");
       return journal.entries().size() + (journal.entries().contains(row) ? 0 : 1);
     }();
-    const ReportJournal again(folder(), {"key", 2, 3});
+    const Journal again(folder(), {"key", 2, 3});
     require(again.entries().size() == entries && again.entries().contains(row));
   });
 }

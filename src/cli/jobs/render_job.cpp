@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "campaign/state_images.h"
 #include "cli/explain.h"
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
@@ -10,14 +11,11 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/unicode.h"
-#include "core/engine/renderer.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
-#include "io/scene/scene.h"
-#include "report/streamed_images.h"
 
 namespace hogelscope {
 
@@ -53,44 +51,33 @@ struct RenderOutput {
   }
 };
 
-/// Renders from a light field in memory or in a store.
-void renderLoaded(const Session& session, const RenderOutput& output, const Progress& progress) {
-  Scene scene = loadScene(session, part(progress, 0, 0.5), {.threads = threadCount()});
-  scene.isIdeal = output.isIdeal;
-  if (output.isExplained) std::cout << explanations(scene, session, part(progress, 0.5, 0.5));
-  Renderer renderer;
-  const auto count = double(session.cameras.size());
-  for (std::size_t k = 0; k < session.cameras.size(); ++k) {
-    const CameraState& state = session.cameras[k];
-    const Progress of =
-        part(progress, 0.5 + 0.5 * double(k) / count, 0.5 + 0.5 * double(k + 1) / count);
-    if (output.format == "png")
-      output.write(state, renderer.render(scene.job(state), of));
-    else
-      output.write(state, renderer.renderFloat(scene.job(state), of));
-  }
-}
-
-/// Renders all images while the light field is read once.
-void renderPassing(LightFieldFile& file, const Session& session, const RenderOutput& output,
-                   const Progress& progress) {
-  if (output.format != "png")
+/// Writes the images of all states, also after one that cannot be rendered.
+void renderAll(LightFieldFile& file, const Session& session, const RenderOutput& output,
+               const Progress& progress) {
+  const bool isStreamed = mustStream(file, allowedMemory());
+  if (isStreamed && output.format != "png")
     throw InputError("--format " + output.format,
                      "needs the light field in memory or in a store: give it more --memory, or "
                      "--pack it first");
-  const Scene scene = unloadedScene(session, file);
-  if (output.isExplained) std::cout << explanations(scene, session, part(progress, 0, 0));
-  std::vector<RenderJob> views;
-  for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
-  const std::vector<StateImage> results =
-      renderStreamed(file, views, allowedMemory(), parallelRows, progress);
+  const double reading = isStreamed ? 1 : 0.5;
+  StateImages images(session, file, session.cameras, {.use = {.threads = threadCount()}},
+                     part(progress, 0, reading));
+  if (output.isIdeal) images.showIdeal();
+  if (output.isExplained)
+    std::cout << explanations(images.scene(), session, part(progress, reading, reading));
+  Renderer renderer;
+  const double each = (1 - reading) / double(session.cameras.size());
   std::optional<InputError> first;
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    const std::string& problem = results[k].problem;
-    if (problem.empty())
-      output.write(session.cameras[k], results[k].image);
-    else if (!first)
-      first.emplace(session.cameras[k].camera.name, problem);
+  for (std::size_t k = 0; k < session.cameras.size(); ++k) {
+    const Progress of = part(progress, reading + double(k) * each, reading + double(k + 1) * each);
+    try {
+      if (output.format == "png")
+        output.write(session.cameras[k], images.render(k, renderer, of));
+      else
+        output.write(session.cameras[k], images.renderFloat(k, renderer, of));
+    } catch (const InputError& error) {
+      if (!first) first = error.in(session.cameras[k].camera.name);
+    }
   }
   if (first) throw *first;
 }
@@ -117,14 +104,10 @@ int runRender(const CommandLine& line) {
                inputFiles({line.text("session"), line.text("calibration")}, session, *file));
   keepSession(line, session);
   makeFolder(output.folder);
-  const bool isPassing = mustPass(*file, allowedMemory());
   const bool isQuiet = line.has("quiet");
-  announcePassing(*file, allowedMemory(), isQuiet);
+  announceStreaming(*file, allowedMemory(), isQuiet);
   ProgressBar bar("rendering", isQuiet);
-  if (isPassing)
-    renderPassing(*file, session, output, bar.progress());
-  else
-    renderLoaded(session, output, bar.progress());
+  renderAll(*file, session, output, bar.progress());
   bar.done();
   if (!isQuiet)
     std::cout << session.cameras.size() << " picture(s) in " << printable(output.folder.string())

@@ -110,10 +110,10 @@ int runReport(const CommandLine& line) {
   request.images = line.has("images");
   request.shard = shardOf(line);
   keepSession(line, request.session);
-  announcePassing(*request.file, request.memory / 2, isQuiet);
+  announceStreaming(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests) {
     warnOf(*test.file, test.name, line);
-    announcePassing(*test.file, request.memory / 2, isQuiet);
+    announceStreaming(*test.file, request.memory / 2, isQuiet);
   }
   const Report report = makeWithProgress(request, line);
   if (request.shard) {

@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
+#include "campaign/journal.h"
 #include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
 #include "core/base/unicode.h"
-#include "io/documents/report_journal.h"
 #include "io/files/folders.h"
 
 namespace hogelscope {

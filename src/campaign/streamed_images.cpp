@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of a light field that is read from the top.
-#include "report/streamed_images.h"
+#include "campaign/streamed_images.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -111,7 +111,7 @@ void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progre
 
 }  // namespace
 
-bool mustPass(const LightFieldFile& file, std::size_t memory) {
+bool mustStream(const LightFieldFile& file, std::size_t memory) {
   return file.isStream() && !fitsInMemory(file, memory);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A report's journal: appended with one write per row, read up to the first line that is not
 // complete.
-#include "io/documents/report_journal.h"
+#include "campaign/journal.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -134,8 +134,7 @@ std::string endingOf(const std::optional<Shard>& shard) {
   return shard ? "." + std::to_string(shard->number) + "-" + std::to_string(shard->count) : "";
 }
 
-ReportJournal::ReportJournal(const fs::path& folder, const JournalHead& head,
-                             const std::optional<Shard>& shard)
+Journal::Journal(const fs::path& folder, const JournalHead& head, const std::optional<Shard>& shard)
     : m_file(folder / (std::string(fileName) + endingOf(shard))) {
   requireOurs(m_file, headOfAny);
   auto descriptor = openLocked(m_file, O_APPEND);
@@ -153,12 +152,11 @@ ReportJournal::ReportJournal(const fs::path& folder, const JournalHead& head,
   if (!isOwn) writeAll(m_descriptor.get(), own, m_file);
 }
 
-void ReportJournal::add(std::size_t row, const std::vector<double>& values,
-                        const std::string& problem) {
+void Journal::add(std::size_t row, const std::vector<double>& values, const std::string& problem) {
   writeAll(m_descriptor.get(), lineOf(row, values, problem), m_file);
 }
 
-void ReportJournal::remove() {
+void Journal::remove() {
   std::error_code ignored;
   fs::remove(m_file, ignored);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
+#include "campaign/streamed_images.h"
 #include "io/scene/scene.h"
-#include "report/streamed_images.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -178,10 +178,10 @@ void TestStreamedImages::onlyLargeStreamsPass() {
   const Session session = sessionOf("bytes.png");
   const auto file = openLightField(session.lightField, session.display);
   const std::size_t bytes = LightField::bytes({20, 24, 9, 8}, StoredType::uint8);
-  QVERIFY(!mustPass(*file, bytes));
-  QVERIFY(mustPass(*file, bytes - 1));
+  QVERIFY(!mustStream(*file, bytes));
+  QVERIFY(mustStream(*file, bytes - 1));
   writeImageFile("lf_qs4x2a1.png", 40, 20, noise);
-  QVERIFY(!mustPass(*openLightField(lightFieldOf("lf_qs4x2a1.png"), {}), 1));
+  QVERIFY(!mustStream(*openLightField(lightFieldOf("lf_qs4x2a1.png"), {}), 1));
 }
 
 void TestStreamedImages::damagedRow() {

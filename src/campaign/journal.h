@@ -33,15 +33,15 @@ using JournalEntries = std::map<std::size_t, JournalEntry>;  ///< by the rows' i
 /// "" for a whole run, ".K-N" for a shard: the end of the names of its files.
 std::string endingOf(const std::optional<Shard>& shard);
 
-class ReportJournal {
+class Journal {
  public:
   /// Resumes the journal in `folder` if it has the same head, else replaces it by a new one. A
   /// line that was cut off is dropped. Throws InputError: a file of that name is not a journal,
   /// another process uses it, or it cannot be written.
-  ReportJournal(const std::filesystem::path& folder, const JournalHead& head,
-                const std::optional<Shard>& shard = {});
-  ReportJournal(const ReportJournal&) = delete;
-  ReportJournal& operator=(const ReportJournal&) = delete;
+  Journal(const std::filesystem::path& folder, const JournalHead& head,
+          const std::optional<Shard>& shard = {});
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
 
   /// Returns the rows of an earlier run.
   [[nodiscard]] const JournalEntries& entries() const { return m_entries; }

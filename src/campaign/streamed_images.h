@@ -17,8 +17,8 @@ struct StateImage {
   std::string problem;
 };
 
-/// Must the file be passed: is it too large for `memory` bytes, and can it be gone through?
-bool mustPass(const LightFieldFile& file, std::size_t memory);
+/// Whether the file exceeds `memory` bytes and can be streamed.
+bool mustStream(const LightFieldFile& file, std::size_t memory);
 
 /// The views' light field has nothing in memory. At most `memory` bytes are taken besides the
 /// images and one hogel row of the file; where that is too little for all views the file is read

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hashes of files, kept beside a report.
-#include "report/file_hashes.h"
+#include "campaign/file_hashes.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view head = "hogelscope hashes 1\n";
+constexpr std::string_view cacheHead = "hogelscope hashes 1\n";
 constexpr std::size_t hashDigits = 32;
 
 Descriptor lockedCache(const fs::path& cache, const Progress& progress) {
@@ -35,7 +35,7 @@ Descriptor lockedCache(const fs::path& cache, const Progress& progress) {
 }  // namespace
 
 FileHashes::FileHashes(const fs::path& folder) : m_cache(folder / "report.hashes") {
-  requireOurs(m_cache, head);
+  requireOurs(m_cache, cacheHead);
   read();
 }
 
@@ -70,7 +70,7 @@ void FileHashes::complete(const std::vector<fs::path>& files,
                           const std::vector<std::string>& identities, const Progress& progress) {
   const Descriptor cache = lockedCache(m_cache, progress);
   read();
-  if (::lseek(cache.get(), 0, SEEK_END) == 0) writeAll(cache.get(), head, m_cache);
+  if (::lseek(cache.get(), 0, SEEK_END) == 0) writeAll(cache.get(), cacheHead, m_cache);
   for (std::size_t k = 0; k < files.size(); ++k) {
     std::string& hash = m_hashes[identities[k]];
     if (!hash.empty()) continue;

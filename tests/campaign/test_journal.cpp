@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/journal.h"
 #include "io/documents/panel_error_file.h"
-#include "io/documents/report_journal.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -24,7 +24,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-class TestReportJournal : public QObject {
+class TestJournal : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -47,14 +47,14 @@ class TestReportJournal : public QObject {
   std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-void TestReportJournal::goesOn() {
+void TestJournal::goesOn() {
   {
-    ReportJournal journal(folder(), head);
+    Journal journal(folder(), head);
     QVERIFY(journal.entries().empty() && !journal.replacedAnother());
     journal.add(7, figures, "");
     journal.add(2, {}, "a \"reason\"\nwith lines, \xff");
   }
-  ReportJournal again(folder(), head);
+  Journal again(folder(), head);
   QCOMPARE(again.entries().size(), 2U);
   QVERIFY(same(again.entries().at(7).values, figures));
   QVERIFY(QString::fromStdString(again.entries().at(2).problem).startsWith("a \"reason\"\nwith"));
@@ -63,17 +63,17 @@ void TestReportJournal::goesOn() {
   QVERIFY(!QFile::exists(file()));
 }
 
-void TestReportJournal::anotherReport() {
-  { ReportJournal(folder(), head).add(7, figures, ""); }
-  ReportJournal other(folder(), {"l", 5, 2});
+void TestJournal::anotherReport() {
+  { Journal(folder(), head).add(7, figures, ""); }
+  Journal other(folder(), {"l", 5, 2});
   QVERIFY(other.entries().empty());
   QVERIFY(other.replacedAnother());
 }
 
 /// kill -9 and a full disk leave any beginning of the file.
-void TestReportJournal::cutAnywhere() {
+void TestJournal::cutAnywhere() {
   {
-    ReportJournal journal(folder(), head);
+    Journal journal(folder(), head);
     for (std::size_t row = 0; row < 3; ++row) journal.add(row, figures, "");
   }
   const QByteArray whole = contentOf(file());
@@ -82,15 +82,15 @@ void TestReportJournal::cutAnywhere() {
     writeFile(file(), whole.left(size));
     const auto lines = std::size_t(whole.left(size).count('\n'));
     {
-      ReportJournal journal(folder(), head);
+      Journal journal(folder(), head);
       QCOMPARE(journal.entries().size(), size < headEnd ? 0 : lines - 1);
       journal.add(5, figures, "");
     }
-    QCOMPARE(ReportJournal(folder(), head).entries().size(), size < headEnd ? 1 : lines);
+    QCOMPARE(Journal(folder(), head).entries().size(), size < headEnd ? 1 : lines);
   }
 }
 
-void TestReportJournal::damaged_data() {
+void TestJournal::damaged_data() {
   QTest::addColumn<QByteArray>("line");
   QTest::newRow("not JSON") << QByteArray("\0\xff{", 3);
   QTest::newRow("another shape") << QByteArray(R"([1, 2])");
@@ -103,26 +103,26 @@ void TestReportJournal::damaged_data() {
 }
 
 /// What stands before the damage is used.
-void TestReportJournal::damaged() {
+void TestJournal::damaged() {
   QFETCH(QByteArray, line);
-  { ReportJournal(folder(), head).add(0, figures, ""); }
+  { Journal(folder(), head).add(0, figures, ""); }
   const QByteArray good = contentOf(file());
   writeFile(file(), good + line + "\n" + good.mid(good.indexOf('\n') + 1));
-  QCOMPARE(ReportJournal(folder(), head).entries().size(), 1U);
+  QCOMPARE(Journal(folder(), head).entries().size(), 1U);
   QCOMPARE(contentOf(file()), good);
 }
 
-void TestReportJournal::oneAtATime() {
-  const ReportJournal first(folder(), head);
+void TestJournal::oneAtATime() {
+  const Journal first(folder(), head);
   QCOMPARE(
-      errorOf([&] { ReportJournal second(folder(), head); }),
+      errorOf([&] { Journal second(folder(), head); }),
       file() + ": is in use: another hogelscope makes this report; wait, or choose another folder");
 }
 
-void TestReportJournal::journalsOfShards() {
-  { ReportJournal(folder(), head, Shard{10, 10}).add(3, figures, ""); }
-  { ReportJournal(folder(), {"other", 1, 1}, Shard{2, 10}).add(0, figures, ""); }
-  ReportJournal atWork(folder(), head);
+void TestJournal::journalsOfShards() {
+  { Journal(folder(), head, Shard{10, 10}).add(3, figures, ""); }
+  { Journal(folder(), {"other", 1, 1}, Shard{2, 10}).add(0, figures, ""); }
+  Journal atWork(folder(), head);
   atWork.add(1, figures, "");
   for (const char* name : {"report.journal.1", "report.journal.0x1-4", "report.journal.1-4.bak",
                            "report.journal.01-4", "report.journal.-1-4", "report.journal.1-4"})
@@ -139,7 +139,7 @@ void TestReportJournal::journalsOfShards() {
            m_folder->filePath("none") + ": cannot be read: No such file or directory");
 }
 
-void TestReportJournal::panelErrors() {
+void TestJournal::panelErrors() {
   const LightFieldSize size{2, 1, 1, 3};
   const SavedPanelError saved{
       {4, 1}, PanelError(size, {{1, 2}, {std::uint64_t{1} << 60U, 4}}, {{5, 6}, {0, 0}, {9, 9}})};
@@ -161,7 +161,7 @@ void TestReportJournal::panelErrors() {
   }
 }
 
-void TestReportJournal::strangePanelErrors_data() {
+void TestJournal::strangePanelErrors_data() {
   QTest::addColumn<QByteArray>("head");
   QTest::addColumn<bool>("isRead");
   QTest::newRow("whole") << QByteArray(R"("key": "k", "states": [1, 2])") << true;
@@ -175,7 +175,7 @@ void TestReportJournal::strangePanelErrors_data() {
   QTest::newRow("many keys") << keys + R"("key": "k", "states": [1])" << false;
 }
 
-void TestReportJournal::strangePanelErrors() {
+void TestJournal::strangePanelErrors() {
   QFETCH(QByteArray, head);
   QFETCH(bool, isRead);
   constexpr qsizetype cells = 3 * sizeof(PanelError::Cell);
@@ -184,5 +184,5 @@ void TestReportJournal::strangePanelErrors() {
   QCOMPARE(loadPanelError(folder() / "p", "k", {2, 1, 1, 1}).has_value(), isRead);
 }
 
-QTEST_GUILESS_MAIN(TestReportJournal)
-#include "test_report_journal.moc"
+QTEST_GUILESS_MAIN(TestJournal)
+#include "test_journal.moc"

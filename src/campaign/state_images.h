@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The images of many camera states from one light field, however large it is.
+#pragma once
+
+#include <vector>
+
+#include "campaign/streamed_images.h"
+#include "core/base/shard.h"
+#include "core/engine/renderer.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+/// Images are rendered when they are asked for. Only those of a light field that must be streamed
+/// (mustStream()) are made while it is read, and kept.
+class StateImages {
+ public:
+  struct Options {
+    SourceUse use{};
+    Shard shard{};  ///< whose states are asked for
+    int bits = 8;   ///< of the images' values
+    ParallelRows rows = parallelRows;
+  };
+
+  /// Of a light field that is open.
+  StateImages(Scene scene, const std::vector<CameraState>& states)
+      : m_scene(std::move(scene)), m_states(states) {}
+  /// Reads `file`, the light field of `session`. Throws InputError, Cancelled.
+  StateImages(const Session& session, LightFieldFile& file, const std::vector<CameraState>& states,
+              const Options& options, const Progress& progress);
+
+  /// Return the image of a state. Throw InputError, where it cannot be made, and Cancelled.
+  [[nodiscard]] Image render(std::size_t state, Renderer& renderer, const Progress& progress) const;
+  /// The light field must not be streamed.
+  [[nodiscard]] FloatImage renderFloat(std::size_t state, Renderer& renderer,
+                                       const Progress& progress) const {
+    return renderer.renderFloat(job(state), progress);
+  }
+
+  [[nodiscard]] RenderJob job(std::size_t state) const { return m_scene.job(m_states[state]); }
+  [[nodiscard]] bool areStreamed() const { return !m_streamed.empty(); }
+  [[nodiscard]] const Scene& scene() const { return m_scene; }
+  /// The images are those of the ideal views.
+  void showIdeal() { m_scene.isIdeal = true; }
+
+ private:
+  Scene m_scene;
+  std::vector<CameraState> m_states;
+  std::vector<StateImage> m_streamed;  ///< of all states; empty where they are rendered
+};
+
+}  // namespace hogelscope
