@@ -78,7 +78,7 @@ RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_
         job.sampling.tolerance > 0 ? images.render(state, renderer, progress) : rounded(values);
     return {name, std::move(image), std::move(values.rgb)};
   } catch (const InputError& error) {
-    throw error.in(name);
+    throw InputError(name, error.what());
   }
 }
 

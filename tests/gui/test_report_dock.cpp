@@ -20,6 +20,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "chart/plot_painting.h"
 #include "gui/docks/camera_set_widget.h"
 #include "gui/docks/report_dock.h"
 #include "gui/docks/report_plots.h"
@@ -266,7 +267,7 @@ void TestReportDock::plotsShowTheRows() {
   auto* table = child<QTableView>("reportTable");
   QTRY_VERIFY_WITH_TIMEOUT(plot->width() > 200 && plot->height() > 100, patience);
   const auto placeOf = [plot](std::size_t row) {
-    return plot->chart().placeOf(row, QSizeF(plot->size()));
+    return hogelscope::placeOf(plot->plot(), row, QSizeF(plot->size()));
   };
   QVERIFY(!placeOf(2 * stateCount - 1));  // it is behind the panel
   for (const std::size_t a : {0U, 1U, 2U, 5U})

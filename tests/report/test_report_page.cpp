@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
-#include "report/page/html.h"
+#include "page/html.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"
 

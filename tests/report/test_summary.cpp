@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "report/page/latex.h"
+#include "page/latex.h"
 #include "report/page/report_tables.h"
 #include "report/page/summary_page.h"
 #include "tests/core/random.h"

@@ -76,7 +76,7 @@ void renderAll(LightFieldFile& file, const Session& session, const RenderOutput&
       else
         output.write(session.cameras[k], images.renderFloat(k, renderer, of));
     } catch (const InputError& error) {
-      if (!first) first = error.in(session.cameras[k].camera.name);
+      if (!first) first.emplace(session.cameras[k].camera.name, error.what());
     }
   }
   if (first) throw *first;

@@ -6,28 +6,29 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QVBoxLayout>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "chart/plot_painting.h"
 #include "gui/docks/plot_saver.h"
+#include "report/page/report_plots.h"
 #include "report/report_files.h"
 
 namespace hogelscope {
 
 ReportPlotView::ReportPlotView(QWidget* parent)
     : QWidget(parent),
-      m_saver(new PlotSaver(
-          this, tr("Report"), {640, 400},
-          [this](QPainter& painter, const QSizeF& size) { m_chart.paint(painter, size); })) {
+      m_saver(new PlotSaver(this, tr("Report"), {640, 400},
+                            [this](QPainter& painter, const QSizeF& size) {
+                              paintPlot(painter, size, m_plot, m_selected);
+                            })) {
   setObjectName("reportPlot");
   setMinimumSize(200, 120);
   setToolTip(tr("A click on a point chooses its row"));
 }
 
-void ReportPlotView::setChart(ReportChart chart) {
-  m_chart = std::move(chart);
-  m_saver->setEnabled(!m_chart.isEmpty());
+void ReportPlotView::setPlot(Plot plot) {
+  m_plot = std::move(plot);
+  m_saver->setEnabled(!m_plot.series.empty());
   update();
 }
 
@@ -37,7 +38,7 @@ void ReportPlotView::setPicture(const QPixmap& picture) {
 }
 
 void ReportPlotView::select(std::optional<std::size_t> row) {
-  m_chart.select(row);
+  m_selected = row;
   update();
 }
 
@@ -50,12 +51,12 @@ void ReportPlotView::paintEvent(QPaintEvent*) {
     return painter.drawPixmap(place, m_picture);
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  if (!m_chart.isEmpty()) m_chart.paint(painter, QSizeF(size()));
+  if (!m_plot.series.empty()) paintPlot(painter, QSizeF(size()), m_plot, m_selected);
 }
 
 void ReportPlotView::mousePressEvent(QMouseEvent* event) {
   if (!m_picture.isNull()) return;
-  if (const auto row = m_chart.rowAt(event->position(), QSizeF(size()))) Q_EMIT clicked(*row);
+  if (const auto row = rowAt(m_plot, event->position(), QSizeF(size()))) Q_EMIT clicked(*row);
 }
 
 ReportPlots::ReportPlots(QWidget* parent)
@@ -75,7 +76,10 @@ ReportPlots::ReportPlots(QWidget* parent)
 void ReportPlots::begin(const ReportRequest& request, const std::vector<std::string>& tests) {
   m_request = request;
   m_tests = tests;
-  m_rows.assign(request.session.cameras.size() * tests.size(), std::nullopt);
+  m_rows.clear();
+  for (const CameraState& state : request.session.cameras)
+    for (const std::string& test : tests)
+      m_rows.push_back({state.camera.name, test, {}, state.camera.eye, 1, "not compared yet"});
   m_selected.reset();
   m_isFinished = false;
   showPlot();
@@ -99,33 +103,14 @@ void ReportPlots::select(std::optional<std::size_t> row) {
 
 void ReportPlots::showPlot() {
   m_view->setPicture(isOfPanel() ? panel() : QPixmap());
-  m_view->setChart(isOfPanel() ? ReportChart() : chart());
+  m_view->setPlot(isOfPanel() ? Plot()
+                              : psnrPlot(m_rows, m_request.session.display,
+                                         m_kind->currentIndex() == overAngle));
   m_view->select(m_selected);
 }
 
 bool ReportPlots::isOfPanel() const {
   return m_kind->currentIndex() == overHogels || m_kind->currentIndex() == overDirections;
-}
-
-ReportChart ReportPlots::chart() const {
-  const DisplayParams& display = m_request.session.display;
-  const RigidTransform displayFromWorld =
-      transformFromPose(display.position, display.orientation).inverse();
-  const ReportOrder order{m_tests.size()};
-  const bool isOverAngle = m_kind->currentIndex() == overAngle;
-  std::vector<ReportChart::Point> points;
-  for (std::size_t k = 0; k < m_rows.size(); ++k) {
-    if (!m_rows[k] || !m_rows[k]->problem.empty()) continue;
-    const Vec3 eye = displayFromWorld.point(m_rows[k]->eye);
-    const double angle = std::atan2(eye.x, eye.z) * 180 / std::numbers::pi;
-    points.push_back({k, order.test(k), isOverAngle ? angle : double(order.state(k) + 1),
-                      m_rows[k]->values[psnrSeenColumn]});
-  }
-  std::vector<QString> series;
-  for (const std::string& test : m_tests) series.push_back(QString::fromStdString(test));
-  return {std::move(points),
-          isOverAngle ? tr("horizontal viewing angle, °, to the viewer's right") : tr("state"),
-          std::move(series)};
 }
 
 /// Of the chosen row's test, as the report's own file has it.

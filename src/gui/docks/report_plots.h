@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "chart/report_chart.h"
 #include "core/metrics/report_rows.h"
+#include "page/plot.h"
 #include "report/report_request.h"
 
 class QComboBox;
@@ -23,11 +23,11 @@ class ReportPlotView : public QWidget {
 
  public:
   explicit ReportPlotView(QWidget* parent = nullptr);
-  void setChart(ReportChart chart);
+  void setPlot(Plot plot);
   /// Stands in the place of the chart; null: the chart.
   void setPicture(const QPixmap& picture);
   void select(std::optional<std::size_t> row);
-  [[nodiscard]] const ReportChart& chart() const { return m_chart; }
+  [[nodiscard]] const Plot& plot() const { return m_plot; }
   [[nodiscard]] const QPixmap& picture() const { return m_picture; }
 
  Q_SIGNALS:
@@ -39,7 +39,8 @@ class ReportPlotView : public QWidget {
 
  private:
   PlotSaver* m_saver;
-  ReportChart m_chart;
+  Plot m_plot;
+  std::optional<std::size_t> m_selected;
   QPixmap m_picture;
 };
 
@@ -63,13 +64,12 @@ class ReportPlots : public QWidget {
  private:
   enum Kind { overStates, overAngle, overHogels, overDirections };
   void showPlot();
-  [[nodiscard]] ReportChart chart() const;
   [[nodiscard]] QPixmap panel() const;
   [[nodiscard]] bool isOfPanel() const;
 
   ReportRequest m_request;
   std::vector<std::string> m_tests;
-  std::vector<std::optional<ReportRow>> m_rows;
+  std::vector<ReportRow> m_rows;
   std::optional<std::size_t> m_selected;
   bool m_isFinished = false;
   QComboBox* m_kind;

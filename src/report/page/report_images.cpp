@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "report/page/html.h"
+#include "page/html.h"
 #include "report/page/report_plots.h"
 
 namespace hogelscope {

@@ -8,9 +8,10 @@
 
 #include "core/base/colour_map.h"
 #include "core/metrics/summary.h"
-#include "report/page/html.h"
-#include "report/page/plot.h"
+#include "page/html.h"
+#include "page/plot.h"
 #include "report/page/report_plots.h"
+#include "report/page/view_points.h"
 
 namespace hogelscope {
 
@@ -54,12 +55,14 @@ Span psnrSpan(const std::vector<ReportRow>& rows) {
   return {step * std::floor(range.low / step), step * std::ceil(range.high / step)};
 }
 
-std::string mark(const PlotPoint& point, double x, double y, double radius, const Span& psnrs) {
+std::string mark(const ViewPoint& point, const ReportRow& row, double x, double y, double radius,
+                 const Span& psnrs) {
+  const std::string title = "<title>" + escaped(titleOf(point, row)) + "</title>";
   if (point.kind == PlotKind::none) {
     const std::string r = coordinate(radius);
     const std::string r2 = coordinate(2 * radius);
     return "<path class=\"none\" d=\"M" + coordinate(x) + " " + coordinate(y) + "m-" + r + " -" +
-           r + "l" + r2 + " " + r2 + "m-" + r2 + " 0l" + r2 + " -" + r2 + "\">" + titleOf(point) +
+           r + "l" + r2 + " " + r2 + "m-" + r2 + " 0l" + r2 + " -" + r2 + "\">" + title +
            "</path>\n";
   }
   const std::string fill =
@@ -67,7 +70,7 @@ std::string mark(const PlotPoint& point, double x, double y, double radius, cons
           ? std::string("class=\"hollow\"")
           : "fill=\"" + colourOf((point.psnr - psnrs.low) / psnrs.width()) + "\"";
   return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
-         coordinate(radius) + "\" " + fill + ">" + titleOf(point) + "</circle>\n";
+         coordinate(radius) + "\" " + fill + ">" + title + "</circle>\n";
 }
 
 /// One map: which coordinate of an eye goes down or up, and how the panel lies in it.
@@ -80,11 +83,11 @@ struct MapKind {
 };
 
 /// Axes at one scale that hold the panel and all eyes, in a shape between 1:1 and about 2:1.
-std::array<Axis, 2> axesOf(const MapKind& kind, const std::vector<PlotPoint>& points,
+std::array<Axis, 2> axesOf(const MapKind& kind, const std::vector<ViewPoint>& points,
                            double halfWidth) {
   Span x{-halfWidth, halfWidth};
   Span y{-kind.panelHalf, kind.panelHalf};
-  for (const PlotPoint& point : points) {
+  for (const ViewPoint& point : points) {
     x.add(point.eye.x);
     y.add(point.eye.*kind.up);
   }
@@ -112,17 +115,17 @@ std::string panelMark(const MapKind& kind, const Axis& across, const Axis& up, d
          "\"><title>the panel</title></rect>\n";
 }
 
-std::string map(const MapKind& kind, const std::vector<PlotPoint>& points, double halfWidth,
-                const Span& psnrs) {
+std::string map(const MapKind& kind, const std::vector<ReportRow>& rows,
+                const std::vector<ViewPoint>& points, double halfWidth, const Span& psnrs) {
   const auto [across, up] = axesOf(kind, points, halfWidth);
   std::string text = "<svg class=\"map\" viewBox=\"0 0 376 " +
                      coordinate(std::max(up.from, up.to) + 46) + "\" role=\"img\" aria-label=\"" +
                      kind.name + "\">" + svgText(mapLeft, 17, "start", kind.name) +
-                     plotFrame(across, up, "x in m, to the viewer's right", kind.title) +
+                     svgFrame(across, up, "x in m, to the viewer's right", kind.title) +
                      panelMark(kind, across, up, halfWidth) + "<g class=\"points\">\n";
-  for (const PlotPoint& point : points)
-    text += mark(point, across.at(point.eye.x), up.at(point.eye.*kind.up), radiusFor(points.size()),
-                 psnrs);
+  for (const ViewPoint& point : points)
+    text += mark(point, rows[point.row], across.at(point.eye.x), up.at(point.eye.*kind.up),
+                 radiusFor(points.size()), psnrs);
   return text + "</g></svg>\n";
 }
 
@@ -149,10 +152,10 @@ std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& 
   const MapKind front{"From the front", &Vec3::y, false, display.size[1] / 2, "y in m, up"};
   std::string text;
   for (const std::string& test : testsOf(rows)) {
-    const std::vector<PlotPoint> points = pointsOf(rows, test, display);
+    const std::vector<ViewPoint> points = pointsOf(rows, test, display);
     text += "<figure><figcaption>" + escaped(test) + "</figcaption><div class=\"row\">\n";
     for (const MapKind& kind : {above, front})
-      text += map(kind, points, display.size[0] / 2, psnrs);
+      text += map(kind, rows, points, display.size[0] / 2, psnrs);
     if (psnrs.low < psnrs.high) text += colourBar(psnrs.low, psnrs.high, "PSNR in dB");
     text += "</div></figure>\n";
   }

@@ -4,9 +4,9 @@
 
 #include "core/base/text.h"
 #include "core/metrics/rank_correlation.h"
-#include "report/page/html.h"
+#include "page/html.h"
+#include "page/style.h"
 #include "report/page/report_plots.h"
-#include "report/page/report_style.h"
 #include "report/page/summary_page.h"
 
 namespace hogelscope {
@@ -103,10 +103,10 @@ std::string html(const ReportPage& page) {
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-      std::string(reportPolicy) +
+      std::string(pagePolicy) +
       "\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>Hogelscope report: " +
-      title + "</title>\n<style>" + reportStyle + "</style></head><body>\n" +
+      title + "</title>\n<style>" + pageStyle + "</style></head><body>\n" +
       "<h1>Perceived views of " + title + "</h1>\n" + summaryTables(page.summaries, page.metrics);
   if (!page.groups.empty())
     text +=
@@ -123,7 +123,7 @@ std::string html(const ReportPage& page) {
   if (!page.rows.empty()) text += "<h2>All states</h2>\n" + statesTable(page.rows, page.metrics);
   if (!page.lenses.empty())
     text += "<h2>How far the lenses can be trusted</h2>\n" + lensesTable(page.lenses);
-  return text + definitions + whatWasTested(page) + "<script>" + reportScript +
+  return text + definitions + whatWasTested(page) + "<script>" + pageScript +
          "</script>\n</body></html>\n";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PSNR over camera position, as SVG within the report's page.
+// The plots of a report.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "core/metrics/summary.h"
 #include "core/optics/display.h"
+#include "page/plot.h"
 
 namespace hogelscope {
 
@@ -14,8 +15,11 @@ namespace hogelscope {
 /// coloured by PSNR; hollow where the view is identical, a cross where there is none to compare.
 std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& display);
 
-/// PSNR over the eye's horizontal angle, atan2(x, z) in the display frame, one series for each
-/// test. Empty where no PSNR is finite.
+/// PSNR of each row over the eye's horizontal angle, atan2(x, z) in the display frame, or over the
+/// number of its state, from 1; one series for each test. Rows are in ReportOrder; those with a
+/// problem have no point.
+Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle);
+/// The first of both for the page. Empty where no PSNR is finite.
 std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& display);
 
 /// Rate–distortion: each headline quality over bits per directional pixel, a curve for each group,

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/text.h"
-#include "report/page/html.h"
+#include "page/html.h"
 
 namespace hogelscope {
 

@@ -7,8 +7,8 @@
 
 #include "core/base/text.h"
 #include "core/base/unicode.h"
-#include "report/page/html.h"
-#include "report/page/latex.h"
+#include "page/html.h"
+#include "page/latex.h"
 
 namespace hogelscope {
 

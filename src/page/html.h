@@ -6,7 +6,7 @@
 
 namespace hogelscope {
 
-/// A text in HTML or SVG, as one line (printable()), since XML does not allow all characters.
+/// A text in HTML or SVG; its lines are printable(), since XML does not allow all characters.
 std::string escaped(const std::string& text);
 
 /// The alphabet of RFC 4648, padded.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The few things that every part of the report's page writes.
-#include "report/page/html.h"
+#include "page/html.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
 
 #include "core/base/unicode.h"
 
 namespace hogelscope {
 
-std::string escaped(const std::string& text) {
+namespace {
+
+std::string escapedLine(const std::string& text) {
   std::string out;
   for (const char c : printable(text)) {
     switch (c) {
@@ -34,7 +34,19 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// By to_chars, since a locale may have a comma.
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (std::size_t at = 0;; ++at) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    out += escapedLine(text.substr(at, end - at));
+    if (end == text.size()) return out;
+    out += '\n';
+    at = end;
+  }
+}
+
 std::string base64(const std::string& bytes) {
   constexpr const char* alphabet =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

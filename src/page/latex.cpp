@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables as LaTeX.
-#include "report/page/latex.h"
+#include "page/latex.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
-#include "report/page/html.h"
+#include "page/html.h"
 
 namespace hogelscope {
 

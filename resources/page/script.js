@@ -1,0 +1,39 @@
+
+for (const table of document.querySelectorAll('table.sorts')) {
+  const heads = [...table.tHead.rows[0].cells], body = table.tBodies[0];
+  const collator = new Intl.Collator(undefined, {numeric: true});
+  // A cell's value; null where a row has none, which comes last in both directions.
+  const value = (row, k) => {
+    const cell = row.cells[k];
+    if (!cell || cell.colSpan > 1 || cell.textContent === '–') return null;
+    const text = cell.textContent;
+    if (!cell.classList.contains('n')) return text;
+    return text === 'identical' ? Infinity : Number(text);
+  };
+  const compare = (a, b) => typeof a === 'string' ? collator.compare(a, b)
+    : a === b ? 0 : a > b ? 1 : -1;
+  const sort = (k) => {
+    const sign = heads[k].getAttribute('aria-sort') === 'ascending' ? -1 : 1;
+    for (const head of heads) head.removeAttribute('aria-sort');
+    heads[k].setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
+    const rows = [...body.rows].map(row => ({row, key: value(row, k)}));
+    rows.sort((a, b) => a.key === null || b.key === null
+      ? (a.key === null) - (b.key === null) : sign * compare(a.key, b.key));
+    body.append(...rows.map(entry => entry.row));
+  };
+  heads.forEach((head, k) => {
+    // No button element: Chromium does not repeat a table head that has one on every printed page.
+    const button = document.createElement('span');
+    button.role = 'button';
+    button.tabIndex = 0;
+    button.title = 'Sort by this column';
+    button.append(...head.childNodes);
+    button.addEventListener('click', () => sort(k));
+    button.addEventListener('keydown', event => {
+      if (!['Enter', ' '].includes(event.key)) return;
+      event.preventDefault();
+      sort(k);
+    });
+    head.append(button);
+  });
+}

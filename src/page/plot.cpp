@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plots of series of points, and their SVG.
+#include "page/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/colour_map.h"
+#include "core/base/text.h"
+#include "page/html.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr double left = 62;
+constexpr double top = 14;
+constexpr double strip = 28;  ///< of the identical points
+
+std::vector<Tick> linearTicksAcross(const Axis& across) {
+  return linearTicks(across, std::max(2, int(std::abs(across.to - across.from) / 50)));
+}
+
+/// Out to where the points are, and a little further.
+void pad(Axis& axis, double least) {
+  if (!(axis.low <= axis.high)) axis.low = axis.high = 0;
+  const double by = std::max(0.05 * (axis.high - axis.low), least - (axis.high - axis.low) / 2);
+  axis.low -= by;
+  axis.high += by;
+}
+
+std::string svgMark(std::size_t series, double x, double y, double radius,
+                    const std::string& attributes, const std::string& content) {
+  const std::string more = (attributes.empty() ? "" : " " + attributes) + ">" + content;
+  const std::vector<double> corners = markCorners(series);
+  if (corners.empty())
+    return "<circle cx=\"" + coordinate(x) + "\" cy=\"" + coordinate(y) + "\" r=\"" +
+           coordinate(radius) + "\"" + more + "</circle>";
+  std::string points;
+  for (std::size_t k = 0; k < corners.size(); k += 2)
+    points += (k == 0 ? "" : " ") + coordinate(x + radius * corners[k]) + "," +
+              coordinate(y + radius * corners[k + 1]);
+  return "<polygon points=\"" + points + "\"" + more + "</polygon>";
+}
+
+/// The line through the points of a series, and their intervals.
+std::string svgCurve(const Plot::Series& series, const PlotArea& area) {
+  std::string line, bars;
+  for (const Plot::Point& point : series.points) {
+    const auto [x, y] = area.placeOf(point, 0);
+    line += (line.empty() ? "" : " ") + coordinate(x) + "," + coordinate(y);
+    bars +=
+        svgLine(x, area.up.at(point.interval.low), x, area.up.at(point.interval.high), "interval");
+  }
+  return "<polyline class=\"curve\" points=\"" + line + "\"/>" + bars + "\n";
+}
+
+}  // namespace
+
+std::string coordinate(double value) {
+  return rounded(value, 2);
+}
+
+std::string svgText(double x, double y, std::string_view anchor, const std::string& text) {
+  return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" text-anchor=\"" +
+         std::string(anchor) + "\">" + escaped(text) + "</text>";
+}
+
+std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style) {
+  return "<line x1=\"" + coordinate(x1) + "\" y1=\"" + coordinate(y1) + "\" x2=\"" +
+         coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\" class=\"" + std::string(style) + "\"/>";
+}
+
+std::vector<double> markCorners(std::size_t series) {
+  switch (series % 5) {
+    case 1:
+      return {-1, -1, 1, -1, 1, 1, -1, 1};
+    case 2:
+      return {0, -1.2, 1.2, 1, 0, 1, -1.2, 1};
+    case 3:
+      return {0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0};
+    case 4:
+      return {0, 1.2, 1.2, -1, 0, -1, -1.2, -1};
+    default:
+      return {};
+  }
+}
+
+PlotArea::Place PlotArea::placeOf(const Plot::Point& point, std::size_t series) const {
+  const double share = (double(series) + 0.5) / double(std::max<std::size_t>(count, 1));
+  return {across.at(point.across), std::isinf(point.up) ? 12 + 24 * share : up.at(point.up)};
+}
+
+PlotArea areaOf(const Plot& plot, const PlotBox& box) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  PlotArea area{{infinite, -infinite, left, std::max(left + 20, box.width - box.right)},
+                {infinite, -infinite, std::max(top + 20, box.height - box.below), top},
+                plot.series.size(),
+                false};
+  const auto include = [](Axis& axis, double value) {
+    axis.low = std::min(axis.low, value);
+    axis.high = std::max(axis.high, value);
+  };
+  for (const Plot::Series& series : plot.series)
+    for (const Plot::Point& point : series.points) {
+      include(area.across, point.across);
+      if (std::isinf(point.up)) {
+        area.hasIdentical = true;
+        continue;
+      }
+      include(area.up, plot.hasCurves ? point.interval.low : point.up);
+      include(area.up, plot.hasCurves ? point.interval.high : point.up);
+    }
+  pad(area.across, plot.leastRange[0]);
+  pad(area.up, plot.leastRange[1]);
+  if (area.hasIdentical) area.up.to += strip;
+  return area;
+}
+
+/// Of logarithms: at round values.
+std::vector<Tick> ticksAcross(const Plot& plot, const Axis& across) {
+  if (!plot.isLogarithmic) return linearTicksAcross(across);
+  std::vector<Tick> ticks = logarithmicTicks(across, 40);
+  if (std::ranges::count_if(ticks, [](const Tick& tick) { return !tick.text.empty(); }) < 2)
+    ticks = linearTicks({std::pow(10, across.low), std::pow(10, across.high)}, 5);
+  for (Tick& tick : ticks) tick.value = std::log10(tick.value);
+  return ticks;
+}
+
+std::vector<Tick> ticksUp(const Axis& up) {
+  return linearTicks(up, std::max(2, int(std::abs(up.to - up.from) / 30)));
+}
+
+std::string svgFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
+                     const std::string& titleUp, std::vector<Tick> ticks) {
+  const double left = std::min(across.from, across.to);
+  const double right = std::max(across.from, across.to);
+  const double top = std::min(up.from, up.to);
+  const double bottom = std::max(up.from, up.to);
+  std::string text;
+  if (ticks.empty()) ticks = linearTicksAcross(across);
+  for (const Tick& tick : ticks) {
+    const double x = across.at(tick.value);
+    text += svgLine(x, top, x, bottom, "grid");
+    if (!tick.text.empty()) text += svgText(x, bottom + 17, "middle", tick.text);
+  }
+  for (const Tick& tick : ticksUp(up)) {
+    const double y = up.at(tick.value);
+    text += svgLine(left, y, right, y, "grid") + svgText(left - 6, y + 4, "end", tick.text);
+  }
+  text += "<rect x=\"" + coordinate(left) + "\" y=\"" + coordinate(top) + "\" width=\"" +
+          coordinate(right - left) + "\" height=\"" + coordinate(bottom - top) +
+          "\" class=\"frame\"/>";
+  text += svgText((left + right) / 2, bottom + 36, "middle", titleAcross);
+  return text + "<g transform=\"translate(13 " + coordinate((top + bottom) / 2) +
+         ") rotate(-90)\">" + svgText(0, 0, "middle", titleUp) + "</g>\n";
+}
+
+std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
+                  const std::string& label) {
+  const PlotArea area = areaOf(plot, box);
+  std::string text = "<svg class=\"" + style + "\" viewBox=\"0 0 " + numberText(box.width) + " " +
+                     numberText(box.height) + "\" role=\"img\" aria-label=\"" + escaped(label) +
+                     "\">" +
+                     svgFrame(area.across, area.up, plot.titleAcross, plot.titleUp,
+                              ticksAcross(plot, area.across));
+  if (area.hasIdentical) text += svgText(left - 6, 28, "end", "identical");
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const std::string colour = seriesColour(k);
+    text += "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">\n";
+    if (plot.hasCurves) text += svgCurve(plot.series[k], area);
+    for (const Plot::Point& point : plot.series[k].points) {
+      const auto [x, y] = area.placeOf(point, k);
+      text +=
+          svgMark(k, x, y, plot.series[k].radius, std::isinf(point.up) ? "class=\"hollow\"" : "",
+                  "<title>" + escaped(point.title) + "</title>") +
+          "\n";
+    }
+    text += "</g>\n";
+  }
+  return text + "</svg>\n";
+}
+
+std::string legendOf(const Plot& plot) {
+  std::string text = "<ul class=\"legend\">";
+  for (std::size_t k = 0; k < plot.series.size(); ++k)
+    text += std::string("<li><svg viewBox=\"-8 -8 16 16\" width=\"14\" height=\"14\" fill=\"") +
+            seriesColour(k) + "\" aria-hidden=\"true\">" + svgMark(k, 0, 0, 5, "", "") + "</svg> " +
+            escaped(plot.series[k].name) + "</li>";
+  return text + "</ul>\n";
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plots of series of points over two axes, laid out once for pages (SVG) and windows
+// (chart/plot_painting). Lengths are SVG units, which are points on the screen.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/axis.h"
+#include "core/metrics/statistics.h"
+
+namespace hogelscope {
+
+struct Plot {
+  struct Point {
+    double across = 0;
+    double up = 0;  ///< infinite: identical, in a strip of its own above the others
+    std::string title;
+    std::size_t row = 0;  ///< of the table that the point is of
+    Interval interval{};  ///< drawn in plots with curves
+  };
+  struct Series {
+    std::string name;
+    std::vector<Point> points;
+    double radius = 4;  ///< of its marks
+  };
+
+  std::string titleAcross;
+  std::string titleUp;
+  std::array<double, 2> leastRange{};  ///< of the values across and up
+  bool hasCurves = false;              ///< the points of a series are joined
+  bool isLogarithmic = false;          ///< `across` is log10 of what its ticks say
+  std::vector<Series> series;
+};
+
+/// Where a plot lies: in `width` × `height`, with room for its titles below and at the right.
+struct PlotBox {
+  double width = 0;
+  double height = 0;
+  double below = 44;
+  double right = 16;
+};
+
+/// The axes of a plot in a box.
+struct PlotArea {
+  Axis across;
+  Axis up;
+  std::size_t count = 0;  ///< of the series
+  bool hasIdentical = false;
+
+  struct Place {
+    double x = 0;
+    double y = 0;
+  };
+  /// The identical points of different series lie side by side, since series share their x.
+  [[nodiscard]] Place placeOf(const Plot::Point& point, std::size_t series) const;
+};
+PlotArea areaOf(const Plot& plot, const PlotBox& box);
+/// The ticks of the horizontal axis; those without a text are minor.
+std::vector<Tick> ticksAcross(const Plot& plot, const Axis& across);
+std::vector<Tick> ticksUp(const Axis& up);
+
+/// Corners of a series' marks in radii, x and y in turn; empty for a circle.
+std::vector<double> markCorners(std::size_t series);
+
+/// The plot as an element `<svg>` of the class `style`.
+std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
+                  const std::string& label);
+/// The names of all series beside their marks.
+std::string legendOf(const Plot& plot);
+
+// Parts of SVG for figures of other kinds.
+
+/// A number with two digits after the point, as coordinates need.
+std::string coordinate(double value);
+/// `anchor`: start, middle, end.
+std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
+std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
+/// Grid, ticks, frame and titles around the area of the two axes; linear ticks where none are
+/// given.
+std::string svgFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
+                     const std::string& titleUp, std::vector<Tick> ticks = {});
+
+}  // namespace hogelscope
