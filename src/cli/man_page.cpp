@@ -4,6 +4,7 @@
 
 #include "cli/flags.h"
 #include "cli/jobs.h"
+#include "core/base/version.h"
 
 namespace hogelscope {
 
@@ -69,7 +70,8 @@ std::string examples() {
 std::string manPage() {
   std::string text =
       ".\\\" Made by hogelscope --help man\n"
-      ".TH HOGELSCOPE 1 \"\" \"Hogelscope " HOGELSCOPE_VERSION
+      ".TH HOGELSCOPE 1 \"\" \"Hogelscope " +
+      std::string(programVersion()) +
       "\" \"User Commands\"\n"
       ".SH NAME\nhogelscope \\- what a camera would see on a light field display\n"
       ".SH SYNOPSIS\n"

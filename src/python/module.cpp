@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Python extension module _hogelscope.
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "python/bindings.h"
 #include "python/stoppable.h"
 #include "sdk/hogelscope/plugin.h"
@@ -16,7 +17,7 @@ PYBIND11_MODULE(_hogelscope, module) {
   error.attr("__module__") = "hogelscope";
   error.attr("__doc__") =
       "Input that can be put right. The message is \"FILE: WHAT: WHY\", in the program's words.";
-  module.attr("version") = HOGELSCOPE_VERSION;
+  module.attr("version") = programVersion();
   module.attr("plugin_abi") = plugin::abi;
   waitAtExit();
   addDocuments(module);

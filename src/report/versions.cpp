@@ -2,12 +2,13 @@
 // The program's version and those of the libraries that figures come from.
 #include "report/versions.h"
 
+#include "core/base/version.h"
 #include "io/images/library_versions.h"
 
 namespace hogelscope {
 
 std::vector<Version> versions() {
-  return {{"Hogelscope", HOGELSCOPE_VERSION},
+  return {{"Hogelscope", programVersion()},
           {"OpenCV", openCvVersion()},
           {"OpenImageIO", openImageIoVersion()}};
 }

@@ -4,6 +4,7 @@
 
 #include "cli/help.h"
 #include "cli/jobs/all_jobs.h"
+#include "core/base/version.h"
 
 namespace hogelscope {
 
@@ -13,7 +14,7 @@ int runHelp(const CommandLine& line) {
 }
 
 int runVersion(const CommandLine& /*line*/) {
-  std::cout << "hogelscope " HOGELSCOPE_VERSION "\n";
+  std::cout << "hogelscope " << programVersion() << "\n";
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "gui/app/main_window.h"
 #include "gui/app/translations.h"
 #include "gui/scene/vtk_widget.h"
@@ -19,7 +20,7 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
                      "batch mode needs none, see --help");
   const QApplication application(argc, argv);
   QApplication::setApplicationName("Hogelscope");
-  QApplication::setApplicationVersion(HOGELSCOPE_VERSION);
+  QApplication::setApplicationVersion(programVersion());
   QApplication::setOrganizationName("Hogelscope");
   installTranslations();
   MainWindow window;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program's version, which only this file is compiled with.
+#include "core/base/version.h"
+
+namespace hogelscope {
+
+const char* programVersion() {
+  return HOGELSCOPE_VERSION;
+}
+
+}  // namespace hogelscope
