@@ -88,7 +88,7 @@ std::string overview() {
       "  hogelscope --info data/table1.json\n"
       "\n"
       "Jobs, of which a command line has one (LF: a light field, which is an image of hogels, a\n"
-      "quilt, a folder of views, or a store):\n";
+      "quilt, a mosaic, a folder of views, or a store):\n";
   for (const Job& job : jobs()) text += entry(job.name, job.value, job.help);
   for (const FlagGroup& group : flagGroups()) {
     text += "\n" + std::string(group.heading) + ":\n";

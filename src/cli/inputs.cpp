@@ -63,7 +63,7 @@ Session sessionAroundFile(const CommandLine& line) {
   warn(line, contradictionOf(used, around.order));
   if (!line.has("quiet") && !around.assumed.empty())
     printNote(line.text("session") + ": " + around.assumed);
-  if (!line.has("quiet") && used.layout == Layout::views)
+  if (!line.has("quiet") && isGridOfViews(used.layout))
     printNote(line.text("session") + ": rows " + nameOf(used.rows) + ", columns " +
               nameOf(used.columns) + " (" + nameOf(around.order.sureness) + "), shear " +
               numberText(used.shear[0]) + ", " + numberText(used.shear[1]));
@@ -77,7 +77,7 @@ Session checkedSession(const CommandLine& line, const std::optional<Calibration>
   checkLenslets(line, session);
   // Of many shards each would look at all views again; the run without a shard does.
   const bool isShard = line.mayHave("shard") && line.has("shard");
-  if (line.has("quiet") || isShard || session.lightField.layout != Layout::views) return session;
+  if (line.has("quiet") || isShard || !isGridOfViews(session.lightField.layout)) return session;
   ProgressBar bar("looking at the views", false);
   const LightFieldOrder order =
       findLightFieldOrder(session.lightField, session.display, bar.progress());

@@ -103,12 +103,13 @@ const std::vector<Job>& jobs() {
        .run = runPack},
       {.command = Command::exportAs,
        .name = "export",
-       .value = "hogels|views|quilt|pack",
+       .value = "hogels|views|quilt|mosaic|pack",
        .help = "Writes the session's light field, of any layout or live, as hogels (one image), "
-               "views (a folder), quilt or pack (a store).",
+               "views (a folder), quilt, mosaic (one image of all views) or pack (a store).",
        .details = "Values keep their type: 8 or 16 bits or floats, which need .exr or .tif. What a "
                   "live scene becomes gives the same pictures as the scene itself. Only a light "
-                  "field that is a store or live may be larger than memory for views and quilt. "
+                  "field that is a store or live may be larger than memory for views, quilt "
+                  "and mosaic. "
                   "After a stop pack goes on where it was.",
        .examples = "  hogelscope --export hogels --session live.json --output hogels.png\n"
                    "  hogelscope --export pack --session live.json --output store.tif\n"

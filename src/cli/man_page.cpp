@@ -89,7 +89,7 @@ std::string manPage() {
       "light\nfield, and camera states. Its parameters are listed by "
       "\\fBhogelscope \\-\\-help parameters\\fR.\n"
       ".PP\n"
-      "LF is a light field: an image of hogels, a quilt, a folder of views, or a store.\n"
+      "LF is a light field: an image of hogels, a quilt, a mosaic, a folder of views, or a store.\n"
       ".SH JOBS\nA command line has one of them. Options that it cannot do without stand beside "
       "it.\n";
   for (const Job& job : jobs()) text += jobEntry(job);

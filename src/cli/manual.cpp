@@ -96,6 +96,7 @@ std::string parameterManual() {
          table<DisplayParams>() + lightFieldTable(Layout::hogels, "lightField") +
          lightFieldTable(Layout::views, "lightField, layout views") +
          lightFieldTable(Layout::quilt, "lightField, layout quilt") +
+         lightFieldTable(Layout::mosaic, "lightField, layout mosaic") +
          lightFieldTable(Layout::lenslets, "lightField, layout lenslets") +
          lightFieldTable(Layout::hogels, "lightField, a file of raw YUV, in any of these layouts",
                          "NAME.yuv") +

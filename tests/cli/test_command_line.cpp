@@ -339,6 +339,10 @@ void TestCommandLine::infoHearsSettings_data() {
   row("a quilt", "scene.png",
       {"lightField.layout=quilt", "lightField.columns=5", "lightField.rows=3"},
       "layout      quilt of 5×3 views\nhogels      4×6\n", 0);
+  row("a mosaic", "scene.png", {"lightField.layout=mosaic", "display.directions=[5,3]"},
+      "layout      mosaic, 3 rows of 5 views\nhogels      4×6\ndirections  5×3\n", 0);
+  row("a mosaic of nobody knows how many", "scene.png", {"lightField.layout=mosaic"},
+      "scene.png: display.directions: is not given: how many views", 2);
   row("a folder", "v", {"lightField.pattern=a CC RR.png"}, "directions  2×1\n", 0);
   row("a folder's unknown one", "v", {"lightField.patern=a"},
       "v: lightField.patern: is not known here; did you mean \"pattern\"?", 2);

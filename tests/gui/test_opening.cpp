@@ -214,10 +214,49 @@ class TestOpening : public HabitsTest {
     QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
     QCOMPARE(field<QComboBox>("layout")->currentIndex(), int(Layout::quilt));
     QVERIFY(label("assumedLabel").contains("120×120 hogels of 20×1 directions"));
+    const auto columnsAre = [this](int columns, const char* said) {
+      field<QSpinBox>("columns")->setValue(columns);
+      QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+      QVERIFY2(label("assumedLabel").contains(said), qPrintable(label("assumedLabel")));
+    };
+    columnsAre(10, "60×120 hogels of 40×1 directions");
+    columnsAre(5, "120×120 hogels of 20×1 directions");
     QTest::mouseClick(openButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
     QCOMPARE(model().session().lightField.quiltColumns, 5);
     QCOMPARE(model().session().lightField.quiltRows, 4);
+    QCOMPARE(errors(), QString());
+  }
+
+  /// Asked, as a guess; another number of views is taken at once, and one number stands for both.
+  void aMosaic() {
+    const auto tiles = [](int px, int py, int c) {
+      const int column = px / 120, row = py / 120;
+      const int x = px % 120 + column, y = py % 120 + row;
+      const auto texture = [c](double s, double t) {
+        return 0.2 * std::sin(0.26 * s + 0.04 * t + c) + 0.2 * std::sin(0.23 * t - 0.07 * s);
+      };
+      const bool isNear = std::hypot(px % 120 + 3 * column - 60, py % 120 + 3 * row - 60) < 30;
+      return float(0.5 +
+                   (isNear ? texture(x + 2 * column + 9, 1.3 * (y + 2 * row)) : texture(x, y)));
+    };
+    writeImageFile(path("tiles.png"), 600, 480, tiles);
+    drop({path("tiles.png")});
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
+    QCOMPARE(field<QComboBox>("layout")->currentIndex(), int(Layout::mosaic));
+    QVERIFY(label("assumedLabel").contains("120×120 hogels of 5×4 directions"));
+    auto* across = field<QSpinBox>("directions.0");
+    QVERIFY(across != nullptr && across->isVisible());
+    across->setValue(10);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QVERIFY(label("assumedLabel").contains("60×120 hogels of 10×4"));
+    across->setValue(5);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    QVERIFY(label("assumedLabel").contains("120×120 hogels of 5×4"));
+    QTest::mouseClick(openButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+    QVERIFY(model().session().lightField.layout == Layout::mosaic);
+    QCOMPARE(model().session().display.directions, (std::array{5, 4}));
     QCOMPARE(errors(), QString());
   }
 

@@ -31,6 +31,10 @@ QByteArray quilt(const QByteArray& file, const QByteArray& more = {},
                .lightField = R"({"layout": "quilt", "file": ")" + file + "\"" + more + "}"});
 }
 
+QByteArray mosaic(const QByteArray& display) {
+  return text({.display = display, .lightField = R"({"layout": "mosaic", "file": "ok.png"})"});
+}
+
 float noise(int x, int y, int channel) {
   return float((x * 7919 + y * 104729 + channel * 1299709) % 251) / 250.0F;
 }
@@ -76,6 +80,8 @@ class TestBadLightFields : public QObject {
   void patterns() { checkReading(); }
   void quilts_data();
   void quilts() { checkReading(); }
+  void mosaics_data();
+  void mosaics() { checkReading(); }
   void rawPictures_data();
   void rawPictures() { checkReading(); }
   void everyBeginningOfAPgx();
@@ -245,7 +251,8 @@ void TestBadLightFields::patterns_data() {
 void TestBadLightFields::quilts_data() {
   refusalColumns();
   refused("does not divide", quilt("ok.png", R"(, "columns": 3, "rows": 3)"),
-          "ok.png: size: is 8×6 px, which does not divide into 3×3 views");
+          "ok.png: size: is 8×6 px, which does not divide into 3×3 views; mend lightField.columns "
+          "and rows");
   refused("neither columns nor suffix", quilt("ok.png"),
           "ok.png: lightField.columns: and rows are not given, and the file's name has no "
           "_qs{columns}x{rows}a{aspect}");
@@ -257,6 +264,17 @@ void TestBadLightFields::quilts_data() {
   refused("other directions",
           quilt("ok.png", R"(, "columns": 2, "rows": 3)", R"({"directions": [2, 3]})"),
           "display.directions: is 2×3, but the light field's file has 6×1");
+}
+
+void TestBadLightFields::mosaics_data() {
+  refusalColumns();
+  refused("does not divide", mosaic(R"({"directions": [4, 4]})"),
+          "ok.png: size: is 8×6 px, which does not divide into 4×4 views; mend display.directions");
+  refused("no directions", mosaic("{}"),
+          "ok.png: display.directions: is not given: how many views the picture has across and "
+          "down, such as [15,15]");
+  refused("other hogels", mosaic(R"({"directions": [4, 3], "hogels": [3, 2]})"),
+          "display.hogels: is 3×2, but the light field's file has 2×2");
 }
 
 /// PGX, raw YUV, and JPEG XL, which nothing here reads.

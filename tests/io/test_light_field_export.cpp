@@ -101,6 +101,11 @@ void TestLightFieldExport::readsBack() {
   QVERIFY(equal(views->read({}), whole));
   QVERIFY(views->type() == file->type());
 
+  const std::string mosaic = path(isReal ? "m.exr" : "m.png");
+  exportMosaic(*file, mosaic, {});
+  QVERIFY(equal(reopened(mosaic, Layout::mosaic, display)->read({}), whole));
+  QVERIFY(reopened(mosaic, Layout::mosaic, display)->type() == file->type());
+
   // From views to hogels, and over a store, whose rows do not come in order.
   exportHogels(*views, path(isReal ? "again.exr" : "again.png"), {});
   QVERIFY(
@@ -178,9 +183,11 @@ void TestLightFieldExport::stops() {
   const Progress stop = [](double) { return false; };
   QVERIFY_THROWS_EXCEPTION(Cancelled, exportHogels(*file, path("h.png"), stop));
   QVERIFY_THROWS_EXCEPTION(Cancelled, exportQuilt(*file, path("q.png"), stop));
+  QVERIFY_THROWS_EXCEPTION(Cancelled, exportMosaic(*file, path("m.png"), stop));
   QVERIFY_THROWS_EXCEPTION(Cancelled, exportViews(*file, path("v"), stop));
   QVERIFY(!QFile::exists(m_folder->filePath("h.png")) &&
-          !QFile::exists(m_folder->filePath("q.png")));
+          !QFile::exists(m_folder->filePath("q.png")) &&
+          !QFile::exists(m_folder->filePath("m.png")));
 }
 
 QTEST_APPLESS_MAIN(TestLightFieldExport)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests that hogel images and quilts of any format put each pixel at the right directional pixel.
+// Tests that hogel images, quilts and mosaics of any format put each pixel at the right directional
+// pixel.
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -83,6 +84,8 @@ class TestLightFieldFile : public QObject {
   void incomingFlipsBoth();
   void quilts_data();
   void quilts();
+  void mosaics_data();
+  void mosaics();
   void tilesFromName_data();
   void tilesFromName();
   void aspectFromName();
@@ -220,6 +223,44 @@ void TestLightFieldFile::quilts() {
   QVERIFY(lightField.size() == expectedSize);
   const auto expected = [incoming](const TexelIndex& at) {
     return colourOf({at.i, at.j, incoming ? quiltColumns * quiltRows - 1 - at.u : at.u, 0});
+  };
+  QCOMPARE(firstWrong(lightField, expected, 0.5001), QString());
+}
+
+void TestLightFieldFile::mosaics_data() {
+  QTest::addColumn<bool>("isUp");
+  QTest::addColumn<bool>("isLeft");
+  QTest::addColumn<bool>("incoming");
+  for (const bool isUp : {false, true})
+    for (const bool isLeft : {false, true})
+      QTest::addRow("%d%d", isUp, isLeft) << isUp << isLeft << (isUp != isLeft);
+}
+
+/// Tile (u, v) of 4×3 px, counted from where `rows` and `columns` begin; the shear moves view u by
+/// a pixel for each direction, and leaves black behind it.
+void TestLightFieldFile::mosaics() {
+  QFETCH(const bool, isUp);
+  QFETCH(const bool, isLeft);
+  QFETCH(const bool, incoming);
+  LightFieldParams params = paramsOf("mosaic.png", incoming);
+  params.layout = Layout::mosaic;
+  params.rows = isUp ? RowOrder::bottomUp : RowOrder::topDown;
+  params.columns = isLeft ? ColumnOrder::rightLeft : ColumnOrder::leftRight;
+  params.shear = {1, 0};
+  writeImageFile("mosaic.png", size.nx * size.du, size.ny * size.dv,
+                 [&](int x, int y, int channel) {
+                   const int u = isLeft ? size.du - 1 - x / size.nx : x / size.nx;
+                   const int v = isUp ? size.dv - 1 - y / size.ny : y / size.ny;
+                   return channelOf(colourOf({x % size.nx, y % size.ny, u, v}), channel);
+                 });
+  DisplayParams display;
+  display.directions = {size.du, size.dv};
+  const LightField lightField = read(params, display);
+  QVERIFY(lightField.size() == size);
+  const auto expected = [incoming](TexelIndex at) {
+    if (incoming) at = {at.i, at.j, size.du - 1 - at.u, size.dv - 1 - at.v};
+    at.i -= at.u - 1;
+    return at.i < 0 || at.i >= size.nx ? Rgb{0, 0, 0} : colourOf(at);
   };
   QCOMPARE(firstWrong(lightField, expected, 0.5001), QString());
 }

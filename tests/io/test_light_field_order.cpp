@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the order of light fields' views: found for a folder, said against a session, mended.
+#include <QPainter>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -29,6 +30,20 @@ void writeGrid(const QString& folder, const GreyGrid& grid, const char* names = 
     for (int column = 0; column < grid.columns; ++column)
       writeGreyPicture(folder + "/" + QString::asprintf(names, row, column),
                        grid.view(row, column));
+}
+
+/// One picture of the grid's views.
+void writeTiles(const QString& file, const GreyGrid& grid) {
+  std::vector<GreyPicture> views;
+  for (int k = 0; k < grid.rows * grid.columns; ++k)
+    views.push_back(grid.view(k / grid.columns, k % grid.columns));
+  const auto [width, height, values] = views.front();
+  writeImageFile(file, width * grid.columns, height * grid.rows,
+                 [&, width = width, height = height](int x, int y, int) {
+                   const GreyPicture& view =
+                       views[std::size_t(y / height * grid.columns + x / width)];
+                   return float(view.values[std::size_t(y % height * width + x % width)]) / 255;
+                 });
 }
 
 LightFieldParams viewsIn(const QString& folder) {
@@ -240,16 +255,66 @@ class TestLightFieldOrder : public QObject {
 
   void aQuilt() {
     const GreyGrid grid = gridOf(randomScene(4, -2.5, 2.5), 1, 12, {false, true, false});
-    std::vector<GreyPicture> views;
-    for (int k = 0; k < 12; ++k) views.push_back(grid.view(0, k));
-    writeImageFile("q_qs4x3a1.png", 960, 540, [&](int x, int y, int) {
-      const GreyPicture& view = views[std::size_t((2 - y / 180) * 4 + x / 240)];
-      return float(view.values[std::size_t(y % 180 * 240 + x % 240)]) / 255;
-    });
+    writeTiles("q_qs4x3a1.png",
+               {3, 4, [&](int y, int x) { return grid.view(0, (2 - y) * 4 + x); }});
     const auto [session, order, note, hogels] = orderedSessionAround("q_qs4x3a1.png");
     QCOMPARE(order.sureness, Sureness::sure);
     QVERIFY(order.columns == ColumnOrder::rightLeft);
     QVERIFY(session.lightField.incoming);
+  }
+
+  void aMosaic_data() {
+    QTest::addColumn<bool>("isUp");
+    QTest::addColumn<bool>("isLeft");
+    for (const bool isUp : {false, true})
+      for (const bool isLeft : {false, true}) QTest::addRow("%d%d", isUp, isLeft) << isUp << isLeft;
+  }
+
+  /// One picture of many rows of cameras is no quilt, whatever its name says.
+  void aMosaic() {
+    QFETCH(const bool, isUp);
+    QFETCH(const bool, isLeft);
+    const GreyGrid grid = gridOf(randomScene(7, 1, 6), 5, 7, {isUp, isLeft, false});
+    for (const char* name : {"m.png", "m_qs7x5a1.png"}) writeTiles(name, grid);
+    const auto [session, order, note, hogels] = orderedSessionAround("m.png");
+    QVERIFY(session.lightField.layout == Layout::mosaic);
+    QCOMPARE(session.display.directions, (std::array{7, 5}));
+    QCOMPARE(hogels, Sureness::likely);
+    QCOMPARE(QByteArray::fromStdString(note),
+             QByteArray("a mosaic of 7×5 views, found by parallax along both axes"));
+    QCOMPARE(order.sureness, Sureness::sure);
+    QVERIFY((session.lightField.rows == RowOrder::bottomUp) == isUp);
+    QVERIFY((session.lightField.columns == ColumnOrder::rightLeft) == isLeft);
+    for (const double shear : session.lightField.shear)
+      QVERIFY(shear > 0.95 && shear < 6);  // half is background, at 1
+    QVERIFY(mendingOf(session.lightField, findLightFieldOrder(session.lightField, session.display))
+                .empty());
+    const OrderedSession named = orderedSessionAround("m_qs7x5a1.png");
+    QVERIFY(named.session.lightField.layout == Layout::quilt);
+    QCOMPARE(named.order.sureness, Sureness::unknown);
+    QCOMPARE(named.order.warnings.size(), std::size_t(1));
+    const std::string advice = "try lightField.layout=mosaic display.directions=[7,5]";
+    QVERIFY2(named.order.warnings[0].ends_with(advice), named.order.warnings[0].c_str());
+  }
+
+  void aMosaicThatNothingMends() {
+    writeTiles("m.png", gridOf(randomScene(7, 1, 6), 5, 7, {false, false, true}));
+    const auto [session, order, note, hogels] = orderedSessionAround("m.png");
+    QVERIFY(session.lightField.layout == Layout::mosaic);
+    QCOMPARE(order.sureness, Sureness::unknown);
+    QCOMPARE(order.warnings.size(), std::size_t(1));
+    QVERIFY(order.warnings[0].find("rows of tiles are columns") != std::string::npos);
+  }
+
+  /// Cameras of one row, tile after tile from the bottom left.
+  void aQuiltWithoutAName() {
+    const GreyGrid row = gridOf(randomScene(4, -2.5, 2.5), 1, 12);
+    writeTiles("q.png", {3, 4, [&](int y, int x) { return row.view(0, (2 - y) * 4 + x); }});
+    const auto [session, order, note, hogels] = orderedSessionAround("q.png");
+    QVERIFY(session.lightField.layout == Layout::quilt);
+    QCOMPARE(session.lightField.quiltColumns, 4);
+    QCOMPARE(session.lightField.quiltRows, 3);
+    QVERIFY(order.warnings.empty());
   }
 
   void documentForPrograms() {
@@ -291,6 +356,32 @@ class TestLightFieldOrder : public QObject {
       QVERIFY2(std::abs(shear - 5.6) < 0.4, qPrintable(QString::number(shear)));
   }
 
+  /// The same views as tiles of a picture; black in its corners, as those of a plenoptic camera.
+  void realMosaic() {
+    if (!QFileInfo::exists(data + "shop_13x13")) QSKIP("no ../shared/data/shop_13x13 here");
+    const QDir folder(data + "shop_13x13");
+    QImage mosaic(13 * 240, 13 * 160, QImage::Format_RGB32);
+    mosaic.fill(Qt::black);
+    QPainter painter(&mosaic);
+    for (const QString& name : folder.entryList({"Original Camera_*.jpg"})) {
+      // 1, 3 … 25 from the bottom right
+      const int row = 12 - (name.section('_', 1, 1).toInt() - 1) / 2;
+      const int column = 12 - (name.section('_', 2, 2).toInt() - 1) / 2;
+      if (std::hypot(row - 6, column - 6) < 7.5)
+        painter.drawImage(QRect(240 * column, 160 * row, 240, 160), QImage(folder.filePath(name)));
+    }
+    painter.end();
+    QVERIFY(mosaic.save("m.png"));
+    const auto [session, order, note, hogels] = orderedSessionAround("m.png");
+    QVERIFY(session.lightField.layout == Layout::mosaic);
+    QCOMPARE(session.display.directions, (std::array{13, 13}));
+    QVERIFY(order.sureness != Sureness::unknown && order.warnings.empty());
+    QVERIFY(session.lightField.rows == RowOrder::topDown);
+    QVERIFY(session.lightField.columns == ColumnOrder::leftRight);
+    for (const double shear : session.lightField.shear)
+      QVERIFY2(std::abs(shear - 5.6 / 4) < 0.2, qPrintable(QString::number(shear)));
+  }
+
   /// 4×8 tiles from the bottom left, taken from the left.
   void realQuilts() {
     if (!QFileInfo::exists(data + "quilt_kirurobo")) QSKIP("no ../shared/data/quilt_kirurobo here");
@@ -302,6 +393,7 @@ class TestLightFieldOrder : public QObject {
               .order;
       QVERIFY(order.sureness == Sureness::unknown || !order.found.incoming);
       QCOMPARE(order.sureness != Sureness::unknown, QByteArray(name) != "startup.png");
+      QVERIFY(!order.isLikeMosaic);
     }
   }
 

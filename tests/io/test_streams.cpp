@@ -80,6 +80,8 @@ void TestStreams::anyMemory_data() {
   sheared.shear = {1.2, -0.7};
   LightFieldParams turned = paramsOf("views", Layout::views, true);
   turned.rows = RowOrder::bottomUp;
+  LightFieldParams mosaic = paramsOf("a_qs11x9a1.png", Layout::mosaic, true);
+  mosaic.shear = {1.2, -0.7};
   const std::vector<std::pair<const char*, LightFieldParams>> all{
       {"hogels", paramsOf("a.png")},
       {"hogels, incoming", paramsOf("a.png", Layout::hogels, true)},
@@ -92,7 +94,8 @@ void TestStreams::anyMemory_data() {
       {"quilt, PNG of 16 bits", paramsOf("b_qs11x9a1.png", Layout::quilt)},
       {"quilt, JPEG", paramsOf("c_qs11x9a1.jpg", Layout::quilt)},
       {"quilt, TIFF", paramsOf("d_qs11x9a1.tif", Layout::quilt)},
-      {"quilt, EXR", paramsOf("e_qs11x9a1.exr", Layout::quilt)}};
+      {"quilt, EXR", paramsOf("e_qs11x9a1.exr", Layout::quilt)},
+      {"mosaic, sheared, incoming", mosaic}};
   const std::size_t hogelRow = 4 * size.width() * std::size_t(size.dv);
   for (const auto& [name, params] : all)
     for (const std::size_t rows : {1U, 3U, 8U, 20U, 100U})

@@ -147,7 +147,8 @@ class LightFields(FolderTest):
         self.assertEqual(views.shape, (3, 4, 10, 12, 3))
         self.assertGreater(len(np.unique(views)), 50)
         display = {"hogels": [12, 10], "directions": [4, 3]}
-        for layout, name in (("views", "v"), ("hogels", "h.png"), ("pack", "p.tif")):
+        for layout, name in (("views", "v"), ("mosaic", "m.png"), ("hogels", "h.png"),
+                             ("pack", "p.tif")):
             program("--export", layout, "--session", file, "--output", self.path(name))
             lf = hs.open(self.path(name), layout, display=display)
             self.assertSame(lf.array(), views)

@@ -19,28 +19,28 @@ int runExport(const CommandLine& line) {
   const Session session = loadSessionOf(line);
   keepSession(line, session);
   if (line.subject == "pack") return packContent(session, true, line);
-  const bool isHogels = line.subject == "hogels";
-  const bool isQuilt = line.subject == "quilt";
-  if (!isHogels && !isQuilt && line.subject != "views")
+  const auto isTo = [&line](const char* layout) { return line.subject == layout; };
+  const bool isQuilt = isTo("quilt");
+  if (!isTo("hogels") && !isTo("views") && !isQuilt && !isTo("mosaic"))
     throw InputError("--export",
-                     "\"" + line.subject + "\" is not one of hogels, views, quilt, pack");
+                     "\"" + line.subject + "\" is not one of hogels, views, quilt, mosaic, pack");
   const std::filesystem::path output = line.text("output");
   const auto file = openLightField(session.lightField, session.display);
   checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
   const QuiltTiles tiles = isQuilt ? quiltTilesFor(*file, output) : QuiltTiles{};
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
-  if (isHogels)
-    exportHogels(*file, output, bar.progress());
-  else if (isQuilt)
-    exportQuilt(*file, output, bar.progress());
-  else
-    exportViews(*file, output, bar.progress());
+  (isTo("hogels")  ? exportHogels
+   : isQuilt       ? exportQuilt
+   : isTo("views") ? exportViews
+                   : exportMosaic)(*file, output, bar.progress());
   bar.done();
   if (line.has("quiet")) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;
   if (isQuilt)
     std::cout << ", lightField.columns=" << tiles.columns << " lightField.rows=" << tiles.rows;
+  if (isTo("mosaic"))
+    std::cout << ", display.directions=[" << file->size().du << "," << file->size().dv << "]";
   std::cout << "\n";
   return 0;
 }

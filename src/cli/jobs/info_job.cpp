@@ -50,6 +50,11 @@ void printImage(std::ostream& out, const Session& around) {
       << " px, " << image.channels() << " channel(s), " << typeName(image.type(), image.bits())
       << "\n";
   const bool isQuilt = params.layout == Layout::quilt;
+  if (params.layout == Layout::mosaic) {
+    out << "layout      mosaic, " << around.display.directions[1] << " rows of "
+        << around.display.directions[0] << " views\n";
+    return printSize(out, around);
+  }
   if (params.layout == Layout::lenslets) {
     out << "layout      lenslets, "
         << (params.lenslets.grid == LensletGrid::square ? "a square" : "a hexagonal") << " grid\n";
@@ -270,7 +275,7 @@ void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& a
       << "found by    " << subject.order.reason << "\n";
   const bool isFound = !(params.viewingDistance > 0) && params.shear == subject.order.found.shear &&
                        subject.order.measured.middleMotion != std::array{0.0, 0.0};
-  if (params.layout == Layout::views)
+  if (isGridOfViews(params.layout))
     out << "shear       " << numberText(params.shear[0]) << ", " << numberText(params.shear[1])
         << " px/view" << (isFound ? ", which puts the middle depth on the panel" : "") << "\n";
   if (const DisplayParams& display = subject.session.display; params.viewingDistance > 0)

@@ -8,7 +8,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> layoutNames{"hogels",   "views", "quilt",
+constexpr std::array<std::string_view, 7> layoutNames{"hogels",   "views", "quilt", "mosaic",
                                                       "lenslets", "pack",  "live"};
 constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
@@ -79,18 +79,22 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
   v.group("lightField", "The display's content: a file and how it is laid out.");
   if (layout != Layout::live)
     v.field("file", file,
-            "Image (hogels, quilt, lenslets); folder or %-pattern of images, video or HDF5 file "
+            "Image (hogels, quilt, mosaic, lenslets); folder or %-pattern of images, video or HDF5 "
+            "file "
             "(views); store (pack); relative to the session.");
   v.field("layout", layout, layoutNames,
           "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
-          "picture taken through lenslets, a store of blocks; live: a 3-D scene, of which a view's "
+          "mosaic of views from several rows of cameras, a picture taken through lenslets, a store "
+          "of blocks; live: a 3-D scene, of which a view's "
           "rays are traced.");
   if (layout != Layout::live)
     v.field({"incoming", "Recorded looking in"}, incoming,
             "Directions were recorded looking into the scene: both u and v are flipped.");
-  if (layout == Layout::views) {
+  if (isGridOfViews(layout)) {
     v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
     v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
+  }
+  if (layout == Layout::views) {
     v.field("pattern", pattern,
             "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
             "a coordinate, * anything. Empty: the known ones are tried, then the largest series of "
@@ -101,10 +105,11 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
     v.field("scan", scan, scanNames,
             "How one running number, a video's frames too, counts the views: every row from its "
             "first column, or every second one from its last.");
+  }
+  if (isGridOfViews(layout))
     v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
             "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
             "by whole pixels, rounded.");
-  }
   v.field(
       "viewingDistance", viewingDistance, {1e-6, 1e6, 0.01, true}, "m",
       "Distance before the panel of the plane on which the views' cameras stood, each looking at "

@@ -22,7 +22,7 @@
 
 namespace hogelscope {
 
-enum class Layout { hogels, views, quilt, lenslets, pack, live };
+enum class Layout { hogels, views, quilt, mosaic, lenslets, pack, live };
 /// The stored type of a live light field's texels.
 enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
@@ -52,6 +52,11 @@ struct LightFieldParams {
   LiveParams live;        ///< of any source
   bool operator==(const LightFieldParams&) const = default;
 };
+
+/// Whether a layout's parameters say the order and shear of a grid of views.
+constexpr bool isGridOfViews(Layout layout) {
+  return layout == Layout::views || layout == Layout::mosaic;
+}
 
 /// Visits only the fields that the layout has, and those of raw YUV for its files alone; `content`
 /// and `live` are an object of their own, named after the source.

@@ -80,8 +80,8 @@ QWidget* HomePage::makeActions(const Ui::MainWindow& ui) {
        {ui.openLightFieldAction, ui.openFolderAction, ui.openAction, ui.newAction})
     layout->addWidget(buttonFor(action));
   auto* hint =
-      new QLabel(tr("Or drop files here: a hogel image, a quilt, a folder of views, a "
-                    "store, a mesh, a session."));
+      new QLabel(tr("Or drop files here: a hogel image, a quilt, a mosaic, a folder of "
+                    "views, a store, a mesh, a session."));
   hint->setWordWrap(true);
   layout->addWidget(hint);
   layout->addStretch();

@@ -45,7 +45,7 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   m_contents->setWordWrap(true);
   m_contents->setMargin(9);
   auto* fileButton = button("chooseFileButton", tr("Choose &file…"),
-                            tr("Another picture: hogels, or a quilt of views"));
+                            tr("Another picture: hogels, or tiles of views"));
   auto* folderButton = button("chooseFolderButton", tr("Choose f&older…"),
                               tr("Another folder of views (sub-aperture pictures)"));
   connect(fileButton, &QPushButton::clicked, this, &LightFieldDock::askFile);
@@ -115,7 +115,7 @@ void LightFieldDock::choose(const QString& file) {
   if (isMeshFile(file.toStdString())) return chooseMesh(file);
   Session content = m_model->session();
   content.lightField = withFile(content.lightField, file.toStdString());
-  if (content.lightField.layout == Layout::views) return chooseViews(content.lightField);
+  if (isGridOfViews(content.lightField.layout)) return chooseViews(content.lightField);
   m_model->setContent(content);
 }
 

@@ -131,7 +131,7 @@ void FileCommands::take(const QString& file, const Opening& opening) {
   rememberFolderOf(file);
   const LightFieldParams& used = around.session.lightField;
   if (!around.assumed.empty()) Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
-  if (used.layout == Layout::views)
+  if (isGridOfViews(used.layout))
     Q_EMIT done(
         tr("%1: rows %2, columns %3 (%4)")
             .arg(file, nameOf(used.rows), nameOf(used.columns), nameOf(around.order.sureness)));
@@ -142,7 +142,7 @@ void FileCommands::take(const QString& file, const Opening& opening) {
 void FileCommands::checkOrder(const QString& file) {
   const Session& session = m_model->session();
   const bool isLenslets = session.lightField.layout == Layout::lenslets;
-  if (!isLenslets && session.lightField.layout != Layout::views) return;
+  if (!isLenslets && !isGridOfViews(session.lightField.layout)) return;
   m_task->start([this, file, isLenslets, lightField = session.lightField,
                  display = session.display](const Progress& progress) -> Task::Answer {
     std::vector<std::string> lines;

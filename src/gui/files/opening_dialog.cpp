@@ -179,7 +179,7 @@ void OpeningDialog::showProblem(const QString& problem) {
 void OpeningDialog::showFields() {
   const Layout layout = m_shown.lightField.layout;
   m_display->hideField("hogels", layout != Layout::hogels);
-  m_display->hideField("directions", layout != Layout::hogels && layout != Layout::views);
+  m_display->hideField("directions", layout != Layout::hogels && !isGridOfViews(layout));
   m_lightField->refresh();
   m_display->refresh();
 }

@@ -53,9 +53,13 @@ bool hasPictures(const std::string& file) {
   return std::ranges::any_of(files, isPicture);
 }
 
+bool isOfTiles(Layout layout) {
+  return layout == Layout::quilt || layout == Layout::mosaic;
+}
+
 /// Whether the light field is one picture that ImageFile reads.
 bool isOnePicture(const LightFieldParams& params) {
-  return params.layout == Layout::hogels || params.layout == Layout::quilt ||
+  return params.layout == Layout::hogels || isOfTiles(params.layout) ||
          params.layout == Layout::lenslets;
 }
 
@@ -111,7 +115,9 @@ class Assumptions {
       case Layout::views:
         return isFolder(m_used.file) ? "a folder of pictures" : "frames of one file";
       case Layout::quilt:
-        return isNamedQuilt() ? "the file's name" : "a few large tiles, by their borders";
+        return isNamedQuilt() ? "the file's name" : "a few large tiles";
+      case Layout::mosaic:
+        return "a few large tiles with parallax along both axes";
       case Layout::hogels:
         return m_opening.around.hogels == Sureness::unknown
                    ? "no borders of hogels stand out in the picture"
@@ -142,10 +148,10 @@ class Assumptions {
           m_used.layout == Layout::views      ? "size and number of the pictures"
           : m_used.layout == Layout::lenslets ? "a regular grid of lenslets in the picture"
           : isNamed                           ? "the file's name"
-          : m_used.layout == Layout::quilt    ? "borders of tiles in the picture"
+          : isOfTiles(m_used.layout)          ? "tiles in the picture"
                                               : "the file says it",
           m_opening.around.hogels,
-          m_used.layout == Layout::views   ? "display.directions"
+          isGridOfViews(m_used.layout)     ? "display.directions"
           : m_used.layout == Layout::quilt ? "lightField.columns"
                                            : "");
     }
@@ -155,7 +161,7 @@ class Assumptions {
     const LightFieldOrder& order = m_opening.around.order;
     const AssumedOrder assumed = assumedOrder(m_used, m_opening.size, order);
     const std::string contradiction = contradictionOf(m_used, order);
-    const bool isViews = m_used.layout == Layout::views;
+    const bool isViews = isGridOfViews(m_used.layout);
     const bool isFound = order.sureness != Sureness::unknown;
     Assumption entry{
         "Order",
@@ -217,6 +223,15 @@ void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
     if (!shown.contains(key) || shown[key] != value) said[field(key)] = value.dump();
   for (const auto& [key, value] : shown.items())
     if (!edited.contains(key)) said.erase(field(key));  // to be found again
+}
+
+/// What is said of tiles that were guessed holds for their layout alone, and for all their numbers.
+void sayTiles(SaidFields& said, const LightFieldParams& params) {
+  const Json fields = lightFieldJson(params);
+  said["lightField.layout"] = fields["layout"].dump();
+  if (params.layout == Layout::quilt && params.quiltColumns > 0 && params.quiltRows > 0)
+    for (const char* name : {"columns", "rows"})
+      said[std::string("lightField.") + name] = fields[name].dump();
 }
 
 /// How often one goes into the other; one that does not go into it is refused when it is read.
@@ -293,11 +308,16 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
   const Json layout = lightFieldJson(edited.lightField)["layout"];
   if (edited.lightField.layout != shown.lightField.layout)
     return {{"lightField.layout", layout.dump()}};
+  if (edited.lightField.layout == Layout::mosaic) {
+    auto& [u, v] = edited.display.directions;
+    if (u <= 0 || v <= 0) u = v = std::max(u, v);
+  }
   if (edited.lightField.layout == Layout::hogels && picture[0] > 0)
     edited.display = completed(edited.display, shown.display, picture);
   sayChanges(said, "lightField", lightFieldJson(shown.lightField),
              lightFieldJson(edited.lightField));
   sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
+  if (isOfTiles(edited.lightField.layout)) sayTiles(said, edited.lightField);
   return said;
 }
 

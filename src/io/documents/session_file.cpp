@@ -15,6 +15,7 @@
 #include "io/layouts/capture_geometry.h"
 #include "io/layouts/view_layouts.h"
 #include "io/order/hogel_grid.h"
+#include "io/order/tile_grid.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
@@ -344,6 +345,7 @@ bool canBeOpened(const Session& session) {
   const LightFieldParams& lightField = session.lightField;
   if (lightField.layout == Layout::quilt)
     return lightField.quiltColumns > 0 || quiltTilesFromName(lightField.file)[0] > 0;
+  if (lightField.layout == Layout::mosaic) return session.display.directions[0] > 0;
   return lightField.layout != Layout::hogels ||
          (session.display.hogels[0] > 0 && session.display.directions[0] > 0);
 }
@@ -359,29 +361,59 @@ bool isLikeQuilt(const HogelGrid& grid) {
          std::ranges::min(grid.directions) >= leastPixels;
 }
 
-/// Puts what a picture shows of its hogels, or a quilt's views, into the session; says so. The
+/// Puts a quilt's or a mosaic's number of views into the session.
+void takeTiles(OrderedSession& result, const std::array<int, 2>& tiles, const std::string& how) {
+  const bool isMosaic = result.session.lightField.layout == Layout::mosaic;
+  if (isMosaic) {
+    result.session.display.directions = tiles;
+  } else {
+    result.session.lightField.layout = Layout::quilt;
+    result.session.lightField.quiltColumns = tiles[0];
+    result.session.lightField.quiltRows = tiles[1];
+  }
+  result.hogels = Sureness::likely;
+  result.assumed =
+      (isMosaic ? "a mosaic of " : "a quilt of ") + pairText(tiles) + " views, found by " + how;
+}
+
+/// Puts what a picture shows of its hogels, or of tiles of views, into the session; says so. The
 /// layout may be another one unless it is given.
 void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
-  LightFieldParams& lightField = result.session.lightField;
+  const LightFieldParams& lightField = result.session.lightField;
+  const bool isTiled = lightField.layout == Layout::quilt || lightField.layout == Layout::mosaic;
   ImageFile image{fs::path(lightField.file), lightField.yuv};
-  const std::optional<HogelGrid> grid = findHogelGrid(image, progress);
   result.hogels = Sureness::unknown;
+  if (isTiled || !isLayoutGiven)
+    if (const auto tiles = findTileGrid(image, part(progress, 0, 0.5)))
+      return takeTiles(result, *tiles, "how alike they are");
+  const std::optional<HogelGrid> grid = findHogelGrid(image, part(progress, 0.5, 1));
   if (!grid) return;
-  const std::string where = ", found by their borders in the picture";
+  const std::string how = "their borders in the picture";
+  if (isTiled || (!isLayoutGiven && isLikeQuilt(*grid)))
+    return takeTiles(result, grid->hogels, how);
   constexpr double clear = 8;  // standard errors
   result.hogels = grid->standOut >= clear ? Sureness::sure : Sureness::likely;
-  if (lightField.layout == Layout::quilt || (!isLayoutGiven && isLikeQuilt(*grid))) {
-    lightField.layout = Layout::quilt;
-    lightField.quiltColumns = grid->hogels[0];
-    lightField.quiltRows = grid->hogels[1];
-    result.hogels = Sureness::likely;
-    result.assumed = "a quilt of " + pairText(grid->hogels) + " views" + where;
-    return;
-  }
   result.session.display.hogels = grid->hogels;
   result.session.display.directions = grid->directions;
-  result.assumed =
-      pairText(grid->hogels) + " hogels of " + pairText(grid->directions) + " directions" + where;
+  result.assumed = pairText(grid->hogels) + " hogels of " + pairText(grid->directions) +
+                   " directions, found by " + how;
+}
+
+/// Tiles that were taken for a quilt's, but show vertical parallax.
+void takeForMosaic(OrderedSession& result, Session& said, const Progress& progress) {
+  LightFieldParams& lightField = result.session.lightField;
+  const std::array tiles{std::exchange(lightField.quiltColumns, 0),
+                         std::exchange(lightField.quiltRows, 0)};
+  lightField.layout = Layout::mosaic;
+  takeTiles(result, tiles, "parallax along both axes");
+  said.lightField = lightField;
+  said.display.directions = tiles;
+  result.order = findLightFieldOrder(lightField, said.display, progress);
+}
+
+bool isLayoutGiven(const std::vector<std::string>& overrides) {
+  return std::ranges::any_of(
+      overrides, [](const std::string& text) { return text.starts_with("lightField.layout="); });
 }
 
 /// `given` may say how many directions the views of one running number have.
@@ -447,22 +479,22 @@ OrderedSession orderedSessionAround(const std::string& file,
   } else {
     Session said = overridden(session, overrides);  // which may say how to read it
     session.lightField = said.lightField;
+    const bool isGuessed = !canBeOpened(said) && !isLayoutGiven(overrides);
     if (!canBeOpened(said)) {
-      const bool isLayoutGiven = std::ranges::any_of(overrides, [](const std::string& text) {
-        return text.starts_with("lightField.layout=");
-      });
-      findHogels(result, isLayoutGiven, part(progress, 0, 0.5));
+      findHogels(result, !isGuessed, part(progress, 0, 0.5));
       said.lightField = session.lightField;
       said.display.hogels = session.display.hogels;
       said.display.directions = session.display.directions;
     }
-    const bool isHogels = session.lightField.layout == Layout::hogels;
     if (canBeOpened(said)) {
-      result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.5, 1));
+      result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.5, 0.8));
+      if (result.order.isLikeMosaic && isGuessed)
+        takeForMosaic(result, said, part(progress, 0.8, 1));
       session.lightField = result.order.found;
     }
     session.display = displayAround(session.lightField, said.display);
-    if (isHogels) {
+    const Layout layout = session.lightField.layout;
+    if (layout == Layout::hogels || layout == Layout::mosaic) {
       session.display.hogels = said.display.hogels;
       session.display.directions = said.display.directions;
     }
@@ -478,7 +510,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   session = overridden(session, overrides);
   const bool isOrderGiven = session.lightField.rows != result.order.found.rows ||
                             session.lightField.columns != result.order.found.columns;
-  if (session.lightField.layout == Layout::views && isOrderGiven) {
+  if (isGridOfViews(session.lightField.layout) && isOrderGiven) {
     session.lightField = withOrderOf(session.lightField, result.order);
     session = overridden(session, overrides);
   }

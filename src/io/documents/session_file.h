@@ -46,9 +46,9 @@ Session newSession();
 /// Makes a session around a light field: an image, a quilt by its name, a folder of views, or a
 /// mesh, which is read. The display has its shape; one state is in front of it. Views get the order
 /// and shear that their pictures say, unless the overrides do. Of a hogel image the hogels and
-/// directions are found in the picture, or remain to be given; a few large tiles are a quilt's. A
-/// store has its display. `overrides`
-/// as above. Throws InputError, or Cancelled while a mesh is read or views are looked at.
+/// directions are found in the picture, or remain to be given; a few large tiles are those of a
+/// quilt or a mosaic. A store has its display. `overrides` as above. Throws InputError, or
+/// Cancelled while a mesh is read or views are looked at.
 Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
                       const Progress& progress = {});
 

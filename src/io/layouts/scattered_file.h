@@ -51,6 +51,14 @@ class ScatteredFile : public LightFieldFile {
   }
 };
 
+/// Returns the parameters with the views as they lie in the file: the usual order, no shear.
+inline LightFieldParams withoutOrder(LightFieldParams params) {
+  params.rows = RowOrder::topDown;
+  params.columns = ColumnOrder::leftRight;
+  params.shear = {0, 0};
+  return params;
+}
+
 /// Returns where pixel (x, y) of the view in this row and column of the grid goes within hogel rows
 /// [begin, begin + rows): its texel, or none.
 inline auto placeOfView(const LightFieldParams& params, const LightFieldSize& size, int row,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layouts "views" and "quilt": images of the same direction of all hogels.
+// Layouts "views", "quilt" and "mosaic": images of the same direction of all hogels.
 #include "io/layouts/view_layouts.h"
 
 #include <algorithm>
@@ -72,25 +72,23 @@ class ViewsFolder : public ScatteredFile {
   LightFieldSize m_size;
 };
 
-/// One row of views from the left; the image has them row by row from the bottom left.
-class QuiltImage : public ScatteredFile {
+/// One image of views as tiles.
+class TiledImage : public ScatteredFile {
  public:
-  explicit QuiltImage(const LightFieldParams& params)
-      : m_params(params), m_image(params.file, params.yuv) {
-    const auto [columns, rows] = quiltTilesFromName(params.file);
-    m_columns = params.quiltColumns > 0 ? params.quiltColumns : columns;
-    m_rows = params.quiltRows > 0 ? params.quiltRows : rows;
-    if (m_columns < 1 || m_rows < 1)
-      throw InputError(
-          params.file, "lightField.columns",
-          "and rows are not given, and the file's name has no _qs{columns}x{rows}a{aspect}");
-    const auto tilesX = std::size_t(m_columns);
-    const auto tilesY = std::size_t(m_rows);
-    if (m_image.width() % tilesX != 0 || m_image.height() % tilesY != 0)
+  /// As many tiles across and down.
+  TiledImage(const LightFieldParams& params, const std::array<int, 2>& tiles)
+      : m_params(params), m_image(params.file, params.yuv), m_columns(tiles[0]), m_rows(tiles[1]) {
+    const bool isQuilt = params.layout == Layout::quilt;
+    const auto across = std::size_t(m_columns);
+    const auto down = std::size_t(m_rows);
+    if (m_image.width() % across != 0 || m_image.height() % down != 0)
       throw InputError(params.file, "size",
                        "is " + pixels(m_image.width(), m_image.height()) +
-                           " px, which does not divide into " + pixels(tilesX, tilesY) + " views");
-    m_size = {int(m_image.width() / tilesX), int(m_image.height() / tilesY), m_columns * m_rows, 1};
+                           " px, which does not divide into " + pixels(across, down) +
+                           " views; mend " +
+                           (isQuilt ? "lightField.columns and rows" : "display.directions"));
+    m_size = {int(m_image.width() / across), int(m_image.height() / down),
+              isQuilt ? m_columns * m_rows : m_columns, isQuilt ? 1 : m_rows};
   }
 
   [[nodiscard]] StoredType type() const override { return m_image.type(); }
@@ -101,21 +99,32 @@ class QuiltImage : public ScatteredFile {
   [[nodiscard]] LightField readBand(int begin, int end, const Progress& progress) override {
     LightField lightField = blankLightField({m_size.nx, end - begin, m_size.du, m_size.dv},
                                             m_image.type(), m_params.file, packIt);
-    const auto target = [&](int x, int y) -> std::optional<TexelIndex> {
-      const int j = y % m_size.ny;
-      if (j < begin || j >= end) return std::nullopt;
-      const int rowFromBottom = m_rows - 1 - y / m_size.ny;
-      return TexelIndex{x % m_size.nx, j - begin, rowFromBottom * m_columns + x / m_size.nx, 0};
+    const auto placeOf = [&](const std::array<int, 2>& view) {
+      return placeOfView(m_params, m_size, view[0], view[1], begin, end - begin);
+    };
+    std::array<int, 2> tile{0, 0};
+    std::optional place(placeOf(viewOn(0, 0)));
+    const auto target = [&](int x, int y) {
+      const std::array own{y / m_size.ny, x / m_size.nx};
+      if (own != tile) place.emplace(placeOf(viewOn(own[0], own[1])));
+      tile = own;
+      return (*place)(x % m_size.nx, y % m_size.ny);
     };
     readTexels(m_image, m_image.type(), lightField, m_params.incoming, target, progress);
     return lightField;
   }
 
  private:
+  /// The row and column of the view on a tile: a quilt has one row, from its bottom left tile on.
+  [[nodiscard]] std::array<int, 2> viewOn(int row, int column) const {
+    if (m_params.layout == Layout::mosaic) return {row, column};
+    return {0, (m_rows - 1 - row) * m_columns + column};
+  }
+
   LightFieldParams m_params;
   ImageFile m_image;
-  int m_columns = 0;
-  int m_rows = 0;
+  int m_columns;
+  int m_rows;
   LightFieldSize m_size;
 };
 
@@ -128,7 +137,24 @@ std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
 }
 
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params) {
-  return std::make_unique<QuiltImage>(params);
+  auto [columns, rows] = quiltTilesFromName(params.file);
+  if (params.quiltColumns > 0) columns = params.quiltColumns;
+  if (params.quiltRows > 0) rows = params.quiltRows;
+  if (columns < 1 || rows < 1)
+    throw InputError(
+        params.file, "lightField.columns",
+        "and rows are not given, and the file's name has no _qs{columns}x{rows}a{aspect}");
+  return std::make_unique<TiledImage>(withoutOrder(params), std::array{columns, rows});
+}
+
+std::unique_ptr<LightFieldFile> openMosaic(const LightFieldParams& params,
+                                           const DisplayParams& display) {
+  const auto [across, down] = display.directions;
+  if (across < 1 || down < 1)
+    throw InputError(params.file, "display.directions",
+                     "is not given: how many views the picture has across and down, such as "
+                     "[15,15]");
+  return std::make_unique<TiledImage>(params, display.directions);
 }
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layouts "views" and "quilt": images of one direction of all hogels.
+// Layouts "views", "quilt" and "mosaic": images of one direction of all hogels.
 #pragma once
 
 #include <array>
@@ -15,8 +15,14 @@ namespace hogelscope {
 std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
                                           const DisplayParams& display);
 
-/// Opens one image of a row of views. Throws InputError that names it.
+/// Opens one image of a row of views, as tiles row by row from the bottom left. Throws InputError
+/// that names it.
 std::unique_ptr<LightFieldFile> openQuilt(const LightFieldParams& params);
+
+/// Opens one image of a grid of views, as many tiles as the display has directions, in the order of
+/// the parameters. Throws InputError that names it.
+std::unique_ptr<LightFieldFile> openMosaic(const LightFieldParams& params,
+                                           const DisplayParams& display);
 
 /// Returns the columns and rows in a quilt's name (…_qs8x6a0.75.png); 0 if there are none.
 std::array<int, 2> quiltTilesFromName(const std::string& file);

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
+#include "io/layouts/scattered_file.h"
 #include "io/layouts/view_files.h"
 #include "io/layouts/view_sequences.h"
 #include "io/scene/scene.h"
@@ -82,45 +83,41 @@ GreyPicture tileOf(const GreyPicture& image, int width, int height, int column, 
   return tile;
 }
 
-/// One row of views, from the bottom left tile on.
-GreyViews viewsOfQuilt(const LightFieldParams& params, const LightFieldSize& size,
+/// A mosaic's grid, or a quilt's one row of views, from the bottom left tile on.
+GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& size,
                        const Progress& progress) {
   const auto image =
       std::make_shared<const GreyPicture>(readGrey(params.file, params.yuv, progress));
   const int columns = image->width / size.nx;
   const int rows = image->height / size.ny;
-  return {{1, size.du,
-           [=](int, int view) {
-             return tileOf(*image, size.nx, size.ny, view % columns, rows - 1 - view / columns);
-           }},
-          {},
-          {},
-          {},
-          {},
-          {}};
+  GreyViews views;
+  views.grid = {rows, columns,
+                [=](int row, int column) { return tileOf(*image, size.nx, size.ny, column, row); }};
+  if (params.layout == Layout::mosaic) return views;
+  views.tiles = views.grid;
+  views.grid = {1, size.du, [=, tile = views.grid.view](int, int view) {
+                  return tile(rows - 1 - view / columns, view % columns);
+                }};
+  return views;
 }
 
 /// Of a light field that is read whole.
 GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
   const auto lightField = std::make_shared<const LightField>(file.read(progress));
   const LightFieldSize size = lightField->size();
-  return {{size.dv, size.du,
-           [lightField, size](int v, int u) {
-             GreyPicture picture{size.nx, size.ny, {}};
-             for (int j = 0; j < size.ny; ++j)
-               for (int i = 0; i < size.nx; ++i) {
-                 const Rgb colour = lightField->texel({i, j, u, v});
-                 const std::array rgb{float(colour.r / 255), float(colour.g / 255),
-                                      float(colour.b / 255)};
-                 picture.values.push_back(greyOf(rgb.data()));
-               }
-             return picture;
-           }},
-          {},
-          {},
-          {},
-          {},
-          {}};
+  GreyViews views;
+  views.grid = {size.dv, size.du, [lightField, size](int v, int u) {
+                  GreyPicture picture{size.nx, size.ny, {}};
+                  for (int j = 0; j < size.ny; ++j)
+                    for (int i = 0; i < size.nx; ++i) {
+                      const Rgb colour = lightField->texel({i, j, u, v});
+                      const std::array rgb{float(colour.r / 255), float(colour.g / 255),
+                                           float(colour.b / 255)};
+                      picture.values.push_back(greyOf(rgb.data()));
+                    }
+                  return picture;
+                }};
+  return views;
 }
 
 }  // namespace
@@ -130,16 +127,14 @@ std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const Displ
   if (params.layout == Layout::live) return std::nullopt;
   if (params.layout == Layout::views && !isViewSequence(params.file))
     return viewsOfFolder(params, display);
-  LightFieldParams asStored = params;
+  LightFieldParams asStored = withoutOrder(params);
   asStored.incoming = false;
-  asStored.rows = RowOrder::topDown;
-  asStored.columns = ColumnOrder::leftRight;
-  asStored.shear = {};
   const auto file = openLightField(asStored, display);
   const LightFieldSize size = file->size();
   constexpr double mostPixels = 3e8;  // a few seconds
   if (double(size.width()) * double(size.height()) > mostPixels) return std::nullopt;
-  if (params.layout == Layout::quilt) return viewsOfQuilt(params, size, progress);
+  if (params.layout == Layout::quilt || params.layout == Layout::mosaic)
+    return viewsOfTiles(params, size, progress);
   if (!fitsInMemory(*file, allowedMemory())) return std::nullopt;
   return viewsInMemory(*file, progress);
 }

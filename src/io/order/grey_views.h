@@ -22,6 +22,8 @@ struct GreyViews {
   /// it.
   std::optional<std::array<double, 2>> columnsFromTo;
   std::optional<std::array<double, 2>> rowsFromTo;
+  /// Of a quilt: its tiles as they lie in the picture.
+  std::optional<GreyGrid> tiles;
   std::string missing;  ///< names the missing views for the user; "" if all are there
 };
 

@@ -44,7 +44,7 @@ struct Order {
 /// The order that a session's parameters say of the files.
 Order orderSaidBy(const LightFieldParams& params) {
   Order order;
-  if (params.layout == Layout::views) order = {params.rows, params.columns};
+  if (isGridOfViews(params.layout)) order = {params.rows, params.columns};
   if (params.incoming) order = {reversed(order.rows), reversed(order.columns)};
   return order;
 }
@@ -179,7 +179,7 @@ class Finding {
     m_result.sureness = judgement.sureness();
     m_result.reason = judgement.reason();
     if (!views.missing.empty()) m_result.warnings.push_back(views.missing);
-    params.layout == Layout::views ? sayViews() : sayDirections();
+    isGridOfViews(params.layout) ? sayViews() : sayDirections();
   }
 
   LightFieldOrder result() && { return std::move(m_result); }
@@ -206,6 +206,12 @@ class Finding {
       return true;
     }
     m_result.sureness = Sureness::unknown;
+    if (m_result.found.layout == Layout::mosaic) {
+      m_result.warnings.push_back(
+          "lightField: rows of tiles are columns of cameras, which no parameter of the layout "
+          "mends: write the picture anew");
+      return false;
+    }
     if (m_views.grid.rows == 1) {
       m_result.warnings.push_back(
           "display.directions: the views stood one above the other: give [1," +
@@ -242,6 +248,18 @@ class Finding {
   LightFieldOrder m_result;
 };
 
+/// A quilt that is none.
+LightFieldOrder likeMosaic(const LightFieldParams& params, const GreyGrid& tiles) {
+  LightFieldOrder order;
+  order.found = params;
+  order.isLikeMosaic = true;
+  order.reason = "content moves up or down between tiles, which a quilt's does not";
+  order.warnings.push_back("lightField.layout: " + order.reason +
+                           "; try lightField.layout=mosaic display.directions=[" +
+                           std::to_string(tiles.columns) + "," + std::to_string(tiles.rows) + "]");
+  return order;
+}
+
 }  // namespace
 
 LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const DisplayParams& display,
@@ -258,7 +276,9 @@ LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const Displa
     order.reason = "the light field is too large to look at";
     return order;
   }
-  const ViewOrder measured = findViewOrder(views->grid, part(progress, 0.3, 1));
+  if (views->tiles && hasVerticalParallax(findViewOrder(*views->tiles, part(progress, 0.3, 0.6))))
+    return likeMosaic(params, *views->tiles);
+  const ViewOrder measured = findViewOrder(views->grid, part(progress, 0.6, 1));
   return Finding(params, *views, measured).result();
 }
 
@@ -266,7 +286,7 @@ LightFieldParams withOrderOf(const LightFieldParams& used, const LightFieldOrder
   LightFieldParams params = order.found;
   params.rows = used.rows;
   params.columns = used.columns;
-  if (params.layout == Layout::views) params.shear = shearOf(params, order.measured);
+  if (isGridOfViews(params.layout)) params.shear = shearOf(params, order.measured);
   return params;
 }
 

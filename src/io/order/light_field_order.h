@@ -23,6 +23,8 @@ struct LightFieldOrder {
   std::string reason;                 ///< what the order was found by, or why it was not
   std::vector<std::string> warnings;  ///< what no parameter of the layout can mend, and the like
   ViewOrder measured;
+  /// Of a quilt: its tiles show vertical parallax, as a mosaic's do.
+  bool isLikeMosaic = false;
 };
 
 /// Looks at some of the views. Throws InputError as openLightField() does, or Cancelled.

@@ -14,6 +14,8 @@ const char* nameOf(Layout layout) {
       return "views";
     case Layout::quilt:
       return "quilt";
+    case Layout::mosaic:
+      return "mosaic";
     case Layout::lenslets:
       return "lenslets";
     case Layout::pack:
@@ -41,14 +43,14 @@ Json written(const FoundLenslets& lenslets) {
 AssumedOrder assumedOrder(const LightFieldParams& used, const LightFieldSize& size,
                           const LightFieldOrder& order) {
   AssumedOrder assumed{used, size, order.rows, order.columns, order.sureness, order.warnings, {}};
-  if (used.layout == Layout::views) {
+  if (isGridOfViews(used.layout)) {
     assumed.rows = used.rows;
     assumed.columns = used.columns;
   }
   const std::string contradiction = contradictionOf(used, order);
   if (contradiction.empty()) return assumed;
   assumed.sureness = Sureness::unknown;
-  if (used.layout != Layout::views && used.incoming != order.found.incoming) {
+  if (!isGridOfViews(used.layout) && used.incoming != order.found.incoming) {
     if (size.dv > 1) assumed.rows = reversed(assumed.rows);
     if (size.du > 1) assumed.columns = reversed(assumed.columns);
   }

@@ -503,6 +503,18 @@ class Finder {
 
 }  // namespace
 
+bool hasVerticalParallax(const ViewOrder& order) {
+  constexpr std::size_t fewest = 12;  // places
+  constexpr double least = 0.1;       // pixels per view
+  constexpr double clearly = 2;
+  if (order.motions.size() < fewest) return false;
+  const auto isVertical = [&](Component x, Component y) {
+    const double amount = amountOf(all({order.motions}, y));
+    return amount > least && amount > clearly * amountOf(all({order.motions}, x));
+  };
+  return isVertical(columnsX, columnsY) || isVertical(rowsX, rowsY);
+}
+
 ViewOrder findViewOrder(const GreyGrid& grid, const Progress& progress) {
   constexpr int leastSide = 32;  // of what the flow looks at
   if (grid.rows * grid.columns < 2) return {};

@@ -85,6 +85,10 @@ struct ViewOrder {
   int middleColumn = -1;
 };
 
+/// Whether content moves up or down, and little sideways, from one column or row of the files to
+/// the next: what a row of cameras never shows.
+bool hasVerticalParallax(const ViewOrder& order);
+
 /// Never throws for any pictures of one size; Cancelled, and what `view` throws.
 ViewOrder findViewOrder(const GreyGrid& grid, const Progress& progress = {});
 

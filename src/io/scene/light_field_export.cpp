@@ -159,30 +159,55 @@ QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const fs::path& file)
   return best;
 }
 
-void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
+namespace {
+
+/// The first view of a row of tiles; the others follow to the right.
+struct FirstView {
+  int u = 0;
+  int v = 0;
+};
+
+/// Writes `tiles` of views; `firstOf` says what a row of them, counted from the top, begins with.
+template <class FirstOf>
+void exportTiles(LightFieldFile& lightField, const QuiltTiles& tiles, FirstOf firstOf,
+                 const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const QuiltTiles tiles = quiltTilesFor(lightField, file);
-  const int columns = tiles.columns;
-  const int rows = tiles.rows;
+  const auto [columns, rows] = tiles;
   ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
                         std::size_t(rows) * std::size_t(size.ny), lightField.type());
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
-  for (int row = rows - 1; row >= 0; --row) {  // the first row is the lowest
-    const int first = row * columns;
-    const auto from = [&](int k) { return 0.2 + 0.8 * double(rows - 1 - row + k) / rows; };
+  for (int row = 0; row < rows; ++row) {
+    const auto [u0, v] = firstOf(row);
+    const auto at = [&](int k) { return 0.2 + 0.8 * double(row + k) / rows; };
     const auto texels =
-        source->slice(readsOfRows(size, {0, size.ny - 1}, {first, first + columns - 1}, {0, 0}),
-                      part(progress, from(0), from(1)));
-    withStoredType(lightField.type(), [&]<class T>(T) {
+        source->slice(readsOfRows(size, {0, size.ny - 1}, {u0, u0 + columns - 1}, {v, v}),
+                      part(progress, at(0), at(1)));
+    withStoredType(lightField.type(), [&, u0 = u0, v = v, columns = columns]<class T>(T) {
       std::vector<T> pixels(3 * std::size_t(columns) * std::size_t(size.nx));
       for (int j = 0; j < size.ny; ++j) {
         T* to = pixels.data();
-        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, first + k, 0, to);
+        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, u0 + k, v, to);
         writer.write(pixels.data());
       }
     });
   }
   writer.finish();
+}
+
+}  // namespace
+
+void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
+  const QuiltTiles tiles = quiltTilesFor(lightField, file);
+  const auto firstOf = [&tiles](int row) {  // the first row is the lowest
+    return FirstView{(tiles.rows - 1 - row) * tiles.columns, 0};
+  };
+  exportTiles(lightField, tiles, firstOf, file, progress);
+}
+
+void exportMosaic(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
+  const LightFieldSize size = lightField.size();
+  const auto firstOf = [](int row) { return FirstView{0, row}; };
+  exportTiles(lightField, {size.du, size.dv}, firstOf, file, progress);
 }
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a light field of any layout as one image of hogels, a folder of views or a quilt, in
-// bounded memory. Stores are written by io/store/store_writer.h. Values keep their type.
+// Writes a light field of any layout as one image of hogels, a folder of views, a quilt or a
+// mosaic, in bounded memory. Stores are written by io/store/store_writer.h. Values keep their type.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ void exportHogels(LightFieldFile& lightField, const std::filesystem::path& file,
 void exportViews(LightFieldFile& lightField, const std::filesystem::path& folder,
                  const Progress& progress);
 
-/// The tiles of a quilt.
+/// The tiles of a quilt, across and down.
 struct QuiltTiles {
   int columns = 0;
   int rows = 0;
@@ -34,5 +34,10 @@ QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const std::filesystem
 /// Writes a quilt: view 0 is its bottom left tile and was taken from the left.
 void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,
                  const Progress& progress);
+
+/// Writes a mosaic of views: the first row of its tiles was taken from the top, the first column
+/// from the left.
+void exportMosaic(LightFieldFile& lightField, const std::filesystem::path& file,
+                  const Progress& progress);
 
 }  // namespace hogelscope

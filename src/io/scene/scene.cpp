@@ -69,6 +69,8 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
       return openViews(params, display);
     case Layout::quilt:
       return openQuilt(params);
+    case Layout::mosaic:
+      return openMosaic(params, display);
     case Layout::lenslets:
       return openLenslets(params, display, progress);
     case Layout::pack:

@@ -73,11 +73,12 @@ def open(  # noqa: A001: as in hogelscope.open
 
     Args:
         file: a picture, a folder or %-pattern of views, a video, an HDF5 file, a store, a mesh.
-        layout: "hogels", "views", "quilt", "lenslets" or "pack", read as a session with these
-            settings says. None: what ``--info`` finds; the order of views is found from their
+        layout: "hogels", "views", "quilt", "mosaic", "lenslets" or "pack", read as a session with
+            these settings says. None: what ``--info`` finds; the order of views is found from their
             pictures.
         display: the display's fields that the file does not say, such as
-            {"hogels": [128, 128], "directions": [20, 20]} of layout "hogels".
+            {"hogels": [128, 128], "directions": [20, 20]} of layout "hogels",
+            {"directions": [15, 15]} of layout "mosaic".
         settings: fields of a session's lightField, such as rows="bottom-up", shear=[1, 1].
         progress: called with the fraction done, 0 to 1.
 
