@@ -52,7 +52,9 @@ class Sheet {
     m_scale = double(tileSide) / std::max(first.width, first.height);
     m_tile = {std::max(1, cvRound(first.width * m_scale)),
               std::max(1, cvRound(first.height * m_scale))};
-    m_sheet.create(border + int(m_rows.size()) * (m_tile.height + gap),
+    const bool isKnown = m_assumed.sureness != Sureness::unknown;
+    m_bottom = border + int(m_rows.size()) * (m_tile.height + gap);
+    m_sheet.create(m_bottom + (isKnown ? 0 : adviceHeight),
                    std::max(leastWidth, border + int(m_columns.size()) * (m_tile.width + gap)));
     m_sheet.setTo(cv::Scalar(32, 34, 38));
     for (std::size_t y = 0; y < m_rows.size(); ++y)
@@ -62,6 +64,7 @@ class Sheet {
         putView(int(x), int(y));
       }
     putWords();
+    if (!isKnown) putAdvice();
     return m_sheet;
   }
 
@@ -70,6 +73,7 @@ class Sheet {
   static constexpr int gap = 6;
   static constexpr int border = 78;  // for the words above and on the left
   static constexpr int leastWidth = 640;
+  static constexpr int adviceHeight = 64;
 
   /// There is one: more than half of the views are.
   [[nodiscard]] GreyPicture firstThere() const {
@@ -133,10 +137,18 @@ class Sheet {
     write("from here to the right the camera goes right", {border, 62}, white);
     cv::arrowedLine(m_sheet, {border, 70}, {border + 300, 70}, white, 1, cv::LINE_AA, 0, 0.03);
     write("down", {30, border + 14}, white);
-    cv::arrowedLine(m_sheet, {48, border + 22}, {48, m_sheet.rows - 12}, white, 1, cv::LINE_AA, 0,
+    cv::arrowedLine(m_sheet, {48, border + 22}, {48, m_bottom - 12}, white, 1, cv::LINE_AA, 0,
                     0.03);
     write("yellow: how content moves to the view on the right", {8, 36}, yellow);
     write("blue: to the view below", {430, 36}, blue);
+  }
+
+  void putAdvice() {
+    write("Right if, to the view on its right, what is near moves left over what is far,",
+          {8, m_bottom + 18}, white);
+    write("and to the view below moves up over it. If what is far moves so, over what is near,",
+          {8, m_bottom + 36}, white);
+    write("depth is reversed: reverse both rows and columns.", {8, m_bottom + 54}, white);
   }
 
   void write(const std::string& text, const cv::Point& at, const cv::Scalar& colour) {
@@ -156,6 +168,7 @@ class Sheet {
   std::vector<int> m_columns;
   double m_scale = 1;
   cv::Size m_tile;
+  int m_bottom = 0;  ///< of the views
   cv::Mat3b m_sheet;
 };
 

@@ -12,8 +12,8 @@ namespace hogelscope {
 
 /// Draws up to 5×5 views where their cameras stand: the left column was taken from the left, the
 /// top row from the top, as `assumed` has it. Arrows in the view in the middle show how its content
-/// moves to the view on the right (yellow) and to the one below (blue). Throws InputError, or
-/// Cancelled.
+/// moves to the view on the right (yellow) and to the one below (blue). Where the order is not
+/// known, words say what to look for. Throws InputError, or Cancelled.
 Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
                    const DisplayParams& display, const Progress& progress = {});
 /// Writes it.

@@ -100,7 +100,7 @@ class Judgement {
     const bool isMeasured = std::abs(correlation) >= clearCorrelation;
     if (m_measured.sureness == Sureness::unknown && fitsMotion(names, correlation)) {
       m_order = names;
-      m_sureness = Sureness::likely;
+      if (!isOutvoted()) m_sureness = Sureness::likely;
       m_reason = std::string("positions in the file names") +
                  (isMeasured ? ", and " + evidence() : "; the pictures do not tell");
       return;
@@ -117,7 +117,8 @@ class Judgement {
     if (names != seen) m_sureness = std::min(m_sureness, Sureness::likely);
   }
 
-  /// Motion alone allows an order and its opposite. One of them is said, or is the usual one.
+  /// Motion alone allows an order and its opposite. One of them is said, or is the usual one; that
+  /// is no evidence.
   void withoutEvidence(const Order& seen) {
     const double correlation = m_measured.correlation;
     if (m_measured.places == 0) {
@@ -125,7 +126,6 @@ class Judgement {
     } else if (std::abs(correlation) < clearCorrelation) {
       m_reason = "the views do not show what is near and what is far";
     } else if (fitsMotion(m_order, correlation)) {
-      m_sureness = Sureness::likely;
       m_reason = evidence() + ": columns and rows fit each other, but little tells near from far";
     } else {
       m_order = seen;
@@ -133,16 +133,27 @@ class Judgement {
     }
   }
 
-  [[nodiscard]] std::string evidence() const {
-    std::string text;
-    if (m_measured.correlation != 0)
-      text = "motion along columns and rows (correlation " + rounded(m_measured.correlation, 2) +
-             " over " + std::to_string(m_measured.places) + " places), ";
+  /// Of what hides what, as the order has it.
+  [[nodiscard]] Occlusions votes() const {
     Occlusions all = m_order.columns == ColumnOrder::leftRight
                          ? m_measured.alongColumns
                          : m_measured.alongColumns.backwards();
     all +=
         m_order.rows == RowOrder::topDown ? m_measured.alongRows : m_measured.alongRows.backwards();
+    return all;
+  }
+
+  [[nodiscard]] bool isOutvoted() const {
+    constexpr int clearly = 3;  // one or two places may deceive
+    return votes().reversed >= votes().ordered + clearly;
+  }
+
+  [[nodiscard]] std::string evidence() const {
+    std::string text;
+    if (m_measured.correlation != 0)
+      text = "motion along columns and rows (correlation " + rounded(m_measured.correlation, 2) +
+             " over " + std::to_string(m_measured.places) + " places), ";
+    const Occlusions all = votes();
     return text + "what hides what (" + std::to_string(all.ordered) + " of " +
            std::to_string(all.count()) + " places)";
   }
