@@ -161,6 +161,47 @@ class TestLightFieldOrder : public QObject {
     QVERIFY(session.lightField.columns == ColumnOrder::leftRight);
   }
 
+  void coordinatesOfSmallSteps_data() {
+    QTest::addColumn<bool>("isYFirst");
+    QTest::newRow("image_Y_X") << true;
+    QTest::newRow("image_X_Y") << false;
+  }
+
+  /// Six steps move the middle depth by 0.6 px sideways, and by 0.1 px down: the cameras' rows
+  /// rise.
+  void coordinatesOfSmallSteps() {
+    QFETCH(const bool, isYFirst);
+    const ViewScene scene = randomScene(7, 0.1, 0.11);
+    for (int row = 0; row < 7; ++row)
+      for (int column = 0; column < 7; ++column) {
+        const double x = column - 3, y = row - 3;
+        const double first = isYFirst ? y : x, second = isYFirst ? x : y;
+        writeGreyPicture(QString("v/image_%1_%2.png").arg(first / 2).arg(second / 2),
+                         viewOf(scene, x, y - x / 6, 7 * row + column));
+      }
+    const auto [session, order, note, hogels] = orderedSessionAround("v");
+    QCOMPARE(QByteArray::fromStdString(session.lightField.pattern),
+             QByteArray(isYFirst ? "image_y_x.png" : ""));
+    QCOMPARE(order.sureness, Sureness::likely);  // by the names
+    QVERIFY(order.rows == RowOrder::topDown && order.columns == ColumnOrder::leftRight);
+    for (const double shear : session.lightField.shear)
+      QVERIFY2(std::abs(shear - 0.1) < 0.02, qPrintable(QString::number(shear)));
+  }
+
+  /// Rows and columns are exchanged in the arrows, too.
+  void theSheetOfATransposedFolder() {
+    std::array<Image, 2> sheets;
+    for (const bool isTransposed : {false, true}) {
+      const std::string folder = isTransposed ? "transposed" : "usual";
+      writeGrid(QString::fromStdString(folder),
+                gridOf(randomScene(7, 1, 6), 3, 5, {false, false, isTransposed}));
+      const auto [session, order, note, hogels] = orderedSessionAround(folder);
+      sheets[isTransposed ? 1 : 0] =
+          contactSheet(order, assumedOrder(session.lightField, {240, 180, 5, 3}, order), {});
+    }
+    QVERIFY(sheets[0].rgb == sheets[1].rgb);
+  }
+
   /// With another row order its shear goes the other way, so that the middle depth stays.
   void whatTheUserSaysStays() {
     writeGrid("v", gridOf(randomScene(7, 1, 6), 3, 5));

@@ -35,14 +35,21 @@ std::vector<int> shownOf(int count, int middle) {
 class Sheet {
  public:
   Sheet(const GreyViews& views, const LightFieldOrder& order, const AssumedOrder& assumed)
-      : m_views(views), m_order(order), m_assumed(assumed) {
+      : m_views(views),
+        m_assumed(assumed),
+        m_middle{order.measured.middleRow, order.measured.middleColumn},
+        m_motions(order.measured.motions) {
     const bool isTransposed =
         order.measured.isTransposed && assumed.used.pattern != order.found.pattern;
     m_isUp = assumed.rows == RowOrder::bottomUp;
     m_isLeft = assumed.columns == ColumnOrder::rightLeft;
     m_isAsMeasured = !isTransposed;
-    m_rows = shownOf(views.grid.rows, order.measured.middleRow);
-    m_columns = shownOf(views.grid.columns, order.measured.middleColumn);
+    if (order.isExchanged && m_isAsMeasured) {
+      std::swap(m_middle[0], m_middle[1]);
+      for (PlaceMotion& motion : m_motions) std::swap(motion.alongColumns, motion.alongRows);
+    }
+    m_rows = shownOf(views.grid.rows, m_middle[0]);
+    m_columns = shownOf(views.grid.columns, m_middle[1]);
     if (m_isUp) std::reverse(m_rows.begin(), m_rows.end());
     if (m_isLeft) std::reverse(m_columns.begin(), m_columns.end());
   }
@@ -102,23 +109,20 @@ class Sheet {
     colour.copyTo(m_sheet(place));
     write("row " + std::to_string(row) + ", column " + std::to_string(column),
           place.tl() + cv::Point(4, 14), white);
-    const bool isMiddle =
-        row == m_order.measured.middleRow && column == m_order.measured.middleColumn;
-    if (isMiddle && m_isAsMeasured) putArrows(place);
+    if (m_middle == std::array{row, column} && m_isAsMeasured) putArrows(place);
   }
 
   /// As long as the motion over some views, so that it can be seen.
   void putArrows(const cv::Rect& place) {
-    const std::vector<PlaceMotion>& motions = m_order.measured.motions;
     double longest = 0;
-    for (const PlaceMotion& motion : motions)
+    for (const PlaceMotion& motion : m_motions)
       longest =
           std::max({longest, std::abs(motion.alongColumns[0]), std::abs(motion.alongRows[1])});
     if (!(longest > 0)) return;
     const double factor = 24 / longest;
-    const std::size_t every = motions.size() / 60 + 1;
-    for (std::size_t k = 0; k < motions.size(); k += every) {
-      const auto& [at, alongColumns, alongRows] = motions[k];
+    const std::size_t every = m_motions.size() / 60 + 1;
+    for (std::size_t k = 0; k < m_motions.size(); k += every) {
+      const auto& [at, alongColumns, alongRows] = m_motions[k];
       const cv::Point2d from(place.x + at[0] * m_scale, place.y + at[1] * m_scale);
       const auto arrow = [&](const std::array<double, 2>& motion, double sign,
                              const cv::Scalar& colour) {
@@ -159,8 +163,9 @@ class Sheet {
   }
 
   const GreyViews& m_views;
-  const LightFieldOrder& m_order;
   const AssumedOrder& m_assumed;
+  std::array<int, 2> m_middle;  ///< row and column of the view that has arrows
+  std::vector<PlaceMotion> m_motions;
   bool m_isUp = false;
   bool m_isLeft = false;
   bool m_isAsMeasured = true;

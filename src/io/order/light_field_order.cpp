@@ -49,11 +49,17 @@ Order orderSaidBy(const LightFieldParams& params) {
   return order;
 }
 
-/// Names have x to the right and y downwards, as Stanford's and light-field-renderer's do.
-std::optional<Order> orderSaidByNames(const GreyViews& views) {
+bool areCoordinatesAlone(const std::string& pattern) {
+  return !pattern.empty() && namePattern(pattern).meaning().find_first_of("xy") == 0;
+}
+
+/// Names have x to the right and y downwards, as Stanford's and light-field-renderer's do. A grid
+/// of coordinates that is transposed has them exchanged.
+std::optional<Order> orderSaidByNames(const GreyViews& views, bool isTransposed) {
   if (!views.columnsFromTo || !views.rowsFromTo) return std::nullopt;
-  const auto [x0, x1] = *views.columnsFromTo;
-  const auto [y0, y1] = *views.rowsFromTo;
+  if (isTransposed && !areCoordinatesAlone(views.pattern)) return std::nullopt;
+  const auto [x0, x1] = isTransposed ? *views.rowsFromTo : *views.columnsFromTo;
+  const auto [y0, y1] = isTransposed ? *views.columnsFromTo : *views.rowsFromTo;
   if (x0 == x1 || y0 == y1) return std::nullopt;
   return Order{y1 > y0 ? RowOrder::topDown : RowOrder::bottomUp,
                x1 > x0 ? ColumnOrder::leftRight : ColumnOrder::rightLeft};
@@ -79,7 +85,7 @@ class Judgement {
       m_reason =
           "neighbouring rows or columns of views contradict each other: is the grid of "
           "another size, or taken to and fro?";
-    } else if (names && !measured.isTransposed) {
+    } else if (names && !(measured.isTransposed && measured.sureness != Sureness::unknown)) {
       withNames(*names, seen);
     } else if (measured.sureness != Sureness::unknown) {
       m_order = seen;
@@ -182,7 +188,8 @@ class Finding {
  public:
   Finding(const LightFieldParams& params, const GreyViews& views, const ViewOrder& measured)
       : m_views(views) {
-    const Judgement judgement(measured, orderSaidByNames(views), orderSaidBy(params));
+    const Judgement judgement(measured, orderSaidByNames(views, measured.isTransposed),
+                              orderSaidBy(params));
     m_result.found = params;
     m_result.measured = measured;
     m_result.rows = judgement.order().rows;
@@ -213,6 +220,7 @@ class Finding {
     const std::string pattern = transposedPattern(m_views.pattern);
     if (!pattern.empty()) {
       m_result.found.pattern = pattern;
+      m_result.isExchanged = true;
       m_result.reason += "; the numbers of rows are those of columns";
       return true;
     }

@@ -23,6 +23,7 @@ struct LightFieldOrder {
   std::string reason;                 ///< what the order was found by, or why it was not
   std::vector<std::string> warnings;  ///< what no parameter of the layout can mend, and the like
   ViewOrder measured;
+  bool isExchanged = false;  ///< what was measured has columns for the rows of `found`
   /// Of a quilt: its tiles show vertical parallax, as a mosaic's do.
   bool isLikeMosaic = false;
 };

@@ -90,7 +90,10 @@ class Direction {
   /// The same at a step for which content moves by about a pixel, if views are that far apart.
   Neighbours neighboursThatMove(const Centre& centre, const Progress& progress) {
     constexpr double leastMotion = 0.8;  // pixels
-    for (m_step = 1;; m_step *= 2) {
+    const int before = reach(centre, -1), after = reach(centre, 1);
+    const int most =
+        std::max(1, before > 0 && after > 0 ? std::min(before, after) : std::max(before, after));
+    for (m_step = 1;; m_step = std::min(2 * m_step, most)) {
       hearStop(progress);
       Neighbours result = neighbours(centre, m_step);
       const DenseMotion motion = motionPerView(result);
@@ -99,8 +102,7 @@ class Direction {
         for (int x = 0; x < motion.shift.cols; x += 4)
           if (motion.isSure(y, x) != 0) lengths.push_back(cv::norm(motion.shift(y, x)));
       constexpr double mostRest = 0.8;
-      if (4 * m_step > m_count - 1 || percentile(lengths, mostRest) * m_step > leastMotion)
-        return result;
+      if (m_step == most || percentile(lengths, mostRest) * m_step > leastMotion) return result;
     }
   }
   [[nodiscard]] int step() const { return m_step; }
