@@ -17,18 +17,18 @@ bool isFileName(const std::string& name) {
          name.find_first_of(std::string("/\0", 2)) == std::string::npos;
 }
 
-void checkGrid(const LightFieldParams& params) {
+void checkGrid(const LightFieldParams& params, std::array<int, 2> directions = {0, 0}) {
   mayRefuse([&] {
-    const ViewFiles views = findViews(params, {0, 0});
+    const ViewFiles views = findViews(params, directions);
     require(views.rows > 0 &&
             std::size_t(views.rows) * std::size_t(views.columns) == views.files.size());
-    require(2 * views.found().size() > views.files.size());
+    require(directions[0] > 0 || 2 * views.found().size() > views.files.size());
     require(views.missing.empty() == (views.found().size() == views.files.size()));
     if (views.pattern.empty()) return;
     LightFieldParams again = params;
     again.pattern = views.pattern;
     (void)transposedPattern(views.pattern);
-    require(!params.pattern.empty() || findViews(again, {0, 0}).files == views.files);
+    require(!params.pattern.empty() || findViews(again, directions).files == views.files);
   });
 }
 
@@ -48,6 +48,7 @@ void fuzz(std::string_view input) {
   params.pattern = pattern;
   params.file = views.string();
   checkGrid(params);
+  checkGrid(params, {3, 3});
   params.exclude = std::exchange(params.pattern, "");
   checkGrid(params);
   params.file = (views / pattern).string();  // as printf's

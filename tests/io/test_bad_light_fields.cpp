@@ -181,8 +181,9 @@ void TestBadLightFields::folders_data() {
           "long: views: no names agree in all but their numbers: " + QByteArray(60, 'a') +
               "_0.png is there; give lightField.pattern, such as RRR_CCC");
   refused("half of the views are missing", views("holes"),
-          "holes: views: only 2 of 4 views are there, such as 000_000.png: \"RRR_CCC\" takes the "
-          "wrong numbers, or the files are not one grid; give lightField.pattern");
+          "holes: views: only 2 of 4 views are there, such as 000_000.png: if the others are "
+          "missing give display.directions, such as [2,2], or if they are read the wrong way give "
+          "lightField.pattern");
   refused("a link that leads nowhere", views("nowhere"),
           "nowhere/001_001.png: there is no such file");
   refused("views of different size", views("sizes"),

@@ -109,6 +109,8 @@ class TestLightFieldOrder : public QObject {
         writeGreyPicture("full" + name, view);
         if (off < 4.3) writeGreyPicture("circle" + name, view);
         if (off < 4.3 && off > 0) writeGreyPicture("ring" + name, view);
+        if (row == 4 || column == 4 || std::abs(row - 4) == std::abs(column - 4))
+          writeGreyPicture(QString("star/input_Cam%1.png").arg(9 * row + column), view);
       }
     const auto full = orderedSessionAround("full");
     QCOMPARE(full.order.sureness, Sureness::sure);
@@ -132,6 +134,14 @@ class TestLightFieldOrder : public QObject {
                                               : "20 of 81 views are missing") != std::string::npos);
       writeContactSheet(folder + std::string("/../sheet.png"), order, assumed, {});
     }
+    const auto [star, order, note, hogels] =
+        orderedSessionAround("star", {"display.directions=[9,9]"});
+    QCOMPARE(order.sureness, Sureness::sure);
+    QVERIFY(star.lightField.rows == RowOrder::bottomUp);
+    QVERIFY(star.lightField.columns == ColumnOrder::leftRight);
+    QCOMPARE(order.warnings.size(), std::size_t(1));
+    QVERIFY(
+        (openLightField(star.lightField, star.display)->size() == LightFieldSize{240, 180, 9, 9}));
   }
 
   /// A running number that counts from top to bottom.

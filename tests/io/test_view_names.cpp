@@ -181,6 +181,61 @@ class TestViewNames : public QObject {
     QCOMPARE(views.found().size(), std::size_t(5));
   }
 
+  void sparseSets_data() {
+    QTest::addColumn<QString>("shape");
+    QTest::addColumn<int>("base");  ///< of the numbers; -1: names of rows and columns
+    for (const char* shape : {"cross", "star", "diagonal"})
+      for (const int base : {-1, 0, 1}) QTest::addRow("%s, %d", shape, base) << shape << base;
+  }
+
+  /// Few views of 9×9, as sets for training have them, or of 3×3: those who say so get them.
+  void sparseSets() {
+    QFETCH(const QString, shape);
+    QFETCH(const int, base);
+    for (const int side : {9, 3}) {
+      const QString folder = QString("v%1").arg(side);
+      QStringList expected;
+      for (int k = 0; k < side * side; ++k) {
+        const int x = k % side - side / 2, y = k / side - side / 2;
+        const bool isDiagonal =
+            shape != "cross" && (shape == "star" ? std::abs(x) == std::abs(y) : x == y);
+        const bool isThere = isDiagonal || (shape != "diagonal" && (x == 0 || y == 0));
+        const QString name = base < 0 ? QString::asprintf("%03d_%03d.pgm", k / side, k % side)
+                                      : QString::asprintf("input_Cam%03d.pgm", k + base);
+        expected.push_back(isThere ? name : QString());
+        if (isThere) writeTiny(folder + "/" + name);
+      }
+      const ViewFiles views = found(folder, {side, side});
+      QCOMPARE(namesOf(views), expected);
+      QCOMPARE(views.missing.empty(), !expected.contains(QString()));
+    }
+    if (shape == "diagonal") return;
+    const QString error = errorOf([] { (void)found("v9"); });
+    QVERIFY2(error.contains("if the others are missing give display.directions, such as [9,9]"),
+             qPrintable(error));
+    LightFieldParams params = viewsIn("v9");
+    params.pattern = base < 0 ? "RRR_CCC" : "input_CamNNN";
+    const QString given = errorOf([&] { (void)findViews(params, {0, 0}); });
+    QVERIFY2(given.contains("[9,9], or mend lightField.pattern, \""), qPrintable(given));
+    const QString wrong = errorOf([&] { (void)findViews(params, {4, 4}); });
+    QVERIFY2(wrong.contains("they are no part of a grid of 4×4: mend display.directions"),
+             qPrintable(wrong));
+  }
+
+  /// 26 of which 25 would be a square; who says that they are a row hears nothing.
+  void oneTooMany() {
+    for (int k = 0; k < 26; ++k) writeTiny(QString("v/view_%1.pgm").arg(k));
+    const ViewFiles views = found("v");
+    QCOMPARE(gridText(views), QString("1×26"));
+    QVERIFY2(views.surplus.find("without one they are 5×5: lightField.exclude=view_25.pgm") !=
+                 std::string::npos,
+             views.surplus.c_str());
+    QCOMPARE(found("v", {26, 1}).surplus, std::string());
+    const ViewFiles mended = findViews(viewsIn("v", "view_25.pgm"), {0, 0});
+    QCOMPARE(gridText(mended), QString("5×5"));
+    QCOMPARE(mended.surplus, std::string());
+  }
+
   /// A row that no file has at all: its neighbours stay two apart.
   void anEmptyRow() {
     for (const int row : {0, 1, 3})

@@ -333,9 +333,10 @@ ViewFiles findViews(const LightFieldParams& params, std::array<int, 2> direction
     pattern = namePattern(params.pattern);
   }
   checkFolder(folder);
-  return pattern ? findByPattern(params, *pattern,
-                                 {folder, {}, directions, params.scan == ViewScan::serpentine})
-                 : findSeries(params, folder, directions);
+  return pattern
+             ? findByPattern(params, *pattern,
+                             {folder, {}, directions, params.scan == ViewScan::serpentine, true})
+             : findSeries(params, folder, directions);
 }
 
 }  // namespace hogelscope

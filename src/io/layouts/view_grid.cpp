@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -55,15 +56,28 @@ std::string nameOf(const NamedView& view) {
   return view.file.filename().string();
 }
 
+/// Whether so few views may be a cross or a star of a grid: one in a hundred is there.
+bool mayBeSparse(const std::vector<NamedView>& views, double cells) {
+  return 100 * double(views.size()) >= cells;
+}
+
+/// `columns` and `rows` are those of the grid that most is missing of, as far as they can be told.
 [[noreturn]] void refuseHoles(const std::vector<NamedView>& views, const GridSource& source,
-                              double cells) {
+                              double cells, double columns, double rows) {
+  std::string advice;
+  if (source.directions[0] > 0)
+    advice = "they are no part of a grid of " + std::to_string(source.directions[0]) + "×" +
+             std::to_string(source.directions[1]) + ": mend display.directions";
+  else if (mayBeSparse(views, columns * rows))
+    advice = "if the others are missing give display.directions, such as [" + numberText(columns) +
+             "," + numberText(rows) + "]";
+  if (!advice.empty()) advice += ", or ";
   throw InputError(
       source.folder.string(), "views",
       "only " + std::to_string(views.size()) + " of " + numberText(cells) +
-          " views are there, such as " + nameOf(views.front()) + ": " +
-          (source.pattern.empty() ? ""
-                                  : "\"" + source.pattern + "\" takes the wrong numbers, or ") +
-          "the files are not one grid; give lightField.pattern");
+          " views are there, such as " + nameOf(views.front()) + ": " + advice +
+          (source.isPatternGiven ? "mend lightField.pattern, \"" + source.pattern + "\""
+                                 : "if they are read the wrong way give lightField.pattern"));
 }
 
 /// Whether more than half of the cells are filled.
@@ -149,12 +163,15 @@ ViewFiles gridOfNumbers(const std::vector<NamedView>& views, const GridSource& s
   }
   NumberAxis rows(std::move(rowNumbers));
   NumberAxis columns(std::move(columnNumbers));
-  if (isFull(views, rows.size() * columns.size())) {
+  const double all = rows.size() * columns.size();
+  const bool isGiven =
+      columns.size() == source.directions[0] && rows.size() == source.directions[1];
+  if (isFull(views, all) || (isGiven && mayBeSparse(views, all))) {
     rows.fill();
     columns.fill();
   } else if (const double cells = rows.sizeOfFound() * columns.sizeOfFound();
              !isFull(views, cells)) {
-    refuseHoles(views, source, cells);
+    refuseHoles(views, source, cells, columns.size(), rows.size());
   }
   const std::size_t width = columns.values().size();
   const auto placeOf = [&](const NamedView& view) {
@@ -177,6 +194,14 @@ struct Running {
   std::size_t columns = 1;
 };
 
+/// Whether so many numbers make the given grid: some of the last row may be missing at the end, or
+/// of the first one at the beginning.
+bool isCount(std::size_t count, const GridSource& source) {
+  const auto columns = std::size_t(std::max(source.directions[0], 0));
+  const std::size_t cells = columns * std::size_t(std::max(source.directions[1], 0));
+  return columns == 0 || (count <= cells && count + columns > cells);
+}
+
 /// Of `count` numbers from `first` on, those missing between them too.
 Running runningOf(std::int64_t first, std::size_t count, const GridSource& source) {
   const auto columns = std::size_t(std::max(source.directions[0], 0));
@@ -186,8 +211,7 @@ Running runningOf(std::int64_t first, std::size_t count, const GridSource& sourc
     return side * side == count ? Running{first, side, side} : Running{first, 1, count};
   }
   const std::size_t cells = columns * rows;
-  // Some of the last row may be missing at the end, or of the first one at the beginning.
-  if (count > cells || count + columns <= cells)
+  if (!isCount(count, source))
     throw InputError(source.folder.string(), "views",
                      std::to_string(count) + " views do not make a grid of " +
                          std::to_string(columns) + "×" + std::to_string(rows) +
@@ -196,6 +220,42 @@ Running runningOf(std::int64_t first, std::size_t count, const GridSource& sourc
   const auto cellCount = std::int64_t(cells);
   if (count == cells || first <= 1) return {first, rows, columns};
   return {last < cellCount ? 0 : last + 1 - cellCount, rows, columns};
+}
+
+/// Of a given grid with holes, whose numbers count from 0 or from 1; none if its views are not in
+/// it, or are nearly all. What is there is taken to be symmetric, as a cross, a star and a circle
+/// are.
+std::optional<Running> sparseRunning(const std::vector<NamedView>& views, const NumberAxis& numbers,
+                                     const GridSource& source) {
+  const auto [columns, rows] = source.directions;
+  if (columns < 1 || rows < 1 || !mayBeSparse(views, double(columns) * rows)) return std::nullopt;
+  const std::int64_t cells = std::int64_t(columns) * rows;
+  const std::int64_t first = numbers.values().front(), last = numbers.values().back();
+  const bool hasHoles = double(views.size()) < numbers.size() || numbers.step() > 1;
+  if (last > cells || !hasHoles) return std::nullopt;
+  const bool isSymmetric = first + last == cells - 1 || first + last == cells + 1;
+  const bool isNearlyAll =
+      isFull(views, numbers.size()) && isCount(std::size_t(numbers.size()), source);
+  if (isNearlyAll && !isSymmetric) return std::nullopt;
+  const std::int64_t begin = last == cells || first + last == cells + 1 ? 1 : 0;
+  if (first < begin) return std::nullopt;
+  return Running{begin, std::size_t(rows), std::size_t(columns)};
+}
+
+/// Advice where one file too many may keep a square of views from being one.
+std::string surplusText(const std::vector<NamedView>& views, const GridSource& source) {
+  constexpr std::size_t leastSide = 5;  // rows of 10 and 17 cameras are usual
+  const std::size_t count = views.size();
+  const auto side = std::size_t(std::llround(std::sqrt(double(count - 1))));
+  if (source.directions[0] > 0 || side < leastSide || side * side + 1 != count) return {};
+  const auto last = std::ranges::max_element(
+      views, {}, [](const NamedView& view) { return view.number.value_or(0); });
+  const std::string square = std::to_string(side);
+  return "lightField: " + std::to_string(count) +
+         " views are read as one row; without one they are " + square + "×" + square +
+         ": lightField.exclude=" + nameOf(*last) +
+         " leaves the last one out, display.directions=[" + std::to_string(count) +
+         ",1] says that it is a row";
 }
 
 }  // namespace
@@ -212,11 +272,16 @@ ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& s
   found.reserve(views.size());
   for (const NamedView& view : views) found.push_back(view.number.value_or(0));
   const NumberAxis numbers(std::move(found));
-  if (!isFull(views, numbers.size())) refuseHoles(views, source, numbers.size());
-  const std::int64_t step = numbers.step();
+  const std::optional<Running> sparse = sparseRunning(views, numbers, source);
+  if (!sparse && !isFull(views, numbers.size())) {
+    const double side = std::ceil(std::sqrt(double(numbers.size())));
+    refuseHoles(views, source, numbers.size(), side, side);
+  }
+  const std::int64_t step = sparse ? 1 : numbers.step();
   const auto [begin, rows, columns] =
-      runningOf(numbers.values().front() / step, std::size_t(numbers.size()), source);
-  const std::int64_t first = numbers.values().front() % step + begin * step;
+      sparse ? *sparse
+             : runningOf(numbers.values().front() / step, std::size_t(numbers.size()), source);
+  const std::int64_t first = (sparse ? 0 : numbers.values().front() % step) + begin * step;
   const SequenceGrid order{rows, columns, source.isSerpentine};
   const auto placeOf = [&](const NamedView& view) {
     return order.cellOf(std::size_t((view.number.value_or(0) - first) / step));
@@ -226,6 +291,7 @@ ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& s
   grid.missing = missingText(cells, "number", [&](std::size_t k) {
     return std::to_string(first + std::int64_t(order.cellOf(k)) * step);
   });
+  if (rows == 1) grid.surplus = surplusText(views, source);
   return grid;
 }
 

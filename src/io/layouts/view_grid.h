@@ -34,6 +34,8 @@ struct ViewFiles {
   std::optional<std::array<double, 2>> columnsFromTo;
   std::optional<std::array<double, 2>> rowsFromTo;
   std::string missing;  ///< a line for the user that names the missing views; "" if all are there
+  /// A line for the user where one view fewer would make a square; "" elsewhere.
+  std::string surplus;
   std::vector<std::string> others;  ///< names of the folder's files that are no views
 
   /// Returns the files of the views that are there; one at least.
@@ -46,7 +48,8 @@ struct GridSource {
   std::filesystem::path folder;
   std::string pattern;
   std::array<int, 2> directions{0, 0};
-  bool isSerpentine = false;  ///< one running number counts every second row from its end
+  bool isSerpentine = false;    ///< one running number counts every second row from its end
+  bool isPatternGiven = false;  ///< by the session
 };
 
 /// The rows and columns of views that count row by row.
@@ -69,7 +72,7 @@ SequenceGrid gridOfSequence(std::size_t count, const GridSource& source);
 /// Makes the grid; `views` is not empty, and all names say the same things. Numbers in equal steps
 /// make rows and columns; so do coordinates that lie near one another. One running number counts
 /// row by row: a square, or else one row, unless the directions are given. Throws InputError: two
-/// files are one view, half of the views or more are missing.
+/// files are one view, half of the views or more are missing and the directions do not say so.
 ViewFiles gridOf(const std::vector<NamedView>& views, const GridSource& source);
 
 }  // namespace hogelscope

@@ -58,7 +58,8 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
   for (const auto& file : files->files) views.names.push_back(file.filename().string());
   views.columnsFromTo = files->columnsFromTo;
   views.rowsFromTo = files->rowsFromTo;
-  views.missing = files->missing;
+  for (const std::string& line : {files->missing, files->surplus})
+    if (!line.empty()) views.warnings.push_back(line);
   const auto first =
       std::make_shared<const GreyPicture>(readGrey(files->found().front(), params.yuv));
   views.pattern = files->pattern;
@@ -67,7 +68,7 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
                       std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
                   return fitted(readGrey(files->files[at], yuv), *first);
                 }};
-  if (!views.missing.empty())
+  if (!files->missing.empty())
     for (const auto& file : files->files) views.grid.isMissing.push_back(file.empty());
   return views;
 }

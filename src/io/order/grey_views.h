@@ -24,7 +24,7 @@ struct GreyViews {
   std::optional<std::array<double, 2>> rowsFromTo;
   /// Of a quilt: its tiles as they lie in the picture.
   std::optional<GreyGrid> tiles;
-  std::string missing;  ///< names the missing views for the user; "" if all are there
+  std::vector<std::string> warnings;  ///< for the user: missing views, and one too many
 };
 
 /// None for a light field without files, or of more pixels than are looked at on the way. Throws

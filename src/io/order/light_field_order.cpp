@@ -196,7 +196,7 @@ class Finding {
     m_result.columns = judgement.order().columns;
     m_result.sureness = judgement.sureness();
     m_result.reason = judgement.reason();
-    if (!views.missing.empty()) m_result.warnings.push_back(views.missing);
+    m_result.warnings = views.warnings;
     isGridOfViews(params.layout) ? sayViews() : sayDirections();
   }
 
