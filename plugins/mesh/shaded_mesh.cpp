@@ -24,14 +24,16 @@ Affine displayFromFile(const Pose& pose) {
   return {{pose.scale * turn.xAxis, pose.scale * turn.yAxis, pose.scale * turn.zAxis}, turn.origin};
 }
 
-std::vector<float> placedPoints(const Mesh& mesh, const Affine& frame) {
+std::vector<float> placedPoints(const Mesh& mesh, const Affine& frame, double scale) {
   std::vector<float> points;
   points.reserve(mesh.points.size() * 3 + 1);
   constexpr double farthest = 1e6;
+  constexpr double leastScale = 1e-5;  // of which little is left
   for (const Vec3& point : mesh.points) {
     const Vec3 p = frame.point(point);
     if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest))
-      fail(mesh.files[0], "reaches farther than 1000 km from the panel", "make its scale smaller");
+      fail(mesh.files[0], "reaches farther than 1000 km from the panel",
+           scale > leastScale ? "make its scale smaller" : "it is too large for any scale");
     for (const double x : {p.x, p.y, p.z}) points.push_back(float(x));
   }
   return points;
@@ -62,7 +64,7 @@ ShadedMesh::ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int t
                        const plugin::Progress& progress)
     : m_mesh(std::move(mesh)), m_materialOf(m_mesh->materialOf), m_unit(pose.scale) {
   const Affine frame = displayFromFile(pose);
-  std::vector<float> points = placedPoints(*m_mesh, frame);
+  std::vector<float> points = placedPoints(*m_mesh, frame, pose.scale);
   std::vector<Corners> triangles = withoutRepeated(m_mesh->triangles, points, m_materialOf);
   m_displayFromFile = frame;
   m_back = std::numeric_limits<double>::max();

@@ -56,6 +56,7 @@ class TestCommandLine : public QObject {
   void mistakesAtTheProgram();
   void infoOfTheSample();
   void infoOfAMesh();
+  void infoOfAMeshOfAnySize();
   void infoOfALiveSession();
   void infoOfPictures();
   void infoOfAFolder();
@@ -265,9 +266,22 @@ void TestCommandLine::infoOfAMesh() {
   QCOMPARE(outcome.err, QByteArray());
   for (const char* line :
        {"source      mesh\n", "  file        a.obj\n", "  position    (0, -0.1125, 0) m\n",
-        "  scale       0.225\n", "  samples     1\n", "triangles   1\n", "display     0.5×0.25 m, ",
-        "hogels      256×128\n", "directions  100×100\n"})
+        "  scale       0.225\n", "  samples     1\n", "triangles   1\n",
+        "depths      -0.225 … 0.225 m\n", "display     0.5×0.25 m, ", "hogels      256×128\n",
+        "directions  100×100\n"})
     QVERIFY2(outcome.out.contains(line), outcome.out.constData());
+}
+
+/// No session has a scale that could be made smaller.
+void TestCommandLine::infoOfAMeshOfAnySize() {
+  writeFile("large.obj", "v 0 0 0\nv 1e7 0 0\nv 0 1e7 0\nf 1 2 3\n");
+  writeFile("huge.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n");
+  for (const char* file : {"large.obj", "huge.obj"}) {
+    const Outcome outcome = run({"--info", file}, m_folder->path());
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(outcome.err.contains("too large") && !outcome.err.contains("smaller"),
+             outcome.err.constData());
+  }
 }
 
 void TestCommandLine::infoOfALiveSession() {

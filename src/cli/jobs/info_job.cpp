@@ -174,7 +174,8 @@ void printLive(std::ostream& out, const Session& session) {
   double front = 0;
   file.content().depths(back, front);
   if (!corners.empty()) out << "triangles   " << corners.size() / 3 << "\n";
-  out << "depths      " << numberText(back) << " … " << numberText(front) << " m\n";
+  out << "depths      " << numberText(fourDigits(back)) << " … " << numberText(fourDigits(front))
+      << " m\n";
   for (const fs::path& name : file.files())
     out << "file        " << printable(name.string()) << "\n";
 }

@@ -48,6 +48,16 @@ std::string numberText(double value) {
   return {text.data(), end};
 }
 
+double fourDigits(double value) {
+  std::array<char, 32> text{};
+  char* const end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4)
+          .ptr;
+  double number = value;
+  std::from_chars(text.data(), end, number);
+  return number;
+}
+
 std::string rounded(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return "identical";

@@ -9,6 +9,8 @@ namespace hogelscope {
 
 /// Returns the shortest text that reads back as the same number; "inf", "nan".
 std::string numberText(double value);
+/// Rounds to four significant digits, as people write such numbers.
+double fourDigits(double value);
 /// Formats with `digits` after the point; "identical" if infinite, a dash if NaN.
 std::string rounded(double value, int digits);
 /// Formats a size: "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".

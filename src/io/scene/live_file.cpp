@@ -3,8 +3,6 @@
 #include "io/scene/live_file.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -87,17 +85,6 @@ Box boxAround(const plugin::ContentSource& content) {
   return box;
 }
 
-/// Rounds to four digits, as people write such numbers.
-double fourDigits(double value) {
-  std::array<char, 32> text{};
-  char* const end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4)
-          .ptr;
-  double number = value;
-  std::from_chars(text.data(), end, number);
-  return number;
-}
-
 /// A panel of a shape, with square hogels.
 void shapePanel(DisplayParams& display, double width, double height) {
   constexpr int hogels = 256;  // along the longer side
@@ -117,8 +104,11 @@ void shapePanel(DisplayParams& display, double width, double height) {
 void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& progress) {
   shapePanel(display, 1, 1);
   params.content.set("position", std::vector<double>{0, 0, 0});
-  params.content.set("scale", std::vector<double>{1});
-  const auto [least, most] = boxAround(LiveFile(params, display, progress).content());
+  constexpr double measuring = 0x1p-19;  // near the least scale: large meshes are measured, too
+  params.content.set("scale", std::vector<double>{measuring});
+  auto [least, most] = boxAround(LiveFile(params, display, progress).content());
+  least = 1 / measuring * least;
+  most = 1 / measuring * most;
   const Vec3 extent = most - least;
   const double longer = std::max(extent.x, extent.y);
   const Vec3 middle = 0.5 * (least + most);
