@@ -154,6 +154,8 @@ class LightFields(FolderTest):
             self.assertSame(lf.array(), views)
             for state in ("middle", "left"):
                 self.assertSame(live.render(state, lf).image, live.render(state).image)
+                if layout == "mosaic":  # which a name does not say
+                    continue
                 self.assertSame(live.render(state, self.path(name)).image, live.render(state).image)
         program("--export", "quilt", "--session", file, "--set", "display.directions=[4,1]",
                 "--output", self.path("q_qs4x1a1.png"))
