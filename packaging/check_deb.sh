@@ -104,7 +104,7 @@ echo "$(find "$root/out" -type f | wc -l) pictures are equal to the build tree's
 # Loads the codecs.
 inside "$root" hogelscope --render --quiet --session $samples/table1.hogelscope --states 'Fig 4' \
   --format tif --output /codecs
-inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-1/mesh$'
+inside "$root" hogelscope --plugins | grep '^mesh .*/usr/lib/.*hogelscope/plugins-2/mesh$'
 
 apt install "$(deb python3-hogelscope)" python3-vtk9
 inside "$root" python3 /source/tests/install/vtk_view.py $samples/table1.hogelscope 'Fig 4' \

@@ -36,6 +36,11 @@ class MeshSource : public plugin::ContentSource {
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
     m_shown->trace(rays, colours);
   }
+  [[nodiscard]] bool traceDepths(std::span<const plugin::Ray> rays,
+                                 std::span<double> depths) const override {
+    m_shown->traceDepths(rays, depths);
+    return true;
+  }
   [[nodiscard]] plugin::Triangles triangles() const override { return m_shown->triangles(); }
 
  private:

@@ -124,6 +124,15 @@ void ShadedMesh::trace(std::span<const plugin::Ray> rays, std::span<plugin::Colo
   });
 }
 
+void ShadedMesh::traceDepths(std::span<const plugin::Ray> rays, std::span<double> depths) const {
+  m_scene->trace(rays, [&](const Hits& hits, std::size_t first) {
+    for (std::size_t i = 0; i < std::min(Hits::most, rays.size() - first); ++i)
+      depths[first + i] = hits.triangles[i] == Hit::none
+                              ? std::numeric_limits<double>::quiet_NaN()
+                              : m_scene->hit(rays[first + i], hits.triangles[i]).z;
+  });
+}
+
 plugin::Colour ShadedMesh::colour(const Hit& hit, std::uint32_t number,
                                   const plugin::Ray& ray) const {
   const Material& material = m_mesh->materials[number];

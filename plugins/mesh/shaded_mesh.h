@@ -33,6 +33,8 @@ class ShadedMesh {
 
   /// As ContentSource::trace().
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const;
+  /// As ContentSource::traceDepths().
+  void traceDepths(std::span<const plugin::Ray> rays, std::span<double> depths) const;
   [[nodiscard]] plugin::Triangles triangles() const;
   [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return m_mesh; }
   [[nodiscard]] double back() const { return m_back; }

@@ -4,9 +4,9 @@
 //
 //   MS-SSIM = (mean of l·cs at scale 5)^w5 · Π over scales 1 to 4 of (mean of cs)^w
 //
-// with l and cs of SSIM, as the authors' own program has it. Of luma (BT.601), unrounded. A mean
-// below 0, of pictures with opposite structure, has no such power: it counts as 0, and so does the
-// figure.
+// with l and cs of SSIM, as the authors' own program has it. Of the 8-bit picture's luma (BT.601),
+// not rounded. A mean below 0, of pictures with opposite structure, has no such power: it counts as
+// 0, and so does the figure.
 #include <hogelscope/plugin.h>
 
 #include <algorithm>
@@ -34,11 +34,11 @@ struct Plane {
   Plane(std::size_t w, std::size_t h) : width(w), height(h), values(w * h) {}
 };
 
-Plane lumaOf(const plugin::Picture& picture) {
-  Plane luma(std::size_t(picture.width), std::size_t(picture.height));
+Plane lumaOf(const plugin::View& view) {
+  Plane luma(std::size_t(view.width), std::size_t(view.height));
   for (std::size_t p = 0; p < luma.values.size(); ++p)
-    luma.values[p] = 0.299 * picture.rgb[3 * p] + 0.587 * picture.rgb[3 * p + 1] +
-                     0.114 * picture.rgb[3 * p + 2];
+    luma.values[p] =
+        0.299 * view.rgb[3 * p] + 0.587 * view.rgb[3 * p + 1] + 0.114 * view.rgb[3 * p + 2];
   return luma;
 }
 
@@ -126,8 +126,8 @@ class MsSsim final : public plugin::Metric {
   [[nodiscard]] std::int32_t decimals() const override { return 4; }
 
   /// NaN where the last scale is smaller than the window: below 161 pixels.
-  [[nodiscard]] double compare(const plugin::Picture& reference,
-                               const plugin::Picture& test) const override {
+  [[nodiscard]] double compare(const plugin::View& reference, const plugin::View& test,
+                               const plugin::Viewing& /*viewing*/) const override {
     constexpr auto reduction = std::int32_t{1} << (weights.size() - 1);
     constexpr auto least = std::int32_t(windowSize - 1) * reduction + 1;
     if (std::min(reference.width, reference.height) < least)

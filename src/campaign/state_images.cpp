@@ -10,10 +10,11 @@ StateImages::StateImages(const Session& session, LightFieldFile& file,
                          const std::vector<CameraState>& states, const Options& options,
                          const Progress& progress)
     : m_states(states) {
-  const auto& [use, shard, bits, rows] = options;
+  const auto& [use, shard, bits, keepsUnrounded, rows] = options;
   const bool isStreamed = mustStream(file, use.memory);
   m_scene = isStreamed ? unloadedScene(session, file) : loadScene(session, file, progress, use);
   m_scene.bits = bits;
+  m_scene.keepsUnrounded = keepsUnrounded;
   if (!isStreamed) return;
   std::vector<RenderJob> views;
   for (std::size_t k = 0; k < states.size(); ++k)

@@ -17,8 +17,9 @@ class StateImages {
  public:
   struct Options {
     SourceUse use{};
-    Shard shard{};  ///< whose states are asked for
-    int bits = 8;   ///< of the images' values
+    Shard shard{};                ///< whose states are asked for
+    int bits = 8;                 ///< of the images' values
+    bool keepsUnrounded = false;  ///< beside them
     ParallelRows rows = parallelRows;
   };
 

@@ -80,7 +80,8 @@ void checkRoom(const std::vector<RenderJob>& views) {
   std::size_t bytes = 0;
   for (const RenderJob& job : views) {
     const auto [width, height] = job.state.camera.res;
-    const std::size_t each = job.bits > 8 ? Image::deepBytesPerPixel : Image::bytesPerPixel;
+    const std::size_t each = (job.bits > 8 ? Image::deepBytesPerPixel : Image::bytesPerPixel) +
+                             (job.keepsUnrounded ? Image::unroundedBytesPerPixel : 0);
     bytes += each * std::size_t(width) * std::size_t(height);
   }
   if (bytes > machineMemory() / 2)

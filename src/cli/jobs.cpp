@@ -154,7 +154,7 @@ const std::vector<Job>& jobs() {
        .help = "Lists the plugins that are found, and says why any is refused.",
        .details = "Nothing of them is loaded: a session loads those that it names.",
        .examples = "  hogelscope --plugins\n"
-                   "  hogelscope --plugins --plugins-path build/plugins-1\n",
+                   "  hogelscope --plugins --plugins-path build/plugins-2\n",
        .run = runPlugins},
       {.command = Command::status,
        .name = "status",

@@ -3,6 +3,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <optional>
+#include <tuple>
+
 #include "core/base/error.h"
 #include "core/metrics/bd_rate.h"
 #include "io/plugins/metric_plugins.h"
@@ -16,10 +19,11 @@ namespace py = pybind11;
 namespace {
 
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
+using Floats = py::array_t<float, py::array::c_style>;
 using Words = py::array_t<std::uint16_t, py::array::c_style>;
 
 /// Copies a picture (h, w, 3) of uint8 or uint16 and a mask (h, w) of 0 and 1.
-Image imageOf(const py::array& picture, const Bytes& seen) {
+Image imageOf(const py::array& picture, const Bytes& seen, const std::optional<Floats>& unrounded) {
   const bool isDeep = py::isinstance<Words>(picture);
   if ((!isDeep && !py::isinstance<Bytes>(picture)) || picture.ndim() != 3 || picture.shape(2) != 3)
     throw InputError("picture", "is " + py::str(picture.attr("shape")).cast<std::string>() +
@@ -43,13 +47,17 @@ Image imageOf(const py::array& picture, const Bytes& seen) {
     std::copy_n(values, picture.size(), image.rgb.begin());
   }
   for (std::size_t k = 0; k < image.seen.size(); ++k) image.seen[k] = seen.data()[k] != 0 ? 255 : 0;
+  if (unrounded && unrounded->size() == picture.size())
+    image.unrounded.assign(unrounded->data(), unrounded->data() + unrounded->size());
   return image;
 }
 
-py::dict compare(const py::array& reference, const Bytes& seen, const py::array& test,
-                 const Bytes& testSeen, const std::vector<std::string>& metrics) {
-  const Image a = imageOf(reference, seen);
-  const Image b = imageOf(test, testSeen);
+using Parts = std::tuple<py::array, Bytes, std::optional<Floats>>;
+
+py::dict compare(const Parts& reference, const Parts& test,
+                 const std::vector<std::string>& metrics) {
+  const Image a = std::apply(imageOf, reference);
+  const Image b = std::apply(imageOf, test);
   if (a.width != b.width || a.height != b.height)
     throw InputError("test", "is " + std::to_string(b.width) + "×" + std::to_string(b.height) +
                                  " px, but the reference is " + std::to_string(a.width) + "×" +
@@ -85,8 +93,8 @@ py::dict bdRate(const std::vector<std::pair<double, double>>& anchor,
 }  // namespace
 
 void addFigures(py::module_& module) {
-  module.def("compare", &compare, py::arg("reference"), py::arg("seen"), py::arg("test"),
-             py::arg("test_seen"), py::arg("metrics"), "Metrics of two pictures.");
+  module.def("compare", &compare, py::arg("reference"), py::arg("test"), py::arg("metrics"),
+             "Metrics of two pictures: (picture, seen, values or None) each.");
   module.def("bd_rate", &bdRate, py::arg("anchor"), py::arg("test"),
              "Bjøntegaard's deltas of two lists of (rate, quality).");
 }

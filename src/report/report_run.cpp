@@ -158,7 +158,7 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
     if (seesAnything(pair.reference) || seesAnything(pair.test))
       row.values = m_comparing.of([&] {
         return m_request.metrics.compare(pair.reference, pair.test, m_pairs.renderer(worker).rows(),
-                                         m_progress.within());
+                                         m_progress.within(), m_pairs.viewing(state));
       });
     else
       row.problem = seesNothing;

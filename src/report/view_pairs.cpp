@@ -17,6 +17,7 @@ ViewPairs::ViewPairs(const ReportRequest& request, std::size_t workers,
     : m_session(request.session),
       m_file(*request.file),
       m_isAgainstIdeal(request.isAgainstIdeal),
+      m_keepsUnrounded(request.metrics.readUnrounded()),
       m_shard(request.shard.value_or(Shard{})),
       m_memory(request.memory / 2),
       m_references(request.tests.size() > 1 ? m_session.cameras.size() : 0),
@@ -34,6 +35,7 @@ StateImages ViewPairs::imagesOf(const Session& session, LightFieldFile& file,
           {.use = {m_memory, 0, m_renderers.size() > 1 ? 1 : threadCount()},
            .shard = m_shard,
            .bits = file.bits(),
+           .keepsUnrounded = m_keepsUnrounded,
            .rows = serialRows},
           progress};
 }
@@ -98,6 +100,10 @@ std::vector<double> ViewPairs::viewErrors(const Progress& progress) const {
   const bool areInMemory = ours.isInMemory() && others.isInMemory();
   if (m_isAgainstIdeal || !areInMemory || ours.size() != others.size()) return {};
   return hogelscope::viewErrors(*ours.overview(), *others.overview(), parallelRows, progress);
+}
+
+Viewing ViewPairs::viewing(std::size_t state) const {
+  return viewingOf(m_session.cameras[state], reference().display, reference().sampling.mapping);
 }
 
 ViewPair ViewPairs::render(std::size_t state, std::size_t worker, const Progress& progress) {

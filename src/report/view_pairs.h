@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/state_images.h"
+#include "core/optics/viewing.h"
 #include "report/report_request.h"
 
 namespace hogelscope {
@@ -30,6 +31,7 @@ class ViewPairs {
     Scene deep = scene;
     deep.isIdeal = m_isAgainstIdeal;
     deep.bits = m_file.bits();
+    deep.keepsUnrounded = m_keepsUnrounded;
     m_reference.emplace(deep, m_session.cameras);
   }
   /// Reads the session's light field, the first time, and a test's, side by side where both pass
@@ -44,6 +46,8 @@ class ViewPairs {
   [[nodiscard]] RenderJob job(std::size_t state) const { return m_reference->job(state); }
   [[nodiscard]] const Scene& reference() const { return m_reference->scene(); }
   [[nodiscard]] const Scene& test() const { return m_test->scene(); }
+  /// From where the reference is seen.
+  [[nodiscard]] Viewing viewing(std::size_t state) const;
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 
  private:
@@ -55,6 +59,7 @@ class ViewPairs {
   Session m_session;
   LightFieldFile& m_file;  ///< the session's light field
   bool m_isAgainstIdeal;
+  bool m_keepsUnrounded;
   Shard m_shard;         ///< whose states are asked for
   std::size_t m_memory;  ///< of each of the two
   std::optional<StateImages> m_reference;

@@ -181,7 +181,7 @@ inline hogelscope::IntrinsicsParams intrinsics(Random& random,
 /// All but the light field.
 inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   RandomScene scene;
-  auto& [lightField, panel, sampled, state, method, isIdeal, bits] = scene.job;
+  auto& [lightField, panel, sampled, state, method, isIdeal, bits, keepsUnrounded] = scene.job;
   panel = display(random);
   // An eye is exactly in the plane, or a ray exactly parallel to it, where nothing is turned.
   if (kind == Eye::inPlane || kind == Eye::parallel) panel.orientation = {};

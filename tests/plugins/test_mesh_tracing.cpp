@@ -188,6 +188,7 @@ class TestMeshTracing : public QObject {
   void raysDoNotDependOnEachOther();
   void threadsDoNotMatter();
   void raysThatMissSeeTheBackground();
+  void depthsOfHits();
   void theSampleRoom();
 };
 
@@ -342,6 +343,24 @@ void TestMeshTracing::raysThatMissSeeTheBackground() {
   QCOMPARE(background.b, 3.0F);
   QVERIFY(
       isSame(scene.see({0.05, 0.05, 1, 0, 0, 1.1}), background));  // its reach ends before the card
+}
+
+/// As the caster has them, and NaN for the background.
+void TestMeshTracing::depthsOfHits() {
+  Scene scene;
+  scene.open(soup(200, false));
+  const plugin::Triangles shown = scene.source.triangles();
+  const Rays rays = randomRays(3000, 5);
+  std::vector<double> depths(rays.size(), 9);
+  QVERIFY(scene.source.traceDepths(rays, depths));
+  std::size_t missed = 0;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (passesEdge(shown, rays[k], 1e-5)) continue;
+    const auto met = cast(shown, rays[k]);
+    missed += met ? 0 : 1;
+    QVERIFY(met ? std::abs(depths[k] - met->z) < 1e-6 : std::isnan(depths[k]));
+  }
+  QVERIFY(missed > 100 && missed < rays.size() - 100);
 }
 
 void TestMeshTracing::theSampleRoom() {

@@ -3,14 +3,19 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <numeric>
 
+#include "core/engine/renderer.h"
+#include "core/optics/viewing.h"
 #include "io/documents/session_file.h"
 #include "io/plugins/metric_plugins.h"
 #include "io/plugins/plugin_library.h"
+#include "io/scene/scene.h"
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
+#include "tests/plugins/plugin_files.h"
 
 using namespace hogelscope;
 
@@ -43,6 +48,8 @@ class TestMetricPlugins : public QObject {
   void initTestCase();
   void columnsOfTheSet();
   void inEveryFile();
+  void areTold_data();
+  void areTold();
   void aReportGoesOn();
   void anotherMetricIsAnotherReport();
   void inSessions();
@@ -99,7 +106,8 @@ void TestMetricPlugins::inEveryFile() {
     const QString name = QString("/Fig %1.png").arg(k + 1);
     const auto reference = bytesOf("with/reference" + name);
     const auto test = bytesOf("with/test1" + name);
-    const double figure = metric->compare({200, 170, reference, {}}, {200, 170, test, {}});
+    const double figure =
+        metric->compare({200, 170, reference, {}, {}}, {200, 170, test, {}, {}}, {});
     QVERIFY(figure > 0.5 && figure < 0.99999);
     QVERIFY2(says(figures.value(k), figure), qPrintable(figures.value(k)));
     sum += figure;
@@ -111,6 +119,50 @@ void TestMetricPlugins::inEveryFile() {
   QVERIFY(page.contains("MS\u2011SSIM") && page.contains("mean MS\u2011SSIM"));
   QVERIFY(!contentOf("plain/report.html").contains("MS\u2011SSIM"));
   QVERIFY(!contentOf("plain/metrics.csv").contains("ms_ssim"));
+}
+
+void TestMetricPlugins::areTold_data() {
+  QTest::addColumn<QStringList>("options");
+  QTest::newRow("in memory") << QStringList();
+  QTest::newRow("read from the top") << QStringList{"--memory", "2"};
+}
+
+/// The figures of metrics that return what they are told.
+void TestMetricPlugins::areTold() {
+  QFETCH(QStringList, options);
+  const QStringList names{"pixels", "distance", "reference", "difference"};
+  for (const QString& name : names) {
+    const QString library = QString(HOGELSCOPE_WRONG_PLUGINS "/%1.so").arg(name);
+    writePlugin(path("p/" + name), contentOf(library),
+                {{"name", "\"" + name.toUtf8() + "\""}, {"kinds", "[\"metric\"]"}});
+  }
+  options << "--set"
+          << "metrics=[\"" + names.join("\",\"") + "\"]";
+  const Outcome told =
+      report(QStringList{"--output", "told", "--plugins-path", "p"} + options, m_folder.path());
+  QVERIFY2(told.status == 0, told.err);
+  std::vector<std::string> changes{"camera.res=[200,170]"};
+  if (options.contains("--memory")) QVERIFY2(told.err.contains("read from the top"), told.err);
+  const Session session = loadSession(sampleSession.toStdString(), changes);
+  const Scene scene = loadScene(session, {});
+  const Scene dark = loadScene(withLightField(session, "dark.png"), {});
+  const auto meanOf = [](const FloatImage& image) {
+    return std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0) / double(image.rgb.size());
+  };
+  Renderer renderer;
+  for (int k = 0; k < 3; ++k) {
+    const CameraState& state = session.cameras[std::size_t(k)];
+    const Viewing viewing = viewingOf(state, scene.display, scene.sampling.mapping);
+    const double reference = meanOf(renderer.renderFloat(scene.job(state)));
+    const double test = meanOf(renderer.renderFloat(dark.job(state)));
+    QVERIFY(std::abs(reference - test) > 1);
+    const std::vector<double> expected{viewing.pixelsPerDegree, viewing.distance, reference,
+                                       reference - test};
+    for (qsizetype column = 0; column < names.size(); ++column) {
+      const QString cell = columnOf("told/metrics.csv", names[column]).value(k);
+      QVERIFY2(says(cell, expected[std::size_t(column)]), qPrintable(names[column] + cell));
+    }
+  }
 }
 
 /// A journal of the same request is taken up; one of other metrics is not.

@@ -16,7 +16,7 @@ struct Pixels {
   int height = 0;
   std::vector<std::uint8_t> rgb;
 
-  [[nodiscard]] plugin::Picture picture() const { return {width, height, rgb, {}}; }
+  [[nodiscard]] plugin::View view() const { return {width, height, rgb, {}, {}}; }
 };
 
 /// The pictures of ms_ssim.py.
@@ -121,7 +121,7 @@ class TestMsSsim : public QObject {
 
  private:
   [[nodiscard]] double compare(const Pixels& reference, const Pixels& test) const {
-    return m_metric->compare(reference.picture(), test.picture());
+    return m_metric->compare(reference.view(), test.view(), {});
   }
 
   std::unique_ptr<plugin::Metric> m_metric;

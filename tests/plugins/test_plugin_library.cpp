@@ -94,11 +94,11 @@ void TestPluginLibrary::unknownPlugins() {
 }
 
 void TestPluginLibrary::refusedPlugins() {
-  install("throws", {{"abi", "2"}, {"name", "\"example\""}});
+  install("throws", {{"abi", "1"}, {"name", "\"example\""}});
   QVERIFY(QFile::rename(m_place, path("p/wrong")));
   m_place = path("p/wrong");
-  QCOMPARE(load(), "plugin wrong: " + path("p/wrong/plugin.json: abi: 2, this program needs 1: "
-                                           "build the plugin with this program's SDK"));
+  QCOMPARE(load(), "plugin wrong: " + path("p/wrong/plugin.json: abi: 1, this program needs 2: "
+                                           "build the plugin again with this program's SDK"));
   install("throws", {{"kinds", "[\"content\"]"}});
   QCOMPARE(load(PluginKind::lens), "plugin wrong: has no lens; its plugin.json says what it has");
 }
@@ -173,13 +173,14 @@ void TestPluginLibrary::throwsInEachCall() {
   JsonReader visitor(object, "");
   double depth = 0;
   const std::vector<std::function<void()>> calls{
-      [&] { content->describe(visitor); }, [&] { content->open(panel, {}, Listener(true)); },
-      [&] { (void)content->files(); },     [&] { content->depths(depth, depth); },
-      [&] { content->trace({}, {}); },     [&] { (void)content->triangles(); },
-      [&] { lens->describe(visitor); },    [&] { lens->open(0, 60, {}); },
-      [&] { (void)lens->directionOf(0); }, [&] { (void)lens->slopeOf(0); },
-      [&] { (void)metric->title(); },      [&] { (void)metric->unit(); },
-      [&] { (void)metric->decimals(); },   [&] { (void)metric->compare({}, {}); }};
+      [&] { content->describe(visitor); },    [&] { content->open(panel, {}, Listener(true)); },
+      [&] { (void)content->files(); },        [&] { (void)content->notes(); },
+      [&] { content->trace({}, {}); },        [&] { (void)content->traceDepths({}, {}); },
+      [&] { content->depths(depth, depth); }, [&] { (void)content->triangles(); },
+      [&] { lens->describe(visitor); },       [&] { lens->open(0, 60, {}); },
+      [&] { (void)lens->directionOf(0); },    [&] { (void)lens->slopeOf(0); },
+      [&] { (void)metric->title(); },         [&] { (void)metric->unit(); },
+      [&] { (void)metric->decimals(); },      [&] { (void)metric->compare({}, {}, {}); }};
   for (const auto& call : calls) QCOMPARE(errorOf(call), line);
 }
 
@@ -200,6 +201,8 @@ void TestPluginLibrary::liesAreFound() {
   double depth = 0;
   QCOMPARE(errorOf([&] { content->depths(depth, depth); }),
            "plugin wrong: its depths are not back ≤ front");
+  QCOMPARE(content->notes(), std::vector<std::string>(50, "two lines\\x1b[2J"));
+  QVERIFY(!content->traceDepths({}, {}));
   QCOMPARE(content->triangles().corners.size(), std::size_t(3));
   for (const int corner : {-1, 3}) {
     const Json parameters{{"corner", corner}};

@@ -45,9 +45,17 @@ void TestPluginList::foldersInOrder() {
   const std::filesystem::path build = QFileInfo(HOGELSCOPE_PROGRAM).path().toStdString() + "/..";
   QCOMPARE(folders.size(), std::size_t(4));
   QCOMPARE(folders[0], std::filesystem::canonical(path("p").toStdString()));
-  QCOMPARE(folders[1].string(), path("home/.local/lib/hogelscope/plugins-1").toStdString());
-  QVERIFY(folders[2].string().ends_with("/hogelscope/plugins-1"));
-  QCOMPARE(folders[3], std::filesystem::canonical(build) / "plugins-1");
+  QCOMPARE(folders[1].string(), path("home/.local/lib/hogelscope/plugins-2").toStdString());
+  QVERIFY(folders[2].string().ends_with("/hogelscope/plugins-2"));
+  QCOMPARE(folders[3], std::filesystem::canonical(build) / "plugins-2");
+  const QString older = path("home/.local/lib/hogelscope/plugins-1");
+  writePlugin(older + "/stripes", "library", {{"abi", "1"}, {"name", "\"stripes\""}});
+  QCOMPARE(pluginFolders().back().string(), older.toStdString());
+  QCOMPARE(foundIn(older + "/stripes").refusal,
+           (older + "/stripes/plugin.json: abi: 1, this program needs 2: build the plugin again "
+                    "with this program's SDK")
+               .toStdString());
+  QVERIFY(QDir(older).removeRecursively());
   qputenv("HOME", "somewhere/relative");
   QCOMPARE(pluginFolders().size(), std::size_t(3));
   qputenv("HOME", path("home").toUtf8());
@@ -84,9 +92,9 @@ void TestPluginList::refusals_data() {
                       const QString& line) {
     QTest::newRow(row) << Keys{{key, value}} << line;
   };
-  const QString another = ", this program needs 1: build the plugin with this program's SDK";
-  add("other abi", "abi", "2", "abi: 2" + another);
-  add("abi as text", "abi", "\"1\"", "abi: \"1\"" + another);
+  const QString another = ", this program needs 2: build the plugin again with this program's SDK";
+  add("other abi", "abi", "1", "abi: 1" + another);
+  add("abi as text", "abi", "\"2\"", "abi: \"2\"" + another);
   add("abi as truth", "abi", "true", "abi: true" + another);
   add("half abi", "abi", "1.5", "abi: 1.5" + another);
   add("no abi", "abi", "", "abi: is missing" + another);
@@ -190,7 +198,7 @@ void TestPluginList::linksAndLoops() {
 }
 
 void TestPluginList::theFirstOfOneName() {
-  const QString own = path("home/.local/lib/hogelscope/plugins-1/wrong");
+  const QString own = path("home/.local/lib/hogelscope/plugins-2/wrong");
   writePlugin(path("p/good"), "library");
   writePlugin(path("p/other"), "library", {{"name", "\"other\""}});
   writePlugin(own, "library");
@@ -203,17 +211,17 @@ void TestPluginList::theFirstOfOneName() {
 /// --plugins in the real program: everything wrong is a line of the table, and the status is 0.
 void TestPluginList::theTable() {
   writePlugin(path("p/good"), "library");
-  writePlugin(path("p/other"), "library", {{"abi", "2"}});
+  writePlugin(path("p/other"), "library", {{"abi", "1"}});
   const Outcome outcome = run({"--plugins", "--plugins-path", "p"}, m_folder.path());
   QCOMPARE(outcome.err, QByteArray());
   QCOMPARE(outcome.status, 0);
   const QString out = QString::fromUtf8(outcome.out).replace(QRegularExpression(" +"), " ");
   QVERIFY(out.startsWith("plugin version kinds folder, or why it is refused\n"));
   QVERIFY(out.contains("\nwrong 1.0 content, lens, metric " + path("p/good") + "\n"));
-  QVERIFY(out.contains("\nother - refused " + path("p/other/plugin.json: abi: 2, this program")));
+  QVERIFY(out.contains("\nother - refused " + path("p/other/plugin.json: abi: 1, this program")));
   QVERIFY(out.contains("\nexample 1.0 content "));
   QVERIFY(out.contains("\nlooked in " + path("p") + "\n"));
-  QVERIFY(out.contains("/home/.local/lib/hogelscope/plugins-1 (missing)\n"));
+  QVERIFY(out.contains("/home/.local/lib/hogelscope/plugins-2 (missing)\n"));
   const Outcome missing = run({"--plugins", "--plugins-path", "q"}, m_folder.path());
   QCOMPARE(missing.err,
            QByteArray("hogelscope: q: is not a folder; each plugin is a folder in it\n"));

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Views are the program's own, byte for byte; comparisons are its reports'."""
 
+import json
 import math
 import os
 import shutil
@@ -62,6 +63,27 @@ class Render(FolderTest):
         figures = hs.compare(a.image, b.image, metrics=["ms-ssim"])
         self.assertTrue(0 < figures["ms_ssim"] < 1)
         self.assertRefuses("is not a folder", hs.add_plugin_folder, self.path("none"))
+
+    def test_what_metrics_are_told(self):
+        """Values before rounding where a view has them; not from where it was seen."""
+        build = os.path.dirname(os.path.dirname(os.environ["HOGELSCOPE_PROGRAM"]))
+        with open(os.path.join(build, "plugins-2", "ms-ssim", "plugin.json")) as file:
+            document = json.load(file)
+        for name in ("reference", "pixels"):
+            os.makedirs(self.path("p", name))
+            library = shutil.copy(os.path.join(build, "tests", "wrong_plugins", name + ".so"),
+                                  self.path("p", name))
+            document.update(name=name, file=name + ".so", bytes=os.path.getsize(library))
+            with open(self.path("p", name, "plugin.json"), "w") as file:
+                json.dump(document, file)
+        hs.add_plugin_folder(self.path("p"))
+        v = hs.Session(TABLE1).render("Fig 1")
+        told = hs.compare(v, v, metrics=["reference", "pixels"])
+        self.assertAlmostEqual(told["reference"], v.values.mean(dtype=float), places=9)
+        self.assertNotAlmostEqual(told["reference"], v.image.mean(), places=6)
+        self.assertTrue(math.isnan(told["pixels"]))
+        told = hs.compare(v.image, v.image, metrics=["reference"])
+        self.assertAlmostEqual(told["reference"], v.image.mean(), places=9)
 
     def test_values_and_formats(self):
         s = hs.Session(TABLE1)

@@ -211,7 +211,7 @@ void TestSummaries::anotherMetric() {
   largest.columns = {{"largest", "Largest", "cv", "", 1, 1, MetricColumn::Where::page}};
   largest.means = {{"mean_largest", "mean largest", 0, 1, nullptr, true}};
   largest.compare = [](const Image& reference, const Image& test, const ParallelRows&,
-                       const Progress&) {
+                       const Progress&, const Viewing&) {
     int most = 0;
     for (std::size_t k = 0; k < test.rgb.size(); ++k)
       most = std::max(most, std::abs(int(reference.rgb[k]) - int(test.rgb[k])));

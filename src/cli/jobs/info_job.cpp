@@ -178,6 +178,8 @@ void printLive(std::ostream& out, const Session& session) {
       << " m\n";
   for (const fs::path& name : file.files())
     out << "file        " << printable(name.string()) << "\n";
+  for (const std::string& note : file.content().notes())
+    out << "note        " << printable(note) << "\n";
 }
 
 void printMesh(std::ostream& out, const Session& around) {

@@ -32,7 +32,8 @@ AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress)
 }
 
 Image Renderer::render(const RenderJob& job, const Progress& progress) {
-  if (job.isIdeal || job.bits > 8) return rounded(renderFloat(job, progress), job.bits);
+  if (job.isIdeal || job.bits > 8 || job.keepsUnrounded)
+    return rounded(renderFloat(job, progress), job.bits, job.keepsUnrounded);
   const Progress heard = forThreads(progress);
   const RenderJob chosen = chooseMethod(job, heard).job;
   Image image = renderReduced<Image>(chosen, heard);

@@ -61,13 +61,14 @@ void StreamingRenderer::begin(LensTables& tables, const ParallelRows& parallelRo
   RenderJob job = m_job;
   job.lightField = m_texels;
   m_simulation.emplace(job, tables, parallelRows, m_progress);
-  m_image = Image(m_job.state.camera.res[0], m_job.state.camera.res[1], m_job.bits);
+  const auto [width, height] = m_job.state.camera.res;
+  m_image = Image(width, height, m_job.bits, m_job.keepsUnrounded);
 }
 
 void StreamingRenderer::finish(int j) {
   for (const auto& [y, x0, x1] : m_due[std::size_t(j)]) {
     const std::size_t at = std::size_t(y) * std::size_t(m_image.width) + std::size_t(x0);
-    if (m_job.bits == 8) {
+    if (m_job.bits == 8 && !m_job.keepsUnrounded) {
       m_simulation->row(y, x0, x1, &m_image.rgb[3 * at], &m_image.seen[at]);
       continue;
     }

@@ -70,7 +70,8 @@ std::vector<MetricMean> standardMeans() {
 }
 
 std::vector<double> compareStandard(const Image& reference, const Image& test,
-                                    const ParallelRows& parallelRows, const Progress& progress) {
+                                    const ParallelRows& parallelRows, const Progress& progress,
+                                    const Viewing& /*viewing*/) {
   const SquaredError error = squaredError(reference, test, progress);
   const Ssim similarity = ssim(reference, test, parallelRows, progress);
   std::vector<double> values{psnr(error.mseSeen), psnr(error.mse),  error.mseSeen,
@@ -104,15 +105,19 @@ MetricSet::MetricSet(std::vector<Metric> others)
   }
 }
 
+bool MetricSet::readUnrounded() const {
+  return std::ranges::any_of(m_metrics, &Metric::readsUnrounded);
+}
+
 std::vector<double> MetricSet::compare(const Image& reference, const Image& test,
-                                       const ParallelRows& parallelRows,
-                                       const Progress& progress) const {
+                                       const ParallelRows& parallelRows, const Progress& progress,
+                                       const Viewing& viewing) const {
   if (reference.width != test.width || reference.height != test.height)
     throw std::invalid_argument("compare: images of different sizes");
   const Progress polled = forThreads(progress);
   std::vector<double> values;
   for (const Metric& metric : m_metrics)
-    std::ranges::copy(metric.compare(reference, test, parallelRows, polled),
+    std::ranges::copy(metric.compare(reference, test, parallelRows, polled, viewing),
                       std::back_inserter(values));
   return values;
 }

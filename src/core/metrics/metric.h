@@ -10,6 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/optics/image.h"
+#include "core/optics/viewing.h"
 
 namespace hogelscope {
 
@@ -43,14 +44,15 @@ struct MetricMean {
 };
 
 /// The value of each column, of images of one size.
-using CompareImages =
-    std::function<std::vector<double>(const Image& reference, const Image& test,
-                                      const ParallelRows& parallelRows, const Progress& progress)>;
+using CompareImages = std::function<std::vector<double>(
+    const Image& reference, const Image& test, const ParallelRows& parallelRows,
+    const Progress& progress, const Viewing& viewing)>;
 
 struct Metric {
   std::vector<MetricColumn> columns;
   std::vector<MetricMean> means;
   CompareImages compare;
+  bool readsUnrounded = false;  ///< of the images; takes their rounded ones where they are missing
 };
 
 /// The columns of the standard metrics, which begin every MetricSet. Without "seen" they are over
@@ -106,12 +108,15 @@ class MetricSet {
   /// Their `column` is an index of columns().
   [[nodiscard]] const std::vector<MetricMean>& means() const { return m_means; }
 
+  /// Whether one of them reads unrounded values.
+  [[nodiscard]] bool readUnrounded() const;
   /// Returns the value of each column; NaN where there is nothing to compare. They are the same to
   /// the last bit for any number of threads, and on every machine with IEEE arithmetic. Throws
   /// std::invalid_argument where the sizes differ, Cancelled.
   [[nodiscard]] std::vector<double> compare(const Image& reference, const Image& test,
                                             const ParallelRows& parallelRows = serialRows,
-                                            const Progress& progress = {}) const;
+                                            const Progress& progress = {},
+                                            const Viewing& viewing = {}) const;
   /// Returns the values of a view that cannot be compared: NaN, and no pixel seen.
   [[nodiscard]] std::vector<double> noValues() const;
 

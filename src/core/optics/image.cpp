@@ -37,13 +37,15 @@ void setValues(Image& image, std::size_t at, std::span<const float> codeValues) 
     const auto value = double(codeValues[k]);
     image.rgb[at + k] = quantised(value);
     if (image.bits > 8) image.deep[at + k] = deepValue(value, image.bits);
+    if (!image.unrounded.empty()) image.unrounded[at + k] = codeValues[k];
   }
 }
 
-Image rounded(FloatImage image, int bits) {
+Image rounded(FloatImage image, int bits, bool keepsUnrounded) {
   Image result(image.width, image.height, bits);
   setValues(result, 0, image.rgb);
   result.seen = std::move(image.seen);
+  if (keepsUnrounded) result.unrounded = std::move(image.rgb);
   return result;
 }
 

@@ -19,17 +19,20 @@ struct Image {
   std::vector<std::uint8_t> seen;   ///< width·height
   int bits = 8;                     ///< of the light field's values, 8 … 16
   std::vector<std::uint16_t> deep;  ///< rgb with this many bits; empty for 8
+  std::vector<float> unrounded;     ///< rgb before rounding; empty unless it was asked for
   static constexpr std::size_t bytesPerPixel = 4;
   static constexpr std::size_t deepBytesPerPixel = 10;
+  static constexpr std::size_t unroundedBytesPerPixel = 12;  ///< and these besides
 
   Image() = default;
-  Image(int w, int h, int bitsOfValues = 8)
+  Image(int w, int h, int bitsOfValues = 8, bool keepsUnrounded = false)
       : width(w),
         height(h),
         rgb(3 * std::size_t(w) * std::size_t(h)),
         seen(rgb.size() / 3),
         bits(bitsOfValues),
-        deep(bits > 8 ? rgb.size() : 0) {}
+        deep(bits > 8 ? rgb.size() : 0),
+        unrounded(keepsUnrounded ? rgb.size() : 0) {}
   [[nodiscard]] std::size_t pixelCount() const { return seen.size(); }
   bool operator==(const Image&) const = default;
 };
@@ -55,11 +58,11 @@ constexpr int largestValue(int bits) {
 }
 
 /// Rounds code values half up to image.bits bits, as the values of a row from value `at` on; rounds
-/// them to 8 bits too.
+/// them to 8 bits too, and keeps them where the image has room for unrounded values.
 void setValues(Image& image, std::size_t at, std::span<const float> codeValues);
 
-/// Returns the image rounded to so many bits.
-Image rounded(FloatImage image, int bits = 8);
+/// Returns the image rounded to so many bits, with the unrounded values if asked for.
+Image rounded(FloatImage image, int bits = 8, bool keepsUnrounded = false);
 
 /// Writes values [at, at + result.size()) of the image as code values.
 void readCodeValues(const Image& image, std::size_t at, std::span<double> result);

@@ -21,6 +21,7 @@ struct RenderJob {
   Method method{};       ///< for the fast engine; the reference engine ignores it
   bool isIdeal = false;  ///< Renderer then makes the ideal view, see ideal_view.h
   int bits = 8;          ///< of the image's values, see Image; for Renderer and StreamingRenderer
+  bool keepsUnrounded = false;  ///< the image has its unrounded values too; for the same
   bool operator==(const RenderJob&) const = default;
 };
 

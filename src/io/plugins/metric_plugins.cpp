@@ -13,8 +13,23 @@ namespace hogelscope {
 
 namespace {
 
-plugin::Picture pictureOf(const Image& image) {
-  return {image.width, image.height, image.rgb, image.seen};
+/// The values where an image has no others.
+std::vector<float> roundedValues(const Image& image) {
+  if (!image.unrounded.empty()) return {};
+  std::vector<double> values(image.rgb.size());
+  readCodeValues(image, 0, values);
+  return {values.begin(), values.end()};
+}
+
+double compared(const plugin::Metric& metric, const Image& reference, const Image& test,
+                const Viewing& viewing) {
+  const std::array values{roundedValues(reference), roundedValues(test)};
+  const auto viewOf = [](const Image& image, const std::vector<float>& otherwise) {
+    const std::vector<float>& shown = image.unrounded.empty() ? otherwise : image.unrounded;
+    return plugin::View{image.width, image.height, image.rgb, shown, image.seen};
+  };
+  return metric.compare(viewOf(reference, values[0]), viewOf(test, values[1]),
+                        {viewing.pixelsPerDegree, viewing.distance});
 }
 
 Metric metricOf(const std::string& name) {
@@ -22,22 +37,24 @@ Metric metricOf(const std::string& name) {
   std::string column = name;
   std::ranges::replace(column, '-', '_');
   const int decimals = metric->decimals();
-  return {.columns = {{.name = column,
-                       .title = metric->title(),
-                       .unit = metric->unit(),
-                       .help = "Of the plugin " + name,
-                       .decimals = decimals,
-                       .where = MetricColumn::Where::window}},
-          .means = {{.name = "mean_" + column,
-                     .title = std::string("mean ") + metric->title(),
-                     .decimals = decimals,
-                     .isQuality = true,
-                     .unit = metric->unit()}},
-          .compare = [metric](const Image& reference, const Image& test, const ParallelRows&,
-                              const Progress& progress) -> std::vector<double> {
-            hearStop(progress);
-            return {metric->compare(pictureOf(reference), pictureOf(test))};
-          }};
+  return {
+      .columns = {{.name = column,
+                   .title = metric->title(),
+                   .unit = metric->unit(),
+                   .help = "Of the plugin " + name,
+                   .decimals = decimals,
+                   .where = MetricColumn::Where::window}},
+      .means = {{.name = "mean_" + column,
+                 .title = std::string("mean ") + metric->title(),
+                 .decimals = decimals,
+                 .isQuality = true,
+                 .unit = metric->unit()}},
+      .compare = [metric](const Image& reference, const Image& test, const ParallelRows&,
+                          const Progress& progress, const Viewing& viewing) -> std::vector<double> {
+        hearStop(progress);
+        return {compared(*metric, reference, test, viewing)};
+      },
+      .readsUnrounded = true};
 }
 
 /// A table has each of its columns once.

@@ -33,8 +33,10 @@ void addPluginFolder(const fs::path& folder) {
 std::vector<fs::path> pluginFolders() {
   const std::string ours = "plugins-" + std::to_string(plugin::abi);
   std::vector<fs::path> folders = addedFolders();
-  if (const char* home = std::getenv("HOME"); home != nullptr && fs::path(home).is_absolute())
-    folders.push_back(fs::path(home) / ".local/lib/hogelscope" / ours);
+  const char* const home = std::getenv("HOME");
+  const bool hasHome = home != nullptr && fs::path(home).is_absolute();
+  const fs::path own = hasHome ? fs::path(home) / ".local/lib/hogelscope" : fs::path();
+  if (hasHome) folders.push_back(own / ours);
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
@@ -42,6 +44,10 @@ std::vector<fs::path> pluginFolders() {
     folders.push_back(prefix / HOGELSCOPE_LIBRARIES / "hogelscope" / ours);
     folders.push_back(prefix / ours);
   }
+  // What was built for an older program is refused by its number, with what to do about it.
+  for (auto older = plugin::abi - 1; hasHome && older > 0; --older)
+    if (const fs::path folder = own / ("plugins-" + std::to_string(older)); isFolder(folder))
+      folders.push_back(folder);
   std::vector<fs::path> once;
   for (const fs::path& folder : folders)
     if (std::ranges::find(once, folder) == once.end()) once.push_back(folder);

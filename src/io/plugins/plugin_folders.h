@@ -13,7 +13,8 @@ namespace hogelscope {
 void addPluginFolder(const std::filesystem::path& folder);
 
 /// Returns the folders of addPluginFolder(), the user's own, the installation's and the build
-/// tree's, in this order; the last three may be missing. Each plugin has a folder in one of them.
+/// tree's, in this order, of which the last three may be missing, and those of the user for older
+/// interfaces. Each plugin has a folder in one of them.
 std::vector<std::filesystem::path> pluginFolders();
 
 }  // namespace hogelscope

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <utility>
 
+#include "io/files/system_limits.h"
+
 namespace hogelscope {
 
 namespace {
@@ -37,6 +39,21 @@ void checkTriangles(const std::string& name, const plugin::Triangles& triangles)
                       "three points for each triangle");
 }
 
+/// The core, which opens lenses, does not know how much memory the program may use.
+plugin::Place allowed(plugin::Place place) {
+  place.memory = allowedMemory();
+  return place;
+}
+
+/// Of some hundred letters at most.
+std::string oneLine(std::string text) {
+  constexpr std::size_t longest = 400;
+  if (text.size() > longest) text = text.substr(0, longest) + "…";
+  std::ranges::replace(text, '\n', ' ');
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
 class GuardedContent final : public plugin::ContentSource {
  public:
   GuardedContent(std::string name, std::unique_ptr<plugin::ContentSource> content)
@@ -49,7 +66,7 @@ class GuardedContent final : public plugin::ContentSource {
             const plugin::Progress& progress) override {
     const HeardProgress heard(progress);
     try {
-      guarded(m_name, [&] { m_content->open(panel, place, heard); });
+      guarded(m_name, [&] { m_content->open(panel, allowed(place), heard); });
     } catch (const InputError&) {
       if (heard.wasStopped()) throw Cancelled();
       throw;
@@ -62,8 +79,19 @@ class GuardedContent final : public plugin::ContentSource {
     guarded(m_name, [&] { m_content->depths(back, front); });
     if (!(back <= front)) throw pluginError(m_name, "its depths are not back ≤ front");
   }
+  [[nodiscard]] std::vector<std::string> notes() const override {
+    std::vector<std::string> notes = guarded(m_name, [&] { return m_content->notes(); });
+    constexpr std::size_t most = 50;
+    notes.resize(std::min(notes.size(), most));
+    for (std::string& note : notes) note = InputError("", oneLine(std::move(note))).what();
+    return notes;
+  }
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
     guarded(m_name, [&] { m_content->trace(rays, colours); });
+  }
+  [[nodiscard]] bool traceDepths(std::span<const plugin::Ray> rays,
+                                 std::span<double> depths) const override {
+    return guarded(m_name, [&] { return m_content->traceDepths(rays, depths); });
   }
   [[nodiscard]] plugin::Triangles triangles() const override {
     plugin::Triangles triangles = guarded(m_name, [&] { return m_content->triangles(); });
@@ -85,7 +113,7 @@ class GuardedLens final : public plugin::HogelLens {
     guarded(m_name, [&] { m_lens->describe(v); });
   }
   void open(std::int32_t axis, double fov, const plugin::Place& place) override {
-    guarded(m_name, [&] { m_lens->open(axis, fov, place); });
+    guarded(m_name, [&] { m_lens->open(axis, fov, allowed(place)); });
   }
   [[nodiscard]] double directionOf(double slope) const override {
     return guarded(m_name, [&] { return m_lens->directionOf(slope); });
@@ -115,9 +143,9 @@ class GuardedMetric final : public plugin::Metric {
     if (digits < 0 || digits > 9) throw pluginError(m_name, "its decimals are not 0 to 9");
     return digits;
   }
-  [[nodiscard]] double compare(const plugin::Picture& reference,
-                               const plugin::Picture& test) const override {
-    return guarded(m_name, [&] { return m_metric->compare(reference, test); });
+  [[nodiscard]] double compare(const plugin::View& reference, const plugin::View& test,
+                               const plugin::Viewing& viewing) const override {
+    return guarded(m_name, [&] { return m_metric->compare(reference, test, viewing); });
   }
 
  private:
@@ -136,10 +164,7 @@ class GuardedMetric final : public plugin::Metric {
 }  // namespace
 
 InputError pluginError(const std::string& name, std::string why) {
-  constexpr std::size_t longest = 400;
-  if (why.size() > longest) why = why.substr(0, longest) + "…";
-  std::ranges::replace(why, '\n', ' ');
-  while (why.ends_with(' ')) why.pop_back();
+  why = oneLine(std::move(why));
   return {"plugin " + name, why.empty() ? "throws without saying why" : why};
 }
 

@@ -62,7 +62,7 @@ void checkNumbers(const Json& document) {
   if (const auto abi = document.find("abi"); abi == document.end() || *abi != plugin::abi)
     throw InputError("abi", (abi == document.end() ? "is missing" : abi->dump().substr(0, 20)) +
                                 ", this program needs " + std::to_string(plugin::abi) +
-                                ": build the plugin with this program's SDK");
+                                ": build the plugin again with this program's SDK");
   if (const auto build = document.find("build");
       build == document.end() || *build != HOGELSCOPE_PLUGIN_BUILD)
     throw InputError("build", "is not " HOGELSCOPE_PLUGIN_BUILD

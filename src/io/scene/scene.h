@@ -22,11 +22,12 @@ struct Scene {
   std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
-  bool isIdeal = false;  ///< its views are ideal views
-  int bits = 8;          ///< of its views' values
+  bool isIdeal = false;         ///< its views are ideal views
+  int bits = 8;                 ///< of its views' values
+  bool keepsUnrounded = false;  ///< its views have their unrounded values too
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
-    return {lightField, display, sampling, state, {}, isIdeal, bits};
+    return {lightField, display, sampling, state, {}, isIdeal, bits, keepsUnrounded};
   }
 };
 

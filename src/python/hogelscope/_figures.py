@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -13,12 +13,16 @@ from ._view import View
 Picture = Union[View, np.ndarray]
 
 
-def _parts(picture: Picture) -> Tuple[np.ndarray, np.ndarray]:
+_Parts = Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]
+
+
+def _parts(picture: Picture) -> _Parts:
     if isinstance(picture, View):
-        return np.ascontiguousarray(picture.image), np.ascontiguousarray(picture.seen)
+        image, seen = np.ascontiguousarray(picture.image), np.ascontiguousarray(picture.seen)
+        return image, seen, picture.values
     if not isinstance(picture, np.ndarray):
         raise TypeError(f"a picture is a View or a numpy array, not {type(picture).__name__}")
-    return np.ascontiguousarray(picture), np.ones(picture.shape[:2], np.uint8)
+    return np.ascontiguousarray(picture), np.ones(picture.shape[:2], np.uint8), None
 
 
 def compare(reference: Picture, test: Picture, *, metrics: Sequence[str] = ()) -> Dict[str, float]:
@@ -27,16 +31,15 @@ def compare(reference: Picture, test: Picture, *, metrics: Sequence[str] = ()) -
     Args:
         reference, test: Views, or arrays (h, w, 3) of uint8 or uint16 of one size. Arrays count as
             seen everywhere, so the columns "…_seen" are for Views.
-        metrics: names of plugins whose figures are wanted, too.
+        metrics: names of plugins whose figures are wanted, too. From where pictures are seen they
+            do not know; what needs that is NaN.
 
     Returns:
         {"mse": (code values of 0 to 255) squared, "psnr": dB, "psnr_yuv": dB, "ssim": 0 to 1, …};
         PSNRs of equal pictures are infinite, NaN where nothing is to be compared. Raises
         InputError.
     """
-    first, seen = _parts(reference)
-    second, test_seen = _parts(test)
-    figures: Dict[str, Any] = _hogelscope.compare(first, seen, second, test_seen, list(metrics))
+    figures: Dict[str, Any] = _hogelscope.compare(_parts(reference), _parts(test), list(metrics))
     return figures
 
 

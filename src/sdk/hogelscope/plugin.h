@@ -12,9 +12,9 @@
 #include "core/base/parameters.h"
 
 namespace hogelscope::plugin {
-inline namespace v1 {
+inline namespace v2 {
 
-constexpr std::uint32_t abi = 1;
+constexpr std::uint32_t abi = 2;
 
 /// Red, green, blue in sRGB-encoded code values: 0 … 255 is the range of an 8-bit image.
 struct Colour {
@@ -43,10 +43,12 @@ struct Panel {
   double slopeStep[2];  ///< the slopes' range / directions: the mean width of a directional pixel
 };
 
-/// Relative paths in parameters are relative to `folder`; `threads` may be used at a time.
+/// Relative paths in parameters are relative to `folder`; `threads` may be used at a time; what is
+/// opened may hold `memory` bytes in all.
 struct Place {
   std::string folder;
   std::int32_t threads = 1;
+  std::uint64_t memory = 0;
 };
 
 /// The listener of long work.
@@ -81,12 +83,21 @@ class ContentSource {
   virtual void open(const Panel& panel, const Place& place, const Progress& progress) = 0;
   /// The files that open() has read.
   [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
+  /// What those files have that is not shown, a sentence each ("Its 3 animations stay at rest.").
+  [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
   /// The depths z between which there is content, back ≤ front.
   virtual void depths(double& back, double& front) const = 0;
   /// Sets the light of what each ray meets first, or of the background. A ray's result does not
   /// depend on the others in the call. Neighbours in the list are near each other. Both spans have
   /// one size.
   virtual void trace(std::span<const Ray> rays, std::span<Colour> colours) const = 0;
+  /// Sets the depth z of the point that each ray meets first, in the display frame; NaN where it
+  /// meets nothing. Both spans have one size. Returns false, and sets nothing, where the content
+  /// does not know its depths.
+  [[nodiscard]] virtual bool traceDepths(std::span<const Ray> /*rays*/,
+                                         std::span<double> /*depths*/) const {
+    return false;
+  }
   /// Returns what the 3-D scene draws.
   [[nodiscard]] virtual Triangles triangles() const { return {}; }
 };
@@ -107,13 +118,21 @@ class HogelLens {
   [[nodiscard]] virtual double slopeOf(double direction) const = 0;
 };
 
-/// A view as a metric sees it: width·height pixels of 8-bit RGB from the top left; `seen` is not 0
-/// where the pixel sees the display.
-struct Picture {
+/// A view as a metric sees it: width·height pixels from the top left. `values` are the same RGB
+/// before rounding, in the code values of a Colour. `seen` is not 0 where the pixel sees the
+/// display.
+struct View {
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::span<const std::uint8_t> rgb;
+  std::span<const float> values;
   std::span<const std::uint8_t> seen;
+};
+
+/// From where the views are seen; NaN where that is not known.
+struct Viewing {
+  double pixelsPerDegree;  ///< of the field of view, in the middle of the image
+  double distance;         ///< from the eye to the panel's centre, in metres
 };
 
 /// One figure of how far a test differs from a reference. compare() may be called from several
@@ -125,8 +144,9 @@ class Metric {
   [[nodiscard]] virtual const char* title() const = 0;
   [[nodiscard]] virtual const char* unit() const { return ""; }
   [[nodiscard]] virtual std::int32_t decimals() const { return 2; }
-  /// The pictures have one size. NaN where the figure is not defined.
-  [[nodiscard]] virtual double compare(const Picture& reference, const Picture& test) const = 0;
+  /// The views have one size. NaN where the figure is not defined.
+  [[nodiscard]] virtual double compare(const View& reference, const View& test,
+                                       const Viewing& viewing) const = 0;
 };
 
 /// What the library's one symbol is: numbers that are read before any code of the plugin runs, its
@@ -142,7 +162,7 @@ struct Entry {
   Metric* (*metric)();
 };
 
-}  // namespace v1
+}  // namespace v2
 }  // namespace hogelscope::plugin
 
 #define HOGELSCOPE_TEXT_OF(x) #x

@@ -16,6 +16,9 @@ class Content final : public plugin::ContentSource {
     v.field("fill", m_fill, {0, 9, 1}, "", "Has the name of a parameter of every live scene.");
   }
   void open(const plugin::Panel&, const plugin::Place&, const plugin::Progress&) override {}
+  [[nodiscard]] std::vector<std::string> notes() const override {
+    return std::vector<std::string>(1000, "two\nlines\x1b[2J");
+  }
   void depths(double& back, double& front) const override {
     back = 1;
     front = std::numeric_limits<double>::quiet_NaN();
@@ -35,7 +38,8 @@ class Metric final : public plugin::Metric {
   [[nodiscard]] const char* title() const override { return nullptr; }
   [[nodiscard]] const char* unit() const override { return "two\nlines"; }
   [[nodiscard]] std::int32_t decimals() const override { return -5; }
-  [[nodiscard]] double compare(const plugin::Picture&, const plugin::Picture&) const override {
+  [[nodiscard]] double compare(const plugin::View&, const plugin::View&,
+                               const plugin::Viewing&) const override {
     return 0;
   }
 };

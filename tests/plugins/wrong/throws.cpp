@@ -20,8 +20,12 @@ class Content final : public plugin::ContentSource {
     fail();
   }
   [[nodiscard]] std::vector<std::string> files() const override { fail(); }
+  [[nodiscard]] std::vector<std::string> notes() const override { fail(); }
   void depths(double&, double&) const override { fail(); }
   void trace(std::span<const plugin::Ray>, std::span<plugin::Colour>) const override { fail(); }
+  [[nodiscard]] bool traceDepths(std::span<const plugin::Ray>, std::span<double>) const override {
+    fail();
+  }
   [[nodiscard]] plugin::Triangles triangles() const override { fail(); }
 };
 
@@ -30,7 +34,8 @@ class Metric final : public plugin::Metric {
   [[nodiscard]] const char* title() const override { fail(); }
   [[nodiscard]] const char* unit() const override { fail(); }
   [[nodiscard]] std::int32_t decimals() const override { fail(); }
-  [[nodiscard]] double compare(const plugin::Picture&, const plugin::Picture&) const override {
+  [[nodiscard]] double compare(const plugin::View&, const plugin::View&,
+                               const plugin::Viewing&) const override {
     fail();
   }
 };

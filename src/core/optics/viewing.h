@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From where a state's image is seen: what metrics that model the eye need to know.
+#pragma once
+
+#include <limits>
+
+#include "core/optics/sampling.h"
+#include "core/optics/session.h"
+
+namespace hogelscope {
+
+/// NaN where it is not known.
+struct Viewing {
+  /// Pixels per degree of the eye's field, in the middle of the image: of both axes the geometric
+  /// mean. NaN where the lens sends no light there.
+  double pixelsPerDegree = std::numeric_limits<double>::quiet_NaN();
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< eye to panel's centre, metres
+};
+
+/// Returns it for one state (docs/formulas.md, Metrics). Throws InputError if the state has
+/// no camera frame.
+Viewing viewingOf(const CameraState& state, const DisplayParams& display, LensMapping mapping);
+
+}  // namespace hogelscope
