@@ -23,6 +23,20 @@ std::string shortName(const std::string& name) {
   return name.size() <= most ? name : name.substr(0, most) + "…";
 }
 
+std::string sameName(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+  return error ? path : whole.string();
+}
+
+std::string leftOut(const std::string& what, const std::vector<std::string>& names) {
+  constexpr std::size_t mostNamed = 6;
+  std::string note = "Its " + what;
+  for (std::size_t k = 0; k < std::min(names.size(), mostNamed); ++k)
+    note += (k == 0 ? " " : ", ") + shortName(names[k]);
+  return note + (names.size() > mostNamed ? ", … are not shown." : " are not shown.");
+}
+
 std::string readBytes(const std::string& file) {
   // A pipe or a device would never end.
   std::error_code error;

@@ -14,6 +14,12 @@ namespace hogelscope::mesh {
 /// Returns what the file holds, or throws.
 std::string readBytes(const std::string& file);
 
+/// Returns one name for all names of a file: absolute, without links, "." and "..".
+std::string sameName(const std::string& path);
+
+/// Returns a note: "Its WHAT a, b, … are not shown."
+std::string leftOut(const std::string& what, const std::vector<std::string>& names);
+
 /// A name out of a file, short enough for a message.
 std::string shortName(const std::string& name);
 

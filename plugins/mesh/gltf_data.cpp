@@ -24,6 +24,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
 
 std::string decodeBase64(std::string_view text) {
   std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
   std::uint32_t bits = 0;
   int count = 0;
   for (const char c : text) {
@@ -120,19 +121,19 @@ struct GltfData::Layout {
   double divisor = 1;
 };
 
-GltfData::GltfData(const std::string& file)
-    : m_file(file), m_bytes(readBytes(file)), m_files{file} {
+GltfData::GltfData(Reading& reading)
+    : m_reading(reading), m_bytes(reading.bytesOf(reading.file())), m_files{reading.file()} {
   const std::string_view binary = readContainer();
   if (!m_root.is_object()) fail("is not glTF", "its JSON is no object");
   checkExtensions();
-  const Json asset = m_root.value("asset", Json());
-  if (!asset.is_object() || !asset.contains("version") || asset["version"] != "2.0")
+  const Json& asset = part(m_root, "asset");
+  if (!asset.contains("version") || asset["version"] != "2.0")
     fail("asset.version", "must be \"2.0\"");
   readBuffers(binary);
 }
 
 void GltfData::fail(const std::string& what, const std::string& why) const {
-  mesh::fail(m_file, what, why);
+  mesh::fail(file(), what, why);
 }
 
 /// Reads the JSON and returns the binary chunk of a .glb.
@@ -154,20 +155,31 @@ std::string_view GltfData::readContainer() {
       at += chunkHeader + size;
     }
   }
-  m_root = Json::parse(json, nullptr, false);
-  if (m_root.is_discarded()) fail("is not glTF", "its JSON is damaged");
+  parse(json);
   return binary;
 }
 
+/// What is nested deeply would be destroyed and copied by calls in calls.
+void GltfData::parse(std::string_view json) {
+  constexpr int deepest = 100;
+  constexpr double bytesOfValue = 64;  // a member of an object has a key beside its value
+  m_reading.take(double(json.size()));
+  std::size_t count = 0;
+  const auto look = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > deepest) fail("is no glTF that can be read", "its JSON is nested too deeply");
+    m_reading.take(bytesOfValue);
+    if (++count % 65536 == 0) m_reading.poll();
+    return true;
+  };
+  m_root = Json::parse(json, look, false);
+  if (m_root.is_discarded()) fail("is not glTF", "its JSON is damaged");
+}
+
 void GltfData::checkExtensions() const {
-  static constexpr std::array known{"KHR_lights_punctual", "KHR_materials_unlit",
-                                    "KHR_mesh_quantization"};
-  const Json required = m_root.value("extensionsRequired", Json::array());
-  if (!required.is_array()) fail("extensionsRequired", "must be a list of names");
-  for (const Json& name : required) {
+  for (const Json& name : listAt("extensionsRequired")) {
     if (!name.is_string()) fail("extensionsRequired", "must be a list of names");
     const auto text = name.get<std::string>();
-    if (std::find(known.begin(), known.end(), text) != known.end()) continue;
+    if (std::ranges::find(knownExtensions, text) != knownExtensions.end()) continue;
     fail("needs the extension " + shortName(text), text == "KHR_draco_mesh_compression"
                                                        ? "export it without Draco compression"
                                                        : "export it without that extension");
@@ -175,36 +187,61 @@ void GltfData::checkExtensions() const {
 }
 
 void GltfData::readBuffers(std::string_view binary) {
-  const Json buffers = m_root.value("buffers", Json::array());
-  if (!buffers.is_array()) fail("buffers", "must be a list");
+  const Json& buffers = listAt("buffers");
   for (std::size_t k = 0; k < buffers.size(); ++k) {
-    const std::string name = "buffers[" + std::to_string(k) + "]";
+    const std::string name = named("buffers", k);
     const double length = number(entry("buffers", k), "byteLength", 0);
-    std::string bytes;
-    if (buffers[k].contains("uri")) {
-      if (!buffers[k]["uri"].is_string()) fail(name + ".uri", "must be a text");
-      bytes = resource(buffers[k]["uri"].get<std::string>(), name);
+    std::string_view bytes;
+    if (const auto uri = buffers[k].find("uri"); uri != buffers[k].end()) {
+      if (!uri->is_string()) fail(name + ".uri", "must be a text");
+      bytes = readBuffer(uri->get_ref<const std::string&>(), name);
     } else if (k == 0) {
       bytes = binary;
     }
     if (length > double(bytes.size()))
       fail(name, "has " + std::to_string(bytes.size()) + " bytes, not the byteLength it states");
-    m_buffers.push_back(std::move(bytes));
+    m_buffers.push_back(bytes);
   }
 }
 
-std::string GltfData::resource(const std::string& uri, const std::string& what) {
-  if (uri.starts_with("data:")) {
-    const std::size_t comma = uri.find(";base64,");
-    if (comma == std::string::npos) fail(what, "its data URI is not in base64");
-    return decodeBase64(std::string_view(uri).substr(comma + 8));
+std::string_view GltfData::readBuffer(const std::string& uri, const std::string& name) {
+  if (isData(uri)) return m_data.emplace_back(dataOf(uri, name));
+  const std::string path = fileOf(uri, name);
+  const auto [found, isNew] = m_contents.try_emplace(sameName(path));
+  if (isNew) {
+    found->second = m_reading.bytesOf(path);
+    m_files.push_back(path);
   }
-  const std::string path = besides(m_file, decodePercents(uri));
+  return found->second;
+}
+
+std::string GltfData::dataOf(const std::string& uri, const std::string& what) const {
+  const std::size_t comma = uri.find(";base64,");
+  if (comma == std::string::npos) fail(what, "its data URI is not in base64");
+  m_reading.take(double(uri.size()));
+  return decodeBase64(std::string_view(uri).substr(comma + 8));
+}
+
+std::string GltfData::fileOf(const std::string& uri, const std::string& what) const {
+  std::string path = besides(file(), decodePercents(uri));
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     fail(what, "there is no file " + shortName(path));
-  m_files.push_back(path);
-  return readBytes(path);
+  return path;
+}
+
+const Json& GltfData::part(const Json& object, const char* member) {
+  static const Json nothing = Json::object();
+  const auto found = object.find(member);
+  return found != object.end() && found->is_object() ? *found : nothing;
+}
+
+const Json& GltfData::listAt(const char* member) const {
+  static const Json nothing = Json::array();
+  const auto found = m_root.find(member);
+  if (found == m_root.end()) return nothing;
+  if (!found->is_array()) fail(member, "must be a list");
+  return *found;
 }
 
 const Json& GltfData::entry(const char* list, std::size_t index) const {
@@ -212,7 +249,7 @@ const Json& GltfData::entry(const char* list, std::size_t index) const {
   if (found == m_root.end() || !found->is_array() || index >= found->size())
     fail(list, "there is no entry " + std::to_string(index));
   const Json& object = (*found)[index];
-  if (!object.is_object()) fail(list + ("[" + std::to_string(index) + "]"), "must be an object");
+  if (!object.is_object()) fail(named(list, index), "must be an object");
   return object;
 }
 
@@ -243,21 +280,21 @@ std::vector<double> GltfData::list(const Json& object, const char* member,
 
 std::string_view GltfData::bufferView(std::size_t index) const {
   const Json& view = entry("bufferViews", index);
-  const std::string name = "bufferViews[" + std::to_string(index) + "]";
+  const std::string name = named("bufferViews", index);
   const std::size_t buffer = this->index(view, "buffer");
   if (buffer >= m_buffers.size()) fail(name, "names a buffer that is not there");
   const double offset = number(view, "byteOffset", 0);
   const double length = number(view, "byteLength", 0);
-  const std::string& bytes = m_buffers[buffer];
+  const std::string_view bytes = m_buffers[buffer];
   if (!(offset >= 0 && length >= 0 && offset + length <= double(bytes.size())))
     fail(name, "reaches beyond its buffer of " + std::to_string(bytes.size()) + " bytes");
-  return std::string_view(bytes).substr(std::size_t(offset), std::size_t(length));
+  return bytes.substr(std::size_t(offset), std::size_t(length));
 }
 
 GltfData::Layout GltfData::layout(std::size_t accessor) const {
   const Json& object = entry("accessors", accessor);
   Layout layout;
-  layout.name = "accessors[" + std::to_string(accessor) + "]";
+  layout.name = named("accessors", accessor);
   const double type = number(object, "componentType", 0);
   const ComponentType component = componentType(std::clamp(type, 0.0, 1e6));
   const auto name = object.find("type");
@@ -303,8 +340,6 @@ std::vector<T> GltfData::elements(std::size_t accessor, const Layout& layout) co
   const auto sparse = object.find("sparse");
   if (view == none && sparse == object.end())
     fail(layout.name, "has no bufferView; Draco compression is not supported");
-  if (view != none && bufferView(view).size() / layout.components < layout.count / 256)
-    fail(layout.name, "reaches beyond its bufferView");  // before it takes memory
   std::vector<T> values(layout.count * layout.components);
   if (view != none) {
     std::string_view bytes = bufferView(view);
@@ -322,8 +357,9 @@ std::vector<T> GltfData::elements(std::size_t accessor, const Layout& layout) co
 template <class T>
 void GltfData::replaceSparse(std::vector<T>& values, const Json& sparse,
                              const Layout& layout) const {
-  if (!sparse.is_object() || !sparse.value("indices", Json()).is_object() ||
-      !sparse.value("values", Json()).is_object())
+  const Json& indicesPart = sparse.is_object() ? part(sparse, "indices") : sparse;
+  const Json& valuesPart = sparse.is_object() ? part(sparse, "values") : sparse;
+  if (!sparse.is_object() || indicesPart.empty() || valuesPart.empty())
     fail(layout.name, "its sparse part needs indices and values");
   const double count = number(sparse, "count", 0);
   if (!(count >= 1 && count <= double(layout.count)))
@@ -339,21 +375,34 @@ void GltfData::replaceSparse(std::vector<T>& values, const Json& sparse,
   Layout index = layout;
   index.components = 1;
   index.divisor = 1;
-  const double type = number(sparse["indices"], "componentType", 0);
+  const double type = number(indicesPart, "componentType", 0);
   index.type = int(std::clamp(type, 0.0, 1e6));
   index.rowBytes = componentType(index.type).bytes;
   if (index.rowBytes == 0) fail(layout.name, "its sparse indices have no known componentType");
   std::vector<std::uint32_t> places{};
   places.resize(std::size_t(count));
-  read(sparse["indices"], index, places);
+  read(indicesPart, index, places);
   std::vector<T> replaced(std::size_t(count) * layout.components);
-  read(sparse["values"], layout, replaced);
+  read(valuesPart, layout, replaced);
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] >= layout.count)
       fail(layout.name, "its sparse part names an entry beyond its end");
     for (std::size_t c = 0; c < layout.components; ++c)
       values[places[k] * layout.components + c] = replaced[k * layout.components + c];
   }
+}
+
+std::size_t GltfData::rows(std::size_t accessor) const {
+  return layout(accessor).count;
+}
+
+double GltfData::bytes(std::size_t accessor) const {
+  const Layout layout = this->layout(accessor);
+  const Json& sparse = part(entry("accessors", accessor), "sparse");
+  const double replaced = std::clamp(number(sparse, "count", 0), 0.0, double(layout.count));
+  static_assert(sizeof(float) == sizeof(std::uint32_t));
+  return sizeof(float) *
+         (double(layout.count * layout.components) + replaced * double(layout.components + 1));
 }
 
 Numbers GltfData::numbers(std::size_t accessor) const {

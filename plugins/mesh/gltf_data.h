@@ -3,14 +3,24 @@
 // against the sizes of what is there.
 #pragma once
 
+#include <array>
+#include <deque>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "reading.h"
+
 namespace hogelscope::mesh {
 
 using Json = nlohmann::json;
+
+/// Returns the name of a list's entry, for messages.
+inline std::string named(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
 
 /// Rows of `components` numbers each.
 struct Numbers {
@@ -20,16 +30,26 @@ struct Numbers {
   [[nodiscard]] std::size_t rows() const { return values.size() / components; }
 };
 
+/// The extensions that are read.
+constexpr std::array<std::string_view, 5> knownExtensions{
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_mesh_quantization", "KHR_texture_transform"};
+
 class GltfData {
  public:
   /// Reads the file and all that it names but pictures; refuses required extensions by name.
-  explicit GltfData(const std::string& file);
+  explicit GltfData(Reading& reading);
 
   [[nodiscard]] const Json& root() const { return m_root; }
-  [[nodiscard]] const std::string& file() const { return m_file; }
+  [[nodiscard]] const std::string& file() const { return m_reading.file(); }
+  [[nodiscard]] Reading& reading() const { return m_reading; }
   /// All files that were read.
   [[nodiscard]] std::vector<std::string>& files() { return m_files; }
 
+  /// Returns the object that a member holds; an empty one if there is none.
+  [[nodiscard]] static const Json& part(const Json& object, const char* member);
+  /// Returns a list at the root; an empty one if there is none.
+  [[nodiscard]] const Json& listAt(const char* member) const;
   /// Returns entry `index` of a list at the root, or throws.
   [[nodiscard]] const Json& entry(const char* list, std::size_t index) const;
   /// Returns an index that a member holds, or `none`.
@@ -41,13 +61,20 @@ class GltfData {
   [[nodiscard]] std::vector<double> list(const Json& object, const char* member,
                                          std::size_t count) const;
 
+  /// Returns how many rows an accessor has.
+  [[nodiscard]] std::size_t rows(std::size_t accessor) const;
+  /// Returns how much memory its numbers take while they are read.
+  [[nodiscard]] double bytes(std::size_t accessor) const;
   /// Returns the numbers of an accessor; normalised integers become 0 … 1 or −1 … 1.
   [[nodiscard]] Numbers numbers(std::size_t accessor) const;
   /// Returns the whole numbers of an accessor.
   [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor) const;
   [[nodiscard]] std::string_view bufferView(std::size_t index) const;
-  /// Returns what a URI means: data in it, or the file beside this one.
-  [[nodiscard]] std::string resource(const std::string& uri, const std::string& what);
+  /// Returns the path of the file beside this one that a URI means, which is there.
+  [[nodiscard]] std::string fileOf(const std::string& uri, const std::string& what) const;
+  /// Returns the bytes in a URI, taking their size.
+  [[nodiscard]] std::string dataOf(const std::string& uri, const std::string& what) const;
+  [[nodiscard]] static bool isData(const std::string& uri) { return uri.starts_with("data:"); }
 
   [[noreturn]] void fail(const std::string& what, const std::string& why) const;
 
@@ -55,6 +82,8 @@ class GltfData {
   struct Layout;  // of an accessor
 
   std::string_view readContainer();
+  void parse(std::string_view json);
+  std::string_view readBuffer(const std::string& uri, const std::string& name);
   void checkExtensions() const;
   void readBuffers(std::string_view binary);
   [[nodiscard]] Layout layout(std::size_t accessor) const;
@@ -66,11 +95,13 @@ class GltfData {
   void copyRows(std::vector<T>& values, std::string_view bytes, std::size_t stride,
                 const Layout& layout) const;
 
-  std::string m_file;
+  Reading& m_reading;
   std::string m_bytes;
   Json m_root;
   std::vector<std::string> m_files;
-  std::vector<std::string> m_buffers;
+  std::map<std::string, std::string> m_contents;  ///< of the buffers' files, by sameName()
+  std::deque<std::string> m_data;                 ///< of the buffers that are in the JSON
+  std::vector<std::string_view> m_buffers;
 };
 
 }  // namespace hogelscope::mesh

@@ -2,14 +2,33 @@
 // Materials, textures and lights of a glTF file.
 #pragma once
 
-#include "gltf_data.h"
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gltf_layers.h"
 #include "mesh.h"
 
 namespace hogelscope::mesh {
 
-/// Appends the file's materials, and their textures, after the one that primitives without a
-/// material have.
-void readMaterials(GltfData& data, Mesh& mesh);
+class MaterialReader {
+ public:
+  explicit MaterialReader(GltfData& data) : m_data(data), m_layers(data) {}
+
+  /// Returns the file's materials after the one that primitives without a material have. Their
+  /// textures have numbers then, and are known to fit into the memory.
+  [[nodiscard]] std::vector<Material> read();
+  /// Adds the textures, their files, and notes on what is not shown of the materials.
+  void finish(Mesh& mesh) const;
+
+ private:
+  [[nodiscard]] Material material(std::size_t index);
+  void note(const Json& object, const Json& surface);
+
+  GltfData& m_data;
+  GltfLayers m_layers;
+  std::set<std::string> m_others;  ///< what is not shown
+};
 
 /// Returns the lights that nodes name, at their own origin.
 std::vector<Light> readLights(const GltfData& data);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // glTF 2.0: the scene's nodes with their meshes and lights. Animations, skins and morph targets
-// stay at rest.
+// stay at rest, which is noted.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
+#include "errors.h"
 #include "gltf_data.h"
 #include "gltf_materials.h"
 #include "mesh_reader.h"
@@ -22,16 +26,30 @@ std::array<Vec3, 3> rotation(double x, double y, double z, double w) {
           Vec3{s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y)}};
 }
 
+/// A primitive of a node, and where the node stands.
+struct Placed {
+  const Json* primitive = nullptr;
+  Affine frame;
+};
+
 class GltfReader {
  public:
-  explicit GltfReader(const std::string& file) : m_data(file) {}
+  explicit GltfReader(Reading& reading)
+      : m_reading(reading), m_data(reading), m_materials(m_data) {}
 
   Mesh read() {
-    readMaterials(m_data, m_mesh);
+    m_mesh.materials = m_materials.read();
     m_lights = readLights(m_data);
     walk(rootNodes());
+    measure();
+    for (std::size_t k = 0; k < m_primitives.size(); ++k) {
+      m_reading.report(k, m_primitives.size());
+      readPrimitive(*m_primitives[k].primitive, m_primitives[k].frame);
+    }
     m_mesh.fillAttributes();
     m_mesh.files = m_data.files();
+    m_materials.finish(m_mesh);
+    addNotes();
     return std::move(m_mesh);
   }
 
@@ -57,7 +75,7 @@ class GltfReader {
       const std::size_t scene = m_data.index(root, "scene");
       return indexList(m_data.entry("scenes", scene == GltfData::none ? 0 : scene), "nodes");
     }
-    const std::size_t count = root.contains("nodes") ? root["nodes"].size() : 0;
+    const std::size_t count = m_data.listAt("nodes").size();
     std::vector<bool> isChild(count);
     for (std::size_t k = 0; k < count; ++k)
       for (const std::size_t child : indexList(m_data.entry("nodes", k), "children"))
@@ -75,14 +93,13 @@ class GltfReader {
       for (auto k = nodes.rbegin(); k != nodes.rend(); ++k) open.emplace_back(*k, parent);
     };
     push(roots, {});
-    std::vector<bool> isVisited(m_data.root().contains("nodes") ? m_data.root()["nodes"].size()
-                                                                : 0);
+    std::vector<bool> isVisited(m_data.listAt("nodes").size());
     while (!open.empty()) {
+      m_reading.poll();
       const auto [index, parent] = open.back();
       open.pop_back();
       const Json& node = m_data.entry("nodes", index);
-      if (isVisited[index])
-        m_data.fail("nodes[" + std::to_string(index) + "]", "stands in the tree twice");
+      if (isVisited[index]) m_data.fail(named("nodes", index), "stands in the tree twice");
       isVisited[index] = true;
       const Affine frame = parent * transformOf(node);
       push(indexList(node, "children"), frame);
@@ -111,8 +128,8 @@ class GltfReader {
       const Json& object = m_data.entry("meshes", mesh);
       const auto primitives = object.find("primitives");
       if (primitives == object.end() || !primitives->is_array())
-        m_data.fail("meshes[" + std::to_string(mesh) + "]", "has no list of primitives");
-      for (const Json& primitive : *primitives) readPrimitive(primitive, frame);
+        m_data.fail(named("meshes", mesh), "has no list of primitives");
+      for (const Json& primitive : *primitives) placePrimitive(primitive, frame);
     }
     const auto extensions = node.find("extensions");
     if (extensions == node.end() || !extensions->is_object()) return;
@@ -129,11 +146,54 @@ class GltfReader {
     m_mesh.lights.push_back(light);
   }
 
-  void readPrimitive(const Json& primitive, const Affine& frame) {
-    if (!primitive.is_object() || !primitive.value("attributes", Json()).is_object())
+  void placePrimitive(const Json& primitive, const Affine& frame) {
+    if (!primitive.is_object() || !primitive.contains("attributes") ||
+        !primitive["attributes"].is_object())
       m_data.fail("a primitive", "has no attributes");
+    m_hasTargets = m_hasTargets || primitive.contains("targets");
+    if (m_data.number(primitive, "mode", 4) < 4) {
+      m_hasLines = true;
+      return;
+    }
+    m_reading.take(2 * sizeof(Placed));
+    m_primitives.push_back({&primitive, frame});
+  }
+
+  /// Takes the memory for all of the scene before any of it is allocated.
+  void measure() {
+    double points = 0;
+    double triangles = 0;
+    double temporary = 0;  // the numbers of one primitive
+    double perPoint = sizeof(Vec3) + sceneBytesOfPoint;
+    std::set<std::string> found;
+    for (std::size_t k = 0; k < m_primitives.size(); ++k) {
+      if (k % 1024 == 0) m_reading.poll();
+      const Json& primitive = *m_primitives[k].primitive;
+      const Json& attributes = primitive["attributes"];
+      const std::size_t accessor = m_data.index(attributes, "POSITION");
+      if (accessor == GltfData::none) m_data.fail("a primitive", "has no attribute POSITION");
+      const auto rows = double(m_data.rows(accessor));
+      points += rows;
+      double numbers = m_data.bytes(accessor);
+      for (const auto& [name, bytes] : attributeBytes) {
+        const std::size_t other = m_data.index(attributes, name);
+        if (other == GltfData::none) continue;
+        numbers += m_data.bytes(other);
+        if (found.insert(name).second) perPoint += bytes;
+      }
+      const std::size_t indices = m_data.index(primitive, "indices");
+      const double corners = indices == GltfData::none ? rows : double(m_data.rows(indices));
+      triangles += std::floor(corners / (m_data.number(primitive, "mode", 4) == 4 ? 3 : 1));
+      temporary = std::max({temporary, numbers, 2 * corners * sizeof(std::uint32_t)});
+    }
+    if (points > 3.0 * mostTriangles || triangles > double(mostTriangles))
+      m_data.fail("the scene", "stands for more than 33554432 triangles");
+    m_reading.take(points * perPoint + temporary +
+                   triangles * (sizeof(Corners) + sizeof(std::uint32_t) + sceneBytesOfTriangle));
+  }
+
+  void readPrimitive(const Json& primitive, const Affine& frame) {
     const double mode = m_data.number(primitive, "mode", 4);
-    if (mode < 4) return;  // points and lines
     const std::size_t first = m_mesh.points.size();
     appendPoints(primitive["attributes"], frame);
     const std::size_t accessor = m_data.index(primitive, "indices");
@@ -142,9 +202,8 @@ class GltfReader {
     if (accessor != GltfData::none) corners = m_data.indices(accessor);
     for (const std::uint32_t corner : corners)
       if (corner >= m_mesh.points.size() - first)
-        m_data.fail("accessors[" + std::to_string(accessor) + "]",
-                    "names point " + std::to_string(corner) + " of " +
-                        std::to_string(m_mesh.points.size() - first));
+        m_data.fail(named("accessors", accessor), "names point " + std::to_string(corner) + " of " +
+                                                      std::to_string(m_mesh.points.size() - first));
     const std::size_t material = m_data.index(primitive, "material") + 1;  // none + 1 = 0
     if (material >= m_mesh.materials.size())
       m_data.fail("a primitive", "names a material that is not there");
@@ -159,17 +218,13 @@ class GltfReader {
     if (accessor == GltfData::none) return {};
     Numbers numbers = m_data.numbers(accessor);
     if (numbers.components < least || (rows != 0 && numbers.rows() != rows))
-      m_data.fail("accessors[" + std::to_string(accessor) + "]",
-                  std::string("does not fit the points as ") + name);
+      m_data.fail(named("accessors", accessor), std::string("does not fit the points as ") + name);
     return numbers;
   }
 
   void appendPoints(const Json& attributes, const Affine& frame) {
     const Numbers points = attribute(attributes, "POSITION", 3, 0);
-    if (points.values.empty()) m_data.fail("a primitive", "has no attribute POSITION");
     const std::size_t first = m_mesh.points.size();
-    if (first + points.rows() > 3 * mostTriangles)
-      m_data.fail("the scene", "stands for more than 33554432 triangles");
     const auto row = [](const Numbers& n, std::size_t k) { return &n.values[k * n.components]; };
     for (std::size_t k = 0; k < points.rows(); ++k) {
       const float* p = row(points, k);
@@ -199,22 +254,53 @@ class GltfReader {
   /// Modes of glTF: 4 triangles, 5 a strip, 6 a fan.
   void appendTriangles(const std::vector<std::uint32_t>& corners, int mode, std::uint32_t first) {
     const std::size_t step = mode == 4 ? 3 : 1;
-    if (m_mesh.triangles.size() + corners.size() / step > mostTriangles)
-      m_data.fail("the scene", "stands for more than 33554432 triangles");
     for (std::size_t k = 0; k + 2 < corners.size(); k += step)
       m_mesh.triangles.push_back(
           {first + corners[mode == 6 ? 0 : k], first + corners[k + 1], first + corners[k + 2]});
   }
 
+  void addNotes() {
+    const auto note = [&](const char* list, const std::string& one) {
+      const std::size_t count = m_data.listAt(list).size();
+      if (count == 1) m_mesh.notes.push_back("Its " + one + " stays at rest.");
+      if (count > 1)
+        m_mesh.notes.push_back("Its " + std::to_string(count) + " " + one + "s stay at rest.");
+    };
+    note("animations", "animation");
+    note("skins", "skin");
+    if (m_hasTargets) m_mesh.notes.emplace_back("Its morph targets are not applied.");
+    if (m_hasLines) m_mesh.notes.emplace_back("Its points and lines are not shown.");
+    if (const std::size_t scenes = m_data.listAt("scenes").size(); scenes > 1)
+      m_mesh.notes.push_back("Of its " + std::to_string(scenes) + " scenes one is shown.");
+    std::vector<std::string> unknown;
+    for (const Json& name : m_data.listAt("extensionsUsed")) {
+      if (!name.is_string()) m_data.fail("extensionsUsed", "must be a list of names");
+      const auto& text = name.get_ref<const std::string&>();
+      if (std::ranges::find(knownExtensions, text) == knownExtensions.end())
+        unknown.push_back(text);
+    }
+    if (!unknown.empty()) m_mesh.notes.push_back(leftOut("extensions", unknown));
+  }
+
+  static constexpr std::array<std::pair<const char*, double>, 3> attributeBytes{
+      {{"NORMAL", sizeof(Mesh::normals[0])},
+       {"COLOR_0", sizeof(Linear)},
+       {"TEXCOORD_0", sizeof(Mesh::uv[0])}}};
+
+  Reading& m_reading;
   GltfData m_data;
+  MaterialReader m_materials;
   Mesh m_mesh;
   std::vector<Light> m_lights;
+  std::vector<Placed> m_primitives;
+  bool m_hasTargets = false;
+  bool m_hasLines = false;
 };
 
 }  // namespace
 
-Mesh readGltf(const std::string& file) {
-  return GltfReader(file).read();
+Mesh readGltf(Reading& reading) {
+  return GltfReader(reading).read();
 }
 
 }  // namespace hogelscope::mesh

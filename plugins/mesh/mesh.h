@@ -30,10 +30,27 @@ struct Affine {
   [[nodiscard]] Affine operator*(const Affine& b) const;
 };
 
-struct Material {
-  Linear colour{1, 1, 1};
+/// A texture on a surface; uv' = axes[0]·u + axes[1]·v + origin of the points' coordinates.
+struct Layer {
   int texture = -1;  ///< none
   Wrap wrap[2]{Wrap::repeat, Wrap::repeat};
+  std::array<Vec2, 2> axes{Vec2{1, 0}, Vec2{0, 1}};
+  Vec2 origin;
+
+  [[nodiscard]] Vec2 place(const std::array<float, 2>& uv) const {
+    return {axes[0].x * uv[0] + axes[1].x * uv[1] + origin.x,
+            axes[0].y * uv[0] + axes[1].y * uv[1] + origin.y};
+  }
+  /// What it makes of an area of the points' coordinates.
+  [[nodiscard]] double area() const { return axes[0].x * axes[1].y - axes[0].y * axes[1].x; }
+};
+
+/// `glow` is the texture of the emitted light.
+struct Material {
+  Linear colour{1, 1, 1};
+  Layer layer;
+  Linear emission{};
+  Layer glow;
   bool isUnlit = false;
 };
 
@@ -61,6 +78,7 @@ struct Mesh {
   std::vector<Texture> textures;
   std::vector<Light> lights;
   std::vector<std::string> files;  ///< all that were read; the first is the mesh's own
+  std::vector<std::string> notes;  ///< sentences on what the files have that is not shown
 
   /// Fills up attributes that the newest points lack, or earlier points lacked.
   void fillAttributes();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 
 #include "errors.h"
 
@@ -19,12 +18,12 @@ std::string endingOf(const std::string& file) {
   return ending;
 }
 
-Mesh readByEnding(const std::string& file, const plugin::Progress& progress) {
-  const std::string ending = endingOf(file);
-  if (ending == ".gltf" || ending == ".glb") return readGltf(file);
-  if (ending == ".obj") return readObj(file, progress);
-  if (ending == ".ply") return readPly(file, progress);
-  fail(file, "is no known kind of mesh", "use .gltf, .glb, .obj or .ply");
+Mesh readByEnding(Reading& reading) {
+  const std::string ending = endingOf(reading.file());
+  if (ending == ".gltf" || ending == ".glb") return readGltf(reading);
+  if (ending == ".obj") return readObj(reading);
+  if (ending == ".ply") return readPly(reading);
+  fail(reading.file(), "is no known kind of mesh", "use .gltf, .glb, .obj or .ply");
 }
 
 bool isFinite(const Vec3& p) {
@@ -59,17 +58,13 @@ void check(const Mesh& mesh, const std::string& file) {
 
 }  // namespace
 
-void report(const plugin::Progress& progress, std::size_t read, std::size_t bytes) {
-  constexpr double share = 0.5;  // of opening
-  if (!progress.go(share * double(read) / double(bytes))) throw std::runtime_error("stopped");
-}
-
 std::string besides(const std::string& file, const std::string& name) {
   return std::filesystem::path(file).parent_path() / name;
 }
 
-Mesh readMesh(const std::string& file, const plugin::Progress& progress) {
-  Mesh mesh = readByEnding(file, progress);
+Mesh readMesh(const std::string& file, std::uint64_t memory, const plugin::Progress& progress) {
+  Reading reading(file, memory, progress);
+  Mesh mesh = readByEnding(reading);
   check(mesh, file);
   return mesh;
 }

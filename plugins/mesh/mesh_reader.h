@@ -7,20 +7,18 @@
 
 #include "hogelscope/plugin.h"
 #include "mesh.h"
+#include "reading.h"
 
 namespace hogelscope::mesh {
 
 /// Reads a file by its ending. Throws, with one line that names the file, whatever cannot be shown
-/// whole: missing parts, indices outside of lists, NaN, no faces; and "stopped" if the listener
-/// stops.
-Mesh readMesh(const std::string& file, const plugin::Progress& progress);
+/// whole: missing parts, indices outside of lists, NaN, no faces, more than `memory` bytes for the
+/// mesh, its textures and its scene; and "stopped" if the listener stops.
+Mesh readMesh(const std::string& file, std::uint64_t memory, const plugin::Progress& progress);
 
-Mesh readGltf(const std::string& file);
-Mesh readObj(const std::string& file, const plugin::Progress& progress);
-Mesh readPly(const std::string& file, const plugin::Progress& progress);
-
-/// Tells the listener how much of a file has been read. Throws "stopped" if it stops.
-void report(const plugin::Progress& progress, std::size_t read, std::size_t bytes);
+Mesh readGltf(Reading& reading);
+Mesh readObj(Reading& reading);
+Mesh readPly(Reading& reading);
 
 /// Returns the path of a file that another one names.
 std::string besides(const std::string& file, const std::string& name);

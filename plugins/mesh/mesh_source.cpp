@@ -40,9 +40,10 @@ std::vector<MeshSource::Version> MeshSource::versionsOf(const std::vector<std::s
   return versions;
 }
 
-void MeshSource::read(const std::string& file, const plugin::Progress& progress) {
+void MeshSource::read(const std::string& file, const plugin::Place& place,
+                      const plugin::Progress& progress) {
   if (m_mesh && m_mesh->files[0] == file && versionsOf(m_mesh->files) == m_versions) return;
-  m_mesh = std::make_shared<const Mesh>(readMesh(file, progress));
+  m_mesh = std::make_shared<const Mesh>(readMesh(file, place.memory, progress));
   m_versions = versionsOf(m_mesh->files);
 }
 
@@ -50,7 +51,7 @@ void MeshSource::open(const plugin::Panel& panel, const plugin::Place& place,
                       const plugin::Progress& progress) {
   if (m_params.file.empty())
     throw std::runtime_error("mesh.file: is empty: name a .glb, .gltf, .obj or .ply file");
-  read(std::filesystem::path(place.folder) / m_params.file, progress);
+  read(std::filesystem::path(place.folder) / m_params.file, place, progress);
   if (!progress.go(0.5)) throw std::runtime_error("stopped");
   const Pose pose{m_params.position, m_params.orientation, m_params.scale};
   if (!m_shown || m_shown->mesh() != m_mesh || pose != m_pose) {

@@ -32,6 +32,7 @@ class MeshSource : public plugin::ContentSource {
   void open(const plugin::Panel& panel, const plugin::Place& place,
             const plugin::Progress& progress) override;
   [[nodiscard]] std::vector<std::string> files() const override { return m_mesh->files; }
+  [[nodiscard]] std::vector<std::string> notes() const override { return m_mesh->notes; }
   void depths(double& back, double& front) const override;
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
     m_shown->trace(rays, colours);
@@ -46,7 +47,7 @@ class MeshSource : public plugin::ContentSource {
  private:
   using Version = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
-  void read(const std::string& file, const plugin::Progress& progress);
+  void read(const std::string& file, const plugin::Place& place, const plugin::Progress& progress);
   [[nodiscard]] static std::vector<Version> versionsOf(const std::vector<std::string>& files);
 
   MeshParams m_params;

@@ -1,85 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wavefront OBJ: v (with colours after the place), vt, vn, f, usemtl, mtllib; of MTL: newmtl, Kd,
-// map_Kd. All other lines are skipped. Colours are taken for sRGB.
+// Wavefront OBJ: v (with colours after the place), vt, vn, f, usemtl, mtllib. All other lines are
+// skipped; what they would show is noted. Colours are taken for sRGB.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <map>
 #include <string_view>
 #include <unordered_map>
 
 #include "errors.h"
 #include "mesh_reader.h"
+#include "mtl_reader.h"
+#include "words.h"
 
 namespace hogelscope::mesh {
 
 namespace {
 
-/// The words of one line.
-class Words {
- public:
-  explicit Words(std::string_view line) : m_rest(line) {}
-
-  /// Returns the next word, or "".
-  std::string_view next() {
-    m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\r"), m_rest.size()));
-    const std::string_view word = m_rest.substr(0, m_rest.find_first_of(" \t\r"));
-    m_rest.remove_prefix(word.size());
-    return word;
-  }
-
-  /// Returns all that is left, without blanks at its ends.
-  std::string_view rest() {
-    m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\r"), m_rest.size()));
-    return m_rest.substr(0, m_rest.find_last_not_of(" \t\r") + 1);
-  }
-
-  /// Reads the next word as a number. Returns false if it is none.
-  bool number(double& value) {
-    std::string_view word = next();
-    if (word.starts_with('+')) word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc() && end == word.data() + word.size();
-  }
-
- private:
-  std::string_view m_rest;
-};
-
-/// Calls `read` with each line and its number.
-template <class Read>
-void forLines(std::string_view text, const Read& read) {
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    read(text.substr(0, end), number);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-}
-
-float linearFloat(double encoded) {
-  return float(linearOf(std::clamp(encoded, 0.0, 1.0)));
-}
+/// A list that grows entry by entry has room for up to as many again.
+constexpr double growing = 2;
 
 class ObjReader {
  public:
-  ObjReader(const std::string& file, const plugin::Progress& progress)
-      : m_file(file), m_progress(progress) {}
+  explicit ObjReader(Reading& reading)
+      : m_file(reading.file()), m_reading(reading), m_libraries(reading, m_mesh) {}
 
   Mesh read() {
-    std::string text = readBytes(m_file);
+    std::string text = m_reading.bytesOf(m_file);
     m_mesh.files.push_back(m_file);
-    m_mesh.materials.emplace_back();
     // A backslash carries a line on.
     for (std::size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n", at))
       text[at] = text[at + 1] = ' ';
     forLines(text, [&](std::string_view line, std::size_t number) {
       m_line = number;
       if (number % 65536 == 0)
-        report(m_progress, std::size_t(line.data() - text.data()), text.size());
+        m_reading.report(std::size_t(line.data() - text.data()), text.size());
       readLine(Words(line));
     });
     m_mesh.fillAttributes();
+    m_libraries.finish();
+    if (!m_skipped.empty()) m_mesh.notes.push_back(leftOut("lines", m_skipped));
     return std::move(m_mesh);
   }
 
@@ -107,20 +66,35 @@ class ObjReader {
       double v = 0;
       if (!words.number(u)) damaged("vt needs a number");
       words.number(v);
+      m_reading.take(growing * sizeof(m_uv[0]));
       m_uv.push_back({float(u), float(1 - v)});
     } else if (command == "vn") {
       Vec3 n;
       if (!words.number(n.x) || !words.number(n.y) || !words.number(n.z))
         damaged("vn needs three numbers");
       n = normalise(n);
+      m_reading.take(growing * sizeof(m_normals[0]));
       m_normals.push_back({float(n.x), float(n.y), float(n.z)});
     } else if (command == "f") {
       readFace(words);
     } else if (command == "usemtl") {
-      useMaterial(std::string(words.rest()));
+      const std::string name(words.rest());
+      const auto material = m_libraries.find(name);
+      if (!material) damaged("no .mtl file has the material " + shortName(name));
+      m_material = *material;
     } else if (command == "mtllib") {
-      readLibrary(std::string(words.rest()));
+      const std::string problem = m_libraries.read(std::string(words.rest()));
+      if (!problem.empty()) damaged(problem);
+    } else {
+      note(command);
     }
+  }
+
+  void note(std::string_view command) {
+    static constexpr std::array<std::string_view, 4> shapes{"p", "l", "curv", "surf"};
+    if (std::ranges::find(shapes, command) != shapes.end() &&
+        std::ranges::find(m_skipped, command) == m_skipped.end())
+      m_skipped.emplace_back(command);
   }
 
   void readPlace(Words& words) {
@@ -131,9 +105,14 @@ class ObjReader {
     double g = 1;
     double b = 1;
     const bool isColoured = words.number(r) && words.number(g) && words.number(b);
-    if (isColoured && m_colours.empty()) m_colours.resize(m_places.size(), Linear{1, 1, 1});
+    if (isColoured && !m_hasColours) {
+      m_hasColours = true;
+      m_reading.take(growing * sizeof(Linear) * double(m_places.size()));
+      m_colours.resize(m_places.size(), Linear{1, 1, 1});
+    }
+    m_reading.take(growing * (sizeof(Vec3) + (m_hasColours ? sizeof(Linear) : 0)));
     m_places.push_back(p);
-    if (!m_colours.empty())
+    if (m_hasColours)
       m_colours.push_back(isColoured ? Linear{linearFloat(r), linearFloat(g), linearFloat(b)}
                                      : Linear{1, 1, 1});
   }
@@ -160,14 +139,24 @@ class ObjReader {
 
   void readFace(Words& words) {
     std::vector<std::uint32_t> corners;
-    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
       corners.push_back(pointOf(readCorner(word)));
+      if (corners.size() % 65536 == 0) m_reading.poll();
+      if (m_mesh.triangles.size() + corners.size() > mostTriangles + 2)
+        fail(m_file, "the file", "has more than 33554432 triangles");
+    }
     if (corners.size() < 3) damaged("a face needs three corners");
-    if (m_mesh.triangles.size() + corners.size() > mostTriangles)
-      fail(m_file, "the file", "has more than 33554432 triangles");
+    m_reading.take(double(corners.size() - 2) *
+                   (growing * (sizeof(Corners) + sizeof(std::uint32_t)) + sceneBytesOfTriangle));
     for (std::size_t k = 2; k < corners.size(); ++k)
       m_mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
     m_mesh.materialOf.resize(m_mesh.triangles.size(), m_material);
+  }
+
+  [[nodiscard]] double bytesOfPoint(const Corner& corner) const {
+    return double(sizeof(Vec3) + (m_hasColours ? sizeof(Linear) : 0) +
+                  (corner[1] != 0 ? sizeof(m_uv[0]) : 0) +
+                  (corner[2] != 0 ? sizeof(m_normals[0]) : 0));
   }
 
   /// The mesh's point for a corner: a new one for a new combination.
@@ -176,6 +165,8 @@ class ObjReader {
     if (!isNew) return found->second;
     const std::size_t count = m_mesh.points.size();
     const std::size_t place = corner[0] - 1;
+    // The list of known corners has a node, and a place in its table.
+    m_reading.take(sceneBytesOfPoint + sizeof(Corner) + 48 + growing * bytesOfPoint(corner));
     m_mesh.points.push_back(m_places[place]);
     if (!m_colours.empty()) {
       m_mesh.colours.resize(count, Linear{1, 1, 1});
@@ -192,70 +183,25 @@ class ObjReader {
     return found->second;
   }
 
-  void useMaterial(const std::string& name) {
-    const auto found = m_materials.find(name);
-    if (found == m_materials.end()) damaged("no .mtl file has the material " + shortName(name));
-    m_material = found->second;
-  }
-
-  void readLibrary(const std::string& name) {
-    const std::string path = besides(m_file, name);
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
-      damaged("there is no file " + shortName(path));
-    const std::string text = readBytes(path);
-    m_mesh.files.push_back(path);
-    Material* material = nullptr;
-    forLines(text, [&](std::string_view line, std::size_t number) {
-      Words words(line);
-      const std::string_view command = words.next();
-      if (command == "newmtl") {
-        m_materials[std::string(words.rest())] = std::uint32_t(m_mesh.materials.size());
-        material = &m_mesh.materials.emplace_back();
-      } else if (command == "Kd" && material != nullptr) {
-        double rgb[3]{};
-        for (double& part : rgb)
-          if (!words.number(part))
-            fail(path, "line " + std::to_string(number), "Kd needs three numbers");
-        material->colour = {linearFloat(rgb[0]), linearFloat(rgb[1]), linearFloat(rgb[2])};
-      } else if (command == "map_Kd" && material != nullptr) {
-        material->texture = readTexture(std::string(words.rest()), path, number);
-      }
-    });
-  }
-
-  int readTexture(const std::string& name, const std::string& library, std::size_t line) {
-    if (name.starts_with('-'))
-      fail(library, "line " + std::to_string(line), "options of map_Kd are not supported");
-    const std::string path = besides(library, name);
-    const auto [found, isNew] = m_textures.try_emplace(path, int(m_mesh.textures.size()));
-    if (!isNew) return found->second;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
-      fail(library, "line " + std::to_string(line), "there is no file " + shortName(path));
-    m_mesh.textures.emplace_back(decodePicture(readBytes(path), path, "the picture"));
-    m_mesh.files.push_back(path);
-    return found->second;
-  }
-
   std::string m_file;
-  const plugin::Progress& m_progress;
+  Reading& m_reading;
   Mesh m_mesh;
+  MtlReader m_libraries;
   std::vector<Vec3> m_places;
   std::vector<Linear> m_colours;
   std::vector<std::array<float, 2>> m_uv;
   std::vector<std::array<float, 3>> m_normals;
   std::unordered_map<Corner, std::uint32_t, CornerHash> m_points;
-  std::map<std::string, std::uint32_t> m_materials;
-  std::map<std::string, int> m_textures;
+  std::vector<std::string> m_skipped;  ///< commands whose lines would show something
+  bool m_hasColours = false;
   std::uint32_t m_material = 0;
   std::size_t m_line = 0;
 };
 
 }  // namespace
 
-Mesh readObj(const std::string& file, const plugin::Progress& progress) {
-  return ObjReader(file, progress).read();
+Mesh readObj(Reading& reading) {
+  return ObjReader(reading).read();
 }
 
 }  // namespace hogelscope::mesh

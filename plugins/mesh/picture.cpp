@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <spng.h>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -15,71 +16,122 @@ namespace hogelscope::mesh {
 namespace {
 
 constexpr double mostPixels = 1 << 26;
+/// Rows between two questions to the listener.
+constexpr int someRows = 64;
 
-/// One picture on its way out of a file, with the names for its messages.
-struct Source {
-  std::string_view bytes;
-  const std::string& file;
-  const std::string& name;
-
-  [[noreturn]] void damaged(const std::string& why) const {
-    fail(file, name + " cannot be decoded", why);
-  }
-  [[nodiscard]] Picture allocate(double width, double height) const {
-    if (!(width >= 1 && height >= 1 && width * height <= mostPixels))
-      damaged("it must have 1 to 67108864 pixels");
-    return {int(width), int(height), std::vector<std::uint8_t>(std::size_t(width * height) * 3)};
-  }
-};
-
-/// libpng and with it OpenImageIO report damage on stderr, libspng does not.
-Picture decodePng(const Source& source) {
-  const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> png(spng_ctx_new(0), &spng_ctx_free);
-  if (!png) throw std::bad_alloc();
-  const auto check = [&](int error) {
-    if (error != 0) source.damaged(spng_strerror(error));
-  };
-  constexpr std::size_t chunkBytes = std::size_t{16} << 20U;
-  check(spng_set_chunk_limits(png.get(), chunkBytes, chunkBytes));
-  check(spng_set_png_buffer(png.get(), source.bytes.data(), source.bytes.size()));
-  spng_ihdr header{};
-  check(spng_get_ihdr(png.get(), &header));
-  Picture picture = source.allocate(header.width, header.height);
-  std::size_t size = 0;
-  check(spng_decoded_image_size(png.get(), SPNG_FMT_RGB8, &size));
-  if (size != picture.rgb.size()) source.damaged("its size is not what its header says");
-  check(spng_decode_image(png.get(), picture.rgb.data(), size, SPNG_FMT_RGB8, 0));
-  return picture;
+[[noreturn]] void damaged(const EncodedPicture& source, const std::string& why) {
+  fail(source.file, source.name + " cannot be decoded", why);
 }
 
-Picture decodeJpeg(const Source& source) {
-  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(source.bytes.data()),  // only read
-                                       source.bytes.size());
-  OIIO::ImageSpec asked;
-  void* proxy = &memory;
-  asked.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<void*>(&proxy));
-  const auto input = OIIO::ImageInput::create("jpg");
-  OIIO::ImageSpec spec;
-  if (!input || !input->open("picture.jpg", spec, asked))
-    source.damaged(input ? input->geterror() : OIIO::geterror());
-  if (spec.nchannels < 1) source.damaged("it has no channels");
-  Picture picture = source.allocate(spec.width, spec.height);
-  std::vector<std::uint8_t> pixels(picture.rgb.size() / 3 * std::size_t(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()))
-    source.damaged(input->geterror());
-  const auto channels = std::size_t(spec.nchannels);
-  for (std::size_t k = 0; k < picture.rgb.size(); ++k)
-    picture.rgb[k] = pixels[k / 3 * channels + (channels < 3 ? 0 : k % 3)];
-  return picture;
+void checkSize(const EncodedPicture& source, double width, double height) {
+  if (!(width >= 1 && height >= 1 && width * height <= mostPixels))
+    damaged(source, "it must have 1 to 67108864 pixels");
+}
+
+Picture blank(int width, int height) {
+  return {width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 3)};
+}
+
+/// libpng and with it OpenImageIO report damage on stderr, libspng does not.
+class Png {
+ public:
+  explicit Png(const EncodedPicture& source) : m_source(source) {
+    if (!m_png) throw std::bad_alloc();
+    constexpr std::size_t chunkBytes = std::size_t{16} << 20U;
+    check(spng_set_chunk_limits(m_png.get(), chunkBytes, chunkBytes));
+    check(spng_set_png_buffer(m_png.get(), source.bytes.data(), source.bytes.size()));
+    check(spng_get_ihdr(m_png.get(), &m_header));
+    checkSize(source, m_header.width, m_header.height);
+  }
+
+  [[nodiscard]] double pixels() const { return double(m_header.width) * m_header.height; }
+
+  Picture decode(const Reading& reading) {
+    Picture picture = blank(int(m_header.width), int(m_header.height));
+    const std::size_t rowBytes = std::size_t{3} * m_header.width;
+    std::size_t size = 0;
+    check(spng_decoded_image_size(m_png.get(), SPNG_FMT_RGB8, &size));
+    if (size != picture.rgb.size()) damaged(m_source, "its size is not what its header says");
+    check(spng_decode_image(m_png.get(), nullptr, 0, SPNG_FMT_RGB8, SPNG_DECODE_PROGRESSIVE));
+    int result = 0;
+    for (int rows = 0; result == 0; ++rows) {
+      if (rows % someRows == 0) reading.poll();
+      spng_row_info row{};
+      check(spng_get_row_info(m_png.get(), &row));
+      result = spng_decode_row(m_png.get(), &picture.rgb[row.row_num * rowBytes], rowBytes);
+    }
+    if (result != SPNG_EOI) check(result);
+    return picture;
+  }
+
+ private:
+  void check(int error) const {
+    if (error != 0) damaged(m_source, spng_strerror(error));
+  }
+
+  const EncodedPicture& m_source;
+  std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> m_png{spng_ctx_new(0), &spng_ctx_free};
+  spng_ihdr m_header{};
+};
+
+class Jpeg {
+ public:
+  explicit Jpeg(const EncodedPicture& source)
+      : m_source(source),
+        m_memory(const_cast<char*>(source.bytes.data()), source.bytes.size()),  // only read
+        m_input(OIIO::ImageInput::create("jpg")) {
+    OIIO::ImageSpec asked;
+    void* proxy = &m_memory;
+    asked.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<void*>(&proxy));
+    if (!m_input || !m_input->open("picture.jpg", m_spec, asked))
+      damaged(source, m_input ? m_input->geterror() : OIIO::geterror());
+    if (m_spec.nchannels < 1) damaged(source, "it has no channels");
+    checkSize(source, m_spec.width, m_spec.height);
+  }
+
+  [[nodiscard]] double pixels() const { return double(m_spec.width) * m_spec.height; }
+
+  Picture decode(const Reading& reading) {
+    Picture picture = blank(m_spec.width, m_spec.height);
+    const auto width = std::size_t(m_spec.width);
+    const auto channels = std::size_t(m_spec.nchannels);
+    std::vector<std::uint8_t> rows(width * channels * someRows);
+    for (int y = 0; y < m_spec.height; y += someRows) {
+      reading.poll();
+      const int end = std::min(y + someRows, m_spec.height);
+      if (!m_input->read_scanlines(0, 0, y, end, 0, 0, m_spec.nchannels, OIIO::TypeDesc::UINT8,
+                                   rows.data()))
+        damaged(m_source, m_input->geterror());
+      std::uint8_t* to = &picture.rgb[3 * width * std::size_t(y)];
+      for (std::size_t k = 0; k < 3 * width * std::size_t(end - y); ++k)
+        to[k] = rows[k / 3 * channels + (channels < 3 ? 0 : k % 3)];
+    }
+    return picture;
+  }
+
+ private:
+  const EncodedPicture& m_source;
+  OIIO::Filesystem::IOMemReader m_memory;
+  std::unique_ptr<OIIO::ImageInput> m_input;
+  OIIO::ImageSpec m_spec;
+};
+
+/// Calls `use` with the decoder that the first bytes ask for.
+template <class Use>
+auto withDecoder(const EncodedPicture& picture, const Use& use) {
+  if (picture.bytes.starts_with("\x89PNG")) return use(Png(picture));
+  if (picture.bytes.starts_with("\xFF\xD8")) return use(Jpeg(picture));
+  damaged(picture, "it is neither PNG nor JPEG");
 }
 
 }  // namespace
 
-Picture decodePicture(std::string_view bytes, const std::string& file, const std::string& name) {
-  const Source source{bytes, file, name};
-  if (bytes.starts_with("\x89PNG")) return decodePng(source);
-  if (bytes.starts_with("\xFF\xD8")) return decodeJpeg(source);
-  source.damaged("it is neither PNG nor JPEG");
+double pixelsOf(const EncodedPicture& picture) {
+  return withDecoder(picture, [](const auto& decoder) { return decoder.pixels(); });
+}
+
+Picture decoded(const EncodedPicture& picture, const Reading& reading) {
+  return withDecoder(picture, [&](auto&& decoder) { return decoder.decode(reading); });
 }
 
 }  // namespace hogelscope::mesh

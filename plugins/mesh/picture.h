@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reading.h"
+
 namespace hogelscope::mesh {
 
 /// 8-bit RGB from the top left, row by row.
@@ -16,8 +18,18 @@ struct Picture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Decodes a PNG or JPEG; alpha is left out. `name` says in a message which picture it is. Throws
-/// on any other or damaged bytes, and on more than 2^26 pixels.
-Picture decodePicture(std::string_view bytes, const std::string& file, const std::string& name);
+/// A PNG or JPEG, and the names for messages: of the file that it is in, and its own there.
+struct EncodedPicture {
+  std::string_view bytes;
+  std::string file;
+  std::string name;
+};
+
+/// Returns the number of pixels that its header says. Throws on anything but a PNG or JPEG of 1 to
+/// 2^26 pixels.
+double pixelsOf(const EncodedPicture& picture);
+
+/// Decodes it; alpha is left out. Throws on damaged bytes, and where the listener stops.
+Picture decoded(const EncodedPicture& picture, const Reading& reading);
 
 }  // namespace hogelscope::mesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stanford's PLY, as text and in binary: points with normals and colours, faces. Colours are taken
-// for sRGB. Other elements and properties are skipped.
+// Stanford's PLY, as text and in binary: points with normals and colours, faces, strips of
+// triangles. Colours are taken for sRGB. Other elements and properties are skipped, with a note.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -40,6 +40,10 @@ Type typeOf(std::string_view name) {
   return Type::unknown;
 }
 
+/// Of a point's properties, as PlyReader::m_values has them.
+constexpr std::array<std::string_view, 9> pointNames{"x",  "y",   "z",     "nx",  "ny",
+                                                     "nz", "red", "green", "blue"};
+
 constexpr std::array<std::size_t, 8> typeBytes{1, 1, 2, 2, 4, 4, 4, 8};
 
 struct Property {
@@ -56,8 +60,8 @@ struct Element {
 
 class PlyReader {
  public:
-  PlyReader(const std::string& file, const plugin::Progress& progress)
-      : m_file(file), m_bytes(readBytes(file)), m_progress(progress) {}
+  explicit PlyReader(Reading& reading)
+      : m_file(reading.file()), m_reading(reading), m_bytes(reading.bytesOf(m_file)) {}
 
   Mesh read() {
     m_rest = m_bytes;
@@ -69,11 +73,12 @@ class PlyReader {
       if (element.count * double(element.properties.size()) > double(m_rest.size())) endsEarly();
       if (element.name == "vertex") preparePoints(element);
       for (std::size_t row = 0; row < std::size_t(element.count); ++row) {
-        if (row % 65536 == 0) report(m_progress, m_bytes.size() - m_rest.size(), m_bytes.size());
+        if (row % 65536 == 0) m_reading.report(m_bytes.size() - m_rest.size(), m_bytes.size());
         readRow(element);
       }
     }
     m_mesh.materialOf.assign(m_mesh.triangles.size(), 0);
+    addNotes();
     return std::move(m_mesh);
   }
 
@@ -126,9 +131,14 @@ class PlyReader {
         damaged("its header has the line " + shortName(std::string(line)));
       }
     }
-    for (const Element& element : m_elements)
+    for (std::size_t k = 0; k < m_elements.size(); ++k) {
+      const Element& element = m_elements[k];
       if (element.properties.empty() && element.count > 0)
         damaged("element " + shortName(element.name) + " has no properties");
+      for (std::size_t i = 0; i < k; ++i)
+        if (m_elements[i].name == element.name)
+          damaged("its header has two elements " + shortName(element.name));
+    }
   }
 
   void readFormat(std::string_view name) {
@@ -213,7 +223,12 @@ class PlyReader {
     if (!has("x") || !has("y") || !has("z")) damaged("its points have no x, y, z");
     m_hasNormals = has("nx") && has("ny") && has("nz");
     m_hasColours = has("red") && has("green") && has("blue");
+    m_reading.take(element.count * (sceneBytesOfPoint + sizeof(Vec3) +
+                                    (m_hasNormals ? sizeof(m_mesh.normals[0]) : 0) +
+                                    (m_hasColours ? sizeof(Linear) : 0)));
     m_mesh.points.reserve(std::size_t(element.count));
+    if (m_hasNormals) m_mesh.normals.reserve(std::size_t(element.count));
+    if (m_hasColours) m_mesh.colours.reserve(std::size_t(element.count));
   }
 
   void readRow(const Element& element) {
@@ -221,7 +236,7 @@ class PlyReader {
     m_values.fill(0);
     for (const Property& property : element.properties) {
       if (property.countType != Type::unknown)
-        readList(property, element.name == "face" && property.name.starts_with("vertex_ind"));
+        readList(property, shapeOf(element, property));
       else
         keepValue(property, readValue(property.type));
     }
@@ -229,11 +244,9 @@ class PlyReader {
   }
 
   void keepValue(const Property& property, double value) {
-    static constexpr std::array<std::string_view, 9> names{"x",  "y",   "z",     "nx",  "ny",
-                                                           "nz", "red", "green", "blue"};
-    const auto found = std::find(names.begin(), names.end(), property.name);
-    if (found == names.end()) return;
-    const auto at = std::size_t(found - names.begin());
+    const auto found = std::ranges::find(pointNames, property.name);
+    if (found == pointNames.end()) return;
+    const auto at = std::size_t(found - pointNames.begin());
     // Colours are 0 … 255, 0 … 65535, or real numbers 0 … 1.
     const double white = property.type == Type::u8 ? 255 : property.type == Type::u16 ? 65535 : 1;
     m_values[at] = at >= 6 ? linearOf(std::clamp(value / white, 0.0, 1.0)) : value;
@@ -249,27 +262,65 @@ class PlyReader {
     if (m_hasColours) m_mesh.colours.push_back({float(v[6]), float(v[7]), float(v[8])});
   }
 
-  /// A polygon becomes a fan of triangles.
-  void readList(const Property& property, bool isFace) {
+  enum class Shape : std::uint8_t { none, polygon, strips };
+
+  static Shape shapeOf(const Element& element, const Property& property) {
+    if (!property.name.starts_with("vertex_ind")) return Shape::none;
+    if (element.name == "tristrips") return Shape::strips;
+    return element.name == "face" ? Shape::polygon : Shape::none;
+  }
+
+  /// A polygon becomes a fan of triangles. In a list of strips -1 ends one.
+  void readList(const Property& property, Shape shape) {
     const double count = readValue(property.countType);
     if (!(count >= 0 && count <= double(m_rest.size()))) endsEarly();
     Corners corners{};
+    std::size_t known = 0;  // corners of the triangle to come
     for (std::size_t k = 0; k < std::size_t(count); ++k) {
+      if (k % 65536 == 65535) m_reading.poll();
       const double index = readValue(property.type);
-      if (!isFace) continue;
+      if (shape == Shape::none) continue;
+      if (shape == Shape::strips && index == -1) {
+        known = 0;
+        continue;
+      }
       if (!(index >= 0 && index < 4294967295.0)) damaged("a face names a point that is not there");
-      corners[std::min<std::size_t>(k, 2)] = std::uint32_t(index);
-      if (k < 2) continue;
-      if (m_mesh.triangles.size() >= mostTriangles)
-        fail(m_file, "the file", "has more than 33554432 triangles");
-      m_mesh.triangles.push_back(corners);
+      corners[known] = std::uint32_t(index);
+      if (known < 2) {
+        ++known;
+        continue;
+      }
+      addTriangle(corners);
+      if (shape == Shape::strips) corners[0] = corners[1];
       corners[1] = corners[2];
     }
   }
 
+  void addTriangle(const Corners& corners) {
+    if (m_mesh.triangles.size() >= mostTriangles)
+      fail(m_file, "the file", "has more than 33554432 triangles");
+    m_reading.take(2 * sizeof(Corners) + sizeof(std::uint32_t) + sceneBytesOfTriangle);
+    m_mesh.triangles.push_back(corners);
+  }
+
+  void addNotes() {
+    std::vector<std::string> elements;
+    std::vector<std::string> properties;
+    for (const Element& element : m_elements) {
+      const bool isPoint = element.name == "vertex";
+      const bool isShown = isPoint || element.name == "face" || element.name == "tristrips";
+      if (!isShown && element.count > 0) elements.push_back(element.name);
+      for (const Property& property : element.properties)
+        if (isPoint && std::ranges::find(pointNames, property.name) == pointNames.end())
+          properties.push_back(property.name);
+    }
+    if (!elements.empty()) m_mesh.notes.push_back(leftOut("elements", elements));
+    if (!properties.empty()) m_mesh.notes.push_back(leftOut("points' properties", properties));
+  }
+
   std::string m_file;
+  Reading& m_reading;
   std::string m_bytes;
-  const plugin::Progress& m_progress;
   std::string_view m_rest;  ///< what has not been read yet
   Mesh m_mesh;
   std::vector<Element> m_elements;
@@ -281,8 +332,8 @@ class PlyReader {
 
 }  // namespace
 
-Mesh readPly(const std::string& file, const plugin::Progress& progress) {
-  return PlyReader(file, progress).read();
+Mesh readPly(Reading& reading) {
+  return PlyReader(reading).read();
 }
 
 }  // namespace hogelscope::mesh

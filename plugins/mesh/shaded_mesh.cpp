@@ -47,6 +47,10 @@ Linear product(const Linear& a, const Linear& b) {
   return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
 }
 
+Linear sum(const Linear& a, const Linear& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
 /// The mean of a triangle's three corners, weighted.
 template <class List>
 auto blended(const List& list, const Corners& corners, const std::array<double, 3>& weights) {
@@ -104,8 +108,9 @@ void ShadedMesh::setLook(Shading shading, const plugin::Panel& panel,
   for (const Material& material : m_mesh->materials) {
     const bool isLit = m_shading == Shading::lambert && !material.isUnlit;
     m_plain.emplace_back();
-    if (!isLit && material.texture < 0 && m_mesh->colours.empty())
-      m_plain.back() = codes(material.colour);
+    if (!isLit && material.layer.texture < 0 && material.glow.texture < 0 &&
+        m_mesh->colours.empty())
+      m_plain.back() = codes(sum(material.colour, material.emission));
   }
 }
 
@@ -138,21 +143,25 @@ plugin::Colour ShadedMesh::colour(const Hit& hit, std::uint32_t number,
   const Material& material = m_mesh->materials[number];
   const Linear surface = albedo(hit, material);
   const bool isLit = m_shading == Shading::lambert && !material.isUnlit;
-  return codes(isLit ? product(surface, lightOn(hit, ray)) : surface);
+  return codes(sum(isLit ? product(surface, lightOn(hit, ray)) : surface, emission(hit, material)));
 }
 
 Linear ShadedMesh::albedo(const Hit& hit, const Material& material) const {
   Linear light = material.colour;
   if (!m_mesh->colours.empty())
     light = product(light, blended(m_mesh->colours, m_scene->corners(hit.triangle), hit.weights));
-  if (material.texture >= 0) light = product(light, textureColour(hit, material));
-  return light;
+  return product(light, textureColour(hit, material.layer));
+}
+
+Linear ShadedMesh::emission(const Hit& hit, const Material& material) const {
+  if (material.emission == Linear{}) return {};
+  return product(material.emission, textureColour(hit, material.glow));
 }
 
 /// The level whose texels are as wide as a directional pixel's light at the hit's depth.
-Linear ShadedMesh::textureColour(const Hit& hit, const Material& material) const {
-  if (m_mesh->uv.empty()) return {1, 1, 1};
-  const Texture& texture = m_mesh->textures[std::size_t(material.texture)];
+Linear ShadedMesh::textureColour(const Hit& hit, const Layer& layer) const {
+  if (layer.texture < 0 || m_mesh->uv.empty()) return {1, 1, 1};
+  const Texture& texture = m_mesh->textures[std::size_t(layer.texture)];
   const Corners& corners = m_scene->corners(hit.triangle);
   const auto& uv = m_mesh->uv;
   const auto edge = [&](std::size_t k, std::size_t axis) {
@@ -162,11 +171,11 @@ Linear ShadedMesh::textureColour(const Hit& hit, const Material& material) const
   const double area =
       length(cross(m_scene->point(corners[1]) - p0, m_scene->point(corners[2]) - p0));
   const double texels =
-      std::abs(edge(1, 0) * edge(2, 1) - edge(1, 1) * edge(2, 0)) * texture.size();
+      std::abs((edge(1, 0) * edge(2, 1) - edge(1, 1) * edge(2, 0)) * layer.area()) * texture.size();
   const double width = m_pitch + std::abs(hit.z) * m_slopeStep;
   const double level = area > 0 && texels > 0 ? std::log2(width * std::sqrt(texels / area)) : 0;
-  const std::array<float, 2> at = blended(uv, corners, hit.weights);
-  return texture.sample(double(at[0]), double(at[1]), level, material.wrap);
+  const Vec2 at = layer.place(blended(uv, corners, hit.weights));
+  return texture.sample(at.x, at.y, level, layer.wrap);
 }
 
 Vec3 ShadedMesh::shadingNormal(const Hit& hit, const Vec3& geometric) const {
@@ -190,7 +199,7 @@ Linear ShadedMesh::lightOn(const Hit& hit, const plugin::Ray& ray) const {
   const double reach =
       std::max({m_scene->extent(), std::abs(point.x), std::abs(point.y), std::abs(point.z)});
   const Vec3 start = point + (4 * std::numeric_limits<float>::epsilon() * reach) * side;
-  Linear sum{m_ambient, m_ambient, m_ambient};
+  Linear shown{m_ambient, m_ambient, m_ambient};
   for (const Light& light : m_lights) {
     const auto arriving = lightAt(light, point, m_unit);
     if (!arriving || !(dot(side, arriving->way) > 0)) continue;
@@ -198,9 +207,9 @@ Linear ShadedMesh::lightOn(const Hit& hit, const plugin::Ray& ray) const {
     if (!(cosine > 0)) continue;
     const Vec3 way = arriving->isDirection ? arriving->way : light.position - start;
     if (m_scene->isBlocked(start, way, arriving->isDirection)) continue;
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += float(cosine) * arriving->strength[c];
+    for (std::size_t c = 0; c < 3; ++c) shown[c] += float(cosine) * arriving->strength[c];
   }
-  return sum;
+  return shown;
 }
 
 plugin::Triangles ShadedMesh::triangles() const {
@@ -213,7 +222,8 @@ plugin::Triangles ShadedMesh::triangles() const {
     for (std::size_t k = 0; k < 3; ++k) {
       Hit corner{t, {}, m_scene->point(corners[k]).z};
       corner.weights[k] = 1;
-      const plugin::Colour code = codes(albedo(corner, m_mesh->materials[m_materialOf[t]]));
+      const Material& material = m_mesh->materials[m_materialOf[t]];
+      const plugin::Colour code = codes(sum(albedo(corner, material), emission(corner, material)));
       std::uint8_t* rgb = &shown.colours[std::size_t{3} * corners[k]];
       rgb[0] = std::uint8_t(std::lround(code.r));
       rgb[1] = std::uint8_t(std::lround(code.g));

@@ -45,7 +45,8 @@ class ShadedMesh {
   [[nodiscard]] plugin::Colour colour(const Hit& hit, std::uint32_t number,
                                       const plugin::Ray& ray) const;
   [[nodiscard]] Linear albedo(const Hit& hit, const Material& material) const;
-  [[nodiscard]] Linear textureColour(const Hit& hit, const Material& material) const;
+  [[nodiscard]] Linear emission(const Hit& hit, const Material& material) const;
+  [[nodiscard]] Linear textureColour(const Hit& hit, const Layer& layer) const;
   [[nodiscard]] Linear lightOn(const Hit& hit, const plugin::Ray& ray) const;
   [[nodiscard]] Vec3 shadingNormal(const Hit& hit, const Vec3& geometric) const;
 

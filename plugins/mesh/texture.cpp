@@ -38,7 +38,7 @@ Box boxOf(int k, int from, int to) {
 
 }  // namespace
 
-Texture::Texture(const Picture& picture) {
+Texture::Texture(const Picture& picture, const Reading& reading) {
   std::array<std::uint16_t, 256> linear{};
   for (std::size_t k = 0; k < linear.size(); ++k)
     linear[k] = std::uint16_t(std::lround(65535 * linearOf(double(k) / 255)));
@@ -47,13 +47,14 @@ Texture::Texture(const Picture& picture) {
                  [&](std::uint8_t code) { return linear[code]; });
   m_levels.push_back(std::move(level));
   while (m_levels.back().width > 1 || m_levels.back().height > 1)
-    m_levels.push_back(halved(m_levels.back()));
+    m_levels.push_back(halved(m_levels.back(), reading));
 }
 
-Texture::Level Texture::halved(const Level& level) {
+Texture::Level Texture::halved(const Level& level, const Reading& reading) {
   Level half{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
   half.texels.reserve(std::size_t(half.width) * std::size_t(half.height) * 3);
   for (int y = 0; y < half.height; ++y) {
+    if (constexpr int someRows = 64; y % someRows == 0) reading.poll();
     const Box rows = boxOf(y, level.height, half.height);
     for (int x = 0; x < half.width; ++x) {
       const Box columns = boxOf(x, level.width, half.width);

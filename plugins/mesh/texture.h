@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "picture.h"
+#include "reading.h"
 #include "srgb.h"
 
 namespace hogelscope::mesh {
@@ -15,7 +16,8 @@ enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
 class Texture {
  public:
-  explicit Texture(const Picture& picture);
+  /// Throws where the listener stops.
+  Texture(const Picture& picture, const Reading& reading);
 
   /// Returns the light at u, v, from the picture's top left corner to (1, 1) at the bottom right.
   /// Level 0 is the picture, each further one has half its sides (box means); between two levels
@@ -36,7 +38,7 @@ class Texture {
     [[nodiscard]] Linear sample(double u, double v, const Wrap wrap[2]) const;
   };
 
-  static Level halved(const Level& level);
+  static Level halved(const Level& level, const Reading& reading);
 
   std::vector<Level> m_levels;
 };

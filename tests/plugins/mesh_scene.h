@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "embree_scene.h"
+#include "mesh_reader.h"
 #include "mesh_source.h"
 
 namespace hogelscope::test {
@@ -37,9 +38,10 @@ std::string bytesOf(const std::vector<T>& values) {
 
 /// A PNG of 8-bit RGB.
 inline std::string makePng(std::uint32_t width, std::uint32_t height,
-                           const std::vector<std::uint8_t>& rgb) {
+                           const std::vector<std::uint8_t>& rgb, bool isInterlaced = false) {
   spng_ctx* png = spng_ctx_new(SPNG_CTX_ENCODER);
-  spng_ihdr header{width, height, 8, SPNG_COLOR_TYPE_TRUECOLOR, 0, 0, 0};
+  const auto interlace = std::uint8_t(isInterlaced ? SPNG_INTERLACE_ADAM7 : SPNG_INTERLACE_NONE);
+  spng_ihdr header{width, height, 8, SPNG_COLOR_TYPE_TRUECOLOR, 0, 0, interlace};
   spng_set_option(png, SPNG_ENCODE_TO_BUFFER, 1);
   spng_set_ihdr(png, &header);
   if (spng_encode_image(png, rgb.data(), rgb.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE) != 0)
@@ -200,6 +202,9 @@ class Surfaces {
   mesh::EmbreeScene m_scene;
 };
 
+/// What the scenes of tests may take.
+constexpr std::uint64_t memory = 1000000000;
+
 /// A folder with files, and the source of one of them.
 class Scene {
  public:
@@ -212,7 +217,10 @@ class Scene {
   void open(Json parameters) {
     Setter setter(parameters);
     source.describe(setter);
-    source.open(panel, {m_folder.path().toStdString(), 2}, Going{});
+    source.open(panel, {m_folder.path().toStdString(), 2, memory}, Going{});
+  }
+  [[nodiscard]] mesh::Mesh read(const std::string& name) const {
+    return mesh::readMesh(path(name), memory, Going{});
   }
   /// Opens a document, or the file of that name.
   void open(const Gltf& gltf, Json parameters = Json::object()) {

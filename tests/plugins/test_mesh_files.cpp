@@ -38,6 +38,7 @@ class TestMeshFiles : public QObject {
   void buffersBesideTheFile();
   void objHasMaterials();
   void plyOfEachFormat();
+  void plyHasStrips();
   void namesWhatItRead();
   void readsAgainWhatHasChanged();
   void stopsWhenAsked();
@@ -62,7 +63,7 @@ void TestMeshFiles::nodesStandInEachOther() {
   gltf.json["scenes"][0]["nodes"] = {1};
   Scene scene;
   scene.add("a.glb", gltf.glb());
-  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.glb"), Going{});
+  const mesh::Mesh mesh = scene.read("a.glb");
   QVERIFY(isNear(mesh.points[0], {10, 2, 20}));
   QVERIFY(isNear(mesh.points[1], {7, 0, 20}));
   QVERIFY(isNear(mesh.points[2], {10, 0, 24}));
@@ -77,7 +78,7 @@ void TestMeshFiles::modesAndIndices() {
     primitive["mode"] = mode;
     primitive["indices"] = gltf.accessor(indices, 5121, "SCALAR", 1);
     scene.add("a.glb", gltf.glb());
-    return mesh::readMesh(scene.path("a.glb"), Going{}).triangles;
+    return scene.read("a.glb").triangles;
   };
   QCOMPARE(count(4, {0, 1, 2, 0, 2, 3}), (std::vector<mesh::Corners>{{0, 1, 2}, {0, 2, 3}}));
   QCOMPARE(count(5, {0, 1, 3, 2}), (std::vector<mesh::Corners>{{0, 1, 3}, {1, 3, 2}}));
@@ -94,7 +95,7 @@ void TestMeshFiles::sparseAccessors() {
       {"values", {{"bufferView", values}}}};
   Scene scene;
   scene.add("a.glb", gltf.glb());
-  QVERIFY(isNear(mesh::readMesh(scene.path("a.glb"), Going{}).points[2], {7, 8, 9}));
+  QVERIFY(isNear(scene.read("a.glb").points[2], {7, 8, 9}));
 }
 
 void TestMeshFiles::buffersBesideTheFile() {
@@ -103,26 +104,30 @@ void TestMeshFiles::buffersBesideTheFile() {
   Scene scene;
   scene.add("a.gltf", gltf.json.dump());
   scene.add("the points.bin", gltf.binary);
-  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.gltf"), Going{});
+  const mesh::Mesh mesh = scene.read("a.gltf");
   QCOMPARE(mesh.files, (std::vector{scene.path("a.gltf"), scene.path("the points.bin")}));
   gltf.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," +
                                    QByteArray::fromStdString(gltf.binary).toBase64().toStdString();
   scene.add("b.gltf", gltf.json.dump());
-  QCOMPARE(mesh::readMesh(scene.path("b.gltf"), Going{}).points, mesh.points);
+  QCOMPARE(scene.read("b.gltf").points, mesh.points);
 }
 
 void TestMeshFiles::objHasMaterials() {
   Scene scene;
-  scene.add("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl picture\nmap_Kd a.png\n");
+  scene.add("a.mtl",
+            "newmtl red\nKd 1 0 0\nKe 0 1 0\nnewmtl picture\nmap_Kd a.png\nmap_Ke a.png\n");
   scene.add("a.png", makePng(1, 1, {9, 8, 7}));
   scene.add("a.obj",
             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvn 0 0 2\n"
             "usemtl red\nf 1 2 3 4\nusemtl picture\nf -4/1/1 -3/1/1 \\\n-2/1/1\n");
-  const mesh::Mesh mesh = mesh::readMesh(scene.path("a.obj"), Going{});
+  const mesh::Mesh mesh = scene.read("a.obj");
   QCOMPARE(mesh.triangles, (std::vector<mesh::Corners>{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}));
   QCOMPARE(mesh.materialOf, (std::vector<std::uint32_t>{1, 1, 2}));
   QCOMPARE(mesh.materials[1].colour, (mesh::Linear{1, 0, 0}));
-  QCOMPARE(mesh.materials[2].texture, 0);
+  QCOMPARE(mesh.materials[1].emission, (mesh::Linear{0, 1, 0}));
+  QCOMPARE(mesh.materials[2].layer.texture, 0);
+  QCOMPARE(mesh.materials[2].glow.texture, 0);
+  QCOMPARE(mesh.materials[2].emission, (mesh::Linear{1, 1, 1}));
   QCOMPARE(mesh.uv[4], (std::array<float, 2>{0.25F, 0.75F}));
   QCOMPARE(mesh.normals[4], (std::array<float, 3>{0, 0, 1}));
   QCOMPARE(mesh.files.size(), std::size_t(3));
@@ -151,12 +156,25 @@ void TestMeshFiles::plyOfEachFormat() {
   scene.add("l.ply", "ply\nformat binary_little_endian 1.0\n" + header + little);
   scene.add("b.ply", "ply\nformat binary_big_endian 1.0\n" + header + big);
   for (const char* name : {"a.ply", "l.ply", "b.ply"}) {
-    const mesh::Mesh mesh = mesh::readMesh(scene.path(name), Going{});
+    const mesh::Mesh mesh = scene.read(name);
     QCOMPARE(mesh.points, (std::vector<Vec3>{{0, 0, 0}, {1, 0.5, 0}, {0, 1, -2}}));
     QCOMPARE(mesh.triangles, (std::vector<mesh::Corners>{{0, 1, 2}}));
     QCOMPARE(mesh.colours[2][0], 1.0F);
     QVERIFY(std::abs(mesh::codeOf(mesh.colours[2][1]) - 128) < 0.01F);
   }
+}
+
+/// As Stanford's own models: all strips in one list, each but the last followed by -1.
+void TestMeshFiles::plyHasStrips() {
+  Scene scene;
+  scene.add("a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+            "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+            "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n"
+            "12 0 1 2 3 -1 -1 4 5 -1 3 4 5\n");
+  const mesh::Mesh mesh = scene.read("a.ply");
+  QCOMPARE(mesh.triangles, (std::vector<mesh::Corners>{{0, 1, 2}, {1, 2, 3}, {3, 4, 5}}));
+  QCOMPARE(mesh.notes.size(), std::size_t(0));
 }
 
 void TestMeshFiles::namesWhatItRead() {
@@ -188,9 +206,10 @@ void TestMeshFiles::stopsWhenAsked() {
   std::string points;
   for (int k = 0; k < 200000; ++k) points += "v 0 0 0\n";
   scene.add("a.obj", points + "f 1 2 4000000000\n");
-  QVERIFY_EXCEPTION_THROWN(mesh::readMesh(scene.path("a.obj"), Stopping{}), std::runtime_error);
+  QVERIFY_EXCEPTION_THROWN(mesh::readMesh(scene.path("a.obj"), memory, Stopping{}),
+                           std::runtime_error);
   try {
-    (void)mesh::readMesh(scene.path("a.obj"), Stopping{});
+    (void)mesh::readMesh(scene.path("a.obj"), memory, Stopping{});
   } catch (const std::runtime_error& error) {
     QCOMPARE(QString(error.what()), QString("stopped"));  // not the wrong face at its end
   }

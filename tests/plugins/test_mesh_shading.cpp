@@ -67,9 +67,13 @@ class TestMeshShading : public QObject {
  private Q_SLOTS:
   void baseColoursAreLinear();
   void vertexColoursBlend();
+  void interlacedTextures();
   void texturesAreBilinear_data();
   void texturesAreBilinear();
   void farTexturesAreMeans();
+  void texturesAreTransformed();
+  void aTurnedTexture();
+  void emittedLight();
   void aHeadlightLightsBothSides();
   void aPointLightFallsWithTheSquare();
   void aSpotEndsAtItsCone();
@@ -103,6 +107,19 @@ void TestMeshShading::vertexColoursBlend() {
   compare(colour.r, codeOf(0.5 * 0.5));
   compare(colour.g, codeOf(0.2));
   compare(colour.b, codeOf(0.3));
+}
+
+void TestMeshShading::interlacedTextures() {
+  const std::vector<std::uint8_t> pixels = randomPixels(13 * 11);
+  std::vector<plugin::Colour> seen;
+  for (const bool isInterlaced : {false, true}) {
+    Gltf gltf;
+    gltf.card(0, 0, 13, 11, 0, gltf.textured(makePng(13, 11, pixels, isInterlaced)));
+    Scene scene;
+    scene.open(gltf, {{"shading", "unlit"}});
+    for (int k = 0; k < 13 * 11; ++k) seen.push_back(scene.see(k % 13 + 0.4, k / 13 + 0.3));
+  }
+  for (std::size_t k = 0; k < 13 * 11; ++k) QCOMPARE(seen[k].g, seen[k + 13 * 11].g);
 }
 
 void TestMeshShading::texturesAreBilinear_data() {
@@ -155,6 +172,75 @@ void TestMeshShading::farTexturesAreMeans() {
       compare(scene.see(x, y).r, codeOf(mean / (block * block)), 0.1);
     }
   }
+}
+
+/// T·R·S of KHR_texture_transform, and of a scale of 2 the level of texels half as wide.
+void TestMeshShading::texturesAreTransformed() {
+  const std::vector<std::uint8_t> pixels = randomPixels(15);
+  Gltf gltf;
+  gltf.card(0, 0, 15, 9, 0, gltf.textured(makePng(5, 3, pixels)));
+  Json& info = gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  info["extensions"]["KHR_texture_transform"] = {
+      {"offset", {0.3, -0.2}}, {"rotation", 0.5}, {"scale", {1.5, 0.7}}};
+  Scene scene;
+  scene.open(gltf, {{"shading", "unlit"}});
+  for (int k = 0; k < 300; ++k) {
+    const double x = 0.01 + 0.0499 * k;
+    const double y = std::fmod(0.37 * k, 8.9) + 0.05;
+    const double u = 1.5 * x / 15;
+    const double v = 0.7 * (1 - y / 9);
+    const double turnedU = 0.3 + std::cos(0.5) * u + std::sin(0.5) * v;
+    const double turnedV = -0.2 - std::sin(0.5) * u + std::cos(0.5) * v;
+    compare(scene.see(x, y).r, bilinear(pixels, 5, 3, 5 * turnedU, 3 * turnedV, 10497, 10497),
+            0.05);
+  }
+  Gltf fine;
+  fine.card(-0.32F, -0.32F, 0.32F, 0.32F, 0, fine.textured(makePng(64, 64, randomPixels(4096))));
+  Json& twice = fine.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  twice["extensions"]["KHR_texture_transform"] = {{"scale", {2, 2}}};
+  scene.panel = {{1.28, 1.28}, {128, 128}, {20, 20}, {0.05, 0.05}};  // hogels of 1 cm
+  scene.open(fine, {{"shading", "unlit"}});
+  const std::vector<std::uint8_t> texels = randomPixels(4096);
+  double mean = 0;
+  for (const std::size_t at : {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{65}})
+    mean += linearOf(texels[3 * at]) / 4;
+  compare(scene.see(-0.315, 0.315).r, codeOf(mean), 0.1);
+}
+
+/// A quarter counter-clockwise of the coordinates turns the picture clockwise: what is at its top
+/// left is seen at the top right.
+void TestMeshShading::aTurnedTexture() {
+  Gltf gltf;
+  gltf.card(0, 0, 1, 1, 0, gltf.textured(makePng(2, 2, {255, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0})));
+  Json& info = gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  info["extensions"]["KHR_texture_transform"] = {{"rotation", std::numbers::pi / 2}};
+  Scene scene;
+  scene.open(gltf, {{"shading", "unlit"}});
+  compare(scene.see(0.75, 0.75).r, 255);
+  for (const auto& [x, y] : {std::pair{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.25}})
+    compare(scene.see(x, y).r, 0);
+}
+
+/// It is added to what lamps make of a surface, and not shaded.
+void TestMeshShading::emittedLight() {
+  Gltf gltf;
+  gltf.card(-1, -1, 1, 1, 0, gltf.textured(makePng(1, 1, {0, 128, 255})));
+  Json& material = gltf.json["materials"][0];
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 0, 0, 1}}};
+  material["emissiveTexture"] = {{"index", 0}};
+  material["emissiveFactor"] = {0.5, 0.25, 0.125};
+  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 2}};
+  Scene scene;
+  for (const char* shading : {"lambert", "unlit"}) {
+    scene.open(gltf, {{"shading", shading}, {"orientation", {0, 60, 0}}});
+    const plugin::Colour colour = scene.see(0.1, 0.1);
+    compare(colour.r, codeOf(0.5 * (std::string(shading) == "unlit" ? 1 : 0.5)));
+    compare(colour.g, codeOf(0.5 * linearOf(128)));
+    compare(colour.b, codeOf(0.25));
+  }
+  material["extensions"]["KHR_materials_unlit"] = Json::object();
+  scene.open(gltf);
+  compare(scene.see(0.1, 0.1).g, 0);
 }
 
 void TestMeshShading::aHeadlightLightsBothSides() {
