@@ -144,6 +144,11 @@ void warnOf(const LightFieldFile& lightField, const std::string& name, const Com
     printNote(name + ": warning: " + warning);
 }
 
+void warnOfCuts(const LightFieldFile& lightField, const Session& session, const CommandLine& line) {
+  if (!line.has("quiet") && !session.cameras.empty() && !isSessionDocument(line.text("session")))
+    warn(line, lightField.cutWarning(session.cameras.front()));
+}
+
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
                                               const Session& session,
                                               const LightFieldFile& lightField) {

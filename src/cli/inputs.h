@@ -42,6 +42,10 @@ std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path>
 /// Prints what a light field lacks on stderr, unless the job is quiet.
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line);
 
+/// Prints what of a mesh that was given in place of a session the panel cuts, as the first state
+/// sees it, unless the job is quiet. Authors of sessions know.
+void warnOfCuts(const LightFieldFile& lightField, const Session& session, const CommandLine& line);
+
 /// A new session around the light field that the job's own option names, read as --set says. Throws
 /// InputError, also for a --set of what such a session does not have: camera states and their
 /// sampling.

@@ -194,7 +194,9 @@ class TestSessionAround : public QObject {
     QVERIFY(!readTheSame(a, b));
   }
 
-  /// 4 wide, 2 high, at depths 1 and 5 of the file, beside its origin.
+  /// 4 wide, 2 high, at depths 1 and 5 of the file, beside its origin. A tenth of the panel's side
+  /// stands before it. The nearest point is in the middle across, so all of the scale is left that
+  /// its height there allows: 1 · s = 0.1125 (1 − 0.05 / 0.559).
   void aDisplayFitsAMesh() {
     writeFile(file("a.obj"), "v 10 0 1\nv 14 0 1\nv 10 2 5\nf 1 2 3\n");
     const Session session = sessionAround(file("a.obj").toStdString());
@@ -206,13 +208,75 @@ class TestSessionAround : public QObject {
     QVERIFY((session.display.directions == std::array{100, 100}));
     const Scene scene = loadScene(session, {});
     const std::vector<float> points = scene.lightField->triangles().points;
-    const std::vector<float> wanted{-0.225F, -0.1125F, -0.225F, 0.225F, -0.1125F,
-                                    -0.225F, -0.225F,  0.1125F, 0.225F};
+    const auto s = float(0.1125 * (1 - 0.05 / 0.559));
+    const std::vector<float> wanted{-2 * s, -s, 0.05F - 4 * s, 2 * s, -s, 0.05F - 4 * s,
+                                    -2 * s, s,  0.05F};
     QCOMPARE(points.size(), wanted.size());
     for (std::size_t k = 0; k < points.size(); ++k)
       QVERIFY(std::abs(points[k] - wanted[k]) < 1e-3F);  // tenths of a millimetre
     saveSession(file("saved.json").toStdString(), session);
     QVERIFY((loadSession(file("saved.json").toStdString()).display == session.display));
+  }
+
+  /// Long towards the viewer, wide in front, wide behind, or flat: the eye sees all of it within
+  /// the panel, near its edges, and most of its depth is behind.
+  void allOfAMeshIsSeen() {
+    const std::vector<std::pair<QByteArray, double>> meshes{
+        {"v -1 -1 0\nv 1 1 0\nv 0 0 30\nf 1 2 3\n", 0.06},
+        {"v 0 0 0\nv -2 -1 9\nv 2 1 9\nf 1 2 3\n", 0.895},
+        {"v -1 -4 0\nv 1 4 -3\nv 0 0.5 3\nf 1 2 3\n", 0.7},
+        {"v -1 0 2\nv 1 0 2\nv 0 1 2\nf 1 2 3\n", 0.895}};
+    for (const auto& [mesh, least] : meshes) {
+      writeFile(file("b.obj"), mesh);
+      const Session session = sessionAround(file("b.obj").toStdString());
+      const Scene scene = loadScene(session, {});
+      const Vec3 eye = session.cameras.front().camera.eye;
+      const std::vector<float> points = scene.lightField->triangles().points;
+      double filled = 0;
+      double back = 9;
+      double front = -9;
+      for (std::size_t k = 0; k < points.size(); k += 3) {
+        const double share = eye.z / (eye.z - points[k + 2]);
+        filled = std::max({filled, std::abs(points[k]) * share / session.display.size[0] * 2,
+                           std::abs(points[k + 1]) * share / session.display.size[1] * 2});
+        back = std::min(back, double(points[k + 2]));
+        front = std::max(front, double(points[k + 2]));
+      }
+      QVERIFY2(filled > least && filled < 0.905, qPrintable(mesh + QByteArray::number(filled)));
+      QVERIFY(front >= 0 && front < 0.0501 && front <= 0.3 * (front - back) + 1e-4);
+      QCOMPARE(
+          openLightField(session.lightField, session.display)->cutWarning(session.cameras.front()),
+          std::string());
+    }
+  }
+
+  /// Before the panel a card 0.6 m wide ends at its sides; behind it, nothing does.
+  void cutsAreTold() {
+    writeFile(file("c.obj"), "v -0.3 -0.1 0\nv 0.3 -0.1 0\nv 0.3 0.1 0\nv -0.3 0.1 0\nf 1 2 3 4\n");
+    Session session = sessionAround(file("c.obj").toStdString());
+    session.display.size = {0.5, 0.5};
+    session.lightField.content.set("scale", std::vector<double>{1});
+    const auto warning = [&](double z, double x = 0) {
+      session.lightField.content.set("position", std::vector<double>{x, 0, z});
+      return openLightField(session.lightField, session.display)->cutWarning(session.cameras[0]);
+    };
+    const std::string rest = "): move the content back, or make it smaller";
+    QCOMPARE(warning(0.05), "View: the panel cuts what stands before it (left, right" + rest);
+    QCOMPARE(warning(0.05, 0.2), "View: the panel cuts what stands before it (right" + rest);
+    QCOMPARE(warning(-0.05), std::string());
+    QCOMPARE(warning(0.001), std::string());  // less than a hogel's width
+    session.display.size = {0.7, 0.18};
+    QCOMPARE(warning(0.05), "View: the panel cuts what stands before it (upper, lower" + rest);
+    session.cameras[0].camera.eye = {0, 0, -1};
+    QCOMPARE(warning(0.05), std::string());
+  }
+
+  void kindsOfMeshesThatAreNotRead() {
+    writeFile(file("a.stl"), "solid");
+    QCOMPARE(errorOf([&] { (void)sessionAround(file("a.stl").toStdString()); }),
+             file("a.stl") +
+                 ": is a mesh of a kind that is not read: export it as .glb, .gltf, "
+                 ".obj or .ply");
   }
 
   void aMeshThatNoDisplayFits() {

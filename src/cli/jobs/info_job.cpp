@@ -180,6 +180,8 @@ void printLive(std::ostream& out, const Session& session) {
     out << "file        " << printable(name.string()) << "\n";
   for (const std::string& note : file.content().notes())
     out << "note        " << printable(note) << "\n";
+  const std::string cuts = file.cutWarning(session.cameras.front());
+  if (!cuts.empty()) out << "warning     " << printable(cuts) << "\n";
 }
 
 void printMesh(std::ostream& out, const Session& around) {

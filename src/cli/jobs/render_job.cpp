@@ -103,6 +103,7 @@ int runRender(const CommandLine& line) {
   checkOutputs(output.allFiles(session.cameras),
                inputFiles({line.text("session"), line.text("calibration")}, session, *file));
   keepSession(line, session);
+  warnOfCuts(*file, session, line);
   makeFolder(output.folder);
   const bool isQuiet = line.has("quiet");
   announceStreaming(*file, allowedMemory(), isQuiet);

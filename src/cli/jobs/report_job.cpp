@@ -110,6 +110,7 @@ int runReport(const CommandLine& line) {
   request.images = line.has("images");
   request.shard = shardOf(line);
   keepSession(line, request.session);
+  if (!request.shard) warnOfCuts(*request.file, request.session, line);
   announceStreaming(*request.file, request.memory / 2, isQuiet);
   for (const ReportTest& test : request.tests) {
     warnOf(*test.file, test.name, line);

@@ -17,6 +17,7 @@
 #include "io/order/hogel_grid.h"
 #include "io/order/tile_grid.h"
 #include "io/plugins/display_json.h"
+#include "io/scene/fit_mesh.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"

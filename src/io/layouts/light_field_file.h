@@ -10,6 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/light_field/light_field.h"
+#include "core/optics/session.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
 
@@ -36,6 +37,8 @@ class LightFieldFile {
   [[nodiscard]] virtual int bits() const { return type() == StoredType::uint8 ? 8 : 16; }
   /// Returns lines for the user on what it lacks, such as missing views.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+  /// Returns a line on what of a scene the panel cuts, as a state's eye sees it, or "".
+  [[nodiscard]] virtual std::string cutWarning(const CameraState& /*state*/) const { return {}; }
   /// Returns what the files themselves say of their content (io/files/content_hash.h), if they do.
   [[nodiscard]] virtual std::string contentHash() const { return {}; }
   /// Reads it into memory. Throws InputError, or Cancelled.

@@ -3,11 +3,14 @@
 #include "io/scene/live_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/content/cut_edges.h"
 #include "core/content/scene_content.h"
 #include "io/layouts/texel_placement.h"
 #include "io/plugins/plugin_library.h"
@@ -46,12 +49,30 @@ ContentParams contentOf(const std::string& source) {
   return ContentParams([library] { return library.makeContent(); });
 }
 
-bool isMeshFile(const std::string& file) {
+namespace {
+
+/// Of the kinds of meshes that the plugin reads, and of others that people have.
+constexpr std::array<std::string_view, 4> meshEndings{".glb", ".gltf", ".obj", ".ply"};
+constexpr std::array<std::string_view, 14> otherEndings{".stl",  ".fbx",  ".dae", ".3ds",  ".3mf",
+                                                        ".off",  ".wrl",  ".x3d", ".usd",  ".usda",
+                                                        ".usdc", ".usdz", ".abc", ".blend"};
+
+template <class Endings>
+bool endsInOneOf(const Endings& endings, const std::string& file) {
   const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
-  return ending == ".glb" || ending == ".gltf" || ending == ".obj" || ending == ".ply";
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
+}  // namespace
+
+bool isMeshFile(const std::string& file) {
+  return endsInOneOf(meshEndings, file) || endsInOneOf(otherEndings, file);
 }
 
 LightFieldParams lightFieldOfMesh(const std::string& file) {
+  if (!endsInOneOf(meshEndings, file))
+    throw InputError(file, "is a mesh of a kind that is not read",
+                     "export it as .glb, .gltf, .obj or .ply");
   LightFieldParams params;
   params.layout = Layout::live;
   params.source = "mesh";
@@ -62,72 +83,6 @@ LightFieldParams lightFieldOfMesh(const std::string& file) {
   }
   params.content.set("file", file);
   return params;
-}
-
-namespace {
-
-/// The box around content, in the display frame.
-struct Box {
-  Vec3 least;
-  Vec3 most;
-};
-
-Box boxAround(const plugin::ContentSource& content) {
-  const std::vector<float> points = content.triangles().points;
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Box box{{far, far, far}, {-far, -far, -far}};
-  for (std::size_t k = 0; k + 2 < points.size(); k += 3) {
-    const Vec3 p{points[k], points[k + 1], points[k + 2]};
-    box.least = {std::min(box.least.x, p.x), std::min(box.least.y, p.y),
-                 std::min(box.least.z, p.z)};
-    box.most = {std::max(box.most.x, p.x), std::max(box.most.y, p.y), std::max(box.most.z, p.z)};
-  }
-  return box;
-}
-
-/// A panel of a shape, with square hogels.
-void shapePanel(DisplayParams& display, double width, double height) {
-  constexpr int hogels = 256;  // along the longer side
-  constexpr double side = 0.5;
-  const double longer = std::max(width, height);
-  const auto count = [&](double extent) {
-    return std::max(1, int(std::lround(hogels * extent / longer)));
-  };
-  display.hogels = {count(width), count(height)};
-  display.size = {side * display.hogels[0] / hogels, side * display.hogels[1] / hogels};
-  display.directions = {100, 100};
-  display.fov = {60, 60};
-}
-
-}  // namespace
-
-void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& progress) {
-  shapePanel(display, 1, 1);
-  params.content.set("position", std::vector<double>{0, 0, 0});
-  constexpr double measuring = 0x1p-19;  // near the least scale: large meshes are measured, too
-  params.content.set("scale", std::vector<double>{measuring});
-  auto [least, most] = boxAround(LiveFile(params, display, progress).content());
-  least = 1 / measuring * least;
-  most = 1 / measuring * most;
-  const Vec3 extent = most - least;
-  const double longer = std::max(extent.x, extent.y);
-  const Vec3 middle = 0.5 * (least + most);
-  constexpr double filled = 0.9;
-  constexpr double mostSlender = 8;  // a line still gets some rows of hogels
-  const double scale = filled * 0.5 / longer;
-  if (!(longer > 0) || scale < 1e-6 || scale > 1e6 || !(scale * length(middle) < 1000))
-    throw InputError(contentName(params),
-                     "is no mesh that a panel fits: it is too small, too large, or farther from "
-                     "its origin than 2000 times its size");
-  shapePanel(display, std::max(extent.x, longer / mostSlender),
-             std::max(extent.y, longer / mostSlender));
-  const double fitted = fourDigits(scale);
-  params.content.set("scale", std::vector<double>{fitted});
-  const auto place = [&](double of) {
-    return std::round(-1e4 * fitted * of) / 1e4 + 0.0;  // tenths of a millimetre; 0, not −0
-  };
-  params.content.set("position",
-                     std::vector<double>{place(middle.x), place(middle.y), place(middle.z)});
 }
 
 LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
@@ -147,6 +102,10 @@ LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
 std::vector<std::filesystem::path> LiveFile::files() const {
   const std::vector<std::string> names = m_content->files();
   return {names.begin(), names.end()};
+}
+
+std::string LiveFile::cutWarning(const CameraState& state) const {
+  return hogelscope::cutWarning(*m_content, m_display, state);
 }
 
 StoredType LiveFile::type() const {

@@ -11,18 +11,13 @@ namespace hogelscope {
 /// InputError for an unknown name, and what is wrong with a plugin.
 ContentParams contentOf(const std::string& source);
 
-/// Whether the name is that of a mesh, which the plugin "mesh" shows: .glb, .gltf, .obj or .ply.
+/// Whether the name is that of a mesh: of a kind that the plugin "mesh" shows, .glb, .gltf, .obj or
+/// .ply, or of another one, which lightFieldOfMesh() refuses.
 bool isMeshFile(const std::string& file);
 
-/// Returns a live light field of a mesh, as large and where the file says. Throws InputError: the
-/// plugin cannot be used.
+/// Returns a live light field of a mesh, as large and where the file says. Throws InputError: its
+/// kind is not read, or the plugin cannot be used.
 LightFieldParams lightFieldOfMesh(const std::string& file);
-
-/// Makes a mesh fill nine tenths of a panel that has its shape, seen from the front, and a longer
-/// side of 0.5 m; its middle depth lies on the panel. Sets the content's place and scale, and the
-/// display's size, hogels, directions and field. Reads the mesh. Throws InputError,
-/// Cancelled.
-void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& progress);
 
 class LiveFile : public LightFieldFile {
  public:
@@ -33,6 +28,7 @@ class LiveFile : public LightFieldFile {
 
   [[nodiscard]] LightFieldSize size() const override { return Display(m_display).size(); }
   [[nodiscard]] std::vector<std::filesystem::path> files() const override;
+  [[nodiscard]] std::string cutWarning(const CameraState& state) const override;
   [[nodiscard]] StoredType type() const override;
   /// Traces the whole light field into memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
