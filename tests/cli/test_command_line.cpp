@@ -57,6 +57,7 @@ class TestCommandLine : public QObject {
   void infoOfTheSample();
   void infoOfAMesh();
   void infoOfAMeshOfAnySize();
+  void cutsOfAMesh();
   void infoOfALiveSession();
   void infoOfPictures();
   void infoOfAFolder();
@@ -260,16 +261,32 @@ void TestCommandLine::infoOfTheSample() {
   QCOMPARE(outcome.status, 0);
 }
 
+/// Of 0.1125 m, half of its panel's nine tenths, 0.05 of 0.559 m are lost to what stands before it.
 void TestCommandLine::infoOfAMesh() {
-  writeFile("a.obj", "v -1 0 1\nv 1 0 1\nv -1 1 -1\nf 1 2 3\n");
+  writeFile("a.obj", "v -1 0 1\nv 1 0 1\nv -1 1 -1\nf 1 2 3\nl 1 2\n");
   const Outcome outcome = run({"--info", "a.obj"}, m_folder->path());
   QCOMPARE(outcome.err, QByteArray());
   for (const char* line :
-       {"source      mesh\n", "  file        a.obj\n", "  position    (0, -0.1125, 0) m\n",
-        "  scale       0.225\n", "  samples     1\n", "triangles   1\n",
-        "depths      -0.225 … 0.225 m\n", "display     0.5×0.25 m, ", "hogels      256×128\n",
-        "directions  100×100\n"})
+       {"source      mesh\n", "  file        a.obj\n", "  position    (0, -0.1025, -0.1549) m\n",
+        "  scale       0.2049\n", "  samples     1\n", "triangles   1\n",
+        "depths      -0.3598 … 0.05 m\n", "note        Its lines l are not shown.\n",
+        "display     0.5×0.25 m, ", "hogels      256×128\n", "directions  100×100\n"})
     QVERIFY2(outcome.out.contains(line), outcome.out.constData());
+  QVERIFY(!outcome.out.contains("warning"));
+}
+
+/// Nearer to the eye it reaches beyond the panel. A session says what its author wants.
+void TestCommandLine::cutsOfAMesh() {
+  writeFile("a.obj", "v -1 0 1\nv 1 0 1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n");
+  const QStringList nearer{"--set", "lightField.mesh.position=[0,-0.1125,0]"};
+  const QByteArray line = "View: the panel cuts what stands before it (left, right, upper, lower)";
+  const Outcome info = run(QStringList{"--info", "a.obj"} + nearer, m_folder->path());
+  QVERIFY2(info.out.contains("warning     " + line), info.out.constData());
+  const QStringList job{"--render", "--output", "out", "--set", "camera.res=[20,20]", "--session"};
+  const QStringList made{"a.obj", "--save-session", "s.json"};
+  const Outcome mesh = run(job + made + nearer, m_folder->path());
+  QVERIFY2(mesh.err.contains("hogelscope: a.obj: warning: " + line), mesh.err.constData());
+  QVERIFY(!run(job + QStringList{"s.json"}, m_folder->path()).err.contains("warning"));
 }
 
 /// No session has a scale that could be made smaller.

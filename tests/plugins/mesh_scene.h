@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include "embree_scene.h"
 #include "mesh_reader.h"
 #include "mesh_source.h"
 
@@ -175,33 +174,6 @@ struct Going : plugin::Progress {
   [[nodiscard]] bool go(double) const override { return true; }
 };
 
-/// A mesh's surfaces without its light.
-class Surfaces {
- public:
-  explicit Surfaces(const plugin::Triangles& shown)
-      : m_scene(shown.points, cornersOf(shown),
-                std::vector<std::uint32_t>(shown.corners.size() / 3), 1, Going{}) {}
-
-  /// Returns the depth z of what a ray meets, NaN where it meets nothing.
-  [[nodiscard]] double depth(const plugin::Ray& ray) const {
-    double z = std::numeric_limits<double>::quiet_NaN();
-    m_scene.trace({&ray, 1}, [&](const mesh::Hits& hits, std::size_t) {
-      if (hits.triangles[0] != mesh::Hit::none) z = m_scene.hit(ray, hits.triangles[0]).z;
-    });
-    return z;
-  }
-
- private:
-  static std::vector<mesh::Corners> cornersOf(const plugin::Triangles& shown) {
-    std::vector<mesh::Corners> corners;
-    for (std::size_t k = 0; k < shown.corners.size(); k += 3)
-      corners.push_back({shown.corners[k], shown.corners[k + 1], shown.corners[k + 2]});
-    return corners;
-  }
-
-  mesh::EmbreeScene m_scene;
-};
-
 /// What the scenes of tests may take.
 constexpr std::uint64_t memory = 1000000000;
 
@@ -245,7 +217,12 @@ class Scene {
     }
     return {};
   }
-  [[nodiscard]] Surfaces surfaces() const { return Surfaces(source.triangles()); }
+  /// Returns the depth z of what a ray meets, NaN where it meets nothing.
+  [[nodiscard]] double depth(const plugin::Ray& ray) const {
+    double z = 0;
+    (void)source.traceDepths({&ray, 1}, {&z, 1});
+    return z;
+  }
   [[nodiscard]] plugin::Colour see(const plugin::Ray& ray) const {
     plugin::Colour colour;
     source.trace({&ray, 1}, {&colour, 1});

@@ -195,7 +195,7 @@ void TestMeshFiles::readsAgainWhatHasChanged() {
   QCOMPARE(back, 1.0);
   QCOMPARE(front, 4.0);
   QVERIFY(!scene.refusal("scene.glb", "damaged").empty());
-  QCOMPARE(scene.surfaces().depth(Scene::down(0.2, 0.2)), 1.0);  // what was shown before
+  QCOMPARE(scene.depth(Scene::down(0.2, 0.2)), 1.0);  // what was shown before
 }
 
 void TestMeshFiles::stopsWhenAsked() {

@@ -149,7 +149,6 @@ std::size_t differing(const mesh::MeshSource& source, const Rays& rays) {
 /// Compares depths and colours with the caster's; rays that pass an edge may see either side.
 void compareWithCaster(const Scene& scene, const Rays& rays) {
   const plugin::Triangles shown = scene.source.triangles();
-  const Surfaces surfaces(shown);
   const Colours seen = trace(scene.source, rays);
   std::size_t edges = 0;
   std::size_t hits = 0;
@@ -159,7 +158,7 @@ void compareWithCaster(const Scene& scene, const Rays& rays) {
       ++edges;
       continue;
     }
-    const double z = surfaces.depth(rays[k]);
+    const double z = scene.depth(rays[k]);
     QCOMPARE(!std::isnan(z), met.has_value());
     if (!met) continue;
     ++hits;
@@ -221,10 +220,9 @@ void TestMeshTracing::aBallOfTriangles() {
   gltf.triangles(points);
   Scene scene;
   scene.open(gltf);
-  const Surfaces surfaces = scene.surfaces();
   const double inner = r * std::cos(std::numbers::pi / n);
   for (const plugin::Ray& ray : randomRays(20000, 3)) {
-    const double z = surfaces.depth(ray);
+    const double z = scene.depth(ray);
     // The ball along the line (x, y) + (a, b) z: z² + |(x, y) + (a, b) z|² = r².
     const double px = ray.x - ray.a;
     const double py = ray.y - ray.b;
@@ -251,7 +249,6 @@ void TestMeshTracing::aCardBeforeAWall() {
   Scene scene;
   scene.open(gltf, {{"shading", "unlit"}});
   const Rays rays = randomRays(50000, 4);
-  const Surfaces surfaces = scene.surfaces();
   const Colours seen = trace(scene.source, rays);
   std::size_t cards = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -265,7 +262,7 @@ void TestMeshTracing::aCardBeforeAWall() {
     if (inside > 0) ++cards;
     QCOMPARE(seen[k].r, inside > 0 ? 255.0F : 0.0F);
     if (inside < 0 && isWall) QCOMPARE(seen[k].b, 255.0F);
-    if (inside > 0) QVERIFY(std::abs(surfaces.depth(ray) - 0.08) < 1e-6);
+    if (inside > 0) QVERIFY(std::abs(scene.depth(ray) - 0.08) < 1e-6);
   }
   QVERIFY(cards > 1000);
 }
@@ -277,8 +274,7 @@ void TestMeshTracing::aCardInThePanel() {
   Scene scene;
   scene.open(gltf, {{"orientation", {0, 7, 0}}});
   scene.add("turned.glb", gltf.glb());
-  const Surfaces surfaces = scene.surfaces();
-  for (const plugin::Ray& ray : randomRays(20000, 5)) QVERIFY(!std::isnan(surfaces.depth(ray)));
+  for (const plugin::Ray& ray : randomRays(20000, 5)) QVERIFY(!std::isnan(scene.depth(ray)));
 }
 
 void TestMeshTracing::repeatedTrianglesAreDropped() {
