@@ -2,11 +2,7 @@
 #include "errors.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 
 namespace hogelscope::mesh {
@@ -35,21 +31,6 @@ std::string leftOut(const std::string& what, const std::vector<std::string>& nam
   for (std::size_t k = 0; k < std::min(names.size(), mostNamed); ++k)
     note += (k == 0 ? " " : ", ") + shortName(names[k]);
   return note + (names.size() > mostNamed ? ", … are not shown." : " are not shown.");
-}
-
-std::string readBytes(const std::string& file) {
-  // A pipe or a device would never end.
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) fail(file, "cannot be read", std::strerror(ENOENT));
-  if (!std::filesystem::is_regular_file(status)) fail(file, "cannot be read", "is not a file");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::fopen(file.c_str(), "rbe"),
-                                                              &std::fclose);
-  if (!input) fail(file, "cannot be read", std::strerror(errno));
-  std::string bytes(std::filesystem::file_size(file), '\0');
-  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), input.get()));
-  if (std::ferror(input.get()) != 0) fail(file, "cannot be read", std::strerror(errno));
-  return bytes;
 }
 
 }  // namespace hogelscope::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the readers say what is wrong, and the bytes of a file.
+// How the readers say what is wrong, and what is left out.
 #pragma once
 
 #include <string>
@@ -10,9 +10,6 @@ namespace hogelscope::mesh {
 /// Throws std::runtime_error with one line, "FILE: WHAT: WHY". Letters that would break the line or
 /// a terminal become '?'.
 [[noreturn]] void fail(const std::string& file, const std::string& what, const std::string& why);
-
-/// Returns what the file holds, or throws.
-std::string readBytes(const std::string& file);
 
 /// Returns one name for all names of a file: absolute, without links, "." and "..".
 std::string sameName(const std::string& path);

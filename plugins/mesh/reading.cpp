@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -36,11 +39,26 @@ void Reading::take(double bytes) {
 }
 
 std::string Reading::bytesOf(const std::string& file) {
+  // A pipe or a device would never end.
   std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (!error) take(double(bytes));
-  poll();
-  return readBytes(file);
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) fail(file, "cannot be read", std::strerror(ENOENT));
+  if (!std::filesystem::is_regular_file(status)) fail(file, "cannot be read", "is not a file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::fopen(file.c_str(), "rbe"),
+                                                              &std::fclose);
+  if (!input) fail(file, "cannot be read", std::strerror(errno));
+  const auto size = std::size_t(std::filesystem::file_size(file));
+  take(double(size));
+  std::string bytes(size, '\0');
+  std::size_t read = 0;
+  for (std::size_t more = 1; more > 0 && read < size; read += more) {
+    poll();
+    constexpr std::size_t piece = std::size_t{1} << 24U;
+    more = std::fread(bytes.data() + read, 1, std::min(piece, size - read), input.get());
+  }
+  bytes.resize(read);
+  if (std::ferror(input.get()) != 0) fail(file, "cannot be read", std::strerror(errno));
+  return bytes;
 }
 
 void Reading::report(std::size_t read, std::size_t bytes) {

@@ -57,6 +57,7 @@ class TestCommandLine : public QObject {
   void infoOfTheSample();
   void infoOfAMesh();
   void infoOfAMeshOfAnySize();
+  void memoryOfAMesh();
   void cutsOfAMesh();
   void infoOfALiveSession();
   void infoOfPictures();
@@ -273,6 +274,18 @@ void TestCommandLine::infoOfAMesh() {
         "display     0.5×0.25 m, ", "hogels      256×128\n", "directions  100×100\n"})
     QVERIFY2(outcome.out.contains(line), outcome.out.constData());
   QVERIFY(!outcome.out.contains("warning"));
+}
+
+void TestCommandLine::memoryOfAMesh() {
+  writeFile("a.obj",
+            QByteArray("v -1 0 1\nv 1 0 1\nv 1 1 1\n") + QByteArray("f 1 2 3\n").repeated(9));
+  const Outcome outcome =
+      run({"--render", "--session", "a.obj", "--output", "none", "--memory", "0.001"},
+          m_folder->path());
+  QVERIFY2(outcome.err.contains(" of memory or more: 1 kB are allowed: use a smaller mesh"),
+           outcome.err.constData());
+  QCOMPARE(outcome.err.count('\n'), 1);
+  QCOMPARE(outcome.status, 2);
 }
 
 /// Nearer to the eye it reaches beyond the panel. A session says what its author wants.

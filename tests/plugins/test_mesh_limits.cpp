@@ -265,13 +265,20 @@ void TestMeshLimits::asksWhileItReads() {
             for (int k = 0; k < 700000; ++k) corners += " 1";
             return corners;
           }());
+  scene.add("large.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+            "property float y\nproperty float z\nelement face 1\n"
+            "property list uint int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+            "3 0 1 2\n" +
+                std::string(50000000, ' '));
   // The questions that each has at least: one for some rows, nodes, values or lines.
   for (const auto& [name, least] : {std::pair{"picture.glb", 32},
                                     {"nodes.glb", 40},
                                     {"json.glb", 9},
                                     {"library.obj", 9},
                                     {"face.obj", 9},
-                                    {"list.ply", 9}}) {
+                                    {"list.ply", 9},
+                                    {"large.ply", 4}}) {
     for (const int n : {0, 1, least})
       QVERIFY2(stopped(scene, name, n) == "stopped",
                qPrintable(QString("%1 of %2").arg(n).arg(name)));
@@ -304,7 +311,10 @@ void TestMeshLimits::notes() {
                "Its morph targets are not applied.", "Its points and lines are not shown.",
                "Of its 2 scenes one is shown.", "Its extensions EXT_new are not shown."}));
 
-  scene.add("a.mtl", "newmtl a\nKs 0 0 0\nd 1\nmap_Bump b.png\nd 0.5\n");
+  scene.add("a.mtl",
+            "newmtl a\nKs 0 0 0\n"
+            "d 1\nmap_Bump b.png\n"
+            "d 0.5\n");
   scene.add("a.obj", "mtllib a.mtl\ng group\n" + face + "l 1 2\nl 2 3\np 1\n");
   QCOMPARE(scene.read("a.obj").notes,
            (std::vector<std::string>{"Its materials' d, map_Bump are not shown.",
