@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include "errors.h"
@@ -30,6 +29,13 @@ std::array<Vec3, 3> rotation(double x, double y, double z, double w) {
 struct Placed {
   const Json* primitive = nullptr;
   Affine frame;
+};
+
+/// What a primitive, or all of them, take.
+struct Sizes {
+  double points = 0;
+  double triangles = 0;
+  double numbers = 0;  ///< bytes, while they are read
 };
 
 class GltfReader {
@@ -159,37 +165,48 @@ class GltfReader {
     m_primitives.push_back({&primitive, frame});
   }
 
+  [[nodiscard]] Sizes sizesOf(const Json& primitive) const {
+    const Json& attributes = primitive["attributes"];
+    const std::size_t places = m_data.index(attributes, "POSITION");
+    if (places == GltfData::none) m_data.fail("a primitive", "has no attribute POSITION");
+    const auto rows = double(m_data.rows(places));
+    const std::size_t indices = m_data.index(primitive, "indices");
+    const double corners = indices == GltfData::none ? rows : double(m_data.rows(indices));
+    const double step = m_data.number(primitive, "mode", 4) == 4 ? 3 : 1;
+    Sizes sizes{rows, std::floor(corners / step), m_data.bytes(places)};
+    for (const auto& [name, bytes] : attributeBytes)
+      if (const std::size_t accessor = m_data.index(attributes, name); accessor != GltfData::none)
+        sizes.numbers += m_data.bytes(accessor);
+    sizes.numbers = std::max(sizes.numbers, 2 * corners * sizeof(std::uint32_t));
+    return sizes;
+  }
+
+  /// What a point has where any primitive has it for its own.
+  [[nodiscard]] double bytesOfPoint() const {
+    double sum = sizeof(Vec3) + sceneBytesOfPoint;
+    for (const auto& [name, bytes] : attributeBytes)
+      if (std::ranges::any_of(m_primitives, [name = name](const Placed& placed) {
+            return (*placed.primitive)["attributes"].contains(name);
+          }))
+        sum += bytes;
+    return sum;
+  }
+
   /// Takes the memory for all of the scene before any of it is allocated.
   void measure() {
-    double points = 0;
-    double triangles = 0;
-    double temporary = 0;  // the numbers of one primitive
-    double perPoint = sizeof(Vec3) + sceneBytesOfPoint;
-    std::set<std::string> found;
+    Sizes whole;
     for (std::size_t k = 0; k < m_primitives.size(); ++k) {
       if (k % 1024 == 0) m_reading.poll();
-      const Json& primitive = *m_primitives[k].primitive;
-      const Json& attributes = primitive["attributes"];
-      const std::size_t accessor = m_data.index(attributes, "POSITION");
-      if (accessor == GltfData::none) m_data.fail("a primitive", "has no attribute POSITION");
-      const auto rows = double(m_data.rows(accessor));
-      points += rows;
-      double numbers = m_data.bytes(accessor);
-      for (const auto& [name, bytes] : attributeBytes) {
-        const std::size_t other = m_data.index(attributes, name);
-        if (other == GltfData::none) continue;
-        numbers += m_data.bytes(other);
-        if (found.insert(name).second) perPoint += bytes;
-      }
-      const std::size_t indices = m_data.index(primitive, "indices");
-      const double corners = indices == GltfData::none ? rows : double(m_data.rows(indices));
-      triangles += std::floor(corners / (m_data.number(primitive, "mode", 4) == 4 ? 3 : 1));
-      temporary = std::max({temporary, numbers, 2 * corners * sizeof(std::uint32_t)});
+      const Sizes sizes = sizesOf(*m_primitives[k].primitive);
+      whole = {whole.points + sizes.points, whole.triangles + sizes.triangles,
+               std::max(whole.numbers, sizes.numbers)};
     }
-    if (points > 3.0 * mostTriangles || triangles > double(mostTriangles))
+    if (whole.points > 3.0 * mostTriangles || whole.triangles > double(mostTriangles))
       m_data.fail("the scene", "stands for more than 33554432 triangles");
-    m_reading.take(points * perPoint + temporary +
-                   triangles * (sizeof(Corners) + sizeof(std::uint32_t) + sceneBytesOfTriangle));
+    constexpr double bytesOfTriangle =
+        sizeof(Corners) + sizeof(std::uint32_t) + sceneBytesOfTriangle;
+    m_reading.take(whole.numbers + whole.points * bytesOfPoint() +
+                   whole.triangles * bytesOfTriangle);
   }
 
   void readPrimitive(const Json& primitive, const Affine& frame) {
