@@ -41,6 +41,11 @@ JOBS = [
                            "out"]),
 ] + [(f"a.{format}", render("s.json", "--set", f"lightField.file=a.{format}"))
      for format in ("png", "jpg", "tif", "exr", "bmp")]
+# Meshes, and the fuzzer's seed that each is made of, which begins with a letter for its kind.
+MESHES = {"m.glb": "scene.glb", "m.gltf": "data.gltf", "m.obj": "colours.obj", "m.ply": "binary.ply",
+          "a.mtl": "a.mtl"}
+JOBS += [(name, render("m.obj" if name == "a.mtl" else name, "--set", "camera.res=[60,60]"))
+         for name in MESHES]
 
 
 def mutated(data, rng):
@@ -83,6 +88,9 @@ def main(seed=1, count=550):
     (whole / "out").mkdir()
     (whole / "out/report.journal").write_text('{"hogelscope report":1,"key":"k"}\n')
     (whole / "out/report.panel1").write_text('{"hogelscope panel error":1,"key":"k"}\n')
+    seeds = pathlib.Path(__file__).parent.parent / "fuzz/seeds/mesh"
+    for name, seed_file in MESHES.items():
+        (whole / name).write_bytes((seeds / seed_file).read_bytes()[1:])
     findings = used = 0
     for k in range(count):
         rng = random.Random(f"{seed} {k}")
