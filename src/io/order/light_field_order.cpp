@@ -298,6 +298,7 @@ LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const Displa
   if (views->tiles && hasVerticalParallax(findViewOrder(*views->tiles, part(progress, 0.3, 0.6))))
     return likeMosaic(params, *views->tiles);
   const ViewOrder measured = findViewOrder(views->grid, part(progress, 0.6, 1));
+  if (views->tiles && measured.isTransposed) return likeMosaic(params, *views->tiles);
   return Finding(params, *views, measured).result();
 }
 

@@ -506,9 +506,9 @@ class Finder {
 }  // namespace
 
 bool hasVerticalParallax(const ViewOrder& order) {
-  constexpr std::size_t fewest = 12;  // places
-  constexpr double least = 0.1;       // pixels per view
-  constexpr double clearly = 2;
+  constexpr std::size_t fewest = 4;  // places: of views far apart few are found again
+  constexpr double least = 0.1;      // pixels per view
+  constexpr double clearly = 4;
   if (order.motions.size() < fewest) return false;
   const auto isVertical = [&](Component x, Component y) {
     const double amount = amountOf(all({order.motions}, y));
