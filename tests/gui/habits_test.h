@@ -52,8 +52,10 @@ class DialogAnswer : public QObject {
     connect(&m_timer, &QTimer::timeout, this, [this, choice] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (dialog == nullptr || !dialog->isVisible()) return;
-      m_timer.stop();
       auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit");
+      if (!edit->hasFocus()) return;  // else a file that is proposed would stay selected
+      m_timer.stop();
+      QTimer::singleShot(patience, dialog, &QDialog::reject);  // rather than for ever
       folder = dialog->directory().absolutePath();
       name = edit->text();
       if (choice.isEmpty()) return dialog->reject();

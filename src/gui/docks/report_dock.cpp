@@ -245,7 +245,7 @@ void ReportDock::showOffer() {
 }
 
 void ReportDock::askFolder() {
-  const QString folder = chooseFolder(this, tr("Folder of the report"));
+  const QString folder = chooseOutputFolder(this, tr("Folder of the report"));
   if (!folder.isEmpty()) setFolder(folder);
 }
 

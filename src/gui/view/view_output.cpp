@@ -142,7 +142,7 @@ void ViewOutput::askAnimation() {
   const QString ffmpeg = QStandardPaths::findExecutable("ffmpeg");
   AnimationDialog dialog(currentSize(), ffmpeg, m_ui.pictureView);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString folder = chooseFolder(m_ui.pictureView, tr("Folder of the animation"));
+  const QString folder = chooseOutputFolder(m_ui.pictureView, tr("Folder of the animation"));
   if (folder.isEmpty()) return;
   const double scale = double(dialog.size().width()) / currentSize().width();
   saveAnimation(folder, scale, dialog.hasVideo() ? ffmpeg : QString(), dialog.framesPerSecond());

@@ -2,10 +2,13 @@
 // File dialogs.
 #include "gui/widgets/file_dialogs.h"
 
+#include <QAbstractItemView>
+#include <QAction>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QSettings>
+#include <QShortcut>
 
 namespace hogelscope {
 
@@ -15,6 +18,43 @@ constexpr const char* folderKey = "lastFolder";
 
 QString lastFolder() {
   return QSettings().value(folderKey, QDir::homePath()).toString();
+}
+
+/// Qt's own dialog deletes whole folders with Del, and renames and moves what is in them. What is
+/// left is to make new folders, where something is to be written.
+void keepFiles(QFileDialog& dialog) {
+  QStringList hidden{"qt_rename_action", "qt_delete_action"};
+  if (dialog.testOption(QFileDialog::ReadOnly)) hidden << "qt_new_folder_action";
+  for (const QString& name : hidden)
+    if (auto* action = dialog.findChild<QAction*>(name)) {
+      action->setVisible(false);
+      action->setEnabled(false);  // Qt 6.4 leaves that of new folders
+    }
+  for (auto* view : dialog.findChildren<QAbstractItemView*>()) {
+    view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    view->setDragDropMode(QAbstractItemView::NoDragDrop);
+    for (auto* shortcut : view->findChildren<QShortcut*>()) shortcut->setEnabled(false);
+  }
+}
+
+struct Asked {
+  QFileDialog::FileMode mode = QFileDialog::ExistingFile;
+  QFileDialog::Options options;
+  QString filter;
+};
+
+QStringList chosen(QWidget* parent, const QString& title, const Asked& asked,
+                   const QString& name = {}) {
+  QFileDialog dialog(parent, title, lastFolder(), asked.filter);
+  dialog.setOptions(asked.options);
+  dialog.setFileMode(asked.mode);
+  if (asked.mode == QFileDialog::AnyFile) dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.selectFile(name);
+  keepFiles(dialog);
+  QStringList files;
+  if (dialog.exec() == QDialog::Accepted) files = dialog.selectedFiles();
+  rememberFolderOf(files.value(0));
+  return files;
 }
 
 }  // namespace
@@ -28,30 +68,26 @@ QString sessionFilter() {
 }
 
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter) {
-  QString file = QFileDialog::getOpenFileName(parent, title, lastFolder(), filter);
-  rememberFolderOf(file);
-  return file;
+  return chosen(parent, title, {QFileDialog::ExistingFile, QFileDialog::ReadOnly, filter}).value(0);
 }
 
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter) {
-  QStringList files = QFileDialog::getOpenFileNames(parent, title, lastFolder(), filter);
-  rememberFolderOf(files.value(0));
-  return files;
+  return chosen(parent, title, {QFileDialog::ExistingFiles, QFileDialog::ReadOnly, filter});
 }
 
-/// The folder around the one that is chosen: the next one is likely to lie beside it.
+/// The folder around the one that is chosen is kept: the next one is likely to lie beside it.
 QString chooseFolder(QWidget* parent, const QString& title) {
-  QString folder = QFileDialog::getExistingDirectory(parent, title, lastFolder());
-  rememberFolderOf(folder);
-  return folder;
+  const auto options = QFileDialog::ShowDirsOnly | QFileDialog::ReadOnly;
+  return chosen(parent, title, {QFileDialog::Directory, options, {}}).value(0);
+}
+
+QString chooseOutputFolder(QWidget* parent, const QString& title) {
+  return chosen(parent, title, {QFileDialog::Directory, QFileDialog::ShowDirsOnly, {}}).value(0);
 }
 
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
                       const QString& filter) {
-  QString file =
-      QFileDialog::getSaveFileName(parent, title, QDir(lastFolder()).filePath(name), filter);
-  rememberFolderOf(file);
-  return file;
+  return chosen(parent, title, {QFileDialog::AnyFile, {}, filter}, name).value(0);
 }
 
 }  // namespace hogelscope

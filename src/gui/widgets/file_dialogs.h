@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The dialogs that ask for files and folders; they open in the folder that was used last, also in
-// another run of the program.
+// another run of the program. None deletes, renames or moves files; new folders can be made where
+// something is to be written.
 #pragma once
 
 #include <QStringList>
@@ -16,6 +17,8 @@ QString sessionFilter();
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter);
 QString chooseFolder(QWidget* parent, const QString& title);
+/// To write into.
+QString chooseOutputFolder(QWidget* parent, const QString& title);
 /// `name` is proposed: of a file in the folder that was used last.
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
                       const QString& filter);
