@@ -13,6 +13,7 @@
 #include <QTreeWidget>
 
 #include "gui/app/manual_window.h"
+#include "gui/app/window_layout.h"
 #include "report/versions.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"
@@ -39,27 +40,26 @@ class TestHabits : public HabitsTest {
   void cleanup() { stop(); }
 
   void layoutPersistsAndResets() {
-    auto* dock = m_window->findChild<QDockWidget*>("tradeoffDock");
+    auto* dock = m_window->findChild<QDockWidget*>("errorsDock");
     auto* camera = m_window->findChild<QDockWidget*>("cameraDock");
     QVERIFY(!dock->isVisible());
     dock->show();
     m_window->addDockWidget(Qt::LeftDockWidgetArea, camera);
-    const QSize screen = m_window->screen()->availableSize();
-    QVERIFY2(screen.width() >= 1200 && screen.height() >= 900, "needs a screen of 1200×900");
-    m_window->resize(1111, 850);
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 850), patience);
+    const QSize size = m_window->screen()->availableSize() - QSize(66, 55);
+    m_window->resize(size);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), size, patience);
     QVERIFY(m_window->close());
     makeWindow({});
-    dock = m_window->findChild<QDockWidget*>("tradeoffDock");
+    dock = m_window->findChild<QDockWidget*>("errorsDock");
     camera = m_window->findChild<QDockWidget*>("cameraDock");
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), QSize(1111, 850), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), size, patience);
     QVERIFY(dock->isVisible());
     QCOMPARE(m_window->dockWidgetArea(camera), Qt::LeftDockWidgetArea);
     action("resetLayoutAction")->trigger();
     QVERIFY(!dock->isVisible());
     QVERIFY(camera->isVisible());
     QCOMPARE(m_window->dockWidgetArea(camera), Qt::RightDockWidgetArea);
-    QCOMPARE(m_window->size(), QSize(1111, 850));
+    QCOMPARE(m_window->size(), size);
   }
 
   void oneKeyShowsTheViewAlone() {
@@ -87,6 +87,19 @@ class TestHabits : public HabitsTest {
     makeWindow({m_session});
     QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QDockWidget*>("cameraDock")->isVisible(),
                              patience);
+  }
+
+  /// What no dock takes goes on to the window.
+  void aDoubleClickOnADockIsNone() {
+    const bool before = action("onlySceneAction")->isChecked();
+    for (const char* name : {"statesDock", "cameraDock", "toolBar", "statusBar", "cameraArea"}) {
+      auto* part = m_window->findChild<QWidget*>(name);
+      QTest::mouseDClick(part, Qt::LeftButton, {}, {part->width() - 3, part->height() - 3});
+      QVERIFY2(action("onlySceneAction")->isChecked() == before, name);
+    }
+    QTest::mouseDClick(m_window.get(), Qt::LeftButton, {}, {3, m_window->height() - 3});
+    QVERIFY(!action("onlySceneAction")->isChecked() && !action("onlyViewAction")->isChecked());
+    QVERIFY(m_window->findChild<QWidget*>("pictureView")->isVisible());
   }
 
   void layoutsForTasks() {
@@ -129,6 +142,45 @@ class TestHabits : public HabitsTest {
     }
   }
 
+  void windowsAreFitted_data() {
+    QTest::addColumn<QRect>("screen");
+    QTest::addColumn<QRect>("window");
+    QTest::addColumn<QRect>("expected");
+    const QRect screen(0, 30, 1280, 770);
+    QTest::newRow("fits") << screen << QRect(200, 100, 640, 480) << QRect(200, 100, 640, 480);
+    QTest::newRow("just fits") << screen << screen << screen;
+    QTest::newRow("title above") << screen << QRect(-1, -20, 900, 700) << QRect(0, 30, 900, 700);
+    QTest::newRow("status bar below")
+        << screen << QRect(500, 90, 800, 760) << QRect(480, 40, 800, 760);
+    QTest::newRow("too large") << screen << QRect(0, 0, 1402, 925) << screen;
+    QTest::newRow("too high") << screen << QRect(100, 50, 600, 800) << QRect(100, 30, 600, 770);
+    const QRect second(-1920, 0, 1920, 1080);  // to the left of another one
+    QTest::newRow("second screen")
+        << second << QRect(-300, 500, 600, 700) << QRect(-600, 380, 600, 700);
+  }
+  void windowsAreFitted() {
+    QFETCH(QRect, screen);
+    QFETCH(QRect, window);
+    QFETCH(QRect, expected);
+    QCOMPARE(fitted(window, screen), expected);
+  }
+
+  /// As after a start on a larger screen, and whatever the list of recent sessions asks for.
+  void aKeptLayoutFitsTheScreen() {
+    for (int k = 0; k < 8; ++k)
+      QVERIFY(files(*m_window).save(m_folder->filePath(QString("%1.json").arg(k))));
+    const QSize screen = m_window->screen()->availableSize();
+    m_window->resize(2 * screen);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), 2 * screen, patience);
+    for (const QStringList& files : {QStringList(), QStringList(m_session)}) {
+      QVERIFY(m_window->close());
+      makeWindow(files);
+      QTest::qWait(100);  // docks are laid out
+      QTRY_VERIFY_WITH_TIMEOUT(
+          m_window->screen()->availableGeometry().contains(m_window->frameGeometry()), patience);
+    }
+  }
+
   void homePage() {
     QVERIFY(m_window->close());
     makeWindow({});
@@ -141,6 +193,7 @@ class TestHabits : public HabitsTest {
     home = m_window->findChild<QWidget*>("homePage");
     auto* recent = home->findChild<QAbstractButton*>("recentSession");
     QCOMPARE(recent->toolTip(), m_session);
+    for (const auto* label : home->findChildren<QLabel*>()) QVERIFY(label->text() != "None yet");
     QTest::mouseClick(recent, Qt::LeftButton);
     QCOMPARE(model().file(), m_session);
     QVERIFY(m_window->close());

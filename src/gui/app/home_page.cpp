@@ -47,7 +47,7 @@ QCommandLinkButton* buttonFor(QAction* action) {
 
 }  // namespace
 
-HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QWidget(parent) {
+HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QScrollArea(parent) {
   setObjectName("homePage");
   auto* columns = new QHBoxLayout;
   columns->setSpacing(40);
@@ -55,7 +55,8 @@ HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QWidget(parent) 
   columns->addWidget(makeFiles(), 1);
   auto* page = new QWidget;
   page->setMaximumWidth(60 * fontMetrics().horizontalAdvance("mm"));  // also of a large window
-  auto* sides = new QHBoxLayout(this);
+  auto* around = new QWidget;
+  auto* sides = new QHBoxLayout(around);
   sides->addWidget(page);
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(48, 24, 48, 24);
@@ -69,6 +70,9 @@ HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QWidget(parent) 
   layout->addSpacing(24);
   layout->addLayout(columns);
   layout->addStretch(2);
+  setWidget(around);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
 }
 
 QWidget* HomePage::makeActions(const Ui::MainWindow& ui) {
@@ -118,7 +122,7 @@ QWidget* HomePage::fileButton(const QString& file, const QString& text,
 
 void HomePage::showEvent(QShowEvent* event) {
   fillRecent();
-  QWidget::showEvent(event);
+  QScrollArea::showEvent(event);
 }
 
 void HomePage::fillRecent() {
@@ -134,7 +138,7 @@ void HomePage::fillRecent() {
     button->setObjectName("recentSession");
     m_recent->addWidget(button);
   }
-  if (m_recent->isEmpty()) m_recent->addWidget(new QLabel(tr("None yet")));
+  if (m_recent->count() == 0) m_recent->addWidget(new QLabel(tr("None yet")));
 }
 
 }  // namespace hogelscope

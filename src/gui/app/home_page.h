@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the window shows while no session is open: ways to begin, the samples, what was open last.
+// It scrolls, so that it asks for no larger window than a small screen has.
 #pragma once
 
-#include <QWidget>
+#include <QScrollArea>
 
 class QVBoxLayout;
 
@@ -12,7 +13,7 @@ class MainWindow;
 
 namespace hogelscope {
 
-class HomePage : public QWidget {
+class HomePage : public QScrollArea {
   Q_OBJECT
 
  public:

@@ -11,6 +11,8 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QTabBar>
+#include <QWindow>
+#include <algorithm>
 #include <utility>
 
 #include "ui_main_window.h"
@@ -44,6 +46,13 @@ class NarrowTabs : public QProxyStyle {
 };
 
 }  // namespace
+
+QRect fitted(QRect frame, const QRect& screen) {
+  frame.setSize(frame.size().boundedTo(screen.size()));
+  frame.moveLeft(std::clamp(frame.left(), screen.left(), screen.right() + 1 - frame.width()));
+  frame.moveTop(std::clamp(frame.top(), screen.top(), screen.bottom() + 1 - frame.height()));
+  return frame;
+}
 
 WindowLayout::WindowLayout(QMainWindow* window, const Ui::MainWindow& ui)
     : QObject(window),
@@ -134,6 +143,10 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     auto* tabs = qobject_cast<QTabBar*>(static_cast<const QChildEvent*>(event)->child());
     if (tabs != nullptr) narrow(tabs);
   }
+  if (watched == m_window) {  // to which events go that no part of it takes
+    fitOnceFramed();
+    return false;
+  }
   if (event->type() != QEvent::MouseButtonDblClick ||
       static_cast<const QMouseEvent*>(event)->button() != Qt::LeftButton)
     return false;
@@ -141,16 +154,27 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
+void WindowLayout::place(const QByteArray& geometry) {
+  if (!geometry.isEmpty()) m_window->restoreGeometry(geometry);
+  fitScreen();
+}
+
 /// With its frame, whatever the screen's scale.
 void WindowLayout::fitScreen() {
-  const QRect screen = m_window->screen()->availableGeometry();
-  const QSize frame = m_window->frameSize() - m_window->size();
-  m_window->resize(m_window->size().boundedTo(screen.size() - frame));
-  QRect placed = m_window->frameGeometry();
-  if (!screen.contains(placed)) {
-    placed.moveCenter(screen.center());
-    m_window->move(placed.topLeft());
-  }
+  if (m_window->isMaximized() || m_window->isFullScreen()) return;
+  const QWindow* handle = m_window->windowHandle();  // none before the window was shown
+  const QMargins frame = handle == nullptr ? QMargins() : handle->frameMargins();
+  const QRect placed = m_window->geometry().marginsAdded(frame);
+  const QRect wanted = fitted(placed, m_window->screen()->availableGeometry());
+  if (wanted != placed) m_window->setGeometry(wanted.marginsRemoved(frame));
+}
+
+/// The frame comes some time after the window, and no event says so.
+void WindowLayout::fitOnceFramed() {
+  const QWindow* handle = m_window->windowHandle();
+  if (m_isFramed || handle == nullptr || handle->frameMargins().isNull()) return;
+  m_isFramed = true;
+  QMetaObject::invokeMethod(this, &WindowLayout::fitScreen, Qt::QueuedConnection);
 }
 
 void WindowLayout::save() const {
@@ -163,16 +187,18 @@ void WindowLayout::save() const {
 
 void WindowLayout::restore() {
   const QSettings settings;
-  if (settings.value("window/version").toInt() != version) {
-    fitScreen();
-    // Again once it is shown: it has its frame then, and docks let a window grow while they are
-    // laid out for the first time.
-    QMetaObject::invokeMethod(this, &WindowLayout::fitScreen, Qt::QueuedConnection);
-    return;
+  QByteArray geometry;
+  if (settings.value("window/version").toInt() == version) {
+    geometry = settings.value("window/geometry").toByteArray();
+    m_window->restoreState(settings.value("window/docks").toByteArray(), version);
+    m_ui.splitter->restoreState(settings.value("window/splitter").toByteArray());
   }
-  m_window->restoreGeometry(settings.value("window/geometry").toByteArray());
-  m_window->restoreState(settings.value("window/docks").toByteArray(), version);
-  m_ui.splitter->restoreState(settings.value("window/splitter").toByteArray());
+  place(geometry);
+  // Docks let a window grow while they are laid out for the first time.
+  const auto again = [this, geometry] {
+    if (!m_window->isMaximized() && !m_window->isFullScreen()) place(geometry);
+  };
+  QMetaObject::invokeMethod(this, again, Qt::QueuedConnection);
 }
 
 void WindowLayout::reset() {

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <QRect>
 
 class QAction;
 class QDockWidget;
@@ -19,6 +20,9 @@ class MainWindow;
 
 namespace hogelscope {
 
+/// A window with its frame, shrunk and moved no more than it takes to lie within the screen.
+QRect fitted(QRect frame, const QRect& screen);
+
 class WindowLayout : public QObject {
   Q_OBJECT
 
@@ -27,6 +31,7 @@ class WindowLayout : public QObject {
   WindowLayout(QMainWindow* window, const Ui::MainWindow& ui);
 
   void save() const;
+  /// Before the window is shown; it fits the screen then, also where a larger one was kept.
   void restore();
   /// Docks, tool bars and splitter; the window stays where it is.
   void reset();
@@ -38,7 +43,9 @@ class WindowLayout : public QObject {
   void arrange(const QList<QDockWidget*>& docks, const QList<QWidget*>& parts);
   void showOnly(QAction* action, QWidget* part);
   void showAll();
+  void place(const QByteArray& geometry);
   void fitScreen();
+  void fitOnceFramed();
   void narrow(QTabBar* tabs);
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -47,6 +54,7 @@ class WindowLayout : public QObject {
   QByteArray m_docks;
   QByteArray m_split;
   QStyle* m_tabStyle;
+  bool m_isFramed = false;  ///< the desktop has put a frame around the window
   QByteArray m_before;  ///< the docks before one part was shown alone; empty: none is
 };
 
