@@ -3,6 +3,7 @@
 #include <vtkVersion.h>
 #include <QAbstractButton>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -100,6 +101,35 @@ class TestHabits : public HabitsTest {
     QTest::mouseDClick(m_window.get(), Qt::LeftButton, {}, {3, m_window->height() - 3});
     QVERIFY(!action("onlySceneAction")->isChecked() && !action("onlyViewAction")->isChecked());
     QVERIFY(m_window->findChild<QWidget*>("pictureView")->isVisible());
+  }
+
+  /// Else the wheel, which scrolls the dock, would change what lies under it.
+  void theWheelEditsOnlyWithFocus() {
+    m_window->findChild<QDockWidget*>("cameraDock")->raise();
+    activate(m_window.get());
+    const auto turn = [](QWidget* field) {
+      const QPointF at = field->rect().center();
+      QWheelEvent event(at, field->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(field, &event);
+    };
+    const Session before = model().session();
+    auto* view = m_window->findChild<QWidget*>("pictureView");
+    view->setFocus();
+    auto* area = m_window->findChild<QScrollArea*>("cameraArea");
+    auto* fov = area->widget()->findChild<QWidget*>("fov");
+    auto* slider = area->widget()->findChild<QWidget*>("fov.slider");
+    auto* states = m_window->findChild<QComboBox*>("stateBox");
+    for (QWidget* field : std::initializer_list<QWidget*>{eye(), fov, slider, states}) {
+      QVERIFY(field != nullptr && !field->visibleRegion().isEmpty());
+      turn(field);
+      QVERIFY2(field->focusPolicy() != Qt::WheelFocus, qPrintable(field->objectName()));
+      QCOMPARE(states->currentIndex(), 0);
+      QVERIFY2(model().session() == before, qPrintable(field->objectName()));
+    }
+    fov->setFocus();
+    turn(fov);
+    QVERIFY(model().session() != before);
   }
 
   void layoutsForTasks() {

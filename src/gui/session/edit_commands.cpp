@@ -5,6 +5,7 @@
 #include "gui/keys/key_dialog.h"
 #include "gui/keys/key_map.h"
 #include "gui/keys/typing_guard.h"
+#include "gui/keys/wheel_guard.h"
 #include "gui/session/session_model.h"
 
 namespace hogelscope {
@@ -12,6 +13,7 @@ namespace hogelscope {
 EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window)
     : QObject(window), m_window(window) {
   new TypingGuard(this);
+  new WheelGuard(this);
   menu->setToolTipsVisible(true);
   const auto add = [menu](QAction* action, const char* name, const QString& help,
                           const QKeySequence& key) {
