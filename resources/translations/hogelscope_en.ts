@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>hogelscope::SessionModel</name>
+    <message numerus="yes">
+        <source>Change %1 of %n states</source>
+        <translation>
+            <numerusform>Change %1</numerusform>
+            <numerusform>Change %1 of %n states</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hogelscope::StateCommands</name>
     <message numerus="yes">
         <source>Delete %n states</source>

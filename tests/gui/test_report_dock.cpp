@@ -171,6 +171,17 @@ void TestReportDock::makesAReport() {
     const double similarity = cellsOf(more[row + 1])[ssim].toDouble();
     QCOMPARE(cell(row, 4), isBlind ? QString("–") : QString::number(similarity, 'f', 4));
   }
+  const QStringList note = child<QLabel>("reportNote")->text().split('\n');
+  for (const int test : {0, 1}) {  // each its own mean
+    double sum = 0;
+    for (int row = test; row < 2 * (stateCount - 1); row += 2)
+      sum += cellsOf(lines[row + 1])[5].toDouble();
+    const qsizetype at = note.indexOf(cellsOf(lines[test + 1])[1]);
+    QVERIFY2(at >= 0, qPrintable(note.join('\n')));
+    const QString mean = QString::number(sum / (stateCount - 1), 'f', 2);
+    QVERIFY2(note[at + 1].contains("  " + mean + " dB over what is seen"),
+             qPrintable(note[at + 1]));
+  }
   QVERIFY(child<QPushButton>("openPageButton")->isEnabled());
   m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_dock.png");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drives the list of states in the real window: chosen, renamed, dragged, deleted, dropped.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -156,6 +157,49 @@ class TestStateDock : public DocksTest {
     press("removeAction");
     QCOMPARE(list()->count(), 6);
     QVERIFY(message().contains("a session needs one"));
+  }
+
+  /// One undo takes all back; names stay different, and the form shows the current state.
+  void severalStatesAreEdited() {
+    openSmall();
+    const Session before = m_model->session();
+    clickRow(1);
+    clickRow(4, Qt::ControlModifier);
+    clickRow(3, Qt::ControlModifier);
+    editor<QDoubleSpinBox>("cameraArea", "eye.1")->setValue(0.125);
+    for (std::size_t k = 0; k < before.cameras.size(); ++k) {
+      CameraState expected = before.cameras[k];
+      if (k == 1 || k == 3 || k == 4) expected.camera.eye.y = 0.125;
+      QVERIFY2(m_model->session().cameras[k] == expected, qPrintable(QString::number(k)));
+    }
+    QCOMPARE(list()->selectedItems().size(), 3);
+    QCOMPARE(m_model->undoStack()->undoText(), QString("Change eye of 3 states"));
+    QCOMPARE(m_model->undoStack()->count(), 1);
+    m_model->undoStack()->undo();
+    QVERIFY(m_model->session() == before);
+
+    clickRow(1);
+    clickRow(4, Qt::ControlModifier);
+    auto* name = editor<QLineEdit>("cameraArea", "name");
+    name->setText("mine");
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(names(), QStringList({"Fig 1", "Fig 2", "Fig 3", "Fig 4", "mine", "Fig 6"}));
+    m_model->undoStack()->undo();
+
+    clickRow(1);
+    clickRow(4, Qt::ControlModifier);
+    child<QCheckBox>("calibrated")->setChecked(true);
+    for (const std::size_t k : {1, 4}) {
+      const CameraState& state = m_model->session().cameras[k];
+      QCOMPARE(state.intrinsics.fx, Camera(before.cameras[k].camera).focalLength().x);
+    }
+    m_model->undoStack()->undo();
+    QVERIFY(m_model->session() == before);
+
+    clickRow(2);
+    editor<QDoubleSpinBox>("cameraArea", "eye.1")->setValue(0.25);
+    QVERIFY(m_model->session().cameras[1] == before.cameras[1]);
+    QCOMPARE(m_model->undoStack()->undoText(), QString("Change eye"));
   }
 
   void droppedSessionsGiveTheirStates() {

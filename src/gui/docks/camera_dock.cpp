@@ -36,11 +36,11 @@ CameraDock::CameraDock(SessionModel* model, QWidget* parent)
 
 /// With what takes the same picture, where the camera has a frame.
 void CameraDock::calibrate(bool isCalibrated) {
-  CameraState state = m_model->current();
-  state.intrinsics = {};
-  if (isCalibrated && hasFrame(state.camera))
-    state.intrinsics.fx = Camera(state.camera).focalLength().x;
-  m_model->setCurrent(state);
+  m_model->editMarked([isCalibrated](CameraState& state) {
+    state.intrinsics = {};
+    if (isCalibrated && hasFrame(state.camera))
+      state.intrinsics.fx = Camera(state.camera).focalLength().x;
+  });
   showForms();
 }
 

@@ -324,8 +324,13 @@ void ReportDock::showIdle() {
 void ReportDock::showReport(const Report& report) {
   showIdle();
   if (m_table->rowCount() == 0) return;  // of another session
-  m_note->setText(
-      QString::fromStdString(summaryText(report.summaries.back().summary, report.rows)));
+  QStringList texts;
+  for (std::size_t k = 0; k + 1 < report.summaries.size(); ++k) {  // the last is of all tests
+    const TestSummary& test = report.summaries[k];
+    const std::string name = m_tests.size() == 1 ? "" : test.test + "\n";
+    texts << QString::fromStdString(name + summaryText(test.summary, test.rows));
+  }
+  m_note->setText(texts.join("\n"));
   m_pageButton->setEnabled(true);
   m_plots->finish();
   if (!chosenRow()) chooseState(m_model->currentIndex());

@@ -21,7 +21,8 @@ StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* pare
     : QWidget(parent), m_model(model), m_commands(commands), m_list(new StateListWidget) {
   setAcceptDrops(true);
   m_list->setToolTip(
-      tr("The camera states; Ctrl or Shift marks several, for deleting, saving and dragging"));
+      tr("The camera states; Ctrl or Shift marks several, for editing, deleting, saving and "
+         "dragging"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_list, 1);
   layout->addWidget(makeButtons());
@@ -83,7 +84,7 @@ void StateDock::emitSelection() {
   std::vector<std::size_t> marked;
   for (const QModelIndex& index : m_list->selectionModel()->selectedRows())
     marked.push_back(std::size_t(index.row()));
-  m_commands->setMarked(marked);
+  m_model->setMarked(std::move(marked));
 }
 
 void StateDock::editName() {

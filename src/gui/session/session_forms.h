@@ -22,14 +22,12 @@ QWidget* stackWidgets(const std::vector<QWidget*>& widgets);
 /// A button with its object name and tooltip; who takes it owns it.
 QPushButton* button(const char* name, const QString& text, const QString& help);
 
-/// A part of the current state.
+/// A part of the current state, and what is edited of all marked ones.
 template <class Part>
 ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
   auto* form = new ParameterForm(
       [model, part](ParameterVisitor& visitor) {
-        CameraState state = model->current();
-        describe(visitor, state.*part);
-        model->setCurrent(state);
+        model->editMarked([&](CameraState& state) { describe(visitor, state.*part); });
       },
       [](ParameterVisitor& visitor) {
         Part defaults;

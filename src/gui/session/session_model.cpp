@@ -90,6 +90,15 @@ void SessionModel::setCurrentIndex(std::size_t index) {
   Q_EMIT currentChanged();
 }
 
+std::vector<std::size_t> SessionModel::marked() const {
+  return m_marked.empty() ? std::vector{m_current} : m_marked;
+}
+
+void SessionModel::setMarked(std::vector<std::size_t> indices) {
+  std::ranges::sort(indices);
+  m_marked = std::move(indices);
+}
+
 void SessionModel::push(const QString& name, Content after) {
   if (after.session == m_session && after.current == m_current) return;
   m_undo.push(new Edit(*this, name, {m_session, m_current}, std::move(after)));
@@ -122,6 +131,24 @@ void SessionModel::setCurrent(const CameraState& state) {
   const std::string field = changedField(m_session.cameras[m_current], state);
   edit(tr("Change %1").arg(QString::fromStdString(field)),
        [&](Session& session) { session.cameras[m_current] = state; });
+}
+
+void SessionModel::editMarked(const std::function<void(CameraState&)>& action) {
+  CameraState state = current();
+  action(state);
+  const std::vector<std::size_t> all = marked();
+  if (all.size() == 1 || !std::ranges::binary_search(all, m_current)) return setCurrent(state);
+  if (state == current()) return;
+  const std::string field = changedField(current(), state);
+  const QString name =
+      tr("Change %1 of %n states", "", int(all.size())).arg(QString::fromStdString(field));
+  edit(name, [&](Session& session) {
+    for (const std::size_t index : all) {
+      const std::string own = session.cameras.at(index).camera.name;
+      action(session.cameras[index]);
+      if (index != m_current) session.cameras[index].camera.name = own;
+    }
+  });
 }
 
 void SessionModel::setContent(const Session& content) {

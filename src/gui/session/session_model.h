@@ -7,6 +7,7 @@
 #include <QString>
 #include <QUndoStack>
 #include <functional>
+#include <vector>
 
 #include "core/optics/session.h"
 
@@ -36,6 +37,9 @@ class SessionModel : public QObject {
   /// Throws InputError; unsaved edits stay.
   void save(const QString& file);
   void setCurrentIndex(std::size_t index);
+  /// The selected states, ascending; the current one alone where there are none.
+  [[nodiscard]] std::vector<std::size_t> marked() const;
+  void setMarked(std::vector<std::size_t> indices);
 
   /// One edit; its name is what the Edit menu says. Edits of one name that follow each other
   /// quickly, as a slider's do, are taken back together. One that changes nothing is none. What
@@ -43,6 +47,9 @@ class SessionModel : public QObject {
   void edit(const QString& name, const std::function<void(Session&)>& action);
   /// The current state, field by field; the name is that of the first field that changes.
   void setCurrent(const CameraState& state);
+  /// What `action` changes in the current state it does to all marked ones, if that is one of them;
+  /// names stay different.
+  void editMarked(const std::function<void(CameraState&)>& action);
   /// Display, light field and sampling, likewise.
   void setContent(const Session& content);
   /// Does something to the list of states (core/states.h); the one at the index that `action`
@@ -71,6 +78,7 @@ class SessionModel : public QObject {
   Session m_saved;
   QString m_file;
   std::size_t m_current = 0;
+  std::vector<std::size_t> m_marked;
   QUndoStack m_undo;
 };
 

@@ -91,18 +91,10 @@ void StateCommands::addFileEntries() {
       [this] { askNewFile(); });
 }
 
-void StateCommands::setMarked(const std::vector<std::size_t>& indices) {
-  m_marked = indices;
-  std::ranges::sort(m_marked);
-}
-
-std::vector<std::size_t> StateCommands::marked() const {
-  return m_marked.empty() ? std::vector{m_model->currentIndex()} : m_marked;
-}
-
 std::vector<CameraState> StateCommands::markedStates() const {
   std::vector<CameraState> states;
-  for (const std::size_t index : marked()) states.push_back(m_model->session().cameras.at(index));
+  for (const std::size_t index : m_model->marked())
+    states.push_back(m_model->session().cameras.at(index));
   return states;
 }
 
@@ -115,10 +107,10 @@ void StateCommands::change(const QString& name, std::size_t (*action)(Session&, 
 
 void StateCommands::remove() {
   guarded([&] {
-    const auto count = int(marked().size());
+    const auto count = int(m_model->marked().size());
     m_model->changeStates(tr("Delete %n states", "", count), [this](Session& session) {
-      const std::size_t first = marked().front();
-      removeStates(session, marked());
+      const std::size_t first = m_model->marked().front();
+      removeStates(session, m_model->marked());
       return std::min(first, session.cameras.size() - 1);
     });
   });

@@ -21,8 +21,6 @@ class StateCommands : public QObject {
 
   /// In the menu's order.
   [[nodiscard]] const std::vector<QAction*>& actions() const { return m_actions; }
-  /// The states that deleting and saving mean, by their indices; the current one where none is.
-  void setMarked(const std::vector<std::size_t>& indices);
 
   /// True if that went well.
   bool rename(std::size_t index, const QString& name);
@@ -58,7 +56,6 @@ class StateCommands : public QObject {
   void askStates();
   void askFile();
   void askNewFile();
-  [[nodiscard]] std::vector<std::size_t> marked() const;
   [[nodiscard]] std::vector<CameraState> markedStates() const;
   template <class Action>
   bool guarded(Action action);
@@ -66,7 +63,6 @@ class StateCommands : public QObject {
   QMenu* m_menu;
   SessionModel* m_model;
   std::vector<QAction*> m_actions;
-  std::vector<std::size_t> m_marked;
 };
 
 }  // namespace hogelscope
