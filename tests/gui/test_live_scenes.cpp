@@ -7,6 +7,7 @@
 #include "gui/scene/mesh_actors.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_widget.h"
+#include "gui/view/view_worker.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
@@ -106,14 +107,38 @@ class TestLiveScenes : public SceneTest {
     child<QAction>("sceneFrontAction")->trigger();
     child<QAction>("sceneStatePicturesAction")->setChecked(false);
     QTest::qWait(300);
-    const QPoint from = onScreen({0, 0, 0});
+    // Beside the origin, where the look-at point has its ball.
+    const double step = 0.08 * m_model->session().display.size[1];
+    const QPoint from = onScreen({step, step, 0});
+    const QPoint to = onScreen({step + 0.05, step + 0.01, 0});
     const int count = m_model->undoStack()->count();
-    Q_EMIT scene().handles().meshDragged({0.03, 0.01, 0});
-    Q_EMIT scene().handles().meshDragged({0.05, 0.01, 0});
-    QCOMPARE(x(), 0.05);
+    const CameraState before = m_model->current();
+    QTest::mouseMove(widget(), from);
+    QTest::mousePress(widget(), Qt::LeftButton, {}, from);
+    for (const QPoint& at : {(from + to) / 2, to}) {
+      QTest::mouseMove(widget(), at);
+      QTest::qWait(20);
+    }
+    QTest::mouseRelease(widget(), Qt::LeftButton, {}, to);
+    QVERIFY2(std::abs(x() - 0.05) < 0.005, qPrintable(QString::number(x())));
+    QVERIFY(m_model->current() == before);
     QCOMPARE(m_model->undoStack()->count(), count + 1);
     QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
-    QVERIFY(onScreen({0.05, 0.01, 0}) != from);
+  }
+
+  /// An overview of all of the light field would be traced anew after each edit.
+  void coarsePicturesReadWhatTheyShow() {
+    std::vector<RenderedView> views;
+    connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
+            [&](const RenderedView& view) { views.push_back(view); });
+    m_model->edit("large", [](Session& session) { session.cameras[0].camera.res = {2500, 2500}; });
+    for (const double at : {0.01, 0.02, 0.03}) {
+      const std::size_t before = views.size();
+      position()->setValue(at);
+      QTRY_VERIFY_WITH_TIMEOUT(views.size() > before, patience);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(views.back().scale == 1, patience);
+    for (const RenderedView& view : views) QVERIFY(!view.isOverview);
   }
 
   void theIdealView() {

@@ -196,7 +196,14 @@ void SceneController::refresh() {
   showText();
 }
 
-/// Content that says where it stands has a ball there.
+/// From the mesh's origin to its ball, in the display frame: most states look at the origin, and
+/// have a ball of their own there.
+Vec3 SceneController::toMeshBall() const {
+  const double step = 0.08 * m_display.size[1];
+  return {step, step, 0};
+}
+
+/// Content that says where it stands has a ball beside it.
 void SceneController::showMesh() {
   const bool isShown = m_form.sceneMeshAction->isChecked();
   m_scene->mesh().setVisible(isShown);
@@ -205,7 +212,7 @@ void SceneController::showMesh() {
   std::optional<Vec3> origin;
   if (isShown && position != nullptr && position->size() == 3)
     origin = transformFromPose(m_display.position, m_display.orientation)
-                 .point({(*position)[0], (*position)[1], (*position)[2]});
+                 .point(Vec3{(*position)[0], (*position)[1], (*position)[2]} + toMeshBall());
   m_scene->handles().showMeshAt(origin);
   m_scene->redraw();
 }
@@ -217,9 +224,9 @@ Vec3 SceneController::rounded(const Vec3& place) const {
   return {round(place.x), round(place.y), round(place.z)};
 }
 
-void SceneController::moveMesh(const Vec3& origin) {
-  const Vec3 place =
-      rounded(transformFromPose(m_display.position, m_display.orientation).inverse().point(origin));
+void SceneController::moveMesh(const Vec3& ball) {
+  const auto toDisplay = transformFromPose(m_display.position, m_display.orientation).inverse();
+  const Vec3 place = rounded(toDisplay.point(ball) - toMeshBall());
   m_model->edit(tr("Move the mesh"), [&](Session& session) {
     session.lightField.content.set("position", std::vector<double>{place.x, place.y, place.z});
   });

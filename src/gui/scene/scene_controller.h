@@ -58,7 +58,8 @@ class SceneController : public QObject {
   void connectScene();
   void refresh();
   void showMesh();
-  void moveMesh(const Vec3& origin);
+  void moveMesh(const Vec3& ball);
+  [[nodiscard]] Vec3 toMeshBall() const;
   [[nodiscard]] Vec3 rounded(const Vec3& place) const;
   void forgetPicks();
   void removePicks();

@@ -68,11 +68,10 @@ void SceneHandles::showAt(const Vec3& eye, const Vec3& lookat) {
   update();
 }
 
-void SceneHandles::showMeshAt(const std::optional<Vec3>& origin) {
-  if (m_mesh.isPlaced == origin.has_value() && (!origin || positionOf(m_mesh.ball) == *origin))
-    return;
-  m_mesh.isPlaced = origin.has_value();
-  if (origin) move(m_mesh.ball, *origin);
+void SceneHandles::showMeshAt(const std::optional<Vec3>& place) {
+  if (m_mesh.isPlaced == place.has_value() && (!place || positionOf(m_mesh.ball) == *place)) return;
+  m_mesh.isPlaced = place.has_value();
+  if (place) move(m_mesh.ball, *place);
   update();
 }
 

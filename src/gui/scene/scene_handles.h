@@ -28,15 +28,15 @@ class SceneHandles : public QObject {
   /// In the world, metres. They are shown once placed.
   void showAt(const Vec3& eye, const Vec3& lookat);
   void hide();
-  /// Of the mesh's origin; none: it has no ball.
-  void showMeshAt(const std::optional<Vec3>& origin);
+  /// None: the mesh has no ball.
+  void showMeshAt(const std::optional<Vec3>& place);
   /// Who looks through a ball, or nearly, would see nothing but that: it is not shown.
   void setSceneEye(const Vec3& sceneEye);
 
  Q_SIGNALS:
   void eyeDragged(const hogelscope::Vec3& eye);
   void lookatDragged(const hogelscope::Vec3& lookat);
-  void meshDragged(const hogelscope::Vec3& origin);
+  void meshDragged(const hogelscope::Vec3& place);
 
  private:
   struct Handle {

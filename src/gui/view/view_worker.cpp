@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/content/live_source.h"
 #include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
 #include "gui/widgets/queued_answer.h"
@@ -47,12 +48,16 @@ QImage toMask(vtkImageData& output) {
 }
 
 /// Of a light field in a store the coarse image has not fewer pixels, but fewer hogels and
-/// directions: what takes long there is to fetch them.
+/// directions: what takes long there is to fetch them. In a live one each texel that is read takes
+/// long, again after each edit of its content: the coarse image is without leakage, which reads
+/// most.
 RenderJob viewOf(const Scene& scene, const CameraState& state,
                  const std::optional<NamedMethod>& method, int scale) {
-  if (scale > 1 && !scene.isIdeal && !scene.lightField->isInMemory())
+  const bool isLive = dynamic_cast<const LiveSource*>(scene.lightField.get()) != nullptr;
+  if (scale > 1 && !scene.isIdeal && !scene.lightField->isInMemory() && !isLive)
     return overview(viewOf(scene, state, method, 1));
   RenderJob view = method ? applyMethod(*method, scene.job(state)) : scene.job(state);
+  if (scale > 1 && isLive) view.state.psf.windowSize = 1;
   view.method.scale = std::max(view.method.scale, scale);
   return view;
 }
