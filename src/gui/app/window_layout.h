@@ -55,7 +55,7 @@ class WindowLayout : public QObject {
   QByteArray m_split;
   QStyle* m_tabStyle;
   bool m_isFramed = false;  ///< the desktop has put a frame around the window
-  QByteArray m_before;  ///< the docks before one part was shown alone; empty: none is
+  QByteArray m_before;      ///< the docks before one part was shown alone; empty: none is
 };
 
 }  // namespace hogelscope
