@@ -123,6 +123,22 @@ class TestSessionAround : public QObject {
     (void)loadScene(around.session, {});
   }
 
+  /// What is on the panel repeats four times across and three times down, as tiles of views do.
+  void hogelsOfContentThatRepeats() {
+    writeImageFile(file("r.png"), 960, 540, [](int px, int py, int channel) {
+      const double x = (px / 24 + 0.5) / 10 + 0.4 * ((px % 24 + 0.5) / 24 - 0.5);
+      const double y = (py / 18 + 0.5) / 10 - 0.4 * ((py % 18 + 0.5) / 18 - 0.5);
+      const double turn = 2 * 3.14159265358979;
+      const double texture = std::sin(turn * (x + y) + channel) + std::sin(turn * (2 * y - x)) +
+                             0.5 * std::sin(turn * 3 * x);
+      const double noise = double((px * 7919 + py * 104729 + channel * 31) % 97) / 97;
+      return float(0.5 + 0.15 * texture + 0.01 * noise);
+    });
+    const OrderedSession around = orderedSessionAround(file("r.png").toStdString());
+    QVERIFY(around.session.lightField.layout == Layout::hogels);
+    QCOMPARE(around.session.display.hogels, (std::array{40, 30}));
+  }
+
   /// Noise and a photograph's like have none, and what is said counts.
   void whereThereAreNoHogels() {
     for (int seed = 0; seed < 20; ++seed) {

@@ -383,17 +383,18 @@ void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& prog
   const LightFieldParams& lightField = result.session.lightField;
   const bool isTiled = lightField.layout == Layout::quilt || lightField.layout == Layout::mosaic;
   ImageFile image{fs::path(lightField.file), lightField.yuv};
+  const std::optional<HogelGrid> grid = findHogelGrid(image, part(progress, 0, 0.5));
+  constexpr double clear = 8;  // standard errors
+  const bool isClear = grid && grid->standOut >= clear;
   result.hogels = Sureness::unknown;
-  if (isTiled || !isLayoutGiven)
-    if (const auto tiles = findTileGrid(image, part(progress, 0, 0.5)))
+  if (!isClear && (isTiled || !isLayoutGiven))
+    if (const auto tiles = findTileGrid(image, part(progress, 0.5, 1)))
       return takeTiles(result, *tiles, "how alike they are");
-  const std::optional<HogelGrid> grid = findHogelGrid(image, part(progress, 0.5, 1));
   if (!grid) return;
   const std::string how = "their borders in the picture";
   if (isTiled || (!isLayoutGiven && isLikeQuilt(*grid)))
     return takeTiles(result, grid->hogels, how);
-  constexpr double clear = 8;  // standard errors
-  result.hogels = grid->standOut >= clear ? Sureness::sure : Sureness::likely;
+  result.hogels = isClear ? Sureness::sure : Sureness::likely;
   result.session.display.hogels = grid->hogels;
   result.session.display.directions = grid->directions;
   result.assumed = pairText(grid->hogels) + " hogels of " + pairText(grid->directions) +
