@@ -109,8 +109,10 @@ class TestLiveScenes : public SceneTest {
     QTest::qWait(300);
     // Beside the origin, where the look-at point has its ball.
     const double step = 0.08 * m_model->session().display.size[1];
-    const QPoint from = onScreen({step, step, 0});
-    const QPoint to = onScreen({step + 0.05, step + 0.01, 0});
+    const double z =
+        (*m_model->session().lightField.content.find<std::vector<double>>("position"))[2];
+    const QPoint from = onScreen({step, step, z});
+    const QPoint to = onScreen({step + 0.05, step + 0.01, z});
     const int count = m_model->undoStack()->count();
     const CameraState before = m_model->current();
     QTest::mouseMove(widget(), from);

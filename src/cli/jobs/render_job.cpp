@@ -70,14 +70,17 @@ void renderAll(LightFieldFile& file, const Session& session, const RenderOutput&
   std::optional<InputError> first;
   for (std::size_t k = 0; k < session.cameras.size(); ++k) {
     const Progress of = part(progress, reading + double(k) * each, reading + double(k + 1) * each);
+    if (output.format != "png") {
+      output.write(session.cameras[k], images.renderFloat(k, renderer, of));
+      continue;
+    }
+    std::optional<Image> image;
     try {
-      if (output.format == "png")
-        output.write(session.cameras[k], images.render(k, renderer, of));
-      else
-        output.write(session.cameras[k], images.renderFloat(k, renderer, of));
+      image = images.render(k, renderer, of);
     } catch (const InputError& error) {
       if (!first) first.emplace(session.cameras[k].camera.name, error.what());
     }
+    if (image) output.write(session.cameras[k], *image);
   }
   if (first) throw *first;
 }
