@@ -61,6 +61,7 @@ class TestFileDialogs : public QObject {
   void init();
   void filesStay_data();
   void filesStay();
+  void aNewFolderIsTyped();
 
  private:
   QStringList all() const;
@@ -138,6 +139,13 @@ void TestFileDialogs::filesStay() {
   QCOMPARE(all(), before);
   const QDir here(m_folder->filePath("here"));
   QCOMPARE(here.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), makesFolders ? 2 : 1);
+}
+
+void TestFileDialogs::aNewFolderIsTyped() {
+  const QString folder = m_folder->filePath("here/new/one");
+  const DialogAnswer answer(folder);
+  QCOMPARE(outputFolder(), folder);
+  QVERIFY(QFileInfo(folder).isDir());
 }
 
 int main(int argc, char** argv) {

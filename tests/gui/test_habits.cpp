@@ -231,6 +231,8 @@ class TestHabits : public HabitsTest {
     action("newAction")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
     QCOMPARE(model().session().lightField.source, std::string("scene"));
+    const BoxAnswer cancel("unsavedBox", Qt::Key_Escape);
+    QVERIFY(m_window->close());  // nothing was edited: no question
   }
 
   void errorsStayUntilTheNextAction() {
@@ -258,6 +260,10 @@ class TestHabits : public HabitsTest {
     const QStringList lines = errors().split('\n');
     QCOMPARE(lines.size(), 2);
     QVERIFY(QRegularExpression("^\\d\\d:\\d\\d:\\d\\d  /nowhere/a.yml").match(lines[0]).hasMatch());
+    eye()->setValue(0.02);  // what was wrong may be right now; the list stays
+    QVERIFY(!button->isVisible());
+    QVERIFY(!files(*m_window).open("/nowhere/c.json"));
+    QVERIFY(button->isVisible() && button->text().contains("1"));
     auto* list = m_window->findChild<QPlainTextEdit*>("errors");
     list->selectAll();
     QTest::keyClick(list, Qt::Key_C, Qt::ControlModifier);

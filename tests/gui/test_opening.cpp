@@ -148,6 +148,15 @@ class TestOpening : public HabitsTest {
     QVERIFY(label("assumedLabel").contains("rows top-down, columns left-right"));
     QVERIFY(label("assumedLabel").contains("chosen here, but"));
     QVERIFY(preview()->image() != found);
+    rows->setCurrentIndex(1);  // what was found, but the heading says who says it
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
+    constexpr int heading = 24;  // px
+    const auto below = [&](const QImage& image) {
+      return image.copy(0, heading, image.width(), image.height() - heading);
+    };
+    QVERIFY(preview()->image() != found && below(preview()->image()) == below(found));
+    rows->setCurrentIndex(0);
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled() && openButton()->isEnabled(), patience);
     QTest::mouseClick(openButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
     QVERIFY(model().session().lightField.rows == RowOrder::topDown);

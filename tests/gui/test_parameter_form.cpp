@@ -117,6 +117,9 @@ class TestParameterForm : public QObject {
     QCOMPARE(labelOf(camera, "weight"), QString("Weight"));
     QCOMPARE(labelOf(psf, "windowSize"), QString("Window size"));
     QCOMPARE(labelOf(lens, "k1"), QString("k1"));
+    const ParameterForm intrinsics([&](ParameterVisitor& v) { describe(v, state.intrinsics); });
+    QCOMPARE(labelOf(intrinsics, "fx"), QString("Focal length, x"));
+    QCOMPARE(labelOf(intrinsics, "cy"), QString("Centre, y"));
     QCOMPARE(psf.findChild<QLabel*>("heading")->text(), QString("PSF"));
     QVERIFY(psf.findChild<QComboBox*>("border")->toolTip().contains("psf.border"));
   }

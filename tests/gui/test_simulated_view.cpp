@@ -245,8 +245,13 @@ class TestSimulatedView : public QObject {
     m_window->findChild<QDockWidget*>("reportDock")->show();
     auto* add = m_window->findChild<QPushButton*>("addComparedButton");
     QVERIFY(!add->isVisible());
+    const auto* make = m_window->findChild<QPushButton*>("makeReportButton");
+    QTest::qWait(100);
+    const int top = make->mapTo(m_window.get(), QPoint()).y();
     compare();
     QVERIFY(add->isVisible());
+    QTest::qWait(100);
+    QCOMPARE(make->mapTo(m_window.get(), QPoint()).y(), top);  // it does not jump
     QCOMPARE(add->text(), QString("A&dd other.png"));
     add->click();
     auto* tests = m_window->findChild<QListWidget*>("testList");

@@ -81,9 +81,9 @@ void TestBadSessions::types_data() {
             "sampling.mapping: \"Exact\" is not one of exact, direct");
   refusedIn("unknown lens", text({.display = R"({"lens": "fisheye"})"}),
             "display.lens: \"fisheye\" is not one of rectilinear, equiangular, plugin");
-  refusedIn(
-      "unknown layout", text({.lightField = R"({"file": "scene.png", "layout": "tiles"})"}),
-      "lightField.layout: \"tiles\" is not one of hogels, views, quilt, mosaic, lenslets, pack, live");
+  refusedIn("unknown layout", text({.lightField = R"({"file": "scene.png", "layout": "tiles"})"}),
+            "lightField.layout: \"tiles\" is not one of hogels, views, quilt, mosaic, lenslets, "
+            "pack, live");
   refusedIn("unknown border", state(R"("psf": {"border": "wrap"})"),
             "cameras[0].psf.border: \"wrap\" is not one of renormalise, clamp, black");
   refusedIn(

@@ -54,11 +54,12 @@ void describe(ParameterVisitor& v, CameraParams& p) {
 void describe(ParameterVisitor& v, IntrinsicsParams& p) {
   auto& [fx, fy, cx, cy] = p;
   v.group("intrinsics", "A calibrated camera's, instead of fov; pixel centres are at integers.");
-  v.field("fx", fx, {1e-3, 1e8, 1, true}, "px", "Focal length across.");
-  v.field("fy", fy, {1e-3, 1e8, 1, true}, "px", "Focal length down; left out: fx, square pixels.");
-  v.field("cx", cx, {-1e6, 1e6, 1, true}, "px",
+  v.field({"fx", "Focal length, x"}, fx, {1e-3, 1e8, 1, true}, "px", "Focal length across.");
+  v.field({"fy", "Focal length, y"}, fy, {1e-3, 1e8, 1, true}, "px",
+          "Focal length down; left out: fx, square pixels.");
+  v.field({"cx", "Centre, x"}, cx, {-1e6, 1e6, 1, true}, "px",
           "Where the axis meets the picture; left out: its middle.");
-  v.field("cy", cy, {-1e6, 1e6, 1, true}, "px", "The same, from the top.");
+  v.field({"cy", "Centre, y"}, cy, {-1e6, 1e6, 1, true}, "px", "The same, from the top.");
 }
 
 bool hasFrame(const CameraParams& p) {

@@ -140,10 +140,11 @@ void MainWindow::connectActions() {
 }
 
 void MainWindow::connectModel() {
-  for (const auto signal :
-       {&SessionModel::opened, &SessionModel::saved, &SessionModel::edited,
-        &SessionModel::currentChanged, &SessionModel::statesChanged, &SessionModel::contentChanged})
+  for (const auto signal : {&SessionModel::saved, &SessionModel::currentChanged})
     connect(m_model, signal, m_messages, &Messages::dismiss);
+  for (const auto signal : {&SessionModel::opened, &SessionModel::edited,
+                            &SessionModel::statesChanged, &SessionModel::contentChanged})
+    connect(m_model, signal, m_messages, &Messages::settle);
   connect(m_model, &SessionModel::opened, this, &MainWindow::showSession);
   connect(m_model, &SessionModel::saved, this, &MainWindow::showTitle);
   connect(m_model, &SessionModel::currentChanged, this, &MainWindow::showCurrent);

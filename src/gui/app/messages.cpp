@@ -83,6 +83,13 @@ void Messages::dismiss() {
   show();
 }
 
+/// The list stays.
+void Messages::settle() {
+  dismiss();
+  m_count = 0;
+  m_button->hide();
+}
+
 void Messages::show() {
   QPalette palette;
   if (!m_error.isEmpty()) palette.setColor(QPalette::WindowText, errorColour(m_window->palette()));

@@ -24,6 +24,8 @@ class Messages : public QObject {
   void showError(const QString& line);
   /// The user has done something else: the error leaves the status bar, not the list.
   void dismiss();
+  /// The session is another one now: what was wrong before it is no longer counted.
+  void settle();
   [[nodiscard]] QDockWidget* dock() const { return m_dock; }
 
  private:

@@ -49,8 +49,8 @@ QWidget* makeRow(std::initializer_list<QWidget*> widgets) {
 /// In the report's heading.
 std::string nameOf(const SessionModel& model) {
   const std::string file = model.file().toStdString();
-  if (!model.isModified()) return file;
-  return file.empty() ? "an untitled session" : file + " with unsaved changes";
+  if (file.empty()) return "an untitled session";
+  return model.isModified() ? file + " with unsaved changes" : file;
 }
 
 /// Named after the session, or after its light field where it has no file yet.
@@ -121,6 +121,9 @@ QWidget* ReportDock::makeSettings() {
   m_stale->setWordWrap(true);
   m_stale->hide();
   m_progress->setObjectName("reportProgress");
+  QSizePolicy kept = m_addOffered->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);  // the buttons below it stay where they are
+  m_addOffered->setSizePolicy(kept);
   auto* addFile = button("addTestButton", tr("&Add…"), tr("An image or a session"));
   auto* addFolder = button("addTestFolderButton", tr("Add &folder…"), tr("A folder of views"));
   auto* remove = button("removeTestButton", tr("&Remove"), tr("The one that is marked"));
@@ -276,7 +279,7 @@ void ReportDock::start(const MetricSet& metrics) {
   m_request = ReportRequest();
   m_request.session = m_model->session();
   m_request.metrics = metrics;
-  const bool isEdited = m_model->isModified();
+  const bool isEdited = m_model->isModified() || m_model->file().isEmpty();
   m_request.name = nameOf(*m_model);
   if (!isEdited) m_request.sessionFile = m_model->file().toStdString();
   m_request.output = m_folder->text().toStdString();

@@ -55,7 +55,7 @@ void ReportPlotView::paintEvent(QPaintEvent*) {
 }
 
 void ReportPlotView::mousePressEvent(QMouseEvent* event) {
-  if (!m_picture.isNull()) return;
+  if (!m_picture.isNull() || event->button() != Qt::LeftButton) return;  // the right has a menu
   if (const auto row = rowAt(m_plot, event->position(), QSizeF(size()))) Q_EMIT clicked(*row);
 }
 

@@ -68,7 +68,7 @@ void SessionModel::recover(const QString& copy, const QString& file) {
 
 void SessionModel::openNew(const Session& session) {
   m_session = session;
-  m_saved = {};
+  m_saved = session;  // nothing was edited yet
   m_file.clear();
   m_current = 0;
   m_undo.clear();

@@ -37,6 +37,20 @@ void keepFiles(QFileDialog& dialog) {
   }
 }
 
+/// A folder to write into may be a new one, whose name is typed.
+class FolderMaker : public QFileDialog {
+ public:
+  using QFileDialog::QFileDialog;
+
+ protected:
+  void accept() override {
+    const QString folder = selectedFiles().value(0);
+    if (fileMode() == Directory && !testOption(ReadOnly) && !folder.isEmpty())
+      QDir().mkpath(folder);
+    QFileDialog::accept();
+  }
+};
+
 struct Asked {
   QFileDialog::FileMode mode = QFileDialog::ExistingFile;
   QFileDialog::Options options;
@@ -45,7 +59,7 @@ struct Asked {
 
 QStringList chosen(QWidget* parent, const QString& title, const Asked& asked,
                    const QString& name = {}) {
-  QFileDialog dialog(parent, title, lastFolder(), asked.filter);
+  FolderMaker dialog(parent, title, lastFolder(), asked.filter);
   dialog.setOptions(asked.options);
   dialog.setFileMode(asked.mode);
   if (asked.mode == QFileDialog::AnyFile) dialog.setAcceptMode(QFileDialog::AcceptSave);

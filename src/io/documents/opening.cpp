@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* chosen = "chosen here";
+
 std::string sourceOf(const std::string& file, const SaidFields& said) {
   const auto layout = said.find("lightField.layout");
   const bool isViews = layout != said.end() && layout->second == "\"views\"";
@@ -101,7 +103,7 @@ class Assumptions {
   void add(const std::string& what, const std::string& value, const std::string& reason,
            Sureness sureness, const std::string& field = {}) {
     if (isSaid(field))
-      m_list.push_back({what, value, "chosen here", Sureness::sure});
+      m_list.push_back({what, value, chosen, Sureness::sure});
     else
       m_list.push_back({what, value, reason, sureness});
   }
@@ -169,7 +171,7 @@ class Assumptions {
         order.reason, assumed.sureness};
     const bool isGiven = isViews && (isSaid("lightField.rows") || isSaid("lightField.columns"));
     if (isGiven || isSaid("lightField.incoming")) {
-      entry.reason = "chosen here";
+      entry.reason = chosen;
       entry.sureness = Sureness::sure;
       if (!contradiction.empty()) entry.reason += ", but " + contradiction;
     } else if (!isViews && !m_used.incoming) {
@@ -327,9 +329,11 @@ Image previewOf(const Opening& opening, const Progress& progress) {
   if (opening.size.nx == 0 && opening.picture[0] > 0)
     return smaller(session.lightField, side, progress);
   if (opening.size.nx == 0) throw InputError(session.lightField.file, "", "shows nothing yet");
-  return contactSheet(opening.around.order,
-                      assumedOrder(session.lightField, opening.size, opening.around.order),
-                      session.display, progress);
+  AssumedOrder assumed = assumedOrder(session.lightField, opening.size, opening.around.order);
+  assumed.isChosen = std::ranges::any_of(opening.assumptions, [](const Assumption& each) {
+    return each.what == "Order" && each.reason.starts_with(chosen);
+  });
+  return contactSheet(opening.around.order, assumed, session.display, progress);
 }
 
 }  // namespace hogelscope

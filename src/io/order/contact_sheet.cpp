@@ -136,7 +136,7 @@ class Sheet {
 
   void putWords() {
     write(std::string("rows ") + nameOf(m_assumed.rows) + ", columns " + nameOf(m_assumed.columns) +
-              ": " + nameOf(m_assumed.sureness),
+              ": " + (m_assumed.isChosen ? "chosen here" : nameOf(m_assumed.sureness)),
           {8, 18}, white);
     write("from here to the right the camera goes right", {border, 62}, white);
     cv::arrowedLine(m_sheet, {border, 70}, {border + 300, 70}, white, 1, cv::LINE_AA, 0, 0.03);

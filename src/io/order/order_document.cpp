@@ -42,7 +42,13 @@ Json written(const FoundLenslets& lenslets) {
 
 AssumedOrder assumedOrder(const LightFieldParams& used, const LightFieldSize& size,
                           const LightFieldOrder& order) {
-  AssumedOrder assumed{used, size, order.rows, order.columns, order.sureness, order.warnings, {}};
+  AssumedOrder assumed;
+  assumed.used = used;
+  assumed.size = size;
+  assumed.rows = order.rows;
+  assumed.columns = order.columns;
+  assumed.sureness = order.sureness;
+  assumed.warnings = order.warnings;
   if (isGridOfViews(used.layout)) {
     assumed.rows = used.rows;
     assumed.columns = used.columns;

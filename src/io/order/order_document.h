@@ -20,6 +20,7 @@ struct AssumedOrder {
   Sureness sureness = Sureness::unknown;
   std::vector<std::string> warnings;
   std::optional<FoundLenslets> lenslets;  ///< of the layout of that name
+  bool isChosen = false;                  ///< by the user, whatever the pictures say
 };
 
 /// Says what `used` assumes. What contradicts the content is unknown, with a warning that mends it.
