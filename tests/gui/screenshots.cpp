@@ -154,6 +154,7 @@ class Shooting {
     m_window.findChild<QTableView*>("reportTable")->selectRow(2);
     trigger("sceneTopAction");
     QTest::qWait(1000);
+    dock->setFolder("report");  // no path of this machine
     shoot("report");
     trigger("reportDockAction");
     trigger("fitAction");
