@@ -2,6 +2,7 @@
 // Qt's own file dialogs, for desktops without one: whatever is pressed there, the files stay as
 // they are. All happens in a folder of the test's own.
 #include <QAction>
+#include <QDirIterator>
 #include <QListView>
 
 #include "gui/widgets/file_dialogs.h"

@@ -120,6 +120,9 @@ class TestUnsavedEdits : public HabitsTest {
     QCOMPARE(errors().count(said), 1);
     QVERIFY(QFile::remove(folder));
     QTRY_COMPARE_WITH_TIMEOUT(autosaved().size(), 1, patience);
+    const BoxAnswer discard("unsavedBox", Qt::Key_D);
+    QVERIFY(m_window->close());
+    QVERIFY(autosaved().isEmpty());
   }
 
   /// Two values that do not go together are not written over what can be recovered.
