@@ -172,21 +172,22 @@ template <class FirstOf>
 void exportTiles(LightFieldFile& lightField, const QuiltTiles& tiles, FirstOf firstOf,
                  const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const auto [columns, rows] = tiles;
+  const int columns = tiles.columns;
+  const int rows = tiles.rows;
   ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
                         std::size_t(rows) * std::size_t(size.ny), lightField.type());
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
   for (int row = 0; row < rows; ++row) {
-    const auto [u0, v] = firstOf(row);
+    const FirstView first = firstOf(row);
     const auto at = [&](int k) { return 0.2 + 0.8 * double(row + k) / rows; };
-    const auto texels =
-        source->slice(readsOfRows(size, {0, size.ny - 1}, {u0, u0 + columns - 1}, {v, v}),
-                      part(progress, at(0), at(1)));
-    withStoredType(lightField.type(), [&, u0 = u0, v = v, columns = columns]<class T>(T) {
+    const auto texels = source->slice(
+        readsOfRows(size, {0, size.ny - 1}, {first.u, first.u + columns - 1}, {first.v, first.v}),
+        part(progress, at(0), at(1)));
+    withStoredType(lightField.type(), [&]<class T>(T) {
       std::vector<T> pixels(3 * std::size_t(columns) * std::size_t(size.nx));
       for (int j = 0; j < size.ny; ++j) {
         T* to = pixels.data();
-        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, u0 + k, v, to);
+        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, first.u + k, first.v, to);
         writer.write(pixels.data());
       }
     });
