@@ -46,6 +46,13 @@ MESHES = {"m.glb": "scene.glb", "m.gltf": "data.gltf", "m.obj": "colours.obj", "
           "a.mtl": "a.mtl"}
 JOBS += [(name, render("m.obj" if name == "a.mtl" else name, "--set", "camera.res=[60,60]"))
          for name in MESHES]
+# Videos, HDF5 and pictures of rare formats, which a process of their own reads: the fuzzers' seeds.
+OTHERS = {"v.mp4": "video/mpeg4.mp4", "v.mov": "video/png.mov", "v.avi": "video/png.avi",
+          "v.h5": "hdf5/lf.h5"} | {f"p.{ending}": f"image/plain.{ending}" for ending in
+                                   ("dds", "iff", "psd", "tga", "gif", "jp2", "webp", "dpx")}
+JOBS += [(name, render(name, "--set", "camera.res=[60,60]")) for name in OTHERS if name[0] == "v"]
+JOBS += [(name, render(name, "--set", "display.hogels=[4,3]", "--set", "display.directions=[4,4]"))
+         for name in OTHERS if name[0] == "p"]
 
 
 def mutated(data, rng):
@@ -80,7 +87,7 @@ def problem(status, lines, folder, before):
     return f"left over: {left}" if left else None
 
 
-def main(seed=1, count=550):
+def main(seed=1, count=1000):
     root = pathlib.Path(tempfile.mkdtemp(prefix="attack-"))
     whole = root / "whole"
     whole.mkdir()
@@ -88,9 +95,11 @@ def main(seed=1, count=550):
     (whole / "out").mkdir()
     (whole / "out/report.journal").write_text('{"hogelscope report":1,"key":"k"}\n')
     (whole / "out/report.panel1").write_text('{"hogelscope panel error":1,"key":"k"}\n')
-    seeds = pathlib.Path(__file__).parent.parent / "fuzz/seeds/mesh"
+    seeds = pathlib.Path(__file__).parent.parent / "fuzz/seeds"
     for name, seed_file in MESHES.items():
-        (whole / name).write_bytes((seeds / seed_file).read_bytes()[1:])
+        (whole / name).write_bytes((seeds / "mesh" / seed_file).read_bytes()[1:])
+    for name, seed_file in OTHERS.items():
+        (whole / name).write_bytes((seeds / seed_file).read_bytes())
     findings = used = 0
     for k in range(count):
         rng = random.Random(f"{seed} {k}")
