@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests --generate as a user runs it: what it writes, and what it refuses before it writes.
 #include <QRegularExpression>
-#include <QStorageInfo>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <filesystem>
 
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
@@ -113,7 +113,7 @@ void TestGenerateJob::refuses() {
 void TestGenerateJob::needsRoom() {
   constexpr double bytesOfColumn = 3.0 * 60000 * 16 * 8;
   // Noise takes half of its pixels' bytes, since half of all values are saturated.
-  const double available = double(QStorageInfo(m_folder->path()).bytesAvailable());
+  const auto available = double(std::filesystem::space(m_folder->path().toStdString()).available);
   // Others may free some of the disk meanwhile.
   const int columns = 2 + int(6 * available / bytesOfColumn);
   if (columns > 65536) QSKIP("the disk has room for any light field");
