@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Qt's own file dialogs, for desktops without one: whatever is pressed there, the files stay as
 // they are. All happens in a folder of the test's own.
+#include <QAbstractButton>
 #include <QAction>
 #include <QDirIterator>
 #include <QListView>
