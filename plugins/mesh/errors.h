@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the readers say what is wrong, and what is left out.
+// Messages of the readers: what is wrong with a file, and what of it is left out.
 #pragma once
 
 #include <string>

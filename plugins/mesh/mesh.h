@@ -41,7 +41,7 @@ struct Layer {
     return {axes[0].x * uv[0] + axes[1].x * uv[1] + origin.x,
             axes[0].y * uv[0] + axes[1].y * uv[1] + origin.y};
   }
-  /// What it makes of an area of the points' coordinates.
+  /// Returns the factor by which it scales areas of the points' coordinates.
   [[nodiscard]] double area() const { return axes[0].x * axes[1].y - axes[0].y * axes[1].x; }
 };
 

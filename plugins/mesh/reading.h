@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the readers of one mesh share: the memory that it may take, and the listener.
+// The memory that one mesh may take, and the listener of its reading; all its readers share them.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,7 @@ class Reading {
 
   [[nodiscard]] const std::string& file() const { return m_file; }
 
-  /// To be called before so many bytes are allocated, and kept. Throws if the mesh has had too
-  /// many.
+  /// Counts bytes before they are allocated and kept. Throws if the mesh has then too many.
   void take(double bytes);
   /// Returns what a file holds, taking its size, or throws.
   [[nodiscard]] std::string bytesOf(const std::string& file);
@@ -34,7 +33,7 @@ class Reading {
   const plugin::Progress& m_progress;
 };
 
-// What the scene has of each point and triangle besides the mesh, in bytes.
+// The bytes that the scene keeps of each point and triangle besides the mesh.
 
 constexpr double sceneBytesOfPoint = 3 * sizeof(float);
 /// Corners, material and longest side; the list that finds repeated triangles; Embree's tree while

@@ -23,7 +23,7 @@ class StateImages {
     ParallelRows rows = parallelRows;
   };
 
-  /// Of a light field that is open.
+  /// The light field of `scene` is open.
   StateImages(Scene scene, const std::vector<CameraState>& states)
       : m_scene(std::move(scene)), m_states(states) {}
   /// Reads `file`, the light field of `session`. Throws InputError, Cancelled.

@@ -12,7 +12,7 @@
 
 namespace hogelscope {
 
-/// Of one state, with the bits that its light fields have, or why there are none.
+/// The two images of a state, with the bits that its light fields have, or why there are none.
 struct ViewPair {
   Image reference;
   Image test;
@@ -46,7 +46,7 @@ class ViewPairs {
   [[nodiscard]] RenderJob job(std::size_t state) const { return m_reference->job(state); }
   [[nodiscard]] const Scene& reference() const { return m_reference->scene(); }
   [[nodiscard]] const Scene& test() const { return m_test->scene(); }
-  /// From where the reference is seen.
+  /// Returns where the reference of a state is seen from.
   [[nodiscard]] Viewing viewing(std::size_t state) const;
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 

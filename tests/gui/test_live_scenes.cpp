@@ -113,6 +113,8 @@ class TestLiveScenes : public SceneTest {
         (*m_model->session().lightField.content.find<std::vector<double>>("position"))[2];
     const QPoint from = onScreen({step, step, z});
     const QPoint to = onScreen({step + 0.05, step + 0.01, z});
+    const QColor ball = drawn().pixelColor(from);  // in front of the panel, where it stands behind
+    QVERIFY2(ball.green() > ball.red() + 50 && ball.blue() > 60, qPrintable(ball.name()));
     const int count = m_model->undoStack()->count();
     const CameraState before = m_model->current();
     QTest::mouseMove(widget(), from);

@@ -51,7 +51,7 @@ struct RenderOutput {
   }
 };
 
-/// Writes the images of all states, also after one that cannot be rendered.
+/// Writes the images of all states; PNGs also after a state that cannot be rendered.
 void renderAll(LightFieldFile& file, const Session& session, const RenderOutput& output,
                const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());

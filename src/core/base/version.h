@@ -4,7 +4,7 @@
 
 namespace hogelscope {
 
-/// "0.2.0": the project's version in CMakeLists.txt.
+/// Returns the project's version in CMakeLists.txt, as "1.2.3".
 const char* programVersion();
 
 }  // namespace hogelscope

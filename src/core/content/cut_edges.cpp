@@ -33,7 +33,7 @@ std::string cutWarning(const plugin::ContentSource& content, const DisplayParams
   double back = 0;
   double front = 0;
   content.depths(back, front);
-  // A hogel's width in front of the panel nothing is lost.
+  // What stands less than a hogel's width in front of the panel loses nothing that can be seen.
   const double nearest =
       std::max(display.size[0] / display.hogels[0], display.size[1] / display.hogels[1]);
   const double z = std::min(front + nearest, eye.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From where a state's image is seen: what metrics that model the eye need to know.
+// Where a state's image is seen from. Metrics that model the eye need it.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-/// NaN where it is not known.
+/// A figure that is not known is NaN.
 struct Viewing {
   /// Pixels per degree of the eye's field, in the middle of the image: of both axes the geometric
   /// mean. NaN where the lens sends no light there.

@@ -20,18 +20,20 @@ void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* sour
   if (level == SceneLevel::panel)
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 4);
   else
-    setLineDepth(actor, level);
+    setDepth(actor, level);
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
   renderer->AddActor(actor);
 }
 
-void setLineDepth(vtkActor* lines, SceneLevel level) {
+void setDepth(vtkActor* actor, SceneLevel level) {
   // After VTK's own; the offset is twice that which VTK gives to coincident lines.
   const std::string place = "//VTK::Depth::Impl";
-  const std::string depth = level == SceneLevel::inFront ? "0.0" : "gl_FragCoord.z - 8.0 / 65000.0";
-  lines->GetShaderProperty()->AddFragmentShaderReplacement(
+  std::string depth = "gl_FragCoord.z - 8.0 / 65000.0";
+  if (level == SceneLevel::handle) depth = "0.01 * gl_FragCoord.z";  // keeps the order of handles
+  if (level == SceneLevel::inFront) depth = "0.0";
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
       place, true, place + "\n  gl_FragDepth = " + depth + ";\n", false);
 }
 

@@ -13,15 +13,17 @@ class vtkTextProperty;
 
 namespace hogelscope {
 
-/// Decides which of two things in one plane lies on top; lines inFront hide all others everywhere.
-enum class SceneLevel { panel, onPanel, inFront };
+/// Decides which of two things in one plane lies on top. Handles hide all but the lines inFront,
+/// wherever they are.
+enum class SceneLevel { panel, onPanel, handle, inFront };
 
 /// Puts a source's output into the scene, in one colour unless its cells have their own.
 void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
                 const std::array<double, 3>& colour, SceneLevel level);
 
-/// Gives an actor's lines their depth: VTK's own is undefined where lines are thick and unlit.
-void setLineDepth(vtkActor* lines, SceneLevel level);
+/// Gives an actor's lines or handle their depth: VTK's own is undefined where lines are thick and
+/// unlit.
+void setDepth(vtkActor* actor, SceneLevel level);
 
 /// Light, upright, without a shadow.
 void makePlain(vtkTextProperty* text);

@@ -2,12 +2,16 @@
 // Balls in the 3-D scene that are dragged.
 #include "gui/scene/scene_handles.h"
 
+#include <vtkActor.h>
 #include <vtkCommand.h>
 #include <vtkHandleWidget.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkSphereHandleRepresentation.h>
+
+#include "gui/scene/scene_actor.h"
 
 namespace hogelscope {
 
@@ -45,6 +49,9 @@ void SceneHandles::setUp(Handle& handle, const std::array<double, 3>& colour) {
   handle.ball->SetHandleSize(12);  // pixels
   handle.ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   handle.ball->GetSelectedProperty()->SetColor(1, 1, 1);
+  const vtkNew<vtkPropCollection> parts;
+  handle.ball->GetActors(parts);
+  setDepth(vtkActor::SafeDownCast(parts->GetItemAsObject(0)), SceneLevel::handle);
   handle.widget->SetRepresentation(handle.ball);
   handle.widget->SetInteractor(m_interactor);
   handle.widget->SetDefaultRenderer(m_renderer);

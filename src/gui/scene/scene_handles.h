@@ -28,7 +28,7 @@ class SceneHandles : public QObject {
   /// In the world, metres. They are shown once placed.
   void showAt(const Vec3& eye, const Vec3& lookat);
   void hide();
-  /// None: the mesh has no ball.
+  /// A mesh has a ball only where it has a place.
   void showMeshAt(const std::optional<Vec3>& place);
   /// Who looks through a ball, or nearly, would see nothing but that: it is not shown.
   void setSceneEye(const Vec3& sceneEye);

@@ -59,7 +59,7 @@ class ThickerLines {
     for (vtkActor* actor : actorsOf(window)) {
       if (!hasLinesAlone(actor)) continue;
       if (actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0)
-        setLineDepth(actor, SceneLevel::onPanel);
+        setDepth(actor, SceneLevel::onPanel);
       vtkProperty* look = actor->GetProperty();
       m_before.push_back(
           {look, look->GetLineWidth(), look->GetRenderLinesAsTubes(), look->GetLighting()});

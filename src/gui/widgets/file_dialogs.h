@@ -10,14 +10,14 @@ class QWidget;
 
 namespace hogelscope {
 
-/// Of the dialogs that ask for a session.
+/// Returns the filter of the dialogs that ask for a session.
 QString sessionFilter();
 
 /// All of them return nothing where the user does not choose. `filter` is as QFileDialog's.
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter);
 QString chooseFolder(QWidget* parent, const QString& title);
-/// To write into.
+/// The folder is written into; the user may make a new one.
 QString chooseOutputFolder(QWidget* parent, const QString& title);
 /// `name` is proposed: of a file in the folder that was used last.
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <utility>
 
+#include "core/base/unicode.h"
 #include "io/files/system_limits.h"
 
 namespace hogelscope {
@@ -83,7 +84,7 @@ class GuardedContent final : public plugin::ContentSource {
     std::vector<std::string> notes = guarded(m_name, [&] { return m_content->notes(); });
     constexpr std::size_t most = 50;
     notes.resize(std::min(notes.size(), most));
-    for (std::string& note : notes) note = InputError("", oneLine(std::move(note))).what();
+    for (std::string& note : notes) note = printable(oneLine(std::move(note)));
     return notes;
   }
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const override {
