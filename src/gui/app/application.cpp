@@ -14,7 +14,7 @@
 namespace hogelscope {
 
 int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
-  // Qt would end the process with a longer text.
+  // Without this check Qt would end the process with a longer message.
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
     throw InputError("window", "there is no display server (DISPLAY is not set)",
                      "batch mode needs none, see --help");

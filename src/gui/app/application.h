@@ -7,7 +7,7 @@
 
 namespace hogelscope {
 
-/// Opens the window, and `files` in it (FileCommands::take); returns the exit status.
+/// Opens the window and `files` in it (FileCommands::openFiles). Returns the exit status.
 int runWindow(int argc, char** argv, const std::vector<std::string>& files);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// View ▸ Colours.
+// The colour schemes of View ▸ Colours.
 #include "gui/app/colours.h"
 
 #include <QActionGroup>
@@ -12,7 +12,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Window, its text, fields, every second row, buttons, links; Qt works out the shades.
+/// The base colours of a scheme. Qt derives the shades from them; `alternate` is every second row.
 struct Shades {
   QColor window, text, base, alternate, button, link, highlight;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// View ▸ Colours: the system's, light or dark; kept in the settings.
+// The menu View ▸ Colours: system, light or dark; saved in the settings.
 #pragma once
 
 #include <QObject>
@@ -8,12 +8,12 @@ class QMenu;
 
 namespace hogelscope {
 
-/// Qt 6.4 has no colour schemes of its own: a scheme is a palette of the Fusion style.
+/// Sets the colour scheme as a palette of the Fusion style, because Qt 6.4 has no colour schemes.
 class Colours : public QObject {
   Q_OBJECT
 
  public:
-  /// Fills the menu and applies what was chosen last.
+  /// Fills the menu and applies the scheme that was chosen last.
   Colours(QMenu* menu, QObject* parent);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Help menu: the manual, and what this program is.
+// The Help menu: the manual and the About box.
 #pragma once
 
 #include <QObject>
@@ -24,7 +24,7 @@ class HelpCommands : public QObject {
   void showManual();
 
   QWidget* m_window;
-  ManualWindow* m_manual = nullptr;  ///< made when it is first asked for
+  ManualWindow* m_manual = nullptr;  ///< created on first use
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window shows while no session is open.
+// The page shown while no session is open.
 #include "gui/app/home_page.h"
 
 #include <QAction>
@@ -17,7 +17,7 @@ namespace hogelscope {
 
 namespace {
 
-/// As it is installed, or as it lies beside a build tree; empty where there is none.
+/// Returns the installed sample, or the one in the source tree; empty if there is none.
 QString sampleFile(const QString& name) {
   const QString program = QCoreApplication::applicationDirPath();
   for (const QString& file : {program + "/../share/hogelscope/samples/" + name + ".hogelscope",
@@ -35,7 +35,7 @@ QLabel* heading(const QString& text, int larger) {
   return label;
 }
 
-/// A button for an action, with its key.
+/// Creates a button for an action that shows the action's key.
 QCommandLinkButton* buttonFor(QAction* action) {
   const QString key = action->shortcut().toString(QKeySequence::NativeText);
   auto* button = new QCommandLinkButton(action->text().remove('&') + "   " + key);
@@ -54,7 +54,7 @@ HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QScrollArea(pare
   columns->addWidget(makeActions(ui), 1);
   columns->addWidget(makeFiles(), 1);
   auto* page = new QWidget;
-  page->setMaximumWidth(60 * fontMetrics().horizontalAdvance("mm"));  // also of a large window
+  page->setMaximumWidth(60 * fontMetrics().horizontalAdvance("mm"));  // even in a large window
   auto* around = new QWidget;
   auto* sides = new QHBoxLayout(around);
   sides->addWidget(page);
@@ -130,7 +130,7 @@ void HomePage::fillRecent() {
     delete item->widget();
     delete item;
   }
-  constexpr int most = 6;  // the menu has them all
+  constexpr int most = 6;  // the menu lists all of them
   for (const QString& file : RecentFiles::files()) {
     const QFileInfo info(file);
     if (!info.exists() || m_recent->count() == most) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window shows while no session is open: ways to begin, the samples, what was open last.
-// It scrolls, so that it asks for no larger window than a small screen has.
+// The page shown while no session is open: start commands, samples and recent files. It scrolls, so
+// that it fits a small screen.
 #pragma once
 
 #include <QScrollArea>
@@ -17,11 +17,11 @@ class HomePage : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// Its buttons are actions of `ui`.
+  /// Creates buttons that trigger actions of `ui`.
   explicit HomePage(const Ui::MainWindow& ui, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A sample, or a file that was open before.
+  /// A sample or a recent file has been chosen.
   void chosen(const QString& file);
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's icon, and those of its commands.
+// The icons of the window and its commands.
 #include "gui/app/icons.h"
 
 #include <QApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's icon, and those of its commands.
+// The icons of the window and its commands.
 #pragma once
 
 namespace Ui {
@@ -8,7 +8,7 @@ class MainWindow;
 
 namespace hogelscope {
 
-/// Gives the actions of the tool bar their pictures, and the program its own.
+/// Sets the icons of the tool bar's actions and of the application.
 void addIcons(const Ui::MainWindow& ui);
 
 }  // namespace hogelscope

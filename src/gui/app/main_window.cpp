@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The main window: puts scene, simulated view, docks and menus together.
+// The main window: connects scene, simulated view, docks and menus.
 #include "gui/app/main_window.h"
 
 #include <vtkObject.h>
@@ -59,7 +59,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(24);
-  m_stateBox->setFocusPolicy(Qt::TabFocus);  // after a click, keys still move the camera
+  m_stateBox->setFocusPolicy(Qt::TabFocus);  // keys still move the camera after a click
   m_ui->toolBar->addWidget(m_stateBox);
   addDocks();
   arrangeDocks();
@@ -73,8 +73,8 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  hide();          // a field that loses the focus takes what was typed, while there is a session
-  delete m_scene;  // before the widget that it draws into
+  hide();          // a field applies its text when it loses the focus, which needs the session
+  delete m_scene;  // before the widget it draws into
 }
 
 void MainWindow::addDocks() {
@@ -97,8 +97,8 @@ void MainWindow::addDocks() {
   connect(commands, &StateCommands::done, m_messages, &Messages::showMessage);
 }
 
-/// In the order of the line, one behind the other below the list of states: each is seen whole, and
-/// all fits into 1280 × 800.
+/// Arranges the docks as tabs below the list of states, in processing order. Each dock is fully
+/// visible, and all fit into 1280 × 800.
 void MainWindow::arrangeDocks() {
   const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
                                         m_ui->cameraDock,     m_ui->distortionDock,
@@ -118,7 +118,7 @@ void MainWindow::arrangeDocks() {
   m_ui->cameraDock->raise();
   const int states = m_ui->statesDock->sizeHint().height();  // a few rows
   resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {states, 800 - states}, Qt::Vertical);
-  constexpr int narrow = 290;  // px: the view gets the window
+  constexpr int narrow = 290;  // px, so that the view gets the rest
   resizeDocks({m_ui->statesDock, m_ui->inspectorDock}, {narrow, narrow}, Qt::Horizontal);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -186,7 +186,7 @@ void MainWindow::connectDocks() {
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
 }
 
-/// Last: keys are given to all actions.
+/// Runs last, because keys are assigned to all actions.
 void MainWindow::addEditing() {
   auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
   connect(camera, &CameraCommands::failed, m_messages, &Messages::showError);
@@ -195,7 +195,7 @@ void MainWindow::addEditing() {
   edit->readKeys();
 }
 
-/// Back to the view, from a floating dock too: keys are commands again.
+/// Moves the focus back to the view, also from a floating dock, so that keys are commands again.
 void MainWindow::leaveForm() {
   activateWindow();
   m_ui->pictureView->setFocus();
@@ -205,7 +205,8 @@ void MainWindow::connectWorker() {
   connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, m_messages, &Messages::showError);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showFailure);
-  connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // of an older reading
+  connect(m_worker, &ViewWorker::loaded, m_messages,
+          &Messages::dismiss);  // clears errors of an older reading
   connect(m_worker, &ViewWorker::loaded, this, &MainWindow::onSceneLoaded);
   connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
@@ -234,7 +235,7 @@ void MainWindow::showView(const RenderedView& view) {
   m_messages->showMessage(line);
 }
 
-/// To the measurement: the states as they are in the session now.
+/// Passes the views of the session's current states to the measurement.
 void MainWindow::offerViews() {
   std::vector<RenderJob> views;
   if (m_loaded)
@@ -257,7 +258,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   m_files->end();
 }
 
-/// Files, help, colours, layout: classes that only need to be there.
+/// Creates the helpers for files, help, colours and layout, which need no further connections.
 void MainWindow::addHabits() {
   m_files = new FileCommands(*m_ui, m_model, this);
   connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
@@ -283,7 +284,7 @@ void MainWindow::addHabits() {
   connect(m_readingBar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
 }
 
-/// Shows nothing rather than the image of another light field.
+/// Clears the view, so that it does not show the image of another light field.
 void MainWindow::showStopped() {
   endReading();
   const QString line = tr("Stopped reading %1; to read it, open the session again")
@@ -292,7 +293,7 @@ void MainWindow::showStopped() {
   m_messages->showMessage(line);
 }
 
-/// What the worker could not do, on the image until it can.
+/// Shows the worker's error in place of the image until an image is rendered again.
 void MainWindow::showFailure(const QString& line) {
   const bool isOld = !readTheSame(m_asked, m_model->session());
   endReading();
@@ -309,7 +310,7 @@ void MainWindow::showFailure(const QString& line) {
   m_imageCommands->showNotice(what + "\n\n" + line + "\n\n" + advice);
 }
 
-/// Fills the list of states again.
+/// Refills the list of states.
 void MainWindow::showStates() {
   const QSignalBlocker quiet(m_stateBox);
   m_stateBox->clear();
@@ -330,14 +331,14 @@ void MainWindow::showSession() {
   showStates();
 }
 
-/// Without a light field, if one was being read.
+/// Ends the reading state, and drops the light field if one was being read.
 void MainWindow::endReading() {
   m_sayReading->stop();
   if (std::exchange(m_isReading, false)) forgetScene();
   m_isAwaited = false;
 }
 
-/// The memory is free then.
+/// Drops the light field from all parts of the window, which frees its memory.
 void MainWindow::forgetScene() {
   m_loaded.reset();
   m_ui->reportPanel->setReference(std::nullopt);
@@ -346,8 +347,9 @@ void MainWindow::forgetScene() {
   m_imageCommands->setScene(std::nullopt);
 }
 
-/// Of an edited live scene all that is shown stays until there is something newer, and edits that
-/// come faster than pictures wait for the next one (loadWhatWaits): else none would ever come.
+/// Reads the session's light field. During edits of a live scene the old images stay until a new
+/// one is ready, and edits that come faster than images wait for the next one (loadWhatWaits);
+/// otherwise no image would ever be shown.
 void MainWindow::load() {
   const auto isLive = [](const Session& session) {
     return session.lightField.layout == Layout::live;
@@ -379,8 +381,8 @@ void MainWindow::showReading() {
   m_messages->showMessage(line);
 }
 
-/// What has been read, with the session's display and sampling as they are now; a live scene may
-/// have been edited since.
+/// Takes the light field that has been read, with the session's current display and sampling. A
+/// live scene may have been edited since.
 void MainWindow::onSceneLoaded(const Scene& scene) {
   m_isReading = false;
   m_loaded = scene;
@@ -395,8 +397,8 @@ void MainWindow::onSceneLoaded(const Scene& scene) {
   if (std::exchange(m_isNew, false)) m_scene->scene().reset();
 }
 
-/// A light field that is in memory is not read again where only the panel's pose, size or lens or
-/// the sampling are others.
+/// Shows the session's content. A light field in memory is not read again if only the panel's pose,
+/// size or lens or the sampling have changed.
 void MainWindow::showContent() {
   if (!m_loaded || m_isReading || !readTheSame(m_asked, m_model->session())) {
     load();
@@ -409,7 +411,7 @@ void MainWindow::showContent() {
   }
 }
 
-/// What has been read.
+/// Passes the light field that has been read to all parts of the window.
 void MainWindow::showScene() {
   m_display = m_loaded->display;
   m_lightField->setScene(m_loaded);

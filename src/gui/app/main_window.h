@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The main window: puts scene, simulated view, docks and menus together. It decides nothing.
+// The main window: connects scene, simulated view, docks and menus. It contains no logic of its
+// own.
 #pragma once
 
 #include <QMainWindow>
@@ -40,8 +41,8 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Shows itself as it was last time, offers what a crash left behind, and opens the files of the
-  /// command line (FileCommands::openFiles).
+  /// Restores the window's layout, offers the recovery of sessions after a crash, and opens `files`
+  /// (FileCommands::openFiles).
   void start(const QStringList& files);
 
  private:
@@ -89,13 +90,13 @@ class MainWindow : public QMainWindow {
   LightFieldDock* m_lightField = nullptr;
   PsfDock* m_psf = nullptr;
   PictureRate m_rate;
-  DisplayParams m_display;              ///< resolved
-  bool m_isNew = false;                 ///< the session: the scene has to be fitted to it
-  std::optional<Scene> m_loaded;        ///< none while a light field is read, or cannot be
-  Session m_asked;                      ///< whose light field was read last, or is read
-  bool m_isReading = false;             ///< m_asked's: m_loaded is an older one, if any
-  bool m_isAwaited = false;             ///< m_asked's first picture
-  std::optional<NamedMethod> m_method;  ///< that the live view uses; none: the session's own
+  DisplayParams m_display;        ///< resolved
+  bool m_isNew = false;           ///< the session is new, so the scene has to be fitted to it
+  std::optional<Scene> m_loaded;  ///< none while a light field is read, or if it cannot be read
+  Session m_asked;                ///< the session whose light field is being read or was read last
+  bool m_isReading = false;  ///< m_asked is being read; m_loaded is an older light field, if any
+  bool m_isAwaited = false;  ///< the first image of m_asked has not been rendered yet
+  std::optional<NamedMethod> m_method;  ///< of the live view; none: the session's own
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Help ▸ Manual.
+// The window of Help ▸ Manual.
 #include "gui/app/manual_window.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -94,7 +94,7 @@ void ManualWindow::addKeys() {
   connect(m_search, &QLineEdit::returnPressed, this, [this] { find({}); });
 }
 
-/// Markdown says nothing about how tables look.
+/// Formats the tables, because Markdown does not define their appearance.
 void ManualWindow::layOutTables() {
   for (QTextFrame* frame : m_page->document()->rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
@@ -110,7 +110,7 @@ void ManualWindow::layOutTables() {
   }
 }
 
-/// The chapters of the page that is shown, each with its place in the text.
+/// Lists the chapters of the current page with their positions in the text.
 void ManualWindow::listHeadings() {
   const QSignalBlocker quiet(m_contents);
   m_contents->clear();
@@ -136,7 +136,7 @@ void ManualWindow::goTo(const QTreeWidgetItem* heading) {
   m_page->verticalScrollBar()->setValue(int(place.top()));
 }
 
-/// Goes on at the other end.
+/// Finds the next match, and continues at the other end of the page.
 void ManualWindow::find(QTextDocument::FindFlags flags) {
   m_note->clear();
   if (m_search->text().isEmpty() || m_page->find(m_search->text(), flags)) return;

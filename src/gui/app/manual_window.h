@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Help ▸ Manual: the manual, out of the program itself, with its contents and a search field.
+// Help ▸ Manual: the built-in manual with its contents and a search field.
 #pragma once
 
 #include <QTextBrowser>
@@ -11,7 +11,7 @@ class QTreeWidgetItem;
 
 namespace hogelscope {
 
-/// Shows images no wider than itself.
+/// A page that scales images down to its own width.
 class ManualPage : public QTextBrowser {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ManualPage : public QTextBrowser {
   QVariant loadResource(int type, const QUrl& name) override;
 };
 
-/// A window of its own, which closes with its parent.
+/// A separate window that closes with its parent.
 class ManualWindow : public QWidget {
   Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window says.
+// Messages of the window.
 #include "gui/app/messages.h"
 
 #include <QApplication>
@@ -17,13 +17,13 @@ namespace {
 
 constexpr int mostErrors = 200;
 
-/// Contrast of at least 5 to 1 with the windows of either scheme.
+/// Returns a colour with a contrast of at least 5:1 against windows of either scheme.
 QColor errorColour(const QPalette& palette) {
   const bool isDark = palette.color(QPalette::Window).lightness() < 128;
   return isDark ? QColor(255, 138, 128) : QColor(176, 0, 32);
 }
 
-/// Six lines high, unless the user wants more.
+/// A list that is six lines high by default.
 class ErrorList : public QPlainTextEdit {
  public:
   [[nodiscard]] QSize sizeHint() const override { return {480, 6 * fontMetrics().lineSpacing()}; }
@@ -48,7 +48,7 @@ Messages::Messages(QMainWindow* window)
   m_list->setToolTip(
       tr("The last %1 errors, the newest below; Ctrl+C copies what is selected").arg(mostErrors));
   m_dock->setWidget(m_list);
-  window->addDockWidget(Qt::BottomDockWidgetArea, m_dock, Qt::Vertical);  // below the others
+  window->addDockWidget(Qt::BottomDockWidgetArea, m_dock, Qt::Vertical);  // below the other docks
   m_dock->hide();
   QAction* toggle = m_dock->toggleViewAction();
   toggle->setShortcut(Qt::Key_F4);
@@ -83,7 +83,7 @@ void Messages::dismiss() {
   show();
 }
 
-/// The list stays.
+/// Resets the error count; the list stays.
 void Messages::settle() {
   dismiss();
   m_count = 0;
@@ -97,13 +97,13 @@ void Messages::show() {
   m_window->statusBar()->showMessage(m_error.isEmpty() ? m_line : tr("Error: %1").arg(m_error));
 }
 
-/// An action is seen where it comes in, at the native window, before it can cause an error.
+/// Detects user actions at the native window, before they can cause a new error.
 bool Messages::eventFilter(QObject* watched, QEvent* event) {
   const QEvent::Type type = event->type();
   if (watched->isWindowType() && (type == QEvent::ShortcutOverride || type == QEvent::KeyPress ||
                                   type == QEvent::MouseButtonPress))
     dismiss();
-  // Qt would wipe the line whenever the pointer moves over a menu.
+  // Keeps the line, which Qt would clear whenever the pointer moves over a menu.
   if (watched != m_window || type != QEvent::StatusTip ||
       !static_cast<QStatusTipEvent*>(event)->tip().isEmpty())
     return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window says: lines in the status bar, and every error, with its time, in one list.
+// Messages of the window: lines in the status bar, and a list of all errors with their times.
 #pragma once
 
 #include <QObject>
@@ -11,20 +11,20 @@ class QToolButton;
 
 namespace hogelscope {
 
-/// An error stands in the status bar, in red, until the user's next action; what is said meanwhile
-/// comes after it.
+/// Shows messages and errors. An error stays in the status bar, in red, until the user's next
+/// action; messages that arrive meanwhile are shown after it.
 class Messages : public QObject {
   Q_OBJECT
 
  public:
-  /// Adds the dock of errors to the window and its button to the status bar, both hidden.
+  /// Adds the error dock to the window and its button to the status bar, both hidden.
   explicit Messages(QMainWindow* window);
 
   void showMessage(const QString& line);
   void showError(const QString& line);
-  /// The user has done something else: the error leaves the status bar, not the list.
+  /// Removes the error from the status bar after a user action, but not from the list.
   void dismiss();
-  /// The session is another one now: what was wrong before it is no longer counted.
+  /// Resets the error count for a new session.
   void settle();
   [[nodiscard]] QDockWidget* dock() const { return m_dock; }
 

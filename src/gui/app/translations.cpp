@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads translations.
+// Installation of translations.
 #include "gui/app/translations.h"
 
 #include <QCoreApplication>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's words in other forms and languages.
+// Translations and plural forms of the window's texts.
 #pragma once
 
 namespace hogelscope {
 
-/// English plural forms ("1 thread", "2 threads") from the program itself; over them the user's own
-/// language, where a hogelscope_<language>.qm lies beside the program. Needs a QCoreApplication,
-/// which owns what is installed; windows that are there already keep their words.
+/// Installs the built-in English plural forms ("1 thread", "2 threads") and, with precedence, the
+/// translation into the user's language if hogelscope_<language>.qm lies beside the program. Needs
+/// a QCoreApplication, which owns the translators; existing windows keep their texts.
 void installTranslations();
 
 }  // namespace hogelscope

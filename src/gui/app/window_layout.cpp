@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the window and its docks are.
+// The layout of the window and its docks.
 #include "gui/app/window_layout.h"
 
 #include <QAction>
@@ -21,10 +21,10 @@ namespace hogelscope {
 
 namespace {
 
-/// Another one, and layouts that were saved before no longer count.
+/// The version of saved layouts. Layouts of another version are ignored.
 constexpr int version = 2;
 
-/// One that is hidden, or behind another one, comes to the front; one that can be seen is closed.
+/// Raises a dock that is hidden or behind another one; closes a visible one.
 void toggle(QDockWidget* dock) {
   if (dock->visibleRegion().isEmpty()) {
     dock->show();
@@ -35,12 +35,12 @@ void toggle(QDockWidget* dock) {
   dock->toggleViewAction()->setChecked(!dock->isHidden());
 }
 
-/// Tabs of docks whose words fit into a narrow window.
+/// A style whose dock tabs fit into a narrow window.
 class NarrowTabs : public QProxyStyle {
  public:
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
-    constexpr int space = 10;  // px, both sides of a word
+    constexpr int space = 10;  // px, both sides of the text together
     return metric == PM_TabBarTabHSpace ? space : QProxyStyle::pixelMetric(metric, option, widget);
   }
 };
@@ -79,12 +79,13 @@ void WindowLayout::connectDocks() {
   m_window->installEventFilter(this);
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
     QAction* action = dock->toggleViewAction();
-    disconnect(action, &QAction::triggered, dock, nullptr);  // Qt's would close a dock behind
+    disconnect(action, &QAction::triggered, dock,
+               nullptr);  // Qt's slot would close a dock that is behind another one
     connect(action, &QAction::triggered, this, [dock] { toggle(dock); });
   }
 }
 
-/// What each task shows; the last dock is the one in front.
+/// Connects each task to its docks and views; the last dock is raised.
 void WindowLayout::connectTasks() {
   const auto on = [this](QAction* action, const QList<QDockWidget*>& docks,
                          const QList<QWidget*>& parts) {
@@ -118,7 +119,7 @@ void WindowLayout::arrange(const QList<QDockWidget*>& docks, const QList<QWidget
   docks.back()->raise();
 }
 
-/// Once more, and everything is as it was before.
+/// Shows one view alone. A second call restores the docks.
 void WindowLayout::showOnly(QAction* action, QWidget* part) {
   const bool begins = action->isChecked();
   const QByteArray docks = m_before.isEmpty() ? m_window->saveState(version) : m_before;
@@ -137,13 +138,13 @@ void WindowLayout::showAll() {
   if (!m_before.isEmpty()) m_window->restoreState(std::exchange(m_before, {}), version);
 }
 
-/// A double click is the key. Qt makes the tabs of docks as they are needed.
+/// Maps a double click to the action of its key, and styles dock tabs when Qt creates them.
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ChildPolished) {
     auto* tabs = qobject_cast<QTabBar*>(static_cast<const QChildEvent*>(event)->child());
     if (tabs != nullptr) narrow(tabs);
   }
-  if (watched == m_window) {  // to which events go that no part of it takes
+  if (watched == m_window) {  // receives events that none of its parts accepts
     fitOnceFramed();
     return false;
   }
@@ -159,17 +160,17 @@ void WindowLayout::place(const QByteArray& geometry) {
   fitScreen();
 }
 
-/// With its frame, whatever the screen's scale.
+/// Fits the window with its frame into the screen, at any screen scale.
 void WindowLayout::fitScreen() {
   if (m_window->isMaximized() || m_window->isFullScreen()) return;
-  const QWindow* handle = m_window->windowHandle();  // none before the window was shown
+  const QWindow* handle = m_window->windowHandle();  // none before the window is shown
   const QMargins frame = handle == nullptr ? QMargins() : handle->frameMargins();
   const QRect placed = m_window->geometry().marginsAdded(frame);
   const QRect wanted = fitted(placed, m_window->screen()->availableGeometry());
   if (wanted != placed) m_window->setGeometry(wanted.marginsRemoved(frame));
 }
 
-/// The frame comes some time after the window, and no event says so.
+/// Fits the window once it has a frame. The frame comes later than the window, without an event.
 void WindowLayout::fitOnceFramed() {
   const QWindow* handle = m_window->windowHandle();
   if (m_isFramed || handle == nullptr || handle->frameMargins().isNull()) return;
@@ -194,7 +195,7 @@ void WindowLayout::restore() {
     m_ui.splitter->restoreState(settings.value("window/splitter").toByteArray());
   }
   place(geometry);
-  // Docks let a window grow while they are laid out for the first time.
+  // A second placement, because docks enlarge the window during their first layout.
   const auto again = [this, geometry] {
     if (!m_window->isMaximized() && !m_window->isFullScreen()) place(geometry);
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the window and its docks are: from one start to the next, for a task, and with the
-// simulated view or the scene alone. What a dock's key does.
+// The layout of the window and its docks: saved between runs, predefined for tasks, or with one
+// view alone. Also defines the effect of a dock's key.
 #pragma once
 
 #include <QByteArray>
@@ -20,20 +20,21 @@ class MainWindow;
 
 namespace hogelscope {
 
-/// A window with its frame, shrunk and moved no more than it takes to lie within the screen.
+/// Returns the window's frame, shrunk and moved only as far as needed to fit the screen.
 QRect fitted(QRect frame, const QRect& screen);
 
 class WindowLayout : public QObject {
   Q_OBJECT
 
  public:
-  /// What the window is now, with all its docks, is what reset() goes back to. `window` owns it.
+  /// Takes the window's current state, with all docks, as the default for reset(). `window` owns
+  /// it.
   WindowLayout(QMainWindow* window, const Ui::MainWindow& ui);
 
   void save() const;
-  /// Before the window is shown; it fits the screen then, also where a larger one was kept.
+  /// Restores the saved layout before the window is shown, and fits it into the screen.
   void restore();
-  /// Docks, tool bars and splitter; the window stays where it is.
+  /// Resets docks, tool bars and splitter; the window keeps its place.
   void reset();
 
  private:
@@ -54,8 +55,8 @@ class WindowLayout : public QObject {
   QByteArray m_docks;
   QByteArray m_split;
   QStyle* m_tabStyle;
-  bool m_isFramed = false;  ///< the desktop has put a frame around the window
-  QByteArray m_before;      ///< the docks before one part was shown alone; empty: none is
+  bool m_isFramed = false;  ///< the desktop has added a frame to the window
+  QByteArray m_before;      ///< the docks before one view was shown alone; empty: not in that mode
 };
 
 }  // namespace hogelscope

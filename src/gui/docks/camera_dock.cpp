@@ -34,7 +34,7 @@ CameraDock::CameraDock(SessionModel* model, QWidget* parent)
   showForms();
 }
 
-/// With what takes the same picture, where the camera has a frame.
+/// Sets intrinsics of the same image in the marked states, or removes them.
 void CameraDock::calibrate(bool isCalibrated) {
   m_model->editMarked([isCalibrated](CameraState& state) {
     state.intrinsics = {};

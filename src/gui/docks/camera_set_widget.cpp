@@ -18,7 +18,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The states that a set adds to a session. Throws InputError.
+/// Returns the states that a set adds to a session. Throws InputError.
 std::vector<CameraState> addedStates(const Session& session, const CameraSet& set) {
   const std::size_t kept = session.cameras.size() - (set.params.keepTemplate ? 0 : 1);
   std::vector<CameraState> states = withCameras(session, set).cameras;
@@ -64,7 +64,7 @@ QWidget* CameraSetWidget::form(Params& params) {
     describe(visitor, params);
     if (params != before) showPreview();
   });
-  made->hideField("template", true);  // is chosen from a list
+  made->hideField("template", true);  // is chosen in a list
   return made;
 }
 
@@ -85,7 +85,7 @@ QString CameraSetWidget::currentText() const {
   return tr("Current state (%1)").arg(QString::fromStdString(m_model->current().camera.name));
 }
 
-/// With the choice that there was, as long as there is such a state.
+/// Refills the list of template states, and keeps the choice while its state exists.
 void CameraSetWidget::showTemplates() {
   const QString chosen = m_templates->currentIndex() > 0 ? m_templates->currentText() : QString();
   m_templates->clear();
@@ -106,7 +106,7 @@ CameraSet CameraSetWidget::currentSet() const {
   return set;
 }
 
-/// A set that cannot be made leaves the one before.
+/// Updates the preview; a set that cannot be generated leaves the previous one.
 void CameraSetWidget::showPreview() {
   if (!isVisible() || m_model == nullptr || m_model->session().cameras.empty()) return;
   try {
@@ -138,7 +138,7 @@ void CameraSetWidget::setModel(SessionModel* model) {
   connect(m_model, &SessionModel::currentChanged, this,
           [this] { m_templates->setItemText(0, currentText()); });
   showTemplates();
-  // What the session changes moves a preview that is there, and brings none back.
+  // Changes of the session update an existing preview but do not show a removed one again.
   for (const auto change : {&SessionModel::currentChanged, &SessionModel::statesChanged,
                             &SessionModel::edited, &SessionModel::contentChanged})
     connect(m_model, change, this, [this] {

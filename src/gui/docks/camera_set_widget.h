@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera set dock: many states for the session at once.
+// The camera set dock, which adds many states to the session at once.
 #pragma once
 
 #include <QWidget>
@@ -21,12 +21,13 @@ class CameraSetWidget : public QWidget {
   explicit CameraSetWidget(QWidget* parent = nullptr);
 
   void setModel(SessionModel* model);
-  /// A user's distribution (JSON) or a viewer's trace (CSV). True if its states were added.
+  /// Adds states of a distribution (JSON) or a viewer's trace (CSV). Returns true if they were
+  /// added.
   bool addFromFile(const QString& file);
 
  Q_SIGNALS:
   void failed(const QString& line);
-  /// The states that would be added; none where the widget is hidden, or they have been.
+  /// Passes the states that would be added; empty if the widget is hidden or they have been added.
   void previewChanged(const std::vector<hogelscope::CameraState>& states);
 
  protected:
@@ -48,8 +49,8 @@ class CameraSetWidget : public QWidget {
   CameraSetParams m_params;
   CameraRegionParams m_region;
   SessionModel* m_model = nullptr;
-  std::vector<CameraState> m_preview;  ///< as it was told
-  QComboBox* m_templates;              ///< the current state, then all by name
+  std::vector<CameraState> m_preview;  ///< as last emitted
+  QComboBox* m_templates;              ///< the current state, then all states by name
   QPushButton* m_addButton;
   QPushButton* m_fileButton;
 };

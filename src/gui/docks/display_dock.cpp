@@ -11,8 +11,8 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns an edited display with its plugin's parameters. Throws InputError: there is no such
-/// plugin, or its lens cannot be opened.
+/// Returns an edited display with its plugin's parameters. Throws InputError if there is no such
+/// plugin or its lens cannot be opened.
 DisplayParams completed(const DisplayParams& before, DisplayParams after) {
   if (after.lens != HogelLensModel::plugin) {
     after.lensSource.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display dock: the panel, and the parameters of its lens where a plugin has it.
+// The display dock: the panel, and the parameters of a plugin's lens.
 #pragma once
 
 #include <QWidget>
@@ -16,11 +16,11 @@ class DisplayDock : public QWidget {
   explicit DisplayDock(SessionModel* model, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// An edit is refused: the plugin's lens cannot be opened.
+  /// An edit has been rejected because the plugin's lens cannot be opened.
   void failed(const QString& message);
 
  private:
-  /// Makes a form that takes an edit only if the display's lenses can be opened.
+  /// Creates a form that accepts an edit only if the display's lenses can be opened.
   QWidget* form(void (*visit)(ParameterVisitor&, DisplayParams&));
 
   SessionModel* m_model;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lens distortion dock: the current state's lens, a drawing of it, how far it can be trusted,
-// and the import of a calibration.
+// The lens distortion dock: the current state's lens, its drawing, its valid range, and the import
+// of a calibration.
 #pragma once
 
 #include <QWidget>
@@ -23,7 +23,7 @@ class DistortionDock : public QWidget {
  public:
   DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent = nullptr);
 
-  /// Grey from the moment when the current state has another lens.
+  /// Shows a lens. It turns grey as soon as the current state has another lens.
   void showLens(const CertifiedLens& lens);
 
  private:

@@ -18,7 +18,7 @@ namespace hogelscope {
 
 namespace {
 
-/// One look for each fate: hatched where no light can come from, plain where it does.
+/// Returns a swatch for the pixel's fate: hatched without a ray or a hogel, plain with light.
 QPixmap swatchOf(const PixelTrace& trace) {
   constexpr int side = 32;
   QPixmap swatch(side, side);
@@ -71,7 +71,7 @@ Inspector::Inspector(QWidget* parent)
                              "direction that is seen, dashed the window of its light leakage"))),
       m_weights(new KernelWidget) {
   m_weights->setObjectName("inspectorWeights");
-  m_weights->setMinimumHeight(190);  // numbers fit into 5 × 5 taps
+  m_weights->setMinimumHeight(190);  // so that numbers fit into 5 × 5 taps
   auto* head = new QHBoxLayout;
   head->addWidget(m_swatch, 0, Qt::AlignTop);
   head->addWidget(m_verdict, 1);
@@ -97,7 +97,7 @@ void Inspector::showEvent(QShowEvent*) {
   refresh();
 }
 
-/// What is not in memory would have to be fetched faster than the pointer moves.
+/// Follows the pointer if the light field is in memory; fetching would be slower than the pointer.
 void Inspector::point(const QPoint& pixel) {
   if (!isVisible() || m_scene == nullptr) return;
   const std::optional<RenderJob> job = m_scene->job();
@@ -160,7 +160,7 @@ void Inspector::showNeighbours(const QPoint& pixel) {
   m_neighbours->show();
 }
 
-/// As they are shown, in whole code values.
+/// Returns the displayed code values of both images; empty for a single image.
 QString Inspector::valuesAt(const QPoint& pixel) const {
   QStringList texts;
   for (const QImage* image : {&m_picture->image(), &m_picture->otherImage()}) {
@@ -192,7 +192,7 @@ void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
   m_hogelTitle->show();
 }
 
-/// In the hogel's picture, which may have fewer directions.
+/// Marks the direction in the hogel's image, which may have fewer directions.
 void Inspector::showDirection(const RenderJob& job, const Hit& place) {
   const QSize directions(job.display.directions[0], job.display.directions[1]);
   const QPoint seen = cellOf(place.u, place.v);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inspector: all that stands behind one pixel of the picture, or behind a hogel.
+// The inspector: the trace and values of a pixel of the image, or of a hogel.
 #pragma once
 
 #include <QPointer>
@@ -22,7 +22,7 @@ class Inspector : public QWidget {
  public:
   explicit Inspector(QWidget* parent = nullptr);
 
-  /// From now on it shows the pixel under the pointer, else what is picked.
+  /// Follows the pointer over `picture`; shows what is picked in `scene` otherwise.
   void follow(SceneController* scene, ImageWidget* picture);
 
  protected:

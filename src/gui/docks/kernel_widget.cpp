@@ -21,14 +21,14 @@ QColor colourOf(double share) {
   return {r, g, b};
 }
 
-/// Of the taps; below it is a line of text.
+/// Returns the square of the taps; a line of text follows below it.
 QRectF squareIn(const QSizeF& size, const QFontMetrics& text) {
   const double below = text.height() + 6;
   const double side = std::max(1.0, std::min(size.width() - 8, size.height() - below - 4));
   return {(size.width() - side) / 2, 4, side, side};
 }
 
-/// The chart's font has a size in pixels, the window's in points.
+/// Returns a scaled font. The chart's font has a size in pixels, the window's one in points.
 QFont smaller(QFont font, double factor) {
   if (font.pixelSize() > 0)
     font.setPixelSize(int(std::lround(factor * font.pixelSize())));
@@ -37,7 +37,7 @@ QFont smaller(QFont font, double factor) {
   return font;
 }
 
-/// Per cent, short.
+/// Returns a weight in per cent, in short form.
 QString percent(double weight) {
   return weight < 0.001 ? QString::number(100 * weight, 'g', 1)
                         : QString::number(100 * weight, 'f', 1);
@@ -65,7 +65,7 @@ void KernelWidget::setWeights(const PsfParams& params, const std::vector<double>
   update();
 }
 
-/// Of tap k.
+/// Returns the rectangle of tap k.
 QRectF KernelWidget::cell(const QRectF& square, int k) const {
   const int side = m_params.windowSize;
   const double width = square.width() / side;
@@ -100,7 +100,7 @@ void KernelWidget::paintEvent(QPaintEvent*) {
   paint(painter, size());
 }
 
-/// Text below the taps is in the painter's colour.
+/// Paints the taps; the text below them has the painter's colour.
 void KernelWidget::paint(QPainter& painter, const QSizeF& size) const {
   if (m_weights.empty()) {
     painter.drawText(QRectF({0, 0}, size), Qt::AlignCenter, tr("no kernel: sigma is 0"));
@@ -124,7 +124,7 @@ void KernelWidget::paintCells(QPainter& painter, const QRectF& square) const {
   painter.setPen(hasGrid ? QPen(QColor(0, 0, 0, 90)) : QPen(Qt::NoPen));
   for (int k = 0; k < int(m_weights.size()); ++k) {
     painter.setBrush(colourOf(m_weights[std::size_t(k)] / most));
-    // A small overlap, so that no background shows between cells without a grid.
+    // A small overlap prevents background lines between cells without a grid.
     const double overlap = hasGrid ? 0 : 1;
     painter.drawRect(cell(square, k).adjusted(0, 0, overlap, overlap).intersected(square));
   }
@@ -143,7 +143,7 @@ void KernelWidget::paintNumbers(QPainter& painter, const QRectF& square) const {
   }
 }
 
-/// A circle of radius sigma around the middle tap, clipped to the window.
+/// Paints a circle of radius sigma around the middle tap, clipped to the window.
 void KernelWidget::paintSigma(QPainter& painter, const QRectF& square) const {
   const double radius = m_params.sigma * square.width() / m_params.windowSize;
   QPainterPath window;
@@ -151,7 +151,7 @@ void KernelWidget::paintSigma(QPainter& painter, const QRectF& square) const {
   QPainterPath circle;
   circle.addEllipse(square.center(), radius, radius);
   const auto draw = [&](const QPen& pen) {
-    // Not by a clip, which Qt's SVG leaves out.
+    // Intersects paths, because Qt's SVG ignores clipping.
     const QPainterPath line = QPainterPathStroker(pen).createStroke(circle);
     painter.fillPath(line.intersected(window), pen.brush());
   };

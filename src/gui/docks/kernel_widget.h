@@ -15,11 +15,11 @@ class KernelWidget : public QWidget {
   explicit KernelWidget(QWidget* parent = nullptr);
 
   void setParams(const PsfParams& params);
-  /// Of one direction of a hogel (psfKernelAt).
+  /// Shows the weights of one direction of a hogel (psfKernelAt).
   void setWeights(const PsfParams& params, const std::vector<double>& weights);
-  /// None where the parameters give no kernel.
+  /// Empty if the parameters define no kernel.
   [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
-  /// What the tap at a position weighs, as the drawing says it; "" beside the drawing.
+  /// Returns the text for the weight of the tap at a position; "" outside the drawing.
   [[nodiscard]] QString textAt(const QPointF& position) const;
 
   [[nodiscard]] QSize sizeHint() const override { return {160, 160}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawing of a lens.
+// Drawing of a lens.
 #include "gui/docks/lens_widget.h"
 
 #include <QPainter>
@@ -49,7 +49,7 @@ QRectF LensWidget::border() const {
   return {-0.5, -0.5, double(m_grid.res[0]), double(m_grid.res[1])};
 }
 
-/// With a margin, in which the grid goes on.
+/// Returns the transform of the image into the widget, with a margin for the grid beyond it.
 QTransform LensWidget::fromImage(const QSizeF& size) const {
   constexpr double margin = 1.12;
   const double scale =
@@ -77,7 +77,7 @@ void LensWidget::paintEvent(QPaintEvent*) {
   paint(painter, size());
 }
 
-/// The frame is in the painter's colour.
+/// Paints the lens; the frame has the painter's colour.
 void LensWidget::paint(QPainter& painter, const QSizeF& size) const {
   const QColor ink = painter.pen().color();
   const QTransform transform = fromImage(size);
@@ -100,7 +100,7 @@ void LensWidget::paintFold(QPainter& painter, const QTransform& transform) const
   QPainterPath image;
   image.addRect(border());
   painter.fillPath(transform.map(image.subtracted(foldPath())), QBrush(fold, Qt::BDiagPattern));
-  // Not by a clip, which Qt's SVG leaves out.
+  // Intersects paths, because Qt's SVG ignores clipping.
   const QPainterPath line =
       QPainterPathStroker(QPen(fold, 2)).createStroke(transform.map(foldPath()));
   painter.fillPath(line.intersected(transform.map(image)), fold);

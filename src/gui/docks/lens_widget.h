@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawing of a lens: straight lines of the world in the image, the fold, what has no ray.
+// Drawing of a lens: straight lines of the world in the image, the fold, the area without rays.
 #pragma once
 
 #include <QWidget>
@@ -12,7 +12,7 @@ namespace hogelscope {
 
 class PlotSaver;
 
-/// Pale while it is disabled.
+/// Draws a lens, pale while disabled.
 class LensWidget : public QWidget {
   Q_OBJECT
 

@@ -19,8 +19,8 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns an edited light field with the fields that another layout or source brings along. Throws
-/// InputError: there is no such source.
+/// Returns an edited light field with the default fields of a new layout or source. Throws
+/// InputError if there is no such source.
 LightFieldParams completed(const LightFieldParams& before, LightFieldParams after) {
   if (after.layout != before.layout && after.layout == Layout::live) {
     after = {};
@@ -75,7 +75,7 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   setScene(std::nullopt);
 }
 
-/// A form over the light field, or a part of it.
+/// Creates a form for the light field or a part of it.
 ParameterForm* LightFieldDock::form(void (*visit)(ParameterVisitor&, LightFieldParams&)) {
   return checkedForm<LightFieldParams>(m_model, &Session::lightField, visit, &completed,
                                        [this](const QString& why) { Q_EMIT failed(why); });
@@ -119,7 +119,7 @@ void LightFieldDock::choose(const QString& file) {
   m_model->setContent(content);
 }
 
-/// Later, when the order of the views has been found.
+/// Sets the views in the background, after their order has been found.
 void LightFieldDock::chooseViews(const LightFieldParams& views) {
   m_task->start([this, views, display = m_model->session().display](const Progress& progress) {
     return [this, order = findLightFieldOrder(views, display, progress)] {
@@ -132,7 +132,7 @@ void LightFieldDock::chooseViews(const LightFieldParams& views) {
   });
 }
 
-/// Later, when it has been read: with a display that fits it, where the display stands.
+/// Sets a mesh in the background, with a display that fits it at the panel's current pose.
 void LightFieldDock::chooseMesh(const QString& file) {
   m_task->start([this, file](const Progress& progress) {
     return [this, around = sessionAround(file.toStdString(), {}, progress)] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light field dock: the file and how it is laid out, or a live scene and its parameters; what
-// it holds, and how views sample it.
+// The light field dock: the file and its layout, or a live scene and its parameters; its contents
+// and its sampling.
 #pragma once
 
 #include <QWidget>
@@ -24,14 +24,14 @@ class LightFieldDock : public QWidget {
  public:
   explicit LightFieldDock(SessionModel* model, QWidget* parent = nullptr);
 
-  /// What is in memory; none while it is read or where it cannot be read.
+  /// Sets the light field in memory; none while it is read or if it cannot be read.
   void setScene(const std::optional<Scene>& scene);
-  /// Another file or folder for the session. Its layout becomes one that such a thing can have; a
-  /// mesh comes with a display that fits it, when it has been read.
+  /// Sets another file or folder for the session. The layout changes to one that the file can have.
+  /// A mesh is set after it has been read, with a display that fits it.
   void choose(const QString& file);
 
  Q_SIGNALS:
-  /// A source or a mesh cannot be used, and nothing changes.
+  /// A source or a mesh has been rejected; the session is unchanged.
   void failed(const QString& line);
 
  private:
@@ -44,8 +44,9 @@ class LightFieldDock : public QWidget {
 
   SessionModel* m_model;
   QLabel* m_contents;
-  Task* m_task;                           ///< reads a mesh
-  std::array<QWidget*, 2> m_liveForms{};  ///< the content's own parameters, and all content's
+  Task* m_task;  ///< reads a mesh or the order of views
+  std::array<QWidget*, 2>
+      m_liveForms{};  ///< the content's own parameters, and those that all contents have
 };
 
 }  // namespace hogelscope

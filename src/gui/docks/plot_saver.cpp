@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saves a plot of the window.
+// Export of a plot of the window.
 #include "gui/docks/plot_saver.h"
 
 #include <QWidget>

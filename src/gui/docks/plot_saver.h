@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saves a plot of the window as SVG or PNG.
+// Export of a plot of the window as SVG or PNG.
 #pragma once
 
 #include <QAction>
@@ -12,16 +12,16 @@ class QWidget;
 
 namespace hogelscope {
 
-/// Adds "Save plot…" to the plot's menu of the right button.
+/// Adds "Save plot…" to the plot's context menu.
 class PlotSaver : public QObject {
   Q_OBJECT
 
  public:
-  /// `paint` draws the plot on white, for print; `title` is the SVG's and proposed as the file's
-  /// name.
+  /// Saves with `paint`, which draws the plot on white for print. `title` is the SVG's title and
+  /// the proposed file name.
   PlotSaver(QWidget* plot, const QString& title, const QSize& size, Paint paint);
 
-  /// While there is something to save.
+  /// Enables the action while there is a plot to save.
   void setEnabled(bool isEnabled) { m_action->setEnabled(isEnabled); }
   void save(const QString& file);
 

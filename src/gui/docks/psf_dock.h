@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The PSF dock: the current state's light leakage, a drawing of it, and what its window cuts off.
+// The PSF dock: the current state's light leakage, its drawing, and the light outside its window.
 #pragma once
 
 #include <QWidget>
@@ -19,7 +19,7 @@ class PsfDock : public QWidget {
  public:
   explicit PsfDock(SessionModel* model, QWidget* parent = nullptr);
 
-  /// The light field that is shown: beyond 2·directions − 1 a wider window changes nothing.
+  /// Sets the current light field. A window wider than 2·directions − 1 has no further effect.
   void setScene(const Scene& scene);
 
  private:

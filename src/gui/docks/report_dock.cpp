@@ -46,14 +46,14 @@ QWidget* makeRow(std::initializer_list<QWidget*> widgets) {
   return row;
 }
 
-/// In the report's heading.
+/// Returns the session's name for the report's heading.
 std::string nameOf(const SessionModel& model) {
   const std::string file = model.file().toStdString();
   if (file.empty()) return "an untitled session";
   return model.isModified() ? file + " with unsaved changes" : file;
 }
 
-/// Named after the session, or after its light field where it has no file yet.
+/// Returns a folder named after the session or, if it has no file yet, after its light field.
 QString folderBeside(const SessionModel& model) {
   const QString lightField = QString::fromStdString(contentName(model.session().lightField));
   const QFileInfo info(QDir::cleanPath(model.file().isEmpty() ? lightField : model.file()));
@@ -86,7 +86,7 @@ ReportDock::ReportDock(QWidget* parent)
   m_rows->setMinimumWidth(210);
   m_rows->setModel(m_sorted);
   m_rows->setSortingEnabled(true);
-  m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as the report has them
+  m_rows->sortByColumn(-1, Qt::AscendingOrder);  // in the report's order
   m_rows->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
   m_rows->horizontalHeader()->setSortIndicatorClearable(true);  // by a third click
@@ -122,7 +122,7 @@ QWidget* ReportDock::makeSettings() {
   m_stale->hide();
   m_progress->setObjectName("reportProgress");
   QSizePolicy kept = m_addOffered->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);  // the buttons below it stay where they are
+  kept.setRetainSizeWhenHidden(true);  // so that the buttons below do not move
   m_addOffered->setSizePolicy(kept);
   auto* addFile = button("addTestButton", tr("&Add…"), tr("An image or a session"));
   auto* addFolder = button("addTestFolderButton", tr("Add &folder…"), tr("A folder of views"));
@@ -191,7 +191,7 @@ void ReportDock::setModel(SessionModel* model) {
   showIdle();
 }
 
-/// Rows of another session are not shown any more, and a report that is under way stops.
+/// Removes rows of another session and stops a running report.
 void ReportDock::forget() {
   if (m_task->isRunning()) stop();
   m_table->begin(0);
@@ -240,7 +240,7 @@ void ReportDock::offerTest(const QString& file) {
   showOffer();
 }
 
-/// Not what is in the list already.
+/// Offers a test unless it is in the list already.
 void ReportDock::showOffer() {
   const bool isNew = m_testList->findItems(m_offered, Qt::MatchExactly).isEmpty();
   m_addOffered->setVisible(!m_offered.isEmpty() && isNew);
@@ -314,7 +314,7 @@ void ReportDock::stop() {
   m_makeButton->setEnabled(false);
 }
 
-/// Changes nothing while a report is made.
+/// Resets the controls, except while a report is generated.
 void ReportDock::showIdle() {
   showOffer();
   if (m_task->isRunning()) return;
@@ -326,9 +326,10 @@ void ReportDock::showIdle() {
 
 void ReportDock::showReport(const Report& report) {
   showIdle();
-  if (m_table->rowCount() == 0) return;  // of another session
+  if (m_table->rowCount() == 0) return;  // rows of another session
   QStringList texts;
-  for (std::size_t k = 0; k + 1 < report.summaries.size(); ++k) {  // the last is of all tests
+  for (std::size_t k = 0; k + 1 < report.summaries.size();
+       ++k) {  // the last summary is of all tests
     const TestSummary& test = report.summaries[k];
     const std::string name = m_tests.size() == 1 ? "" : test.test + "\n";
     texts << QString::fromStdString(name + summaryText(test.summary, test.rows));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock: test light fields, a run in the background, and its rows; the test of the row
-// that is chosen is compared in the view.
+// The report dock: test light fields, a report in the background, and its rows. The test of the
+// chosen row is compared in the view.
 #pragma once
 
 #include <QElapsedTimer>
@@ -30,18 +30,18 @@ class ReportDock : public QWidget {
   explicit ReportDock(QWidget* parent = nullptr);
 
   void setModel(SessionModel* model);
-  /// What is in memory already; none while it is read.
+  /// Sets the light field that is in memory; none while it is read.
   void setReference(const std::optional<Scene>& scene);
   void addTest(const QString& file);
-  /// What is compared in the picture, to be added by one click; "": nothing.
+  /// Offers the test compared in the view, to be added by one click; "": none.
   void offerTest(const QString& file);
   void setFolder(const QString& folder);
 
  Q_SIGNALS:
-  /// Of every state under the test of the chosen row, dB; not a number where there is none (yet).
-  /// Empty while there is none at all.
+  /// Passes the PSNR in dB of every state under the chosen row's test; NaN for states without one
+  /// (yet). Empty if there is none at all.
   void psnrChanged(const std::vector<double>& dB);
-  /// The view is to show this light field beside the session's own.
+  /// Requests a comparison of the session's light field with `file` in the view.
   void comparisonAsked(const QString& file);
   void failed(const QString& line);
 
@@ -72,10 +72,10 @@ class ReportDock : public QWidget {
 
   SessionModel* m_model = nullptr;
   std::optional<Scene> m_reference;
-  ReportRequest m_request;           ///< of the rows that are shown
-  std::vector<std::string> m_tests;  ///< likewise
-  std::size_t m_test = 0;            ///< of the chosen row
-  bool m_follows = false;            ///< chooses the row of a state that was chosen elsewhere
+  ReportRequest m_request;           ///< the request of the current rows
+  std::vector<std::string> m_tests;  ///< the tests of the current rows
+  std::size_t m_test = 0;            ///< the test of the chosen row
+  bool m_follows = false;            ///< the row selection follows the current state
   Task* m_task;
   ReportTable* m_table;
   ReportPlots* m_plots;
@@ -88,7 +88,7 @@ class ReportDock : public QWidget {
   QPushButton* m_pageButton;
   PolledBar* m_progress;
   QLabel* m_note;
-  QLabel* m_stale;  ///< shown while the session is not what the rows are of
+  QLabel* m_stale;  ///< shown while the session differs from that of the rows
   QTableView* m_rows;
   QElapsedTimer m_clock;
 };

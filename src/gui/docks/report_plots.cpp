@@ -45,7 +45,7 @@ void ReportPlotView::select(std::optional<std::size_t> row) {
 void ReportPlotView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::white);
-  if (!m_picture.isNull()) {  // each hogel stays a square
+  if (!m_picture.isNull()) {  // hogels stay square
     QRect place(QPoint(), m_picture.size().scaled(size(), Qt::KeepAspectRatio));
     place.moveCenter(rect().center());
     return painter.drawPixmap(place, m_picture);
@@ -55,7 +55,8 @@ void ReportPlotView::paintEvent(QPaintEvent*) {
 }
 
 void ReportPlotView::mousePressEvent(QMouseEvent* event) {
-  if (!m_picture.isNull() || event->button() != Qt::LeftButton) return;  // the right has a menu
+  if (!m_picture.isNull() || event->button() != Qt::LeftButton)
+    return;  // the right button opens the menu
   if (const auto row = rowAt(m_plot, event->position(), QSizeF(size()))) Q_EMIT clicked(*row);
 }
 
@@ -113,7 +114,7 @@ bool ReportPlots::isOfPanel() const {
   return m_kind->currentIndex() == overHogels || m_kind->currentIndex() == overDirections;
 }
 
-/// Of the chosen row's test, as the report's own file has it.
+/// Returns the report's panel image for the chosen row's test; null before the report is finished.
 QPixmap ReportPlots::panel() const {
   if (!m_isFinished || m_tests.empty()) return {};
   const std::size_t test = m_selected ? ReportOrder{m_tests.size()}.test(*m_selected) : 0;

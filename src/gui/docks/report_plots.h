@@ -17,14 +17,14 @@ namespace hogelscope {
 
 class PlotSaver;
 
-/// One plot; a click on a point or on a row's place chooses the row.
+/// A single plot. A click on a point or a row's position emits the row.
 class ReportPlotView : public QWidget {
   Q_OBJECT
 
  public:
   explicit ReportPlotView(QWidget* parent = nullptr);
   void setPlot(Plot plot);
-  /// Stands in the place of the chart; null: the chart.
+  /// Shows an image in place of the chart; null: the chart.
   void setPicture(const QPixmap& picture);
   void select(std::optional<std::size_t> row);
   [[nodiscard]] const Plot& plot() const { return m_plot; }
@@ -50,12 +50,12 @@ class ReportPlots : public QWidget {
  public:
   explicit ReportPlots(QWidget* parent = nullptr);
 
-  /// What the rows are of; rows come one by one.
+  /// Sets the request and tests of the rows, which are added one by one.
   void begin(const ReportRequest& request, const std::vector<std::string>& tests);
   void set(std::size_t index, const ReportRow& row);
-  /// The files of the whole report are there.
+  /// Enables the panel images once the files of the report are complete.
   void finish();
-  /// That row's test is the one whose panel is shown.
+  /// Selects a row and shows the panel of its test.
   void select(std::optional<std::size_t> row);
 
  Q_SIGNALS:

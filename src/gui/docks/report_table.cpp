@@ -51,7 +51,8 @@ QVariant ReportTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole || (role == sortRole && isText)) return textOf(*row, index.column());
   if (role != sortRole) return {};
   const double number = value(*row, index.column());
-  return std::isnan(number) ? -std::numeric_limits<double>::infinity() : number;  // problems first
+  return std::isnan(number) ? -std::numeric_limits<double>::infinity()
+                            : number;  // problems sort first
 }
 
 QVariant ReportTable::headerData(int section, Qt::Orientation orientation, int role) const {

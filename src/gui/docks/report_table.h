@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report's rows as a table, filled while the report is made. The states' names head the rows.
+// Table model of a report's rows, filled while the report is generated. The row headers are states.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -14,14 +14,14 @@ class ReportTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  /// The first column; the metrics' columns follow.
+  /// The index of the first column; the metrics' columns follow.
   static constexpr int test = 0;
-  /// By which a column is sorted: numbers as numbers.
+  /// The role for sorting a column; numbers sort as numbers.
   static constexpr int sortRole = Qt::UserRole;
 
   explicit ReportTable(QObject* parent);
 
-  /// So many rows, none of which is known yet, of these metrics.
+  /// Resets the table to `rows` empty rows with the columns of `metrics`.
   void begin(std::size_t rows, const MetricSet& metrics = MetricSet());
   void set(std::size_t index, const ReportRow& row);
   [[nodiscard]] const std::optional<ReportRow>& row(std::size_t index) const {

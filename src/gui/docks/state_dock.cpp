@@ -55,7 +55,7 @@ QWidget* StateDock::makeButtons() {
   return buttons;
 }
 
-/// In place: an item may be in its editor's hands.
+/// Updates the items in place, because one of them may be open in its editor.
 void StateDock::fill() {
   {
     const QSignalBlocker quiet(m_list);
@@ -92,7 +92,7 @@ void StateDock::editName() {
   m_list->editItem(m_list->currentItem());
 }
 
-/// What is refused is shown as it was.
+/// Renames a state, or restores the old name if the new one is rejected.
 void StateDock::rename(const QListWidgetItem* item) {
   if (!m_commands->rename(std::size_t(m_list->row(item)), item->text())) fill();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The states dock: the list of camera states, and what the States menu does to them.
+// The states dock: the list of camera states and the commands of the States menu.
 #pragma once
 
 #include <QWidget>
@@ -12,15 +12,15 @@ class SessionModel;
 class StateCommands;
 class StateListWidget;
 
-/// Session documents that are dropped onto it give it their states; its own rows are dragged to
-/// another place.
+/// Imports the states of session documents dropped onto it; its own rows can be dragged to another
+/// place.
 class StateDock : public QWidget {
   Q_OBJECT
 
  public:
   StateDock(SessionModel* model, StateCommands* commands, QWidget* parent = nullptr);
 
-  /// Opens the current state's name for editing.
+  /// Opens the editor of the current state's name.
   void editName();
 
  protected:

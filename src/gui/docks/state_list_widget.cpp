@@ -24,7 +24,8 @@ QSize StateListWidget::sizeHint() const {
   return {QListWidget::sizeHint().width(), rows * row + 2 * frameWidth()};
 }
 
-/// The upper half of a row is above it, the lower one below; under the last row is the end.
+/// Returns the row before which a drop inserts: the upper half of a row is above it, the lower half
+/// below; below the last row is the end.
 int StateListWidget::rowBelow(const QDropEvent& event) const {
   const QPoint at = event.position().toPoint();
   const QModelIndex index = indexAt(at);
@@ -32,7 +33,7 @@ int StateListWidget::rowBelow(const QDropEvent& event) const {
   return at.y() < visualRect(index).center().y() ? index.row() : index.row() + 1;
 }
 
-/// Qt's own would delete the rows afterwards.
+/// Starts a drag without Qt's removal of the rows.
 void StateListWidget::startDrag(Qt::DropActions) {
   auto* drag = new QDrag(this);
   drag->setMimeData(model()->mimeData(selectedIndexes()));
@@ -40,7 +41,7 @@ void StateListWidget::startDrag(Qt::DropActions) {
   drag->exec(Qt::MoveAction);
 }
 
-/// The session moves its states and the list follows.
+/// Emits the move; the session moves its states and the list follows.
 void StateListWidget::dropEvent(QDropEvent* event) {
   std::vector<std::size_t> rows;
   for (const QModelIndex& index : selectionModel()->selectedRows())

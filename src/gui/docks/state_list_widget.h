@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of camera states; dragged rows tell where they are to go and do not move by themselves.
+// The list of camera states. Dragged rows emit their destination and do not move by themselves.
 #pragma once
 
 #include <QListWidget>
@@ -13,11 +13,12 @@ class StateListWidget : public QListWidget {
  public:
   explicit StateListWidget(QWidget* parent = nullptr);
 
-  /// Six rows.
+  /// Returns the size of six rows.
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
-  /// In ascending order; `before` is a row as they are now, or their number for the end.
+  /// Emits the dragged rows in ascending order; `before` is a row index before the move, or the row
+  /// count for the end.
   void rowsDropped(const std::vector<std::size_t>& rows, std::size_t before);
 
  protected:

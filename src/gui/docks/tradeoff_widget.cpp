@@ -45,7 +45,7 @@ void TradeoffChartWidget::paintEvent(QPaintEvent*) {
 }
 
 void TradeoffChartWidget::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton) return;  // the right one has a menu
+  if (event->button() != Qt::LeftButton) return;  // the right button opens the menu
   std::optional<std::size_t> row = m_chart.rowAt(event->position(), QSizeF(size()));
   if (!row) {
     const std::vector<QRectF> names = m_chart.nameBoxes(QSizeF(size()), font());
@@ -129,7 +129,7 @@ void TradeoffWidget::measureOrStop() {
 }
 
 void TradeoffWidget::show(const Tradeoff& tradeoff) {
-  const bool isWanted = m_measureButton->isEnabled();  // nobody said stop just before its end
+  const bool isWanted = m_measureButton->isEnabled();  // no stop was requested just before the end
   showIdle();
   if (!isWanted) return;
   const std::string question = questionText(questionOf(m_views.front().sampling));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The speed-accuracy dock: measures the session on demand, shows the chart; a click on a point
+// The speed-accuracy dock: measures the session on demand and shows the chart. A click on a point
 // chooses its method.
 #pragma once
 
@@ -18,7 +18,7 @@ class PlotSaver;
 class PolledBar;
 class Task;
 
-/// The chart alone.
+/// The chart without controls.
 class TradeoffChartWidget : public QWidget {
   Q_OBJECT
 
@@ -46,14 +46,14 @@ class TradeoffWidget : public QWidget {
  public:
   explicit TradeoffWidget(QWidget* parent = nullptr);
 
-  /// What the next measurement is over. Results of others are not shown any more, and one that is
-  /// under way stops.
+  /// Sets the views of the next measurement. Results of other views are removed, and a running
+  /// measurement stops.
   void setViews(const std::vector<RenderJob>& views);
-  /// No method is chosen any more; says nothing.
+  /// Clears the choice of a method without emitting methodChosen().
   void forgetChoice();
 
  Q_SIGNALS:
-  /// None: back to what the session says.
+  /// Passes the chosen method; none: the session's own.
   void methodChosen(const std::optional<hogelscope::NamedMethod>& method);
   void failed(const QString& line);
 

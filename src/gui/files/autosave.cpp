@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the edited session on disk.
+// Automatic saving of the edited session.
 #include "gui/files/autosave.h"
 
 #include <QFile>
@@ -30,17 +30,17 @@ Autosave::Autosave(SessionModel* model, QObject* parent)
   connect(model, &SessionModel::saved, this, &Autosave::forget);
   connect(model, &SessionModel::opened, this, [this] {
     forget();
-    if (m_model->isModified()) write();  // recovered
+    if (m_model->isModified()) write();  // a recovered session
   });
 }
 
-/// Not put off by the edits that follow: a slider may move for minutes.
+/// Starts the timer. Later edits do not delay it, because a slider may move for minutes.
 void Autosave::writeSoon() {
   if (!m_timer.isActive()) m_timer.start();
 }
 
-/// What cannot be written now, because the disk is full or two values do not go together yet, is
-/// tried again; the one before stays meanwhile.
+/// Writes the session. If it cannot be written, because the disk is full or two values are not
+/// consistent yet, it is tried again later and the previous copy stays.
 void Autosave::write() {
   if (!m_model->isModified()) return forget();
   QString failure;
@@ -56,7 +56,7 @@ void Autosave::write() {
   m_failure = failure;
 }
 
-/// Returns what has gone wrong, or nothing.
+/// Returns an error message, or "" on success.
 QString Autosave::writeEntry() {
   try {
     makeFolder(autosaveFolder().toStdString());
@@ -82,7 +82,7 @@ void Autosave::offerRecovery(QWidget* window) {
   }
 }
 
-/// The one on disk goes only when this program has written its own.
+/// Recovers a session. Its entry is removed only after this program has written its own.
 bool Autosave::recover(AutosaveEntry& entry) {
   try {
     m_model->recover(entry.sessionFile(), entry.document());

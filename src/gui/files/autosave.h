@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the edited session on disk, a few seconds behind the edits, and gives it back after a
+// Automatic saving of the edited session, a few seconds after edits, and its recovery after a
 // crash.
 #pragma once
 
@@ -19,10 +19,10 @@ class Autosave : public QObject {
  public:
   Autosave(SessionModel* model, QObject* parent);
 
-  /// Asks about every session that a crash left behind, until one is recovered. One that cannot
-  /// be read is told by failed() and kept.
+  /// Asks about each session left by a crash until one is recovered. Unreadable ones are reported
+  /// through failed() and kept.
   void offerRecovery(QWidget* window);
-  /// Saved, or not wanted: nothing is left. Without this call the last state stays on disk.
+  /// Removes the copy after the session was saved or discarded. Without this call it stays on disk.
   void forget();
 
  Q_SIGNALS:
@@ -37,7 +37,7 @@ class Autosave : public QObject {
   SessionModel* m_model;
   AutosaveEntry m_entry;
   QTimer m_timer;
-  QString m_failure;  ///< the last one, said once
+  QString m_failure;  ///< the last error, reported once
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An edited session on disk.
+// A saved copy of an edited session.
 #include "gui/files/autosave_entry.h"
 
 #include <QDir>
@@ -12,7 +12,7 @@
 namespace hogelscope {
 
 AutosaveEntry::AutosaveEntry(const QString& base) : m_base(base), m_lock(base + ".lock") {
-  m_lock.setStaleLockTime(0);  // it is the owner's death that counts, not the lock's age
+  m_lock.setStaleLockTime(0);  // only the owner's death counts, not the lock's age
 }
 
 void AutosaveEntry::write(const Session& session, const QString& document) {
@@ -45,7 +45,7 @@ std::vector<std::unique_ptr<AutosaveEntry>> abandonedEntries() {
   const QDir folder(autosaveFolder());
   for (const QFileInfo& file : folder.entryInfoList({"*.json"}, QDir::Files, QDir::Time)) {
     auto entry = std::make_unique<AutosaveEntry>(folder.filePath(file.completeBaseName()));
-    // Its owner may have removed it since the folder was read.
+    // Its owner may have removed the file since the folder was read.
     if (entry->lock() && QFileInfo::exists(entry->sessionFile()))
       entries.push_back(std::move(entry));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An edited session on disk, in case the program ends before it is saved; locked by the program
-// that edits it, so that one without a living owner is what a crash left behind.
+// A copy of an edited session on disk, in case the program ends before it is saved. It is locked by
+// the program that edits it; an entry without a living owner was left by a crash.
 #pragma once
 
 #include <QDateTime>
@@ -15,17 +15,17 @@ namespace hogelscope {
 
 class AutosaveEntry {
  public:
-  /// `base` is a path without extension; nothing is made yet.
+  /// Takes `base`, a path without extension; creates no file yet.
   explicit AutosaveEntry(const QString& base);
 
-  /// False where another program, or another entry, owns it.
+  /// Locks the entry. Returns false if another program or entry owns it.
   bool lock() { return m_lock.isLocked() || m_lock.tryLock(0); }
-  /// `document` is the file that the session is of; may be empty. Throws InputError.
+  /// Writes the session. `document` is the session's file and may be empty. Throws InputError.
   void write(const Session& session, const QString& document);
-  /// Also gives the lock back.
+  /// Deletes the files and releases the lock.
   void remove();
 
-  /// A session document like any other.
+  /// Returns the path of an ordinary session document.
   [[nodiscard]] QString sessionFile() const { return m_base + ".json"; }
   [[nodiscard]] QString document() const;
   [[nodiscard]] QDateTime time() const;
@@ -37,10 +37,10 @@ class AutosaveEntry {
   QLockFile m_lock;
 };
 
-/// In AppDataLocation.
+/// Returns the folder of the copies, in AppDataLocation.
 QString autosaveFolder();
 
-/// What programs left behind that run no more, locked; the newest first.
+/// Returns the entries of programs that no longer run, locked, newest first.
 std::vector<std::unique_ptr<AutosaveEntry>> abandonedEntries();
 
 }  // namespace hogelscope

@@ -95,8 +95,8 @@ bool FileCommands::open(const QString& file) {
   });
 }
 
-/// On another thread: it has to be read to know which display fits it, how many hogels it has, or
-/// in which order its views are. What is sure is not asked, unless that is wanted.
+/// Opens a file after it has been analysed on another thread, which finds the display that fits it,
+/// its hogels or the order of its views. Certain results are not asked about unless `isAsked`.
 void FileCommands::openLater(const QString& file, bool isAsked) {
   delete m_dialog;
   m_task->start([this, file, isAsked](const Progress& progress) {
@@ -115,7 +115,7 @@ void FileCommands::offer(const QString& file, const Opening& opening, bool isAsk
     Q_EMIT failed(file + ": " + QString::fromStdString(warning));
 }
 
-/// The window stays as it is until the dialog is accepted.
+/// Opens the dialog. The window stays unchanged until the dialog is accepted.
 void FileCommands::ask(const QString& file, const Opening& opening) {
   m_dialog = new OpeningDialog(file, opening, m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -137,8 +137,8 @@ void FileCommands::take(const QString& file, const Opening& opening) {
             .arg(file, nameOf(used.rows), nameOf(used.columns), nameOf(around.order.sureness)));
 }
 
-/// Later, an error if the pictures say that the session's views are in another order, if some are
-/// missing, or if its lenslets are not where a regular grid has them.
+/// Checks the session's views in the background. Reports an error if the images indicate another
+/// order, if views are missing, or if lenslets are not on a regular grid.
 void FileCommands::checkOrder(const QString& file) {
   const Session& session = m_model->session();
   const bool isLenslets = session.lightField.layout == Layout::lenslets;
@@ -155,7 +155,7 @@ void FileCommands::checkOrder(const QString& file) {
         lines.push_back(contradictionOf(lightField, order));
       }
       std::erase(lines, "");
-    } catch (const InputError&) {  // the view says it
+    } catch (const InputError&) {  // reported by the view
     }
     return [this, file, lines] {
       for (const std::string& line : lines)
@@ -182,13 +182,14 @@ bool FileCommands::importCalibration(const QString& file) {
 }
 
 void FileCommands::openFiles(const QStringList& files) {
-  QStringList sorted = files;  // the session comes first
+  QStringList sorted = files;  // with the session first
   std::stable_partition(sorted.begin(), sorted.end(),
                         [](const QString& file) { return isSessionFile(file.toStdString()); });
   for (qsizetype k = 0; k < sorted.size(); ++k) openAny(sorted[k], k == 0);
 }
 
-/// Only the first can be the session to open: a second one is a light field to compare with.
+/// Opens one of several files. Only the first may be the session; a second one is a light field to
+/// compare with.
 void FileCommands::openAny(const QString& file, bool isFirst) {
   const QString suffix = QFileInfo(file).suffix().toLower();
   const bool isCalibration = suffix == "yml" || suffix == "yaml";
@@ -207,8 +208,7 @@ void FileCommands::openAny(const QString& file, bool isFirst) {
   }
 }
 
-/// A light field that the session's display cannot show is no version of the session's own: it
-/// opens instead.
+/// Compares a light field with the session's, or opens it if the session's display cannot show it.
 void FileCommands::compareOrOpen(const QString& file) {
   m_compared->start(
       [this, file, session = m_model->session()](const Progress& progress) -> Task::Answer {
@@ -220,7 +220,7 @@ void FileCommands::compareOrOpen(const QString& file) {
       });
 }
 
-/// Into the state of a new session, where one sees what such a lens does.
+/// Imports a calibration into a new session, which shows the effect of the lens.
 void FileCommands::openCalibration(const QString& file) {
   guarded([&] {
     Session session = newSession();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The File menu: opening, saving and importing, by dialogs, recent files, drops and the command
+// The File menu: opens, saves and imports through dialogs, recent files, drops and the command
 // line; asks before edits are lost, and keeps them through a crash.
 #pragma once
 
@@ -28,21 +28,22 @@ class FileCommands : public QObject {
  public:
   FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
 
-  /// These do not ask, and report errors through failed(). True if it is done. A session document
-  /// opens, or a light field (an image, a folder or a mesh), which a new session is made around. It
-  /// does so later, when that has been looked at; what is in doubt then is asked.
+  /// These functions ask nothing, report errors through failed(), and return true on success. A
+  /// session document opens at once. A light field (an image, a folder or a mesh) opens later in a
+  /// new session, after it has been analysed; uncertain results are then asked about.
   bool open(const QString& file);
   bool save(const QString& file);
-  /// Into the current state.
+  /// Imports a calibration into the current state.
   bool importCalibration(const QString& file);
 
-  /// Of the command line or dropped: a session opens, a calibration (*.yml, *.yaml) goes to the
-  /// current state, and the open session is compared with a light field. A mesh, and a light field
-  /// that cannot be compared, opens as a new session; a calibration without a session has one made.
+  /// Opens files of the command line or a drop: a session opens, a calibration (*.yml, *.yaml) goes
+  /// to the current state, and the open session is compared with a light field. A mesh, and a light
+  /// field that cannot be compared, opens in a new session; a calibration without a session creates
+  /// one.
   void openFiles(const QStringList& files);
-  /// True if there are no edits, or they are saved or not wanted any more.
+  /// Returns true if there are no edits, or they have been saved or discarded.
   bool mayLeave();
-  /// The window closes: no edits are left to recover.
+  /// Removes the recovery copy when the window closes.
   void end();
   void offerRecovery();
 
@@ -72,8 +73,8 @@ class FileCommands : public QObject {
   SessionModel* m_model;
   QWidget* m_window;
   RecentFiles* m_recent;
-  Task* m_task;      ///< looks at a light field that is opened
-  Task* m_compared;  ///< looks whether one can be compared
+  Task* m_task;      ///< analyses a light field that is being opened
+  Task* m_compared;  ///< checks whether a light field can be compared
   QPointer<OpeningDialog> m_dialog;
   Autosave* m_autosave;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files and folders that are dropped onto the window.
+// Dropping of files and folders onto the window.
 #include "gui/files/file_drop.h"
 
 #include <QDropEvent>

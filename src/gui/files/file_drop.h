@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files and folders that are dropped onto the window.
+// Dropping of files and folders onto the window.
 #pragma once
 
 #include <QObject>
@@ -16,7 +16,7 @@ class FileDrop : public QObject {
   explicit FileDrop(QWidget* window);
 
  Q_SIGNALS:
-  /// During the drop: to be connected as queued, or a question would hold the other program.
+  /// Emitted during the drop. Connect it as queued, or a dialog would block the other program.
   void dropped(const QStringList& files);
 
  private:

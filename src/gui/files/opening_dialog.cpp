@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is assumed of a light field that is opened without a session.
+// Dialog of the assumptions about a light field that is opened without a session.
 #include "gui/files/opening_dialog.h"
 
 #include <QComboBox>
@@ -77,12 +77,12 @@ OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, QWidge
   look(true);
 }
 
-/// Stops the task before the widgets go that it would answer to.
+/// Stops the task before its widgets are deleted.
 OpeningDialog::~OpeningDialog() {
   m_task->abandon();
 }
 
-/// The fields of light field and display that make a picture another light field.
+/// Adds the fields of light field and display that change how the file is interpreted.
 void OpeningDialog::addForms() {
   m_shown = shownOf(m_opening);
   m_lightField = new ParameterForm([this](ParameterVisitor& visitor) {
@@ -112,8 +112,8 @@ void OpeningDialog::edit(const Session& edited) {
   look(false);
 }
 
-/// The newest edit wins: what is under way stops, and the window does not wait for it. What is
-/// known need not be looked at again.
+/// Analyses the file and shows a preview. The newest edit wins: a running analysis stops without
+/// blocking the window. If `isKnown`, the analysis is not repeated.
 void OpeningDialog::look(bool isKnown) {
   if (!isKnown) m_ui->buttons->button(QDialogButtonBox::Open)->setEnabled(false);
   m_ui->previewView->setNotice(tr("Looking at it …"));
@@ -153,7 +153,7 @@ void OpeningDialog::takeNext() {
   if (std::exchange(m_isStale, false)) start(false);
 }
 
-/// Fields that do not go together yet stay as they were typed.
+/// Shows the analysis. Fields that are not consistent yet stay as typed.
 void OpeningDialog::showOpening(const Opening& opening) {
   m_opening = opening;
   if (opening.problem.empty()) m_shown = shownOf(opening);
@@ -174,8 +174,8 @@ void OpeningDialog::showProblem(const QString& problem) {
   m_ui->buttons->button(QDialogButtonBox::Open)->setEnabled(problem.isEmpty());
 }
 
-/// Hogels and directions are the picture's own unless it is of hogels; how many directions one
-/// running number has is said of views.
+/// Shows the fields that apply: hogel counts for images of hogels only, directions for these and
+/// for views.
 void OpeningDialog::showFields() {
   const Layout layout = m_shown.lightField.layout;
   m_display->hideField("hogels", layout != Layout::hogels);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows what is assumed of a light field that is opened without a session, and how its views look
-// then; each assumption can be corrected.
+// Dialog of the assumptions about a light field that is opened without a session, with a preview of
+// its views. Each assumption can be corrected.
 #pragma once
 
 #include <QDialog>
@@ -21,11 +21,11 @@ class OpeningDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// What has been found out already.
+  /// Takes the result of the first analysis.
   OpeningDialog(const QString& file, const Opening& opening, QWidget* window);
   ~OpeningDialog() override;
 
-  /// What is assumed now, once the dialog is accepted.
+  /// Returns the corrected assumptions after the dialog is accepted.
   [[nodiscard]] const Opening& opening() const { return m_opening; }
 
  private:
@@ -43,8 +43,8 @@ class OpeningDialog : public QDialog {
   QString m_file;
   SaidFields m_said;
   Opening m_opening;
-  Session m_shown;         ///< in the fields
-  bool m_isStale = false;  ///< an edit waits for the task to stop
+  Session m_shown;         ///< the values in the fields
+  bool m_isStale = false;  ///< an edit waits for the running task to stop
   ParameterForm* m_lightField;
   ParameterForm* m_display;
   Task* m_task;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The submenu of sessions that were opened or saved last.
+// The submenu of recent sessions.
 #include "gui/files/recent_files.h"
 
 #include <QFileInfo>

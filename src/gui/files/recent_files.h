@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The submenu of sessions that were opened or saved last; kept in the settings.
+// The submenu of recently opened or saved sessions; saved in the settings.
 #pragma once
 
 #include <QObject>
@@ -12,12 +12,12 @@ class RecentFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// Fills `menu` whenever it is about to be shown; files that are missing are grey.
+  /// Fills `menu` whenever it is about to be shown; missing files are disabled.
   RecentFiles(QMenu* menu, QObject* parent);
 
-  /// The latest first.
+  /// Returns the files, latest first.
   static QStringList files();
-  /// To the head of the list, which holds ten.
+  /// Puts a file at the head of the list, which holds ten.
   void add(const QString& file);
 
  Q_SIGNALS:

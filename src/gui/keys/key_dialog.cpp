@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window of all keys.
+// The dialog of all keys.
 #include "gui/keys/key_dialog.h"
 
 #include <QHBoxLayout>
@@ -24,7 +24,7 @@ QString nameOf(const KeyMap::Command& command) {
   return command.section.isEmpty() ? command.title : command.section + ": " + command.title;
 }
 
-/// Return is for the table, not for a button.
+/// Creates a button that Return does not press, because Return belongs to the table.
 QPushButton* dialogButton(const char* name, const QString& text, const QString& help) {
   auto* made = new QPushButton(text);
   made->setObjectName(name);
@@ -112,7 +112,7 @@ void KeyDialog::layOut() {
   layout->addWidget(m_note);
 }
 
-/// Once, so that nothing jumps when rows are hidden or keys change.
+/// Sets the column widths once, so that they do not change with rows or keys.
 void KeyDialog::setWidths() {
   m_table->resizeColumnToContents(commandColumn);
   const int keyWidth = fontMetrics().horizontalAdvance("Ctrl+Alt+Shift+PgDown ");
@@ -121,7 +121,7 @@ void KeyDialog::setWidths() {
   m_table->horizontalHeader()->setSectionResizeMode(helpColumn, QHeaderView::Stretch);
 }
 
-/// Rows that have all words, in any column.
+/// Shows the rows that contain all words, in any column.
 void KeyDialog::search(const QString& words) {
   const QStringList wanted = words.split(' ', Qt::SkipEmptyParts);
   for (int row = 0; row < m_table->rowCount(); ++row) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window of all keys: searches commands, gives them other keys, shows conflicts.
+// The dialog of all keys: searches commands, assigns other keys, shows conflicts.
 #pragma once
 
 #include <QDialog>
@@ -15,7 +15,7 @@ namespace hogelscope {
 
 class KeyField;
 
-/// Changes take effect, and are saved, at once.
+/// Applies and saves changes at once.
 class KeyDialog : public QDialog {
   Q_OBJECT
 

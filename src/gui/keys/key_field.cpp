@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A field that takes the key that is pressed in it.
+// A field that records the key pressed in it.
 #include "gui/keys/key_field.h"
 
 #include <QKeyEvent>
@@ -15,13 +15,13 @@ bool isTaken(const QKeyEvent& event) {
   return std::ranges::find(kept, event.key()) == kept.end();
 }
 
-/// Shift and Ctrl alone are no keys yet.
+/// Whether the key is a modifier, such as Shift or Ctrl alone.
 bool isModifier(int key) {
   return (key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock) || key == Qt::Key_AltGr ||
          key == Qt::Key_Super_L || key == Qt::Key_Super_R || key == Qt::Key_unknown || key == 0;
 }
 
-/// Shift that is needed to type a sign, such as +, is part of the sign.
+/// Returns the modifiers. Shift that is needed to type a sign, such as +, is part of the sign.
 Qt::KeyboardModifiers modifiersOf(const QKeyEvent& event) {
   Qt::KeyboardModifiers modifiers = event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier |
                                                          Qt::AltModifier | Qt::MetaModifier);

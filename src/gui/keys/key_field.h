@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A field that takes the key that is pressed in it.
+// A field that records the key pressed in it.
 #pragma once
 
 #include <QKeySequence>
@@ -7,8 +7,8 @@
 
 namespace hogelscope {
 
-/// Qt's own waits a second for a second key, and Tab cannot leave it. Here Tab, Escape and Return
-/// keep their meaning; Backspace and Delete take the key away.
+/// Replaces QKeySequenceEdit, which waits a second for a second key and traps Tab. Here Tab, Escape
+/// and Return keep their meaning; Backspace and Delete remove the key.
 class KeyField : public QLineEdit {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class KeyField : public QLineEdit {
   explicit KeyField(QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// Empty: none any more.
+  /// Passes the new key; empty: removed.
   void keyPressed(const QKeySequence& key);
 
  protected:

@@ -21,7 +21,7 @@ std::string fileName() {
   return (folder + "/keys.json").toStdString();
 }
 
-/// A menu's text without mnemonic and dots.
+/// Returns a menu's text without mnemonic and dots.
 QString withoutMnemonic(QString text) {
   return text.remove('&').remove(QStringLiteral("…"));
 }
@@ -33,7 +33,7 @@ Widget* holderOf(const QAction* action) {
   return nullptr;
 }
 
-/// "Camera, Large steps"; an action in no menu is its widget's own.
+/// Returns the menu's path, such as "Camera, Large steps", or the name of the action's widget.
 QString sectionOf(const QAction* action) {
   if (const auto* menu = holderOf<QMenu>(action)) {
     const QString above = sectionOf(menu->menuAction());
@@ -45,7 +45,7 @@ QString sectionOf(const QAction* action) {
   return KeyMap::tr("%1 that has the focus").arg(widget->accessibleName());
 }
 
-/// The widgets whose focus a command needs; none for those that work anywhere in the window.
+/// Returns the widgets whose focus a command needs; empty if it works anywhere in the window.
 QSet<QWidget*> focusWidgetsOf(const QList<QPointer<QAction>>& actions) {
   QSet<QWidget*> widgets;
   for (const QPointer<QAction>& action : actions) {
@@ -104,7 +104,8 @@ void KeyMap::addAction(QAction* action) {
                         action->shortcuts()});
 }
 
-/// Never both at once: each needs the focus of a widget that the other has not.
+/// Whether the commands never compete: each needs the focus of a widget that the other does not
+/// use.
 bool KeyMap::areApart(const Command& a, const Command& b) {
   const QSet<QWidget*> of = focusWidgetsOf(a.actions);
   const QSet<QWidget*> others = focusWidgetsOf(b.actions);
@@ -144,7 +145,7 @@ void KeyMap::resetAll() {
   finish();
 }
 
-/// Tells and saves.
+/// Emits changed() and saves the keys.
 void KeyMap::finish() {
   Q_EMIT changed();
   KeyTexts texts;
@@ -166,7 +167,7 @@ void KeyMap::load() {
     for (const auto& [name, text] : loadKeyTexts(fileName())) {
       const QString wanted = QString::fromStdString(name);
       const auto command = std::ranges::find(m_commands, wanted, &Command::name);
-      if (command == m_commands.end()) continue;  // of another version
+      if (command == m_commands.end()) continue;  // from another version
       const auto key =
           QKeySequence::fromString(QString::fromStdString(text), QKeySequence::PortableText);
       if (isKey(key, text))

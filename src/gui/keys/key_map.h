@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All commands of a window and their keys: what they are by default, what a user made of them.
+// All commands of a window with their default and user-defined keys.
 #pragma once
 
 #include <QAction>
@@ -10,15 +10,15 @@
 
 namespace hogelscope {
 
-/// A command is what has an object name among the window's actions; several actions of one name,
-/// such as those of several images, are one command. Keys that differ from the defaults are saved
-/// at once, and read when the map is made by load().
+/// The keys of a window's actions. A command is an object name among the actions; several actions
+/// of one name, such as those of several images, are one command. Keys that differ from the
+/// defaults are saved at once and read by load().
 class KeyMap : public QObject {
   Q_OBJECT
 
  public:
   struct Command {
-    QString name;     ///< in the file
+    QString name;     ///< as in the file
     QString section;  ///< menu
     QString title;
     QString help;
@@ -27,17 +27,17 @@ class KeyMap : public QObject {
     QList<QKeySequence> keys;
   };
 
-  /// Make it when the window has all its actions.
+  /// Collects the window's actions, which must all exist by then.
   explicit KeyMap(QMainWindow* window);
 
   [[nodiscard]] const std::vector<Command>& commands() const { return m_commands; }
-  /// Those that share a key with it: none of them works by that key.
+  /// Returns the commands that share a key with `command`; none of them is triggered by that key.
   [[nodiscard]] std::vector<std::size_t> conflictsOf(std::size_t command) const;
-  /// An empty one takes the key away.
+  /// Assigns a key; an empty one removes the key.
   void setKey(std::size_t command, const QKeySequence& key);
   void reset(std::size_t command);
   void resetAll();
-  /// Where there is no file the defaults stay; what is wrong with it is told by failed().
+  /// Reads the saved keys. Without a file the defaults stay; errors are reported through failed().
   void load();
 
  Q_SIGNALS:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps single-key shortcuts out of fields, and lets undo through where a field has nothing to
-// undo.
+// Keeps single-key shortcuts out of fields, and lets undo through if a field has nothing to undo.
 #include "gui/keys/typing_guard.h"
 
 #include <QAbstractSpinBox>
@@ -18,7 +17,7 @@ bool isText(const QKeyEvent& key) {
   return others == Qt::NoModifier && key.key() < Qt::Key_Escape;
 }
 
-/// The field itself, or the one in a spin box.
+/// Returns the line edit itself, or the one in a spin box.
 const QLineEdit* lineOf(const QObject* watched) {
   const auto* line = qobject_cast<const QLineEdit*>(watched);
   if (line == nullptr && qobject_cast<const QAbstractSpinBox*>(watched) != nullptr)
@@ -26,7 +25,7 @@ const QLineEdit* lineOf(const QObject* watched) {
   return line;
 }
 
-/// Undo or redo of typing, where there is none.
+/// Whether the key is undo or redo, and the field has nothing to undo or redo.
 bool isIdle(const QLineEdit& line, const QKeyEvent& key) {
   return (key.matches(QKeySequence::Undo) && !line.isUndoAvailable()) ||
          (key.matches(QKeySequence::Redo) && !line.isRedoAvailable());
@@ -46,7 +45,7 @@ bool TypingGuard::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   const QLineEdit* line = lineOf(watched);
-  return line != nullptr && isIdle(*line, key);  // unaccepted: the shortcut goes on
+  return line != nullptr && isIdle(*line, key);  // not accepted, so the shortcut is triggered
 }
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wheel over fields.
+// The wheel over input fields.
 #include "gui/keys/wheel_guard.h"
 
 #include <QAbstractSpinBox>

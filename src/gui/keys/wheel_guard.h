@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the wheel, which scrolls a dock, from changing the field that happens to be under it.
+// Keeps the wheel, which scrolls a dock, from changing the field under the pointer.
 #pragma once
 
 #include <QObject>
 
 namespace hogelscope {
 
-/// Spin boxes, sliders and boxes of choices take the wheel only while they have the focus, which
-/// the wheel does not give them; else it goes on to what is around them. Watches the whole
-/// application.
+/// Filters the wheel events of the whole application. Spin boxes, sliders and combo boxes use the
+/// wheel only while they have the focus, which the wheel does not give them; otherwise it scrolls
+/// their surroundings.
 class WheelGuard : public QObject {
   Q_OBJECT
 

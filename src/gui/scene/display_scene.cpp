@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene: its parts, its own camera, what lies under the pointer.
+// The 3-D scene: its parts, its own camera, and picking.
 #include "gui/scene/display_scene.h"
 
 #include <vtkAxesActor.h>
@@ -32,7 +32,7 @@ Vec3 vec3(const double* p) {
   return {p[0], p[1], p[2]};
 }
 
-/// What a parallel projection that has all points looks at, and half its height.
+/// Returns target and half height of a parallel projection that contains all points.
 std::pair<Vec3, double> fittedParallel(const std::vector<Vec3>& points, const RigidTransform& frame,
                                        double aspect) {
   vtkBoundingBox box;
@@ -66,7 +66,7 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
   m_eyeTimer->setSingleShot(true);
   connect(m_eyeTimer, &QTimer::timeout, this, &DisplayScene::adjustToEye);
   connect(&m_widget, &VtkWidget::resized, this, &DisplayScene::adjustToWindow);
-  // A turn of the camera modifies it several times.
+  // Restarts the timer, because a turn modifies the camera several times.
   m_renderer->GetActiveCamera()->AddObserver(vtkCommand::ModifiedEvent, m_eyeTimer,
                                              static_cast<void (QTimer::*)()>(&QTimer::start));
 }
@@ -82,7 +82,7 @@ void DisplayScene::redraw() {
   if (std::exchange(m_drawnAt, last) != last) m_widget.redraw();
 }
 
-/// VTK's time of the last change of the eye or of anything in the scene.
+/// Returns VTK's time of the last change of the eye or of anything in the scene.
 vtkMTimeType DisplayScene::changedAt() const {
   vtkMTimeType at = m_renderer->GetActiveCamera()->GetMTime();
   vtkPropCollection* props = m_renderer->GetViewProps();
@@ -119,14 +119,14 @@ double DisplayScene::pixelOnPanel() const {
 }
 
 void DisplayScene::adjustToEye() {
-  constexpr double leastPixels = 8;  // between two lines of the grid
+  constexpr double leastPixels = 8;  // between two grid lines
   m_panel.setGridSpacing(leastPixels * pixelOnPanel());
   m_handles.setSceneEye(eye().eye);
   redraw();
   Q_EMIT eyeChanged();
 }
 
-/// What filled the window before goes on filling it, until somebody moves the eye.
+/// Fits the scene into the resized window if the eye has not been moved since the last fit.
 void DisplayScene::adjustToWindow() {
   if (m_fitted == eye()) fitDistance();
   m_eyeTimer->start();
@@ -139,7 +139,7 @@ void DisplayScene::look(const Vec3& target, const Vec3& from, const Vec3& up) {
   camera->SetViewUp(up.x, up.y, up.z);
 }
 
-/// Panel, frusta and mesh; the world's axes, balls and labels are not worth the room.
+/// Returns the corners of panel, frusta and mesh. Axes, handles and labels are not fitted.
 std::vector<Vec3> DisplayScene::corners() const {
   std::vector<Vec3> points = m_frusta.points();
   const auto addBox = [&](const double* bounds) {
@@ -158,10 +158,10 @@ std::vector<Vec3> DisplayScene::corners() const {
   return points;
 }
 
-/// Goes back or forth, and across, until all of it fills the window.
+/// Moves the eye forwards, backwards and sideways until everything fits the window.
 void DisplayScene::fitDistance() {
-  constexpr double fov = 30;      // degrees, down
-  constexpr double share = 0.94;  // of the window, so that nothing touches its edges
+  constexpr double fov = 30;      // degrees, vertical
+  constexpr double share = 0.94;  // of the window, as a margin
   const QSize window = m_widget.deviceSize();
   const double tangent = share * std::tan(radians(fov) / 2);
   const double aspect = double(std::max(1, window.width())) / std::max(1, window.height());
@@ -208,7 +208,7 @@ void DisplayScene::lookFrom(SceneSide side) {
   fitDistance();
 }
 
-/// The panel keeps its size on the screen.
+/// Switches the projection; the panel keeps its size on the screen.
 void DisplayScene::setParallel(bool isParallel) {
   vtkCamera* camera = m_renderer->GetActiveCamera();
   const double half = std::tan(radians(camera->GetViewAngle()) / 2);

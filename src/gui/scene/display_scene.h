@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene: the panel, the frusta of all states, what is picked; its own camera, the scene's
-// eye; what lies under the pointer.
+// The 3-D scene: the panel, the frusta of all states and the picked objects; its own camera, the
+// scene's eye; picking under the pointer.
 #pragma once
 
 #include <vtkNew.h>
@@ -26,7 +26,7 @@ namespace hogelscope {
 
 class VtkWidget;
 
-/// Along the panel's axes.
+/// The viewing direction along the panel's axes.
 enum class SceneSide { front, back, top, bottom, right, left };
 
 class DisplayScene : public QObject {
@@ -36,7 +36,8 @@ class DisplayScene : public QObject {
   DisplayScene(VtkWidget& widget, QObject* parent);
   ~DisplayScene() override;
 
-  /// `display` has its hogels resolved. States without a camera frame are left out.
+  /// Shows display and states. `display` has resolved hogel counts. States without a camera frame
+  /// are skipped.
   void show(const DisplayParams& display, const std::vector<CameraState>& states,
             std::size_t current);
   [[nodiscard]] FrustumActors& frusta() { return m_frusta; }
@@ -46,39 +47,39 @@ class DisplayScene : public QObject {
   [[nodiscard]] PickActors& picked() { return m_picked; }
   [[nodiscard]] SceneHandles& handles() { return m_handles; }
   [[nodiscard]] vtkRenderer* renderer() const { return m_renderer; }
-  /// After a change of its parts; draws nothing where there was none.
+  /// Redraws the scene if any of its parts has changed.
   void redraw();
 
-  /// Looks at all of it from the front, a little from the right and above.
+  /// Views everything from the front, slightly from the right and above.
   void reset();
-  /// Goes where all of it fills the window, in the direction that the eye has; where it is there
-  /// already, reset().
+  /// Moves the eye along its direction until everything fits the window. If it is there already,
+  /// calls reset().
   void fit();
   void lookFrom(SceneSide side);
-  /// Lengths across the view are the same at any distance.
+  /// Switches between parallel and perspective projection.
   void setParallel(bool isParallel);
-  /// The eye goes round what the scene looks at, to the right and upwards; degrees.
+  /// Rotates the eye around the scene's focal point, to the right and upwards, in degrees.
   void turn(double right, double up);
-  /// So many times nearer.
+  /// Divides the eye's distance, or the height of a parallel projection, by `factor`.
   void approach(double factor);
-  /// With the state's pose and vertical field of view. A state without a frame changes nothing.
+  /// Takes the state's pose and vertical field of view. A state without a camera frame is ignored.
   void lookThrough(const CameraState& state);
-  /// The scene's eye; eye, lookat, up and fov only. Metres, degrees.
+  /// Returns the scene's eye: only eye, lookat, up and fov are set. Metres, degrees.
   [[nodiscard]] CameraParams eye() const;
-  /// The point that the panel is seen from: the eye or, in a parallel projection, one so far away
-  /// that its rays are parallel to a ten thousandth.
+  /// Returns the point from which the panel is seen: the eye or, in a parallel projection, a point
+  /// so distant that its rays are parallel to within 1e-4.
   [[nodiscard]] Vec3 viewpoint() const;
 
-  /// How large a pixel of the screen is on the panel, where that is nearest, in metres.
+  /// Returns the size in metres of a screen pixel on the panel, at the panel's nearest point.
   [[nodiscard]] double pixelOnPanel() const;
 
-  /// Pixels from the lower left. States in ascending order.
+  /// Returns the states at a pixel, in ascending order. Pixels count from the lower left.
   [[nodiscard]] std::vector<int> statesAt(int x, int y) const;
-  /// The hogel under a pixel; in real-valued indices, whether it sends light here or not.
+  /// Returns the hogel under a pixel, in real-valued indices, whether it emits light here or not.
   [[nodiscard]] std::optional<Hit> hogelAt(int x, int y) const;
 
  Q_SIGNALS:
-  /// The scene's eye or its window is another one; once for many changes.
+  /// The scene's eye or the window has changed; emitted once for many changes.
   void eyeChanged();
 
  private:
@@ -102,7 +103,7 @@ class DisplayScene : public QObject {
   QTimer* m_eyeTimer;
   std::optional<CameraParams> m_fitted;  ///< the eye that fit() or lookFrom() chose last
   DisplayParams m_display;
-  vtkMTimeType m_drawnAt = 0;  ///< changedAt() of what was last asked to be drawn
+  vtkMTimeType m_drawnAt = 0;  ///< changedAt() of the last requested drawing
 };
 
 }  // namespace hogelscope

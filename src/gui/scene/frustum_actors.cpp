@@ -29,8 +29,8 @@ constexpr Colour currentColour{255, 166, 38};
 constexpr Colour otherColour{140, 191, 153};
 constexpr Colour outsideColour{200, 120, 120};
 constexpr Colour previewColour{190, 140, 230};
-constexpr double fullLength = 0.25;   // of the way to lookat
-constexpr double shortLength = 0.05;  // where so many at full length would hide each other
+constexpr double fullLength = 0.25;   // of the distance to lookat
+constexpr double shortLength = 0.05;  // for many states, which would hide each other at full length
 constexpr std::size_t manyStates = 30;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frusta of all states in the 3-D scene: the current one marked, those outside the viewing zone
-// dashed, coloured by PSNR where there is one, with their images where wanted.
+// dashed, optionally coloured by PSNR and filled with their images.
 #pragma once
 
 #include <vtkNew.h>
@@ -28,21 +28,21 @@ class FrustumActors {
 
   void show(const DisplayParams& display, const std::vector<CameraState>& states,
             std::size_t current);
-  /// Of states that are not in the session yet.
+  /// Shows the frusta of states that are not in the session yet.
   void showPreview(const std::vector<CameraState>& states);
   void setVisible(bool areVisible);
-  /// So many times as long as they are by themselves: a quarter of the way to lookat or, from 30
-  /// states on, all but the current one a twentieth. 1/64 … 4; the image is at lookat at most.
+  /// Scales the frusta's length, 1/64 … 4. The default is a quarter of the distance to lookat or,
+  /// from 30 states on, a twentieth for all but the current one; the image is at lookat at most.
   void setSize(double factor);
   [[nodiscard]] double size() const { return m_size; }
-  /// In dB, by state; empty: none.
+  /// Sets the PSNR in dB of each state; empty: none.
   void showPsnr(const std::vector<double>& values);
   void setImagesVisible(bool areVisible);
   void setImage(std::size_t state, vtkImageData* image);
   void clearImages() { m_images.clear(); }
-  /// Of all their lines, in the world.
+  /// Returns the points of all frustum lines, in the world.
   [[nodiscard]] std::vector<Vec3> points() const;
-  /// The states whose frusta are drawn at a place of the screen, in ascending order.
+  /// Returns the states whose frusta are drawn at a place on the screen, in ascending order.
   [[nodiscard]] std::vector<int> statesAt(vtkRenderer* renderer, const ScreenPlace& place) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry and cameras as glTF.
+// Conversion of geometry and cameras to glTF.
 #include "gui/scene/gltf_text.h"
 
 #include <vtkActor.h>
@@ -22,7 +22,8 @@ namespace hogelscope {
 
 namespace {
 
-/// A camera of glTF looks along its -z, +y being up. Lens and principal point are left out.
+/// Returns the node of a camera, which in glTF looks along its -z with +y up. Distortion and
+/// principal point are not exported.
 QJsonObject cameraNode(const CameraState& state, int index) {
   const auto [right, down, forward, eye] = Camera(state.camera, state.intrinsics).worldFromCamera();
   const Vec3 up = -1.0 * down;
@@ -44,8 +45,8 @@ QJsonObject cameraOf(const CameraState& state) {
                                       {"znear", nearest}}}};
 }
 
-/// Gives the objects names, and in place of the exporter's one camera, whose matrix VTK 9.1 writes
-/// inverted, those of the states.
+/// Names the objects, and replaces the exporter's only camera, whose matrix VTK 9.1 writes
+/// inverted, by those of the states.
 std::string withCameras(const std::string& gltf, const QStringList& names,
                         const std::vector<CameraState>& states) {
   QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(gltf)).object();
@@ -74,14 +75,14 @@ std::string withCameras(const std::string& gltf, const QStringList& names,
 
 }  // namespace
 
-/// As objects of a window that is never shown.
+/// Exports the parts as objects of a window that is never shown.
 std::string gltfText(const std::vector<VtkMesh>& parts, const std::vector<CameraState>& states,
                      vtkImageData* panelImage) {
   const vtkNew<vtkRenderer> renderer;
   const std::array<const char*, 4> allNames{"panel", "hogel grid", "frusta", "mesh"};
   QStringList names;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (parts[k]->GetNumberOfCells() == 0) continue;  // the exporter leaves it out, too
+    if (parts[k]->GetNumberOfCells() == 0) continue;  // the exporter skips it too
     names << allNames[k];
     const vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(parts[k]);

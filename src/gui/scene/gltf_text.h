@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry and cameras as glTF.
+// Conversion of geometry and cameras to glTF.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ class vtkImageData;
 
 namespace hogelscope {
 
-/// Returns a document with everything in it. `parts` are panel, hogel grid, frusta and maybe a
-/// mesh, in the world, with colours as their points' scalars; the panel has `panelImage` in place
-/// of its colour unless that is null. "" where VTK cannot.
+/// Returns a complete glTF document. `parts` are panel, hogel grid, frusta and optionally a mesh,
+/// in the world, with colours as point scalars. `panelImage`, unless null, replaces the panel's
+/// colour. Returns "" if VTK's export fails.
 std::string gltfText(const std::vector<VtkMesh>& parts, const std::vector<CameraState>& states,
                      vtkImageData* panelImage);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A live scene's triangles in the 3-D scene.
+// The triangles of a live scene in the 3-D scene.
 #include "gui/scene/mesh_actors.h"
 
 #include <vtkCellArray.h>
@@ -17,7 +17,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Drawing more of them in software takes longer than a turn of the scene should.
+/// The largest number of triangles that software rendering can rotate smoothly.
 constexpr std::size_t mostTriangles = 500000;
 
 VtkMesh boxAround(vtkPolyData* mesh) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A live scene's triangles in the 3-D scene, behind and in front of the panel.
+// The triangles of a live scene in the 3-D scene, behind and in front of the panel.
 #pragma once
 
 #include <vtkActor.h>
@@ -17,26 +17,26 @@ namespace hogelscope {
 
 using VtkMesh = vtkSmartPointer<vtkPolyData>;
 
-/// Returns triangles with a colour for each point, or a box around them where there are more than
-/// half a million; null without any.
+/// Returns the triangles with a colour for each point, or their bounding box if there are more than
+/// half a million; null if there are none.
 VtkMesh toVtkMesh(const plugin::Triangles& triangles);
 
 class MeshActors {
  public:
   explicit MeshActors(vtkRenderer* renderer);
 
-  /// In the display frame; null: none.
+  /// Sets the mesh in the display frame; null: none.
   void setMesh(const VtkMesh& mesh);
   void setDisplay(const DisplayParams& display);
   void setVisible(bool isVisible);
   [[nodiscard]] bool isShown() const;
-  /// In the world: least and most x, y, z.
+  /// Returns the mesh's bounds in the world, as xMin, xMax, yMin, yMax, zMin, zMax.
   [[nodiscard]] const double* bounds() const { return m_actor->GetBounds(); }
 
  private:
   vtkNew<vtkPolyDataMapper> m_mapper;
   vtkNew<vtkActor> m_actor;
-  DisplayParams m_display;  ///< at the world's origin, as an actor is by itself
+  DisplayParams m_display;  ///< the default is at the world's origin, like the actor
   bool m_isVisible = true;
 };
 

@@ -32,7 +32,7 @@ PanelActors::PanelActors(vtkRenderer* renderer) {
 
 PanelActors::~PanelActors() = default;
 
-/// The world's: what the numbers of eyes and look-at points mean.
+/// Adds the world's axes, which show the frame of eyes and look-at points.
 void PanelActors::addAxes(vtkRenderer* renderer) {
   m_axes->SetShaftTypeToLine();
   m_axes->SetConeRadius(0.12);
@@ -59,7 +59,8 @@ void PanelActors::setDisplay(const DisplayParams& display) {
   const Vec3 label = m_barSource->GetLabelPosition();
   m_barLabel->GetPositionCoordinate()->SetValue(label.x, label.y, label.z);
   m_barLabel->SetInput((QString::number(m_barSource->GetLength()) + " m").toUtf8().constData());
-  const double length = 0.65 * std::max(display.size[0], display.size[1]);  // beyond its edges
+  const double length =
+      0.65 * std::max(display.size[0], display.size[1]);  // beyond the panel's edges
   m_axes->SetTotalLength(length, length, length);
 }
 

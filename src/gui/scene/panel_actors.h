@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The panel in the 3-D scene: what the scene's eye sees on it or a plain one with its hogel grid,
-// the world's axes and a scale bar.
+// The panel in the 3-D scene: the image seen from the scene's eye, or a plain panel with its hogel
+// grid; the world's axes and a scale bar.
 #pragma once
 
 #include <vtkNew.h>
@@ -26,15 +26,15 @@ class PanelActors {
   PanelActors& operator=(const PanelActors&) = delete;
 
   void setDisplay(const DisplayParams& display);
-  /// RGB over the whole panel; null: none yet, or not to be shown. Without one the grid is there.
+  /// Sets an RGB image of the whole panel; null: none. The grid is shown without an image.
   void setImage(vtkImageData* image);
-  /// Also over an image.
+  /// Shows the grid over an image too.
   void setGridVisible(bool isVisible);
   void setAxesVisible(bool areVisible);
   void setScaleBarVisible(bool isVisible);
-  /// Grid lines stay so far apart, in metres.
+  /// Sets the least distance between grid lines, in metres.
   void setGridSpacing(double spacing);
-  /// How many lines the grid has now; 0 where it is not shown.
+  /// Returns the number of grid lines; 0 if the grid is hidden.
   [[nodiscard]] int gridLines() const;
 
  private:

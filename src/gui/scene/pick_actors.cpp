@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is picked, in the 3-D scene.
+// The picked objects in the 3-D scene.
 #include "gui/scene/pick_actors.h"
 
 #include <vtkCellArray.h>
@@ -22,7 +22,7 @@ namespace hogelscope {
 PickActors::PickActors(vtkRenderer* renderer) {
   addToScene(renderer, m_rays, m_field->GetOutputPort(0), {0.35, 0.80, 0.95}, SceneLevel::onPanel);
   addToScene(renderer, m_end, m_field->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
-  m_end->SetTexture(m_image);  // without interpolation: a directional pixel is a square
+  m_end->SetTexture(m_image);  // without interpolation, because directional pixels are squares
   const vtkNew<vtkTrivialProducer> line;
   line->SetOutput(m_line);
   addToScene(renderer, m_ray, line->GetOutputPort(), {1.00, 0.25, 0.45}, SceneLevel::onPanel);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is picked, in the 3-D scene: a hogel's angular field with its own image, a pixel's ray.
+// The picked objects in the 3-D scene: a hogel's angular field with its image, a pixel's ray.
 #pragma once
 
 #include <vtkNew.h>
@@ -25,14 +25,15 @@ class PickActors {
   PickActors(const PickActors&) = delete;
   PickActors& operator=(const PickActors&) = delete;
 
-  /// With its indices below it; `image` has a pixel for each of the hogel's directions.
+  /// Shows a hogel with its indices below it. `image` has a pixel for each of the hogel's
+  /// directions.
   void showHogel(const DisplayParams& display, int i, int j, vtkImageData* image);
-  /// In the world, metres.
+  /// Shows a ray between two points of the world, in metres.
   void showRay(const Vec3& from, const Vec3& to);
   void hideHogel();
   void hideRay();
   [[nodiscard]] bool hasRay() const;
-  /// Of the hogel; "" where there is none.
+  /// Returns the hogel's label; "" if no hogel is shown.
   [[nodiscard]] std::string label() const;
 
  private:

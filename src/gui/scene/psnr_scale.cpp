@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours for the states' PSNR.
+// Colour scale of the states' PSNR.
 #include "gui/scene/psnr_scale.h"
 
 #include <vtkLookupTable.h>
@@ -15,7 +15,8 @@ namespace hogelscope {
 
 namespace {
 
-/// Of the finite ones, at least 1 dB wide so that equal values have a scale too.
+/// Returns the range of the finite values, at least 1 dB wide so that equal values have a scale
+/// too.
 std::array<double, 2> rangeOf(const std::vector<double>& values) {
   double least = HUGE_VAL;
   double most = -HUGE_VAL;
@@ -53,7 +54,7 @@ PsnrScale::PsnrScale() {
     text->BoldOff();
     text->ShadowOff();
     text->SetColor(0.9, 0.9, 0.9);
-    text->SetBackgroundColor(0, 0, 0);  // it may lie on the panel
+    text->SetBackgroundColor(0, 0, 0);  // readable over the panel
     text->SetBackgroundOpacity(0.6);
   }
   m_bar->VisibilityOff();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours for the states' PSNR, and the colour bar that explains them.
+// Colour scale of the states' PSNR, and its colour bar.
 #pragma once
 
 #include <vtkNew.h>
@@ -20,10 +20,12 @@ class PsnrScale {
   PsnrScale(const PsnrScale&) = delete;
   PsnrScale& operator=(const PsnrScale&) = delete;
 
-  /// In dB, by state; infinite: identical, NaN: none. Without values the bar is not shown.
+  /// Sets the PSNR in dB of each state; infinite: identical, NaN: none. Without values the bar is
+  /// hidden.
   void setValues(const std::vector<double>& values);
   [[nodiscard]] bool hasValue(std::size_t state) const { return state < m_values.size(); }
-  /// From the least to the largest finite value; identical as the largest, grey for none.
+  /// Returns the state's colour on the scale of the finite values. Identical is coloured as the
+  /// largest, a state without a value is grey.
   [[nodiscard]] std::array<std::uint8_t, 3> colour(std::size_t state) const;
   [[nodiscard]] vtkScalarBarActor* bar() const { return m_bar; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of the 3-D scene that is drawn as it is, unlit; labels.
+// Unlit parts and labels of the 3-D scene.
 #include "gui/scene/scene_actor.h"
 
 #include <vtkCoordinate.h>
@@ -28,7 +28,7 @@ void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* sour
 }
 
 void setDepth(vtkActor* actor, SceneLevel level) {
-  // After VTK's own; the offset is twice that which VTK gives to coincident lines.
+  // Follows VTK's own depth; the offset is twice VTK's offset of coincident lines.
   const std::string place = "//VTK::Depth::Impl";
   std::string depth = "gl_FragCoord.z - 8.0 / 65000.0";
   if (level == SceneLevel::handle) depth = "0.01 * gl_FragCoord.z";  // keeps the order of handles
@@ -45,7 +45,8 @@ void makePlain(vtkTextProperty* text) {
   text->ShadowOff();
 }
 
-/// Not vtkBillboardTextActor3D: its translucency takes a pass over the whole image.
+/// Uses vtkTextActor, because the translucency of vtkBillboardTextActor3D needs a pass over the
+/// whole image.
 void addLabel(vtkRenderer* renderer, vtkTextActor* label) {
   makePlain(label->GetTextProperty());
   label->GetTextProperty()->SetJustificationToCentered();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of the 3-D scene that is drawn as it is, unlit; labels.
+// Unlit parts and labels of the 3-D scene.
 #pragma once
 
 #include <vtkActor.h>
@@ -13,22 +13,22 @@ class vtkTextProperty;
 
 namespace hogelscope {
 
-/// Decides which of two things in one plane lies on top. Handles hide all but the lines inFront,
-/// wherever they are.
+/// The order of coplanar parts, from back to front. Handles hide everything except lines `inFront`,
+/// at any distance.
 enum class SceneLevel { panel, onPanel, handle, inFront };
 
-/// Puts a source's output into the scene, in one colour unless its cells have their own.
+/// Adds a source's output to the scene, in one colour unless its cells have colours.
 void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
                 const std::array<double, 3>& colour, SceneLevel level);
 
-/// Gives an actor's lines or handle their depth: VTK's own is undefined where lines are thick and
-/// unlit.
+/// Sets the depth of an actor's lines or handle. VTK's own depth is undefined for thick unlit
+/// lines.
 void setDepth(vtkActor* actor, SceneLevel level);
 
-/// Light, upright, without a shadow.
+/// Sets light, upright text without a shadow.
 void makePlain(vtkTextProperty* text);
 
-/// A text that hangs below a point of the world, of the same size wherever that is.
+/// Adds a text of constant size below a point of the world.
 void addLabel(vtkRenderer* renderer, vtkTextActor* label);
 
 }  // namespace hogelscope

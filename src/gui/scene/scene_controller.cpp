@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins the 3-D scene with the session, its rendering thread and the Scene menu.
+// Connects the 3-D scene with the session, its rendering thread and the Scene menu.
 #include "gui/scene/scene_controller.h"
 
 #include <QToolTip>
@@ -24,7 +24,7 @@ namespace {
 VtkImage hogelImageOf(const LightFieldSource& lightField, int i, int j) {
   try {
     return toVtkImage(hogelImage(lightField, i, j), {0, 0, 0});
-  } catch (const InputError&) {  // it is damaged: the simulated view says so
+  } catch (const InputError&) {  // damaged; reported by the simulated view
     return toVtkImage(Image(1, 1), {0, 0, 0});
   }
 }
@@ -68,7 +68,7 @@ void SceneController::connectActions() {
   on(m_form.sceneLeftSideAction, [this] { m_scene->lookFrom(SceneSide::left); });
   connect(m_form.sceneParallelAction, &QAction::toggled, this,
           [this](bool isOn) { m_scene->setParallel(isOn); });
-  // Keys of the scene itself: elsewhere arrows mean something else.
+  // Keys of the scene only, because arrows have other meanings elsewhere.
   const auto onScene = [this, on](QAction* action, auto slot) {
     m_form.sceneWidget->addAction(action);
     on(action, slot);
@@ -82,7 +82,7 @@ void SceneController::connectActions() {
   onScene(m_form.sceneFartherAction, [this] { m_scene->approach(1 / 1.1); });
   on(m_form.sceneForgetAction, [this] { removePicks(); });
   on(m_form.sceneLookThroughAction, [this] {
-    m_form.sceneParallelAction->setChecked(false);  // a camera's rays meet in its eye
+    m_form.sceneParallelAction->setChecked(false);  // a camera has a perspective projection
     m_scene->lookThrough(m_model->current());
   });
   on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
@@ -125,7 +125,7 @@ void SceneController::connectModel() {
     refresh();
   });
   connect(m_model, &SessionModel::statesChanged, this, [this] {
-    m_scene->frusta().showPsnr({});  // they were other states'
+    m_scene->frusta().showPsnr({});  // values of other states
     forgetPicks();
     refresh();
   });
@@ -187,7 +187,7 @@ void SceneController::showPreview(const std::vector<CameraState>& states) {
   m_scene->redraw();
 }
 
-/// The model changed.
+/// Updates the scene after a change of the model.
 void SceneController::refresh() {
   m_scene->show(m_display, m_model->session().cameras, m_model->currentIndex());
   showMesh();
@@ -196,14 +196,14 @@ void SceneController::refresh() {
   showText();
 }
 
-/// From the mesh's origin to its ball, in the display frame: most states look at the origin, and
-/// have a ball of their own there.
+/// Returns the offset of the mesh's ball from its origin, in the display frame. It keeps the ball
+/// apart from those of states that look at the origin.
 Vec3 SceneController::toMeshBall() const {
   const double step = 0.08 * m_display.size[1];
   return {step, step, 0};
 }
 
-/// Content that says where it stands has a ball beside it.
+/// Shows the mesh, with a ball beside it if the content has a position.
 void SceneController::showMesh() {
   const bool isShown = m_form.sceneMeshAction->isChecked();
   m_scene->mesh().setVisible(isShown);
@@ -217,7 +217,7 @@ void SceneController::showMesh() {
   m_scene->redraw();
 }
 
-/// To the decimal that a pixel of the screen can tell.
+/// Rounds to the decimal place that a screen pixel resolves.
 Vec3 SceneController::rounded(const Vec3& place) const {
   const double perMetre = std::pow(10, -std::floor(std::log10(m_scene->pixelOnPanel())));
   const auto round = [perMetre](double x) { return std::round(x * perMetre) / perMetre; };
@@ -232,7 +232,7 @@ void SceneController::moveMesh(const Vec3& ball) {
   });
 }
 
-/// With a pixel for each of the screen's; with fewer where each costs more.
+/// Renders the panel with one pixel per screen pixel, fewer for wide leakage windows.
 void SceneController::renderPanel() {
   const CameraState current = m_model->current();
   const double longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
@@ -269,7 +269,7 @@ void SceneController::setStateFromScene() {
   m_model->setCurrent(state);
 }
 
-/// Where several frusta are drawn at one place, the one after the current one.
+/// Picks a state or a hogel. Repeated clicks cycle through overlapping frusta.
 void SceneController::pickAt(int x, int y) {
   const std::vector<int> states = m_scene->statesAt(x, y);
   if (states.empty()) {
@@ -324,7 +324,7 @@ void SceneController::showHogel(int i, int j) {
   m_scene->redraw();
 }
 
-/// The pixels that see the picked hogel.
+/// Marks the pixels that see the picked hogel.
 void SceneController::markHogel() {
   const std::optional<RenderJob> view = job();
   if (!m_hogel || !view) return;
@@ -332,7 +332,7 @@ void SceneController::markHogel() {
     try {
       const auto runs = pixelsSeeing(job, hogel.x(), hogel.y(), parallelRows, progress);
       return [this, region = regionOf(runs)] { m_form.pictureView->markPixels(region); };
-    } catch (const InputError&) {  // a camera without a frame: the simulated view says so
+    } catch (const InputError&) {  // a camera without a frame, reported by the simulated view
       return [this] { m_form.pictureView->markPixels({}); };
     }
   });
@@ -370,7 +370,7 @@ void SceneController::tracePixel() {
     const int j = int(traced.place->j);
     m_scene->picked().showHogel(m_display, i, j, hogelImageOf(*m_loaded->lightField, i, j));
   } catch (const InputError&) {
-    // a camera without a frame: the simulated view says so
+    // A camera without a frame is reported by the simulated view.
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins the 3-D scene with the session, its rendering thread and the Scene menu.
+// Connects the 3-D scene with the session, its rendering thread and the Scene menu.
 #pragma once
 
 #include <QObject>
@@ -25,31 +25,32 @@ class SceneController : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes the scene's widget, its read-out and its actions from the form.
+  /// Takes the scene's widget, read-out and actions from the form.
   SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent);
   ~SceneController() override;
 
-  /// The session's light field, with its display; none while it is read.
+  /// Sets the session's light field with its display; none while it is read.
   void setScene(const std::optional<Scene>& scene);
-  /// Colours the frusta, by state, in dB; empty: no longer. Infinite is identical, NaN no view.
+  /// Colours the frusta by the states' PSNR in dB; empty: no colours. Infinite: identical; NaN: no
+  /// view.
   void showPsnr(const std::vector<double>& dB);
-  /// States that are not in the session yet, beside its own; empty: none.
+  /// Shows states that are not in the session yet; empty: none.
   void showPreview(const std::vector<CameraState>& states);
-  /// A pixel of the current state's simulated view: its ray and what that meets. A pixel outside
-  /// the image ends that.
+  /// Picks a pixel of the current state's simulated view, and shows its ray and where the ray ends.
+  /// A pixel outside the image removes the pick.
   void showPixel(int x, int y);
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
-  /// Anew, as the scene's eye sees it on the screen.
+  /// Renders the panel again as the scene's eye sees it.
   void renderPanel();
 
-  /// The current state's view of what has been read; none without either.
+  /// Returns the current state's rendering job; none without a light field or a state.
   [[nodiscard]] std::optional<RenderJob> job() const;
   [[nodiscard]] const std::optional<QPoint>& pickedPixel() const { return m_pixel; }
-  /// That was clicked in the scene.
+  /// The hogel picked in the scene.
   [[nodiscard]] const std::optional<QPoint>& pickedHogel() const { return m_hogel; }
 
  Q_SIGNALS:
-  /// What is picked, or what is said of it.
+  /// The pick or its description has changed.
   void pickChanged();
 
  private:
@@ -76,12 +77,12 @@ class SceneController : public QObject {
   SessionModel* m_model;
   SceneWorker* m_worker;
   std::unique_ptr<DisplayScene> m_scene;
-  DisplayParams m_display;        ///< as far as it is known
+  DisplayParams m_display;        ///< resolved once the light field has been read
   std::optional<Scene> m_loaded;  ///< none while a light field is read
-  std::optional<QPoint> m_pixel;  ///< picked, of the current state's view
+  std::optional<QPoint> m_pixel;  ///< picked in the current state's view
   std::optional<QPoint> m_hogel;
   QString m_pickText;
-  bool m_isPanelDark = false;  ///< no light reaches the scene's eye: the grid shows where it is
+  bool m_isPanelDark = false;  ///< no light reaches the scene's eye, so the grid marks the panel
   Task m_seers;                ///< finds the pixels that see the hogel
 };
 

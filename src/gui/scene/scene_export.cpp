@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as a file for other programs.
+// Export of the 3-D scene for other programs.
 #include "gui/scene/scene_export.h"
 
 #include <vtkAppendPolyData.h>
@@ -28,9 +28,9 @@ using Colour = std::array<unsigned char, 3>;
 
 constexpr Colour gridColour{128, 148, 179};
 constexpr Colour frustumColour{140, 191, 153};
-constexpr Colour meshColour{200, 200, 200};  // of one without colours
+constexpr Colour meshColour{200, 200, 200};  // for a mesh without colours
 
-/// A copy that has no arrays but the texture's coordinates.
+/// Returns a copy without arrays other than texture coordinates.
 VtkMesh bare(vtkPolyData* source) {
   auto part = VtkMesh::New();
   part->CopyStructure(source);
@@ -57,7 +57,7 @@ std::array<VtkMesh, 2> panelAndGrid(const DisplayParams& display) {
   return parts;
 }
 
-/// With its cell array State.
+/// Returns the frusta with the cell array State.
 VtkMesh frusta(const std::vector<CameraState>& states) {
   std::vector<CameraFrustum> all;
   for (std::size_t k = 0; k < states.size(); ++k)
@@ -71,7 +71,7 @@ VtkMesh frusta(const std::vector<CameraState>& states) {
   return part;
 }
 
-/// In the world.
+/// Returns the mesh in the world.
 VtkMesh meshIn(const DisplayParams& display, vtkPolyData* mesh) {
   VtkMesh part = bare(mesh);
   const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
@@ -94,7 +94,7 @@ VtkMesh meshIn(const DisplayParams& display, vtkPolyData* mesh) {
   return part;
 }
 
-/// Panel, hogel grid, frusta, mesh.
+/// Returns panel, hogel grid, frusta and mesh.
 std::vector<VtkMesh> partsOf(const SceneParts& scene) {
   const auto [panel, grid] = panelAndGrid(scene.display);
   std::vector<VtkMesh> parts{panel, grid, frusta(scene.states)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as a file for other programs: glTF or VTP.
+// Export of the 3-D scene for other programs, as glTF or VTP.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 
 namespace hogelscope {
 
-/// What stands in the world, which the file has in metres.
+/// The exported objects, in the world; the file has metres.
 struct SceneParts {
   DisplayParams display;  ///< resolved
   std::vector<CameraState> states;
   VtkMesh mesh;         ///< in the display frame; null: none
-  VtkImage panelImage;  ///< RGB over the whole panel; null: none. VTP has no pictures
+  VtkImage panelImage;  ///< RGB over the whole panel; null: none. VTP has no images
 };
 
-/// Writes panel, hogel grid, frusta and mesh. `.gltf`: an object each, the panel with its picture,
+/// Writes panel, hogel grid, frusta and mesh. `.gltf`: an object each, the panel with its image,
 /// and a camera for each state, all in one file. `.vtp`: one polydata with the cell arrays Part (0
 /// panel, 1 hogel grid, 2 frusta, 3 mesh) and State (the camera state's index, else -1) and the
-/// point array Colour. May run on any thread. Throws InputError: another extension, or it cannot be
-/// written.
+/// point array Colour. May run on any thread. Throws InputError for another extension or if the
+/// file cannot be written.
 void exportScene(const std::filesystem::path& file, const SceneParts& parts);
 
 }  // namespace hogelscope

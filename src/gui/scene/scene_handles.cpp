@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Balls in the 3-D scene that are dragged.
+// Draggable handles in the 3-D scene.
 #include "gui/scene/scene_handles.h"
 
 #include <vtkActor.h>
@@ -96,9 +96,11 @@ void SceneHandles::update() {
   const double near = 0.05 * length(positionOf(m_eye.ball) - positionOf(m_lookat.ball));
   for (Handle* handle : {&m_eye, &m_lookat, &m_mesh}) {
     const bool isShown = handle->isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
-    handle->ball->Modified();  // else it keeps its size in metres, not in pixels
+    handle->ball->Modified();  // keeps the size in pixels instead of metres
     if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
-    if (isShown) handle->ball->BuildRepresentation();  // its bounds count when the scene is fitted
+    if (isShown)
+      handle->ball
+          ->BuildRepresentation();  // updates its bounds, which count when the scene is fitted
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Balls in the 3-D scene that are dragged to move a camera's eye and look-at point, and a mesh.
+// Balls in the 3-D scene that are dragged to move a mesh or a camera's eye and look-at point.
 #pragma once
 
 #include <vtkNew.h>
@@ -25,12 +25,12 @@ class SceneHandles : public QObject {
   SceneHandles(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, QObject* parent);
   ~SceneHandles() override;
 
-  /// In the world, metres. They are shown once placed.
+  /// Shows the camera's balls, at points of the world in metres.
   void showAt(const Vec3& eye, const Vec3& lookat);
   void hide();
-  /// A mesh has a ball only where it has a place.
+  /// Shows the mesh's ball; nullopt hides it.
   void showMeshAt(const std::optional<Vec3>& place);
-  /// Who looks through a ball, or nearly, would see nothing but that: it is not shown.
+  /// Sets the scene's eye. A ball at or near the eye is hidden, because it would fill the view.
   void setSceneEye(const Vec3& sceneEye);
 
  Q_SIGNALS:

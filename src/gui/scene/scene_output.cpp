@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as files.
+// Output of the 3-D scene to files.
 #include "gui/scene/scene_output.h"
 
 #include <QFileInfo>
@@ -27,8 +27,8 @@ namespace hogelscope {
 
 namespace {
 
-/// The panel as an eye sees it, a pixel of it being so many metres wide; none where no light
-/// reaches that eye.
+/// Returns the job that renders the panel seen from `eye`, with pixels of `pixel` metres; none if
+/// no light reaches the eye.
 std::optional<RenderJob> panelJob(const RenderJob& current, const Vec3& eye, double pixel) {
   constexpr double longest = 4096;  // a texture of any OpenGL
   const auto pixels = [&](double side) { return int(std::clamp(side / pixel, 1.0, longest)); };
@@ -72,7 +72,7 @@ SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, 
   connect(ui.saveSceneAction, &QAction::triggered, this, &SceneOutput::askPicture);
   connect(ui.exportSceneAction, &QAction::triggered, this, &SceneOutput::askExport);
   connect(model, &SessionModel::opened, this, [this] {
-    // What comes after would be of another scene.
+    // Results that arrive later would be of another scene.
     if (m_task->isRunning())
       Q_EMIT failed(tr("%1: not written: another session opens").arg(m_file));
     m_task->abandon();
@@ -96,8 +96,8 @@ void SceneOutput::finish(const QString& file) {
   Q_EMIT done(tr("Saved %1").arg(file));
 }
 
-/// The panel is rendered and the file written on the thread, the scene drawn in the window's, which
-/// has OpenGL.
+/// Renders the panel and writes the file on the task's thread; draws the scene on the window's
+/// thread, which has OpenGL.
 void SceneOutput::savePicture(const QString& file, const QSize& size) {
   m_file = file;
   DisplayScene& scene = m_controller->scene();
@@ -118,11 +118,11 @@ void SceneOutput::savePicture(const QString& file, const QSize& size) {
 
 void SceneOutput::draw(const QString& file, const QSize& size) {
   try {
-    if (m_ui.sceneWidget->image().isNull())  // also makes OpenGL ready where it was never shown
+    if (m_ui.sceneWidget->image().isNull())  // initialises OpenGL if the scene was never shown
       throw InputError("the scene's picture", "OpenGL 3.2 is not available");
     const auto rgb = scenePicture(*m_ui.sceneWidget->renderWindow(), size);
     m_controller->scene().redraw();
-    m_controller->renderPanel();  // the fine one is slow to turn
+    m_controller->renderPanel();  // replaces the fine image, which is slow to rotate
     m_task->start([this, rgb, file, size](const Progress& progress) {
       writeImage(file.toStdString(), size.width(), size.height(), rgb, progress);
       return [this, file] { finish(file); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as files: pictures of any size, and geometry for other programs.
+// Output of the 3-D scene to files: images of any size, and geometry for other programs.
 #pragma once
 
 #include <QObject>
@@ -23,10 +23,10 @@ class SceneOutput : public QObject {
   SceneOutput(const Ui::MainWindow& ui, SceneController* controller, SessionModel* model,
               QObject* parent);
 
-  /// What the scene shows now; of the panel with as many pixels as the picture can show. Format by
-  /// extension. done() or failed() come later.
+  /// Saves the current scene; the panel has as many pixels as the image can show. The extension
+  /// gives the format. done() or failed() follows later.
   void savePicture(const QString& file, const QSize& size);
-  /// exportScene(), likewise later.
+  /// Calls exportScene() in the background. done() or failed() follows later.
   void exportTo(const QString& file);
 
  Q_SIGNALS:
@@ -43,7 +43,7 @@ class SceneOutput : public QObject {
   const Ui::MainWindow& m_ui;
   SceneController* m_controller;
   SessionModel* m_model;
-  QString m_file;  ///< that the task is for
+  QString m_file;  ///< the output file of the task
   Task* m_task;
   ReadingBar* m_bar;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as a picture of any size.
+// The 3-D scene as an image of any size.
 #include "gui/scene/scene_picture.h"
 
 #include <vtkActor.h>
@@ -28,7 +28,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The actors of all renderers, those inside axes and the like too.
+/// Returns the actors of all renderers, including those inside axes and other assemblies.
 std::vector<vtkActor*> actorsOf(vtkRenderWindow& window) {
   const vtkNew<vtkPropCollection> actors;
   vtkRendererCollection* renderers = window.GetRenderers();
@@ -51,8 +51,8 @@ bool hasLinesAlone(vtkActor* actor) {
          data->GetNumberOfLines() == data->GetNumberOfCells();
 }
 
-/// So many times as thick, as long as it lives. Plain lines are one pixel wide, tubes are not; but
-/// these have a dark side where there is light.
+/// Scales line widths by `factor` during its lifetime. Plain lines are limited to one pixel, so
+/// lines become tubes, without lighting, which would shade one of their sides.
 class ThickerLines {
  public:
   ThickerLines(vtkRenderWindow& window, double factor) {
@@ -90,7 +90,7 @@ class ThickerLines {
   std::vector<Look> m_before;
 };
 
-/// Of a pixel. Four is all that software has, at 8 bytes each: a large picture does without.
+/// Returns the samples per pixel: 4, the most in software, at 8 bytes each; none for a large image.
 int samplesFor(const QSize& size) {
   constexpr int largest = 4096;
   return std::max(size.width(), size.height()) <= largest ? 4 : 0;
@@ -110,7 +110,7 @@ std::vector<std::uint8_t> topFirst(vtkUnsignedCharArray& rgb, const QSize& size)
 }  // namespace
 
 std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
-  constexpr std::size_t bytesPerPixel = 20;  // colour, depth, what is read of them
+  constexpr std::size_t bytesPerPixel = 20;  // colour, depth and their copies
   checkFits(bytesPerPixel * std::size_t(size.width()) * std::size_t(size.height()),
             "the scene's picture", {});
   window.MakeCurrent();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as a picture of any size.
+// The 3-D scene as an image of any size.
 #pragma once
 
 #include <QSize>
@@ -10,9 +10,9 @@ class vtkGenericOpenGLRenderWindow;
 
 namespace hogelscope {
 
-/// Draws what the window shows with so many pixels, without jagged edges; returns 3·width·height
-/// bytes of RGB, row 0 at the top. Lines and texts keep their share of the picture's height. The
-/// window itself is left as it was. Throws InputError beyond what OpenGL can draw here.
+/// Draws the window's scene with `size` pixels, antialiased. Returns 3·width·height bytes of RGB,
+/// row 0 at the top. Lines and texts keep their share of the image's height. The window is
+/// unchanged afterwards. Throws InputError for sizes beyond OpenGL's limit.
 std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size);
 
 }  // namespace hogelscope

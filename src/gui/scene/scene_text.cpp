@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the read-out under the 3-D scene says, with units.
+// Texts of the read-out under the 3-D scene.
 #include "gui/scene/scene_text.h"
 
 #include <cmath>

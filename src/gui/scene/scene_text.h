@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the read-out under the 3-D scene says, with units.
+// Texts of the read-out under the 3-D scene, with units.
 #pragma once
 
 #include <QCoreApplication>
@@ -13,17 +13,17 @@ class SceneText {
   Q_DECLARE_TR_FUNCTIONS(SceneText)
 
  public:
-  /// Whether the display's light reaches a state's eye.
+  /// Returns a state's name and the share of the panel that lights its eye.
   static QString eye(const CameraState& state, const DisplayParams& display);
-  /// A pixel in one line.
+  /// Describes a pixel in one line.
   static QString pixel(int x, int y, const PixelTrace& trace);
-  /// Its ray and what that meets, in lines that follow; "" where there is none.
+  /// Describes the pixel's ray and where it ends, in further lines; "" without a ray.
   static QString ray(const PixelTrace& trace);
-  /// What it shows, and if that is black, why.
+  /// Describes what the pixel shows and, if it is black, the reason.
   static QString verdict(const PixelTrace& trace, const DisplayParams& display);
-  /// A hogel's indices, short enough for the scene.
+  /// Returns a hogel's indices as a short label.
   static QString hogelName(int i, int j);
-  /// A picked hogel.
+  /// Describes a picked hogel.
   static QString hogel(const DisplayParams& display, int i, int j);
 };
 

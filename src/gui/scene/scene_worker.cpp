@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes what the 3-D scene shows on a thread of its own.
+// Renders the contents of the 3-D scene on its own thread.
 #include "gui/scene/scene_worker.h"
 
 #include <vtkNew.h>
@@ -17,24 +17,24 @@ namespace hogelscope {
 
 namespace {
 
-/// A state's image in the scene is about this wide or high, in pixels.
+/// The approximate width or height of a state's image in the scene, in pixels.
 constexpr int smallSide = 192;
 
-/// Null where it cannot be rendered, or was cancelled.
+/// Returns the image; null if it cannot be rendered or was cancelled.
 VtkImage imageOf(const RenderJob& view, const std::array<std::uint8_t, 3>& unseen,
                  vtkHogelViewFilter& filter) {
   try {
-    filter.SetJob(reduced(view));  // throws where the camera has no frame
+    filter.SetJob(reduced(view));  // throws if the camera has no frame
     filter.UpdateOrThrow();
     return toVtkImage(*filter.GetOutput(), unseen);
   } catch (const Cancelled&) {
     return nullptr;
   } catch (const std::exception&) {
-    return nullptr;  // the simulated view says why
+    return nullptr;  // reported by the simulated view
   }
 }
 
-/// For the looks of it only: as fast as can be.
+/// Returns the fastest job, for display only.
 RenderJob quick(const RenderJob& asked) {
   RenderJob view = overview(asked);
   view.sampling.tolerance = 0;
@@ -105,7 +105,7 @@ bool SceneWorker::mustStop() {
   return m_ends || m_isSceneNew;
 }
 
-/// True if there is another one now.
+/// Switches to a new scene. Returns true if there is one.
 bool SceneWorker::switchScene() {
   if (!std::exchange(m_isSceneNew, false)) return false;
   m_scene = std::exchange(m_newScene, std::nullopt);
@@ -124,7 +124,8 @@ void SceneWorker::run() {
     const std::optional<CameraState> panel =
         m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
     lock.unlock();
-    if (isNew) filter->SetJob({});  // it may hold the last reference to the old light field
+    if (isNew)
+      filter->SetJob({});  // releases the old light field, of which it may hold the last reference
     if (isNew) makeMesh();
     if (!m_scene) continue;
     if (!panel) {
@@ -144,7 +145,7 @@ void SceneWorker::makeMesh() {
     try {
       m_mesh = toVtkMesh(m_scene->lightField->triangles());
     } catch (const std::exception&) {
-      m_mesh = nullptr;  // a plugin's fault: there is still the simulated view
+      m_mesh = nullptr;  // a plugin's error; the simulated view still works
     }
   }
   queueAnswer(this, m_asked, m_number, [this, mesh = m_mesh] { Q_EMIT meshMade(mesh); });

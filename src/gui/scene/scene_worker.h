@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes what the 3-D scene shows on a thread of its own: the panel as the scene's eye sees it,
+// Renders the contents of the 3-D scene on its own thread: the panel as the scene's eye sees it,
 // small views of all states, and the mesh of a live scene.
 #pragma once
 
@@ -22,29 +22,30 @@ namespace hogelscope {
 
 using VtkImage = vtkSmartPointer<vtkImageData>;
 
-/// Its signals come from the thread that the object lives in, and none that belongs to an older
-/// scene comes after setScene().
+/// Emits its signals on the thread that the object lives in. No signal of an older scene arrives
+/// after setScene().
 class SceneWorker : public QObject {
   Q_OBJECT
 
  public:
-  /// Of the panel where it sends no light to the eye.
+  /// The colour of the panel where it emits no light to the eye.
   static constexpr std::array<std::uint8_t, 3> panelColour{61, 71, 92};
 
   explicit SceneWorker(QObject* parent = nullptr);
   ~SceneWorker() override;
 
-  /// What the images are of; without one none are made, and the old one's memory is given back
-  /// at the next stop.
+  /// Sets the scene that is rendered; none stops rendering. The old scene's memory is released when
+  /// the current rendering stops.
   void setScene(const std::optional<Scene>& scene);
-  /// Newest wins, but what is under way is finished, so that a turning scene keeps changing.
+  /// Renders the panel. The newest request wins, but a running one is finished, so that a turning
+  /// scene keeps updating.
   void renderPanel(const CameraState& state);
-  /// What has been rendered already is not rendered again; `first` comes first.
+  /// Renders the states' images, `first` first. Unchanged ones are not rendered again.
   void renderStates(const std::vector<CameraState>& states, std::size_t first);
 
  Q_SIGNALS:
   void panelRendered(const hogelscope::VtkImage& image);
-  /// After each setScene(); null where the light field is no mesh.
+  /// Emitted after each setScene(); null if the light field is not a mesh.
   void meshMade(const hogelscope::VtkMesh& mesh);
   void stateRendered(int index, const hogelscope::VtkImage& image);
 
@@ -57,19 +58,19 @@ class SceneWorker : public QObject {
   [[nodiscard]] bool hasWork() const;
   [[nodiscard]] bool mustStop();
 
-  std::mutex m_mutex;  ///< guards the next ones
+  std::mutex m_mutex;  ///< guards the following members
   std::condition_variable m_wake;
   std::optional<Scene> m_newScene;
   bool m_isSceneNew = false;
   int m_asked = 0;  ///< the number of the latest setScene()
   std::optional<CameraState> m_panel;
   std::vector<CameraState> m_states;
-  std::vector<std::optional<CameraState>> m_done;  ///< as it was rendered last
+  std::vector<std::optional<CameraState>> m_done;  ///< as rendered last
   std::size_t m_first = 0;
   bool m_ends = false;
 
-  std::optional<Scene> m_scene;  ///< the thread's own, as the next
-  int m_number = 0;              ///< of its setScene()
+  std::optional<Scene> m_scene;  ///< used by the thread only, as is the next
+  int m_number = 0;              ///< the number of the setScene() that is served
   std::weak_ptr<const LightFieldSource> m_meshOf;
   VtkMesh m_mesh;
   std::thread m_thread;

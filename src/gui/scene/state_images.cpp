@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The states' small images in one texture.
+// The small images of the states in one texture.
 #include "gui/scene/state_images.h"
 
 #include <vtkImageData.h>
@@ -11,8 +11,9 @@
 namespace hogelscope {
 
 namespace {
-constexpr int longestTile = 192;   ///< texels: few states have fine images
-constexpr int longestSide = 1024;  ///< of the whole texture: it is sent anew with each image
+constexpr int longestTile = 192;  ///< texels: few states have fine images
+constexpr int longestSide =
+    1024;  ///< of the whole texture, which is uploaded again with each image
 constexpr std::uint8_t emptyGrey = 40;
 }  // namespace
 
@@ -39,7 +40,7 @@ void StateImages::clear() {
   std::fill_n(static_cast<std::uint8_t*>(m_image->GetScalarPointer()),
               3 * m_image->GetNumberOfPoints(), emptyGrey);
   m_image->Modified();
-  m_texture->Modified();  // else an actor that has it does not know that it is to be drawn
+  m_texture->Modified();  // marks actors with this texture as changed
 }
 
 void StateImages::setImage(std::size_t index, vtkImageData* image) {

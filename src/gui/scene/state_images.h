@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The states' small images in one texture, a tile for each.
+// The small images of the states in one texture, with one tile each.
 #pragma once
 
 #include <vtkNew.h>
@@ -20,11 +20,11 @@ class StateImages {
   StateImages(const StateImages&) = delete;
   StateImages& operator=(const StateImages&) = delete;
 
-  /// Room for so many; all are empty where the number is another one.
+  /// Sets the number of tiles. If it changes, all tiles become empty.
   void setCount(std::size_t count);
-  /// All are empty.
+  /// Empties all tiles.
   void clear();
-  /// RGB, stretched to the tile. Does nothing where there is no such tile.
+  /// Sets an RGB image, stretched to the tile. Ignores an index without a tile.
   void setImage(std::size_t index, vtkImageData* image);
   [[nodiscard]] int columns() const { return m_atlas.Columns; }
   [[nodiscard]] vtkTexture* texture() const { return m_texture; }
@@ -32,7 +32,7 @@ class StateImages {
  private:
   Atlas m_atlas;
   std::size_t m_count = 0;
-  int m_tile = 0;  ///< its side in texels
+  int m_tile = 0;  ///< side length in texels
   vtkNew<vtkImageData> m_image;
   vtkNew<vtkTexture> m_texture;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images as textures of the 3-D scene.
+// Conversion of images to textures of the 3-D scene.
 #include "gui/scene/vtk_image.h"
 
 #include <vtkDataArray.h>

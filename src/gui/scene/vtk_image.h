@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images as textures of the 3-D scene.
+// Conversion of images to textures of the 3-D scene.
 #pragma once
 
 #include <vtkImageData.h>
@@ -12,11 +12,12 @@
 
 namespace hogelscope {
 
-/// RGB, row 0 at the bottom as VTK has it; what is not seen has the colour given.
+/// Returns an RGB texture with row 0 at the bottom, as in VTK. Unseen pixels have the colour
+/// `unseen`.
 vtkSmartPointer<vtkImageData> toVtkImage(const Image& image,
                                          const std::array<std::uint8_t, 3>& unseen);
 
-/// The same of an output of vtkHogelViewFilter.
+/// Returns the same for an output of vtkHogelViewFilter.
 vtkSmartPointer<vtkImageData> toVtkImage(vtkImageData& view,
                                          const std::array<std::uint8_t, 3>& unseen);
 

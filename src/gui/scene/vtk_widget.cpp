@@ -22,7 +22,7 @@ namespace hogelscope {
 
 namespace {
 
-/// What VTK 9.1 needs. It resolves its own multisampling.
+/// Returns the format that VTK 9.1 needs. VTK resolves its own multisampling.
 QSurfaceFormat surfaceFormat() {
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);
@@ -41,7 +41,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent) {
   m_window->SetReadyForRendering(false);  // until there is a context
   m_window->SetOwnContext(0);
   m_window->SetFrameBlitModeToNoBlit();
-  m_window->SetMultiSamples(0);  // costs 5 × on software GL
+  m_window->SetMultiSamples(0);  // multisampling costs 5 × on software GL
   m_window->AddObserver(vtkCommand::WindowMakeCurrentEvent, this, &VtkWidget::onMakeCurrent);
   m_window->AddObserver(vtkCommand::WindowIsCurrentEvent, this, &VtkWidget::onIsCurrent);
   m_window->AddObserver(vtkCommand::WindowSupportsOpenGLEvent, this, &VtkWidget::onSupportsOpenGL);
@@ -106,7 +106,7 @@ void VtkWidget::makeContext() {
 }
 
 void VtkWidget::render() {
-  m_isCurrent = true;  // rendering may ask for more
+  m_isCurrent = true;  // set first, because rendering may request another redraw
   if (m_surface == nullptr) makeContext();
   if (m_context == nullptr || !m_context->makeCurrent(m_surface.get())) return;
   const QSize size = deviceSize();
@@ -179,7 +179,7 @@ void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
   emitPointer(event->position(), event->modifiers());
   m_interactor->MouseMoveEvent();
-  constexpr double still = 3;  // a hand trembles
+  constexpr double still = 3;  // pixels of a trembling hand
   const QPointF way = event->position() - m_pressedAt;
   if (std::hypot(way.x(), way.y()) > still) m_isClick = false;
   if (event->buttons() != Qt::NoButton) return;

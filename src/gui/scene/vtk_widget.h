@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A Qt 6 widget that hosts a VTK render window: Debian's own Qt module of VTK is for Qt 5.
+// A Qt 6 widget that hosts a VTK render window. Debian's own Qt module of VTK is for Qt 5.
 #pragma once
 
 #include <vtkNew.h>
@@ -16,9 +16,9 @@ class vtkObject;
 
 namespace hogelscope {
 
-/// VTK renders off the screen, in a context of its own, and only when something changed; the widget
-/// paints the picture. So the window around it is no OpenGL window, of which Qt would compose every
-/// pixel anew for each change of any widget. All rendering happens in paintEvent: VTK's requests
+/// Renders VTK off screen, in its own context and only after changes, and paints the resulting
+/// image. The surrounding window is therefore no OpenGL window, of which Qt would compose all
+/// pixels again for each change of any widget. All rendering happens in paintEvent; VTK's requests
 /// only schedule one. Put renderers into `renderWindow()`; call `redraw()` after a change.
 class VtkWidget : public QWidget {
   Q_OBJECT
@@ -29,17 +29,17 @@ class VtkWidget : public QWidget {
 
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return m_window; }
   [[nodiscard]] vtkGenericRenderWindowInteractor* interactor() const { return m_interactor; }
-  /// In the screen's own pixels, as VTK counts them.
+  /// Returns the size in device pixels, as in VTK.
   [[nodiscard]] QSize deviceSize() const;
-  /// Before the next event is handled the scene may change more than once.
+  /// Schedules a redraw, so that several changes are drawn at once.
   void redraw();
-  /// What it shows, in the screen's own pixels; null where there is no OpenGL.
+  /// Returns the rendered image in device pixels; null without OpenGL.
   [[nodiscard]] const QImage& image();
 
  Q_SIGNALS:
-  /// The left button went down and up at one place; pixels from the lower left.
+  /// The left button was pressed and released at one place; pixels count from the lower left.
   void clicked(int x, int y);
-  /// The pointer is there, no button is pressed.
+  /// The pointer has moved without a pressed button.
   void hovered(int x, int y);
   void resized();
 
@@ -67,9 +67,9 @@ class VtkWidget : public QWidget {
   std::unique_ptr<QOffscreenSurface> m_surface;
   std::unique_ptr<QOpenGLContext> m_context;  ///< from the first paint on; not valid: no OpenGL
   QImage m_image;
-  bool m_isCurrent = false;  ///< the image is of the scene as it is
+  bool m_isCurrent = false;  ///< the image shows the current scene
   QPointF m_pressedAt;
-  bool m_isClick = false;  ///< the left button is down and has not been moved
+  bool m_isClick = false;  ///< the left button is pressed and has not been moved
 };
 
 }  // namespace hogelscope

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<double, 3> colour{0.45, 0.70, 1.00};
 
-/// The body between sections: its faces as quads, and its edges as lines.
+/// A body between sections, with its faces as quads and its edges as lines.
 struct Body {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> faces;
@@ -57,7 +57,7 @@ ZoneActors::ZoneActors(vtkRenderer* renderer) {
   m_someEdges->GetProperty()->SetOpacity(0.35);
   addLines(renderer, m_body, m_whole);
   m_body->GetProperty()->SetOpacity(0.07);
-  // It surrounds the scene's eye, which would leave the rest little of the depth buffer.
+  // Excludes the body, which surrounds the scene's eye, from the bounds to keep depth precision.
   m_body->UseBoundsOff();
   m_someEdges->UseBoundsOff();
   setVisible(false);

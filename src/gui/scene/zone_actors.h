@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The display's viewing zone in the 3-D scene: a translucent body of the points that see the whole
-// panel, and lines around those that see some of it.
+// panel, and lines around those that see part of it.
 #pragma once
 
 #include <vtkActor.h>
@@ -17,7 +17,7 @@ class ZoneActors {
  public:
   explicit ZoneActors(vtkRenderer* renderer);
 
-  /// To `farthest` metres before the panel.
+  /// Shows the zone up to `farthest` metres in front of the panel.
   void show(const DisplayParams& display, double farthest);
   void setVisible(bool isVisible);
   [[nodiscard]] bool isVisible() const { return m_body->GetVisibility() != 0; }

@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Finds the range of one number in a description.
+/// Finds the range of one number in a parameter description.
 class RangeOf : public ParameterVisitor {
  public:
   explicit RangeOf(std::string_view name) : m_name(name) {
@@ -39,7 +39,7 @@ class RangeOf : public ParameterVisitor {
 struct CameraCommands::MotionCommand {
   const char* name;
   QString title;
-  QString help;  ///< %1 is how far
+  QString help;  ///< %1 is the amount
   Motion motion;
   int sign;
   Qt::Key key;
@@ -101,7 +101,7 @@ void CameraCommands::add(QMenu* menu, const QString& name, const QString& title,
   entry->setShortcut(key);
 }
 
-/// Larger ones with Shift.
+/// Adds the motions; those with Shift have larger steps.
 void CameraCommands::addMotions(QMenu* menu, int factor) {
   for (const MotionCommand& command : motions()) {
     const double step = factor * stepOf(command.motion);
@@ -150,7 +150,7 @@ void CameraCommands::addStates() {
       Qt::Key_PageUp, [this] { goTo(-1); });
 }
 
-/// Of the current state, if there is one.
+/// Edits the current state, if there is one.
 void CameraCommands::edit(const QString& name, const std::function<void(CameraState&)>& action) {
   const std::size_t current = m_model->currentIndex();
   if (current >= m_model->session().cameras.size()) return;
@@ -163,11 +163,12 @@ void CameraCommands::edit(const QString& name, const std::function<void(CameraSt
 
 void CameraCommands::stepSigma(int steps) {
   constexpr double step = 0.05;
-  constexpr double rounding = 1e9;  // sums of steps stay short in the document
+  constexpr double rounding = 1e9;  // keeps sums of steps short in the document
   const Range range = RangeOf("sigma").range;
   edit(tr("Change sigma"), [&](CameraState& state) {
     const double wanted = std::round((state.psf.sigma + steps * step) * rounding) / rounding;
-    if (wanted > range.min) state.psf.sigma = std::min(wanted, range.max);  // 0 is no Gaussian
+    if (wanted > range.min)
+      state.psf.sigma = std::min(wanted, range.max);  // a Gaussian needs sigma above 0
   });
 }
 

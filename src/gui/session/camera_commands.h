@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Camera menu: moves and turns the current state's camera, changes its leakage, switches lens
-// and leakage off and on, and goes to other states.
+// The Camera menu: moves and rotates the current state's camera, changes its leakage, switches lens
+// and leakage off and on, and selects other states.
 #pragma once
 
 #include <QMenu>
@@ -27,7 +27,7 @@ class CameraCommands : public QObject {
 
  private:
   struct MotionCommand;
-  /// What stood there before it was switched off, by the state's name.
+  /// Values before they were switched off, by the states' names.
   template <class Value>
   using Kept = std::map<std::string, Value>;
 
@@ -43,7 +43,7 @@ class CameraCommands : public QObject {
   void stepSigma(int steps);
   void stepWindow(int steps);
   void goTo(int offset);
-  /// Between `off` and what was kept.
+  /// Toggles between `off` and the kept value.
   template <class Value>
   void toggle(const QString& part, Value& (*in)(CameraState&), const Value& off, Kept<Value>& kept);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Edit menu: undo, redo, and the window of keys.
+// The Edit menu: undo, redo, and the dialog of keys.
 #pragma once
 
 #include <QMainWindow>
@@ -16,7 +16,7 @@ class EditCommands : public QObject {
  public:
   EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window);
 
-  /// Call it when the window has all its actions.
+  /// Reads the keys. Call it when the window has all its actions.
   void readKeys();
 
  Q_SIGNALS:

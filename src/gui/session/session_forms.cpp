@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forms over the session's parts.
+// Forms for the session's parts.
 #include "gui/session/session_forms.h"
 
 #include <QPushButton>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forms over the session's parts, which follow the model: what the docks are made of.
+// Forms for the session's parts, which follow the model; the contents of the docks.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,16 @@ class QPushButton;
 
 namespace hogelscope {
 
-/// Shows again what the model says, whatever changes in it.
+/// Refreshes the form after any change of the model.
 void follow(const SessionModel* model, ParameterForm* form);
 
-/// One below the other, with nothing between them; the column takes them.
+/// Stacks widgets vertically without spacing. The returned column owns them.
 QWidget* stackWidgets(const std::vector<QWidget*>& widgets);
 
-/// A button with its object name and tooltip; who takes it owns it.
+/// Creates a button with an object name and a tooltip. The caller takes ownership.
 QPushButton* button(const char* name, const QString& text, const QString& help);
 
-/// A part of the current state, and what is edited of all marked ones.
+/// Creates a form for a part of the current state; edits apply to all marked states.
 template <class Part>
 ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
   auto* form = new ParameterForm(
@@ -37,7 +37,7 @@ ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
   return form;
 }
 
-/// The display, the light field or the sampling.
+/// Creates a form for the display, the light field or the sampling.
 template <class Part>
 ParameterForm* contentForm(SessionModel* model, Part Session::*part) {
   auto* form = new ParameterForm(
@@ -54,9 +54,9 @@ ParameterForm* contentForm(SessionModel* model, Part Session::*part) {
   return form;
 }
 
-/// What `visit` visits of the display or the light field. complete(before, after) returns the
-/// edited part with what belongs to it, or throws what is wrong with the edit: it is then not
-/// taken, and `fail` hears why.
+/// Creates a form for the fields of the display or the light field that `visit` visits.
+/// complete(before, after) returns the edited part with its dependent fields, or throws an error:
+/// the edit is then rejected, and `fail` is called with the reason.
 template <class Part>
 ParameterForm* checkedForm(SessionModel* model, Part Session::*part,
                            void (*visit)(ParameterVisitor&, Part&),

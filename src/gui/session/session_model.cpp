@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The session that the window shows and edits.
+// The session shown and edited in the window.
 #include "gui/session/session_model.h"
 
 #include <QElapsedTimer>
@@ -13,7 +13,7 @@
 
 namespace hogelscope {
 
-/// A whole session before and after: small beside the light field that it names.
+/// An edit as the whole session before and after, which is small compared to the light field.
 class SessionModel::Edit : public QUndoCommand {
  public:
   Edit(SessionModel& model, const QString& name, Content before, Content after)
@@ -59,7 +59,7 @@ void SessionModel::open(const QString& file) {
 
 void SessionModel::recover(const QString& copy, const QString& file) {
   m_session = loadSession(copy.toStdString());
-  m_saved = {};  // whatever the file holds now, it is not what the user last saw
+  m_saved = {};  // the file may differ from what the user saved last
   m_file = file;
   m_current = 0;
   m_undo.clear();
@@ -68,7 +68,7 @@ void SessionModel::recover(const QString& copy, const QString& file) {
 
 void SessionModel::openNew(const Session& session) {
   m_session = session;
-  m_saved = session;  // nothing was edited yet
+  m_saved = session;  // no edits yet
   m_file.clear();
   m_current = 0;
   m_undo.clear();

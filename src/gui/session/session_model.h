@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The session that the window shows and edits, and its current state. Every edit has a name and can
-// be taken back.
+// The session shown and edited in the window, and its current state. Every edit has a name and can
+// be undone.
 #pragma once
 
 #include <QObject>
@@ -23,46 +23,46 @@ class SessionModel : public QObject {
   [[nodiscard]] const QString& file() const { return m_file; }
   [[nodiscard]] bool isModified() const { return m_session != m_saved; }
   [[nodiscard]] std::size_t currentIndex() const { return m_current; }
-  /// A default state where the session has none.
+  /// Returns the current state, or a default one if the session has none.
   [[nodiscard]] CameraState current() const;
   [[nodiscard]] QUndoStack* undoStack() { return &m_undo; }
 
-  /// Throws InputError; the session stays as it was.
+  /// Opens a session. Throws InputError; the session is then unchanged.
   void open(const QString& file);
-  /// Opens `copy`, which a crash left behind, as unsaved edits of `file`. Throws InputError; the
-  /// session stays as it was.
+  /// Opens `copy`, left by a crash, as unsaved edits of `file`. Throws InputError; the session is
+  /// then unchanged.
   void recover(const QString& copy, const QString& file);
-  /// A new session, which has no file yet.
+  /// Opens a new session, which has no file yet.
   void openNew(const Session& session);
-  /// Throws InputError; unsaved edits stay.
+  /// Saves the session. Throws InputError; unsaved edits are then kept.
   void save(const QString& file);
   void setCurrentIndex(std::size_t index);
-  /// The selected states, ascending; the current one alone where there are none.
+  /// Returns the selected states, ascending; the current one if none is selected.
   [[nodiscard]] std::vector<std::size_t> marked() const;
   void setMarked(std::vector<std::size_t> indices);
 
-  /// One edit; its name is what the Edit menu says. Edits of one name that follow each other
-  /// quickly, as a slider's do, are taken back together. One that changes nothing is none. What
-  /// `action` throws leaves the session as it was.
+  /// Applies an edit; `name` appears in the Edit menu. Edits of one name that follow each other
+  /// quickly, such as a slider's, are undone together. Edits without changes are ignored. If
+  /// `action` throws, the session is unchanged.
   void edit(const QString& name, const std::function<void(Session&)>& action);
-  /// The current state, field by field; the name is that of the first field that changes.
+  /// Sets the current state, field by field; the edit is named after the first changed field.
   void setCurrent(const CameraState& state);
-  /// What `action` changes in the current state it does to all marked ones, if that is one of them;
-  /// names stay different.
+  /// Applies `action` to the current state, and its changes to all marked states if the current one
+  /// is among them; names stay different.
   void editMarked(const std::function<void(CameraState&)>& action);
-  /// Display, light field and sampling, likewise.
+  /// Sets display, light field and sampling as an edit.
   void setContent(const Session& content);
-  /// Does something to the list of states (core/states.h); the one at the index that `action`
-  /// returns becomes current.
+  /// Changes the list of states (core/states.h); `action` returns the index of the new current
+  /// state.
   void changeStates(const QString& name, const std::function<std::size_t(Session&)>& action);
 
  Q_SIGNALS:
   void opened();
   void saved();
   void currentChanged();  ///< another state is current
-  void edited();          ///< states have other values
-  void statesChanged();   ///< there are other states, other names, or their order is another
-  void contentChanged();  ///< display, light field or sampling have other values
+  void edited();          ///< values of states have changed
+  void statesChanged();   ///< states have been added, removed, renamed or reordered
+  void contentChanged();  ///< values of display, light field or sampling have changed
 
  private:
   struct Content {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The States menu: what is done to the list of camera states (core/states.h).
+// The States menu: changes of the list of camera states (core/states.h).
 #pragma once
 
 #include <QAction>
@@ -19,14 +19,14 @@ class StateCommands : public QObject {
  public:
   StateCommands(QMenu* menu, SessionModel* model, QObject* parent);
 
-  /// In the menu's order.
+  /// Returns the actions in the menu's order.
   [[nodiscard]] const std::vector<QAction*>& actions() const { return m_actions; }
 
-  /// True if that went well.
+  /// Renames a state. Returns true on success.
   bool rename(std::size_t index, const QString& name);
-  /// Those at `indices`, to before the one that is at `before` now; the current one stays current.
+  /// Moves the states at `indices` before the one now at `before`; the current one stays current.
   bool move(const std::vector<std::size_t>& indices, std::size_t before);
-  /// Loads a file's states behind the session's own.
+  /// Appends a file's states to the session's.
   bool mergeStatesOf(const QString& file);
   /// Adds the marked states to another document.
   bool appendStatesTo(const QString& file);
@@ -34,7 +34,7 @@ class StateCommands : public QObject {
   bool saveStatesAs(const QString& file);
 
  Q_SIGNALS:
-  void nameAsked();  ///< of the current state
+  void nameAsked();  ///< requests the editor of the current state's name
   void done(const QString& line);
   void failed(const QString& line);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks how an animation along the states is to be.
+// Dialog of the settings of an animation along the states.
 #include "gui/view/animation_dialog.h"
 
 #include <QCheckBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks how an animation along the states is to be.
+// Dialog of the settings of an animation along the states.
 #pragma once
 
 #include "gui/widgets/size_dialog.h"
@@ -12,7 +12,7 @@ class AnimationDialog : public SizeDialog {
   Q_OBJECT
 
  public:
-  /// `ffmpeg` is the program's path; "": it is not installed.
+  /// `ffmpeg` is the program's path; "": not installed.
   AnimationDialog(const QSize& proposed, const QString& ffmpeg, QWidget* parent);
 
   [[nodiscard]] bool hasVideo() const;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Files that go again unless they are kept.
+/// Files that are deleted at the end unless they are kept.
 class NewFiles {
  public:
   NewFiles() = default;
@@ -37,7 +37,7 @@ class NewFiles {
   std::vector<fs::path> m_files;
 };
 
-constexpr const char* pattern = "frame_%04d.png";  // ffmpeg's, too
+constexpr const char* pattern = "frame_%04d.png";  // also for ffmpeg
 
 fs::path frameOf(const fs::path& folder, int number) {
   std::array<char, 32> name{};
@@ -45,7 +45,7 @@ fs::path frameOf(const fs::path& folder, int number) {
   return folder / name.data();
 }
 
-/// Frames of a longer animation would end up in this one; and they may be someone's own.
+/// Throws if there are old frames, which could belong to the user and would end up in the video.
 void refuseOldFrames(const fs::path& folder) {
   if (!isFolder(folder)) return;
   for (const fs::path& file : filesIn(folder)) {
@@ -71,14 +71,14 @@ std::string lastLine(const QByteArray& output) {
   return text.mid(text.lastIndexOf('\n') + 1).toStdString();
 }
 
-/// Into a file that has no name while it is written.
+/// Writes the video to an unnamed temporary file.
 void writeVideo(const AnimationRequest& request, const fs::path& video, const Progress& progress) {
   AtomicFile file(video);
   const QString descriptor = QString("/proc/%1/fd/%2").arg(::getpid()).arg(file.descriptor());
   const auto path = [](const fs::path& of) { return QString::fromStdString(of.string()); };
   QProcess ffmpeg;
   ffmpeg.setProcessChannelMode(QProcess::MergedChannels);
-  // H.264 in the colours that all players know has even sides.
+  // H.264 in a pixel format that all players support needs even sides.
   ffmpeg.start(path(request.ffmpeg),
                {"-nostdin", "-loglevel", "error", "-y", "-framerate",
                 QString::number(request.framesPerSecond), "-start_number", "1", "-i",
@@ -111,7 +111,7 @@ void writeAnimation(const AnimationRequest& request, const Progress& progress) {
   makeFolder(request.folder);
   NewFiles files;
   Renderer renderer;
-  // Encoding a frame takes about as long as a tenth of rendering it.
+  // Encoding a frame takes about a tenth of the time of rendering it.
   const double frames = hasVideo ? 0.9 : 1;
   const auto count = double(request.views.size());
   for (std::size_t k = 0; k < request.views.size(); ++k) {

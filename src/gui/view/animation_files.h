@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An animation along camera states: numbered pictures, and a video of them by the program ffmpeg.
+// An animation along camera states: numbered images, and a video of them made by ffmpeg.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,16 @@ namespace hogelscope {
 
 struct AnimationRequest {
   std::vector<RenderJob> views;  ///< in order
-  std::filesystem::path folder;  ///< made where it is missing; the files have one name in each
+  std::filesystem::path folder;  ///< created if missing; file names are fixed
   int framesPerSecond = 10;
-  /// The program; empty: no video.
+  /// The ffmpeg program; empty: no video.
   std::filesystem::path ffmpeg;
 };
 
-/// Writes frame_0001.png … and, with ffmpeg, animation.mp4 (H.264, or what ffmpeg has for MP4). All
-/// files are there then, or none. Throws InputError: the folder has frames already or cannot be
-/// written to, a view cannot be rendered, a video's frames are of different sizes, or ffmpeg says
-/// why not; and Cancelled.
+/// Writes frame_0001.png … and, with ffmpeg, animation.mp4 (H.264, or ffmpeg's default for MP4):
+/// all files or none. Throws InputError if the folder has frames already or cannot be written to, a
+/// view cannot be rendered, a video's frames have different sizes, or ffmpeg fails. Throws
+/// Cancelled.
 void writeAnimation(const AnimationRequest& request, const Progress& progress);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second light field, which the session's own is compared with.
+// The second light field, compared with the session's own.
 #include "gui/view/comparison.h"
 
 #include <QFileInfo>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second light field, which the session's own is compared with: reads it on a thread of its
-// own, so that the view stays live meanwhile, and frees it.
+// The second light field, compared with the session's own. It is read on its own thread, so that
+// the view stays responsive.
 #pragma once
 
 #include <QObject>
@@ -18,29 +18,29 @@ class Comparison : public QObject {
  public:
   explicit Comparison(QObject* parent = nullptr);
 
-  /// Reads a light field (withLightField) for the session's states; an older reading stops, and
-  /// until it is there nothing changes. Throws InputError.
+  /// Reads a light field (withLightField) for the session's states and stops an older reading. The
+  /// current comparison stays until the new one is read. Throws InputError.
   void start(const Session& session, const QString& file);
-  /// Compares with the ideal view of the session's own light field, as long as that is live.
+  /// Compares with the ideal view of the session's own light field while that is live.
   void startIdeal();
   void stop();
-  /// The session's own light field; none while it is read.
+  /// Sets the session's own light field; none while it is read.
   void setScene(const std::optional<Scene>& own) { m_own = own; }
 
-  /// With the session's sampling, and its display where the other light field has none of its own.
-  /// None while nothing is compared.
+  /// Returns the second light field with the session's sampling, and with the session's display
+  /// unless it has its own; none without a comparison.
   [[nodiscard]] std::optional<Scene> other(const Session& session) const;
-  /// Its file's name, or what it is.
+  /// The file's name, or a description.
   [[nodiscard]] const QString& name() const { return m_name; }
-  /// The file that is compared or read for that; "" where it is none.
+  /// The file that is compared or being read; "" if there is none.
   [[nodiscard]] const QString& file() const { return m_file; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
-  /// How much has been read, 0 … 1; to be polled (PolledBar).
+  /// Returns the share that has been read, 0 … 1; polled by PolledBar.
   [[nodiscard]] double readShare() const { return m_task.share(); }
 
  Q_SIGNALS:
-  void changed();  ///< another one, or none
-  /// It could not be read; what was compared still is.
+  void changed();  ///< another light field, or none
+  /// The file could not be read; the current comparison stays.
   void failed(const QString& line);
 
  private:
@@ -49,7 +49,7 @@ class Comparison : public QObject {
   bool m_isIdeal = false;
   QString m_name;
   QString m_file;
-  bool m_hasOwnDisplay = false;  ///< other()
+  bool m_hasOwnDisplay = false;  ///< the display of other()
   Task m_task;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How two pictures are compared.
+// Commands for comparing two images.
 #include "gui/view/comparison_commands.h"
 
 #include <QActionGroup>
@@ -106,7 +106,7 @@ void ComparisonCommands::addErrorMaps() {
   m_ui.pictureMenu->insertMenu(m_ui.maskAction, m_errorMenu);
 }
 
-/// The picture's own commands, from anywhere in the window.
+/// Adds the image widget's commands to the menu, with keys that work anywhere in the window.
 void ComparisonCommands::addTone() {
   auto* menu = new QMenu(tr("&Gain and gamma"), m_ui.pictureMenu);
   menu->setToolTipsVisible(true);
@@ -140,7 +140,7 @@ void ComparisonCommands::addHistogram() {
   connect(m_showHistogram, &QAction::toggled, this, &ComparisonCommands::measure);
 }
 
-/// The menu's own commands, and the picture's.
+/// Fills the bar with the menu's commands and those of the image widget.
 void ComparisonCommands::addBar() {
   const auto own = [this](const char* name, const QString& word) {
     auto* action = m_view->findChild<QAction*>(name);
@@ -154,7 +154,7 @@ void ComparisonCommands::addBar() {
   for (QAction* action : actions) {
     auto* button = new QToolButton;
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus);  // keys stay the picture's
+    button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
     button->setDefaultAction(action);
     if (action == m_ui.differenceAction) {
       button->setMenu(m_errorMenu);
@@ -176,7 +176,7 @@ void ComparisonCommands::addBar() {
   rows->setSpacing(0);
   rows->addLayout(buttons);
   rows->addWidget(m_figures);
-  m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the picture
+  m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the image
   m_ui.pictureLayout->insertWidget(0, m_bar);
   m_ui.pictureLayout->setStretchFactor(m_view, 1);
 }
@@ -188,7 +188,7 @@ void ComparisonCommands::setComparing(bool isComparing) {
   m_bar->setVisible(isComparing);
 }
 
-/// Nothing of a picture that is not right, or that nobody looks at.
+/// Measures the images, unless they are outdated or their figures are not shown.
 void ComparisonCommands::measure() {
   const bool isWanted = !m_view->otherImage().isNull() || m_showHistogram->isChecked();
   if (m_view->image().isNull() || !m_view->notice().isEmpty() || !isWanted)

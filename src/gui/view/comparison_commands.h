@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How two pictures are compared: commands of the Picture menu, the bar above the picture, the
-// figures, the histogram.
+// Commands for comparing two images: the Picture menu, the bar above the image, the metrics, the
+// histogram.
 #pragma once
 
 #include <QObject>
@@ -27,9 +27,9 @@ class ComparisonCommands : public QObject {
  public:
   ComparisonCommands(const Ui::MainWindow& ui, QObject* parent);
 
-  /// Whether there is something to compare with.
+  /// Sets whether there is an image to compare with.
   void setComparing(bool isComparing);
-  /// Of the pictures as they are now.
+  /// Measures the current images.
   void measure();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of the pictures that are shown.
+// Metrics of the images shown.
 #include "gui/view/comparison_figures.h"
 
 #include <QStringList>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of the pictures that are shown, worked out on a thread of its own.
+// Metrics of the images shown, computed on their own thread.
 #pragma once
 
 #include <QImage>
@@ -12,7 +12,8 @@
 
 namespace hogelscope {
 
-/// What is shown. Null images are not there; a null mask sees everything, a null region is none.
+/// The images shown. Null images are absent; a null mask means that all pixels are seen; a null
+/// region means none.
 struct ShownPictures {
   QImage image;
   QImage seen;
@@ -23,12 +24,12 @@ struct ShownPictures {
 
 struct ComparisonFigures {
   QRect region;
-  std::vector<double> whole;  ///< the report's metrics (MetricSet); empty without another picture
-  std::vector<double> inRegion;       ///< likewise, and without a region
-  std::vector<Histogram> histograms;  ///< of each picture, of the region where there is one
+  std::vector<double> whole;     ///< the report's metrics (MetricSet); empty without a second image
+  std::vector<double> inRegion;  ///< as `whole`; empty without a region
+  std::vector<Histogram> histograms;  ///< of each image, restricted to the region if there is one
 };
 
-/// In one line, with the words of the report's table.
+/// Formats the metrics in one line, with the names of the report's table.
 QString textOf(const ComparisonFigures& figures);
 
 class ComparisonMeter : public QObject {
@@ -37,10 +38,10 @@ class ComparisonMeter : public QObject {
  public:
   explicit ComparisonMeter(QObject* parent);
 
-  /// The newest wins, but what is under way is finished, so that figures keep coming while
-  /// pictures do.
+  /// Starts a measurement. The newest request wins, but a running one is finished, so that metrics
+  /// keep updating while images change.
   void measure(const ShownPictures& pictures);
-  /// There is nothing to measure.
+  /// Stops measuring and clears the metrics.
   void forget();
 
  Q_SIGNALS:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in other tones, and the error of two images as an image.
+// Tone changes of images, and error images.
 #include "gui/view/error_image.h"
 
 #include <QStringList>

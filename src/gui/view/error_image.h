@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in other tones, and the error of two images as an image.
+// Tone changes of images, and error images.
 #pragma once
 
 #include <QCoreApplication>
@@ -9,23 +9,23 @@
 
 namespace hogelscope {
 
-/// The image itself where the tone changes nothing.
+/// Returns the image with the tone applied; the image itself if the tone changes nothing.
 QImage toned(const QImage& image, const Tone& tone);
 
-/// Of `test` against `reference`. Null where the sizes differ.
+/// Returns the error of `test` against `reference`; null if the sizes differ.
 QImage errorImage(const QImage& reference, const QImage& test, const ErrorMap& map);
 
 class ErrorText {
   Q_DECLARE_TR_FUNCTIONS(ErrorText)
 
  public:
-  /// "Absolute error"
+  /// Returns the kind's name, such as "Absolute error".
   static QString name(ErrorKind kind);
-  /// Of a colour scale's numbers.
+  /// Returns the unit of the colour scale.
   static QString unit(ErrorKind kind);
-  /// "× 8, gamma 1.4"; nothing of what changes nothing.
+  /// Returns a text such as "× 8, gamma 1.4"; parts without effect are omitted.
   static QString tone(const Tone& tone);
-  /// The error of a pixel, of each channel where there are three.
+  /// Returns a pixel's error, for each channel if there are three.
   static QString values(ErrorKind kind, QRgb reference, QRgb test);
 };
 

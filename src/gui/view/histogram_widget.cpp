@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The histograms of the pictures that are shown.
+// Histograms of the images shown.
 #include "gui/view/histogram_widget.h"
 
 #include <QPainter>

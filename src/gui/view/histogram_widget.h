@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The histograms of the pictures that are shown, one over the other.
+// Histograms of the images shown, drawn over each other.
 #pragma once
 
 #include <QWidget>
@@ -15,7 +15,7 @@ class HistogramWidget : public QWidget {
  public:
   explicit HistogramWidget(QWidget* parent = nullptr);
 
-  /// The first filled, the second as a line.
+  /// Sets the histograms; the first is filled, the second is a line.
   void setHistograms(const std::vector<Histogram>& histograms);
   [[nodiscard]] const std::vector<Histogram>& histograms() const { return m_histograms; }
   [[nodiscard]] QSize sizeHint() const override { return {256, 72}; }

@@ -64,7 +64,8 @@ std::optional<Scene> ImageCommands::other() const {
 }
 
 void ImageCommands::show(const RenderedView& view) {
-  const bool hasOther = other().has_value();  // not an image that was under way when it stopped
+  const bool hasOther =
+      other().has_value();  // false for an image still rendered after the comparison stopped
   m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());
   m_ui.pictureView->setMask(view.seen, hasOther ? view.otherSeen : QImage());
   showNotice({});
@@ -85,7 +86,7 @@ bool ImageCommands::isRight() const {
   return !m_ui.pictureView->image().isNull() && m_ui.pictureView->notice().isEmpty();
 }
 
-/// What can be done now.
+/// Enables the commands that are available now.
 void ImageCommands::showComparison() {
   const bool hasImage = !m_ui.pictureView->image().isNull();
   m_bar->setVisible(m_comparison->isReading());
@@ -111,7 +112,7 @@ void ImageCommands::stopComparing() {
   m_comparing->measure();
 }
 
-/// What was compared before goes too, as with every stop.
+/// Stops reading and, as every stop does, the current comparison.
 void ImageCommands::stopReading() {
   stopComparing();
   Q_EMIT done(tr("Stopped reading the other light field"));
@@ -131,7 +132,7 @@ bool ImageCommands::compareWith(const QString& file) {
 }
 
 bool ImageCommands::saveImage(const QString& file) {
-  if (!isRight()) {  // it may have become wrong while its name was asked for
+  if (!isRight()) {  // outdated while its name was asked for
     Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
     return false;
   }

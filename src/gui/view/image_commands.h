@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Picture menu: how the simulated view is shown, what it is compared with, saving and copying.
+// The Picture menu: display and comparison of the simulated view, saving and copying.
 #pragma once
 
 #include <QObject>
@@ -24,24 +24,24 @@ class ImageCommands : public QObject {
  public:
   ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
-  /// The session's own light field; none while it is read.
+  /// Sets the session's own light field; none while it is read.
   void setScene(const std::optional<Scene>& own);
-  /// What is to be rendered beside the session's own light field.
+  /// Returns the light field that is rendered for comparison.
   [[nodiscard]] std::optional<Scene> other() const;
   void show(const RenderedView& view);
-  /// Why the image is not what it should be. Until the next one is shown this stands on it, and
-  /// it can neither be saved nor copied.
+  /// Shows on the image why it is outdated. Until the next image is shown, it can be neither saved
+  /// nor copied.
   void showNotice(const QString& why);
-  /// The same, without the image: it is of another session.
+  /// Removes the image, which is of another session, and shows the notice.
   void drop(const QString& why);
-  /// Begins to read; what goes wrong is told by failed(), now or later.
+  /// Starts reading. Errors are reported through failed(), now or later.
   bool compareWith(const QString& file);
-  /// The image as it is shown, if it is right; format by extension.
+  /// Saves the image as shown, unless it is outdated. The extension gives the format.
   bool saveImage(const QString& file);
 
  Q_SIGNALS:
-  void otherChanged();  ///< what other() says
-  /// With another light field's file; "": with none.
+  void otherChanged();  ///< other() has changed
+  /// Passes the file of the compared light field; "": none.
   void compared(const QString& file);
   void done(const QString& line);
   void failed(const QString& line);

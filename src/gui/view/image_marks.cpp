@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is painted on an image.
+// Marks painted on an image.
 #include "gui/view/image_marks.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace hogelscope {
 
 namespace {
 
-/// White on black: seen on any image.
+/// Paints white on black, which is visible on any image.
 void paintOutline(QPainter& painter, const QRect& clip, const QPainterPath& outline,
                   Qt::PenStyle style) {
   painter.save();

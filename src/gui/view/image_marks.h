@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is painted on an image: picked pixels, a marked rectangle, a scale of colours.
+// Marks painted on an image: picked pixels, a selected rectangle, a colour scale.
 #pragma once
 
 #include <QPainter>
@@ -10,13 +10,13 @@
 
 namespace hogelscope {
 
-/// A line around pixels, large enough to be found however small they are drawn.
+/// Paints a line around pixels, large enough to be visible at any zoom.
 void paintPixelMarks(QPainter& painter, const QRect& clip, const Placement& at,
                      const QPainterPath& outline);
 
 void paintRegion(QPainter& painter, const QRect& clip, const Placement& at, const QRect& region);
 
-/// At the right of `area`, with numbers and their unit.
+/// Paints a colour scale at the right of `area`, with numbers and their unit.
 void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const QString& unit);
 
 }  // namespace hogelscope

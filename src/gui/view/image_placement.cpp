@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zoom and pan: where an image lies in the part of a widget that shows it.
+// Zoom and pan: the placement of an image in a part of a widget.
 #include "gui/view/image_placement.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Viewport viewportAt(const Placement& at, const QRect& pane) {
   return {false, at.zoom, at.toImage(middleOf(pane))};
 }
 
-/// Before its origin is rounded, so that roundings do not add up from step to step.
+/// Returns the placement with an unrounded origin, so that rounding errors do not accumulate.
 Placement unroundedPlacement(const Viewport& viewport, const QRect& pane, const QSize& image) {
   const double zoom = viewport.fits ? std::min(double(pane.width()) / image.width(),
                                                double(pane.height()) / image.height())

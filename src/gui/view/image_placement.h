@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zoom and pan: where an image lies in the part of a widget that shows it. All positions are in
-// device pixels, so that one to one means one of the screen's own pixels.
+// Zoom and pan: the placement of an image in a part of a widget. All positions are in device
+// pixels, so that one to one means one screen pixel per image pixel.
 #pragma once
 
 #include <QPointF>
@@ -9,35 +9,35 @@
 
 namespace hogelscope {
 
-/// What linked views share.
+/// The part of the image that linked views share.
 struct Viewport {
-  bool fits = true;  ///< as large as fits; the others are then at their defaults
+  bool fits = true;  ///< fits the pane; the other members are then at their defaults
   double zoom = 1;   ///< device pixels per image pixel
-  QPointF centre;    ///< the image's point in the pane's middle; pixel x reaches from x to x + 1
+  QPointF centre;    ///< the image point in the pane's middle; pixel x reaches from x to x + 1
   bool operator==(const Viewport&) const = default;
 };
 
 struct Placement {
-  QPointF origin;  ///< of the image's top left corner, whole device pixels
+  QPointF origin;  ///< of the image's top left corner, in whole device pixels
   double zoom = 1;
 
   [[nodiscard]] QPointF toImage(const QPointF& device) const { return (device - origin) / zoom; }
   [[nodiscard]] QPointF toDevice(const QPointF& image) const { return origin + image * zoom; }
 };
 
-/// The image must have pixels.
+/// Returns the placement of an image, which must not be empty.
 Placement placementOf(const Viewport& viewport, const QRect& pane, const QSize& image);
 
-/// `steps` further along zooms that are powers of √2 (so that 1, 2, 4 … are among them), between
-/// 1/32 and 64; the image's point at `around` stays there.
+/// Zooms by `steps` steps along powers of √2 (which include 1, 2, 4 …), between 1/32 and 64. The
+/// image point at `around` stays in place.
 Viewport zoomed(const Viewport& viewport, const QRect& pane, const QSize& image, int steps,
                 const QPointF& around);
-/// At a zoom of its own, about the same middle.
+/// Sets the zoom; the middle stays approximately in place.
 Viewport zoomedTo(const Viewport& viewport, const QRect& pane, const QSize& image, double zoom);
-/// The image moves by `device`.
+/// Moves the image by `device` device pixels.
 Viewport moved(const Viewport& viewport, const QRect& pane, const QSize& image,
                const QPointF& device);
-/// The middle shows the image, not what is beside it.
+/// Limits the centre to the image.
 Viewport limitCentre(const Viewport& viewport, const QSize& image);
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows an image, or compares two of the same size: what it shows and how it is moved. How it is
-// painted is in image_widget_painting.cpp.
+// Shows an image, or compares two of the same size: contents and interaction. The painting is in
+// image_widget_painting.cpp.
 #include "gui/view/image_widget.h"
 
 #include <QAction>
@@ -30,7 +30,7 @@ ImageWidget::ImageWidget(QWidget* parent)
   addCommands();
 }
 
-/// Shortcuts of the widget that has the focus, and its context menu.
+/// Adds shortcuts that need the widget's focus, and its context menu.
 void ImageWidget::addCommands() {
   using View = ImageWidget;
   addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
@@ -90,7 +90,7 @@ void ImageWidget::addCommand(const char* name, const QString& text, const QStrin
   addAction(action);
 }
 
-/// Only those that do something.
+/// Shows only the actions of the current mode.
 void ImageWidget::showActions() {
   for (QAction* action : actions())
     if (action->data().isValid()) action->setVisible(action->data().toInt() == int(shownMode()));
@@ -201,7 +201,7 @@ void ImageWidget::updateTones() {
 void ImageWidget::updateDifference() {
   const bool isShown = shownMode() == Mode::difference;
   if (isShown && !m_map) m_map = std::make_shared<const ErrorMap>(m_error);
-  constexpr double large = 1e6;  // pixels: below, it takes a few milliseconds
+  constexpr double large = 1e6;  // pixels; smaller maps take a few milliseconds
   m_isMapOld = isShown && double(image().width()) * image().height() > large;
   ++m_wanted;
   if (!m_isMapOld)
@@ -221,7 +221,7 @@ void ImageWidget::startMap() {
   });
 }
 
-/// The newest wins, but those under way are shown too: maps keep coming while pictures do.
+/// Takes a computed map. The newest wins, but older ones are shown meanwhile.
 void ImageWidget::takeMap(int number, const QImage& map) {
   if (!m_isMapOld) return;
   if (map.size() == image().size()) m_difference = ZoomableImage(map);
@@ -262,7 +262,7 @@ QPointF ImageWidget::inDevice(const QPointF& position) const {
   return position * devicePixelRatioF();
 }
 
-/// Side by side there are two of one size, with a gap between them.
+/// Returns the pane at a position. Side by side has two panes of equal size with a gap.
 QRect ImageWidget::paneAt(const QPointF& device) const {
   QRect pane = deviceRect();
   if (shownMode() != Mode::sideBySide) return pane;
@@ -314,7 +314,7 @@ void ImageWidget::oneToOne() {
   if (!image().isNull()) setViewport(zoomedTo(m_viewport, paneAt({}), image().size(), 1));
 }
 
-/// The part that is shown, by a tenth of the pane.
+/// Moves the visible part by a tenth of the pane.
 void ImageWidget::pan(int x, int y) {
   if (image().isNull()) return;
   const QRect pane = paneAt({});
@@ -366,7 +366,7 @@ void ImageWidget::resetTone() {
   setTone(shownMode() == Mode::difference ? ErrorMap::Params().tone : Tone());
 }
 
-/// By hand.
+/// Swaps the blinking images by hand.
 void ImageWidget::flip() {
   m_turns->stop();
   takeTurn();
@@ -382,7 +382,7 @@ void ImageWidget::removeRegion() {
   setRegion({});
 }
 
-/// From where the button was pressed, in the pane that this is in.
+/// Returns the region from the pressed position to `position`, within the pressed pane.
 QRect ImageWidget::regionTo(const QPointF& position) const {
   const Placement at = placement(paneAt(inDevice(m_pressed)));
   const auto pixel = [&](const QPointF& place) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows an image, or compares two of the same size: zoom, pan, tone, error maps, mask, pixel
-// read-out, and what is marked in it.
+// Shows an image, or compares two of the same size, with zoom, pan, tone, error maps, mask, pixel
+// read-out and marks.
 #pragma once
 
 #include <QPainterPath>
@@ -28,36 +28,36 @@ class ImageWidget : public QWidget {
 
   explicit ImageWidget(QWidget* parent = nullptr);
 
-  /// A second one of another size is not shown; without one there is nothing to compare.
+  /// Sets the images. A second one of another size is ignored; without one there is no comparison.
   void setImages(const QImage& image, const QImage& other = {});
-  /// 0 = not seen, for each image; of its size. A null one marks nothing.
+  /// Sets the masks (0 = not seen) of both images, in their size. A null mask hides nothing.
   void setMask(const QImage& seen, const QImage& otherSeen = {});
-  /// What the images are, shown where both are.
+  /// Sets the titles, shown while both images are shown.
   void setTitles(const QString& title, const QString& otherTitle);
-  /// Stands in the place of an image, or on it: then it is not what it should be, is dimmed, and
-  /// no pixel of it is read out or picked. Empty: the image is right.
+  /// Shows a notice in place of an image or on it. The image is then outdated: it is dimmed, and
+  /// its pixels cannot be read out or picked. Empty: the image is up to date.
   void setNotice(const QString& notice);
-  /// How two images are compared. Blinking, they take turns, twice a second.
+  /// Sets the mode of the comparison. Mode::blink alternates twice a second.
   void setMode(Mode mode);
-  /// What Mode::difference shows.
+  /// Sets the error map of Mode::difference.
   void setErrorMap(ErrorKind kind, bool hasFalseColour);
   void showMask(bool isShown);
-  /// Of what is shown: the pictures, 1/16 … 128, or their error, 1 … 128.
+  /// Sets the gain of what is shown: the images, 1/16 … 128, or their error, 1 … 128.
   void setGain(double gain);
-  /// Likewise, 0.2 … 5.
+  /// Sets the gamma of what is shown, 0.2 … 5.
   void setGamma(double gamma);
-  /// Pixels with a line around them.
+  /// Outlines pixels.
   void markPixels(const QRegion& pixels);
-  /// A rectangle of pixels; null: none.
+  /// Selects a rectangle of pixels; null: none.
   void setRegion(const QRect& region);
-  /// Share of the width, 0 … 1, left of the line: there the first image is shown.
+  /// Sets the share of the width, 0 … 1, that shows the first image.
   void setWipe(double share);
   void setViewport(const Viewport& viewport);
-  /// From now on both show the same part at the same zoom: first the other's.
+  /// Links both viewports, starting with the other's.
   void linkTo(ImageWidget& other);
-  /// The whole image.
+  /// Fits the whole image.
   void fit();
-  /// One pixel of the image on one of the screen.
+  /// Shows one image pixel per screen pixel.
   void oneToOne();
 
   [[nodiscard]] const QImage& image() const { return m_images[0].image; }
@@ -71,18 +71,18 @@ class ImageWidget : public QWidget {
   [[nodiscard]] double wipe() const { return m_wipe; }
   [[nodiscard]] double gain() const { return shownTone().gain; }
   [[nodiscard]] double gamma() const { return shownTone().gamma; }
-  /// The whole image as the mode shows it, pixel for pixel, without mask and grid.
+  /// Returns the whole image in the current mode, pixel for pixel, without mask and grid.
   [[nodiscard]] QImage shownImage() const;
-  /// Place, code values and zoom under the pointer; "" where no pixel is.
+  /// Returns position, code values and zoom under the pointer; "" if there is no pixel.
   [[nodiscard]] QString readOut() const;
 
  Q_SIGNALS:
   void imagesChanged();
-  /// A click that was no drag.
+  /// A click without dragging.
   void pixelPicked(int x, int y);
-  /// While it is drawn, too.
+  /// Emitted during drawing too.
   void regionChanged(const QRect& region);
-  /// The pixel under the pointer; (-1, -1): there is none.
+  /// The pixel under the pointer; (-1, -1): none.
   void pointed(const QPoint& pixel);
   void viewportChanged(const hogelscope::Viewport& viewport);
 
@@ -91,7 +91,7 @@ class ImageWidget : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
-  void mouseDoubleClickEvent(QMouseEvent* event) override;  ///< fits
+  void mouseDoubleClickEvent(QMouseEvent* event) override;  ///< fits the image
   void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
@@ -156,28 +156,28 @@ class ImageWidget : public QWidget {
   void paintNotice(QPainter& painter) const;
 
   std::array<Shown, 2> m_images;
-  ZoomableImage m_difference;  ///< only in its mode, as the next
+  ZoomableImage m_difference;  ///< in Mode::difference only, as is the next
   std::shared_ptr<const ErrorMap> m_map;
-  Task* m_mapping;          ///< works out the difference of large images
-  int m_wanted = 0;         ///< number of the difference that is wanted
-  bool m_isMapOld = false;  ///< m_difference is an older one, or null
+  Task* m_mapping;          ///< computes the difference of large images
+  int m_wanted = 0;         ///< the number of the requested difference
+  bool m_isMapOld = false;  ///< m_difference is outdated or null
   ErrorMap::Params m_error;
-  Tone m_tone;  ///< of the pictures
+  Tone m_tone;  ///< of the images
   Viewport m_viewport;
   Mode m_mode = Mode::sideBySide;
   bool m_showsMask = false;
   double m_wipe = 0.5;
   QTimer* m_turns;         ///< while the images blink
-  std::size_t m_turn = 0;  ///< the image that is shown then
+  std::size_t m_turn = 0;  ///< the image shown while blinking
   QRegion m_marked;
-  QPainterPath m_marks;  ///< their outline
+  QPainterPath m_marks;  ///< the outline of the marked pixels
   QRect m_region;
   QString m_notice;
-  std::optional<QPointF> m_pointer;  ///< widget coordinates, as the next
+  std::optional<QPointF> m_pointer;  ///< widget coordinates, as is the next
   QPointF m_pressed;
   Viewport m_draggedFrom;
   Drag m_drag = Drag::none;
-  int m_wheel = 0;  ///< what is left of the wheel's last notch, eighths of a degree
+  int m_wheel = 0;  ///< the rest of the wheel's last notch, eighths of a degree
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows an image, or compares two of the same size: what it paints, and what it says of a pixel.
+// Shows an image, or compares two of the same size: painting and pixel read-out.
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ QColor difference(const QColor& a, const QColor& b) {
           std::abs(a.blue() - b.blue())};
 }
 
-/// A text on a dark ground, in the corner of `area` that `corner` names.
+/// Paints a text on a dark background in the given corner of `area`.
 void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const QString& text) {
   if (text.isEmpty()) return;
   constexpr int margin = 4;
@@ -101,7 +101,7 @@ void ImageWidget::paintMarks(QPainter& painter, const QRect& clip, const Placeme
   if (!m_region.isNull()) paintRegion(painter, clip, at, m_region);
 }
 
-/// Side by side: where the pointer would be in the other pane.
+/// Paints the pointer's position in the other pane, side by side only.
 void ImageWidget::paintOtherPointer(QPainter& painter) const {
   if (shownMode() != Mode::sideBySide || !m_pointer || !pixelAt(*m_pointer)) return;
   const QPointF device = inDevice(*m_pointer);
@@ -116,7 +116,7 @@ void ImageWidget::paintOtherPointer(QPainter& painter) const {
   }
 }
 
-/// Of the whole, or of the first image.
+/// Returns the title of the whole, or of the first image.
 QString ImageWidget::heading() const {
   const Mode mode = shownMode();
   const QString what = mode == Mode::difference ? ErrorText::name(m_error.kind)
@@ -139,7 +139,7 @@ void ImageWidget::paintTexts(QPainter& painter) const {
               corner(mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignTop),
               m_images[1].title);
   }
-  // Away from the pointer, so that it hides nothing that is looked at.
+  // Moves the text away from the pointer, so that it does not cover that area.
   const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
   paintText(painter, rect(), corner(isLow ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignBottom),
             readOut());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many pictures a second are shown: what a user sees, not what one of them costs.
+// The number of images shown per second, as seen by the user (not the cost of one image).
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ class PictureRate {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// A picture is shown. Returns how many were in the last second, this one too.
+  /// Counts an image. Returns the number in the last second, including this one.
   int shown(Clock::time_point now = Clock::now()) {
     m_times.push_back(now);
     while (m_times.front() <= now - std::chrono::seconds(1)) m_times.pop_front();

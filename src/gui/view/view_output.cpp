@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulated views as files.
+// Output of simulated views to files.
 #include "gui/view/view_output.h"
 
 #include <QStandardPaths>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What holds more than 8 bits gets it.
+/// Whether the format holds more than 8 bits.
 bool holdsFloats(const QString& file) {
   return file.endsWith(".exr") || file.endsWith(".tif") || file.endsWith(".tiff");
 }
@@ -92,7 +92,7 @@ void ViewOutput::start(const Task::Job& job) {
 void ViewOutput::saveView(const QString& file, const QSize& size) {
   const CameraState state = resized(m_model->current(), {size.width(), size.height()});
   const std::optional<RenderJob> job = m_scene ? std::optional(m_scene->job(state)) : std::nullopt;
-  if (!job)  // it may have gone while its name was asked for
+  if (!job)  // removed while the name was asked for
     return Q_EMIT failed(tr("%1: not written: there is no light field").arg(file));
   start([this, job, file, session = m_model->session()](const Progress& progress) {
     check(job->state, job->state.camera.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulated views as files: of any size, and an animation along the states.
+// Output of simulated views to files: images of any size, and an animation along the states.
 #pragma once
 
 #include <QObject>
@@ -19,20 +19,21 @@ class ReadingBar;
 class SessionModel;
 struct AnimationRequest;
 
-/// One work at a time, on a thread of its own, with a bar and its stop in the status bar.
+/// Runs one job at a time on its own thread, with a progress bar and a stop button in the status
+/// bar.
 class ViewOutput : public QObject {
   Q_OBJECT
 
  public:
   ViewOutput(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
-  /// The session's light field; none while it is read. What is under way goes on with its own.
+  /// Sets the session's light field; none while it is read. A running job keeps its own.
   void setScene(const std::optional<Scene>& scene);
-  /// The current state's view over the same field, as `--render` writes it: PNG of 8 bits, TIFF of
-  /// 16, EXR of floats that are not rounded, by extension. done() or failed() come later.
+  /// Saves the current state's view of the same field at another size, as `--render` writes it: PNG
+  /// of 8 bits, TIFF of 16, EXR of unrounded floats, by extension. done() or failed() follows
+  /// later.
   void saveView(const QString& file, const QSize& size);
-  /// The views of all states, so many times larger than they are in the session; with a video
-  /// where `ffmpeg` is not "".
+  /// Saves the views of all states, scaled by `scale`, with a video unless `ffmpeg` is "".
   void saveAnimation(const QString& folder, double scale, const QString& ffmpeg,
                      int framesPerSecond);
 
@@ -54,8 +55,8 @@ class ViewOutput : public QObject {
   ReadingBar* m_bar;
 };
 
-/// The files that a session's light field is read from, which none may be written over. Of a live
-/// scene its own file alone: to open it may take seconds. Throws InputError.
+/// Returns the files of the session's light field, which must not be overwritten. For a live scene
+/// only its own file, because opening it may take seconds. Throws InputError.
 std::vector<std::filesystem::path> lightFieldFiles(const Session& session);
 
 }  // namespace hogelscope

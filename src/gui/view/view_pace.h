@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large the first image of an edit may be, so that the view follows a moving slider: judged
-// by what the latest images took.
+// Chooses the size of the first image after an edit from the times of the latest images, so that
+// the view follows a moving slider.
 #pragma once
 
 #include <algorithm>
@@ -9,20 +9,20 @@ namespace hogelscope {
 
 class ViewPace {
  public:
-  static constexpr double quick = 30;  ///< milliseconds within which a full image comes at once
+  static constexpr double quick = 30;  ///< milliseconds of a full image that is shown directly
 
-  /// 1, 2 or 4: Method::scale.
+  /// Returns the Method::scale of the first image: 1, 2 or 4.
   [[nodiscard]] int firstScale() const { return m_full <= quick ? 1 : m_full <= 4 * quick ? 2 : 4; }
 
-  /// A smaller image tells only where the full one has become slower.
+  /// Updates the estimate. A smaller image can only raise it.
   void rendered(int scale, double milliseconds) {
     m_full = scale == 1 ? milliseconds : std::max(m_full, milliseconds * scale * scale);
   }
-  /// It would have taken longer.
+  /// Raises the estimate after a rendering that was stopped early.
   void stopped(double milliseconds) { m_full = std::max(m_full, milliseconds); }
 
  private:
-  double m_full = 0;  ///< milliseconds that a full image takes
+  double m_full = 0;  ///< estimated milliseconds of a full image
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads light fields and renders views on a thread of its own.
+// Reads light fields and renders views on its own thread.
 #include "gui/view/view_worker.h"
 
 #include <vtkDataArray.h>
@@ -25,8 +25,8 @@ namespace hogelscope {
 
 namespace {
 
-/// The filter's output as Qt paints it fastest, so that the window's thread need not convert it.
-/// VTK's rows are from the bottom.
+/// Returns the filter's output in Qt's fastest format, so that the window's thread need not convert
+/// it. VTK's rows start at the bottom.
 QImage toQImage(vtkImageData& output) {
   const auto [width, height] = std::array{output.GetDimensions()[0], output.GetDimensions()[1]};
   QImage image(width, height, QImage::Format_RGB32);
@@ -47,10 +47,9 @@ QImage toMask(vtkImageData& output) {
   return mask;
 }
 
-/// Of a light field in a store the coarse image has not fewer pixels, but fewer hogels and
-/// directions: what takes long there is to fetch them. In a live one each texel that is read takes
-/// long, again after each edit of its content: the coarse image is without leakage, which reads
-/// most.
+/// Returns the job of a view. For a light field in a store, the coarse image has fewer hogels and
+/// directions instead of fewer pixels, because fetching them dominates. For a live one, where each
+/// texel is expensive after every edit, it has no leakage, which reads the most texels.
 RenderJob viewOf(const Scene& scene, const CameraState& state,
                  const std::optional<NamedMethod>& method, int scale) {
   const bool isLive = dynamic_cast<const LiveSource*>(scene.lightField.get()) != nullptr;
@@ -62,7 +61,7 @@ RenderJob viewOf(const Scene& scene, const CameraState& state,
   return view;
 }
 
-/// Milliseconds: what the first view of a store is thought to take.
+/// The expected time of the first view of a store, in milliseconds.
 constexpr double firstFetch = 1000;
 
 QString planOf(const RenderJob& view) {
@@ -98,7 +97,7 @@ void ViewWorker::load(const Session& session) {
   m_wake.notify_one();
 }
 
-/// From the thread.
+/// Sends a signal from the thread.
 template <class Signal>
 void ViewWorker::send(Signal signal) {
   queueAnswer(this, m_asked, m_number, signal);
@@ -122,14 +121,14 @@ bool ViewWorker::hasNewer(bool isLoading) {
   return m_ends || m_toLoad || (isLoading ? m_isReadingStopped : m_toRender.has_value());
 }
 
-/// Asked while a view is rendered.
+/// Whether a running rendering must stop.
 bool ViewWorker::mustStop() {
   const std::lock_guard lock(m_mutex);
   const bool isPatient = double(m_timer.nsecsElapsed()) * 1e-6 < m_patience;
   return m_ends || m_toLoad || (!isPatient && m_toRender);
 }
 
-/// Waits a moment; false if something newer comes.
+/// Waits a moment. Returns false if a newer request arrives.
 bool ViewWorker::handRests() {
   constexpr auto rest = std::chrono::milliseconds(60);
   std::unique_lock lock(m_mutex);
@@ -140,7 +139,7 @@ void ViewWorker::run() {
   const vtkNew<vtkHogelViewFilter> filter;
   filter->SetProgress([this](double) { return !mustStop(); });
   for (;;) {
-    filter->SetJob({});  // while it waits it holds no light field
+    filter->SetJob({});  // releases the light field while waiting
     std::unique_lock lock(m_mutex);
     m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
     if (m_ends) return;
@@ -155,7 +154,7 @@ void ViewWorker::run() {
       renderNow(*request, *filter);
       if (!hasNewer(false)) certifyNow(*request);
     } catch (const Cancelled&) {
-      // a newer request waits
+      // A newer request waits.
     } catch (const std::exception& error) {
       send([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
     }
@@ -164,15 +163,15 @@ void ViewWorker::run() {
 
 void ViewWorker::loadNow(const Session& session) {
   m_scene.reset();  // frees the old one's memory before the new one is read
-  m_lens.reset();   // what was said of it may have been dropped
+  m_lens.reset();   // its result may have been dropped
   try {
     m_scene = loadScene(session, [this](double done) {
-      if (hasNewer(true)) return false;  // the share is the newer one's now
+      if (hasNewer(true)) return false;  // the share belongs to the newer request now
       m_readShare = done;
       return true;
     });
   } catch (const Cancelled&) {
-    send([this] { Q_EMIT readingStopped(); });  // heard only where nothing newer is asked for
+    send([this] { Q_EMIT readingStopped(); });  // received only if no newer request exists
     return;
   }
   m_readShare = 1;
@@ -181,8 +180,8 @@ void ViewWorker::loadNow(const Session& session) {
   send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }
 
-/// A smaller image is finished even if newer requests come, so that something moves however fast
-/// they come; a full one that was thought to be quick gets the time it was thought to take.
+/// Renders a view. A coarse image is finished even if newer requests arrive, so that the view keeps
+/// moving; a full image that is expected to be quick gets its expected time.
 void ViewWorker::renderNow(const ViewRequest& request, vtkHogelViewFilter& filter) {
   const CameraState& state = request.state;
   check(state, state.camera.name.empty() ? "state" : state.camera.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads light fields and renders views on a thread of its own; the newest request wins.
+// Reads light fields and renders views on its own thread; the newest request wins.
 #pragma once
 
 #include <QElapsedTimer>
@@ -22,26 +22,27 @@ class vtkHogelViewFilter;
 
 namespace hogelscope {
 
-/// What a state looks like, and on the second light field where there is one.
+/// The view of a state, and of the second light field if there is one.
 struct RenderedView {
   QImage image;
   QImage seen;  ///< 0 where no ray meets the display
   QImage otherImage;
   QImage otherSeen;
-  double milliseconds = 0;  ///< of both
-  int scale = 1;            ///< above 1: a coarse image, because the hand moves:
-  bool isOverview = false;  ///< of fewer hogels and directions, or one pixel in scale × scale
-  QString plan;             ///< how, in one line
+  double milliseconds = 0;  ///< of both images
+  int scale = 1;            ///< above 1: a coarse image shown during editing
+  bool isOverview =
+      false;     ///< coarse by fewer hogels and directions, not by one pixel in scale × scale
+  QString plan;  ///< the rendering plan in one line
 };
 
-/// How far a lens can be trusted, and its drawing.
+/// The certificate of a lens, and its drawing.
 struct CertifiedLens {
   LensKey key;
   LensCertificate certificate;
   LensGrid grid;
 };
 
-/// What is to be seen.
+/// The view to render.
 struct ViewRequest {
   CameraState state;
   DisplayParams display;
@@ -50,33 +51,33 @@ struct ViewRequest {
   std::optional<Scene> other;         ///< the second light field
 };
 
-/// All signals come from the thread that the object lives in, and none that belongs to an older
-/// light field comes after load().
+/// Emits all signals on the thread that the object lives in. No signal of an older light field
+/// arrives after load().
 class ViewWorker : public QObject {
   Q_OBJECT
 
  public:
   explicit ViewWorker(QObject* parent = nullptr);
-  /// Stops what is under way.
+  /// Stops a running job.
   ~ViewWorker() override;
 
-  /// Reads the session's light field; an older reading stops.
+  /// Reads the session's light field and stops an older reading.
   void load(const Session& session);
-  /// There is no light field then until the next load().
+  /// Stops reading. There is no light field until the next load().
   void stopReading();
-  /// How much of it has been read, 0 … 1. To be asked: a signal for each step of the reading would
-  /// come faster than a busy window can follow.
+  /// Returns the share that has been read, 0 … 1. It is polled, because signals of each step would
+  /// arrive faster than a busy window can process them.
   [[nodiscard]] double readShare() const { return m_readShare; }
-  /// Renders once the light field is there, and not at all where it could not be read; an older
-  /// rendering stops. Where it takes long a coarse image comes first, and the full one when no
-  /// newer request has come for a moment.
+  /// Renders once the light field has been read, and not at all if that failed; stops an older
+  /// rendering. A slow view starts with a coarse image; the full one follows when no newer request
+  /// arrives for a moment.
   void render(const ViewRequest& request);
 
  Q_SIGNALS:
   void loaded(const hogelscope::Scene& scene);
-  void readingStopped();  ///< because it was asked for
+  void readingStopped();  ///< after stopReading()
   void rendered(const hogelscope::RenderedView& view);
-  /// After the image, where its lens is another one than before.
+  /// Emitted after the image if its lens has changed.
   void certified(const hogelscope::CertifiedLens& lens);
   void failed(const QString& line);
 
@@ -99,14 +100,14 @@ class ViewWorker : public QObject {
   bool m_isReadingStopped = false;
   bool m_ends = false;
 
-  int m_asked = 0;  ///< the number of the latest load(); written under the mutex, too
+  int m_asked = 0;  ///< the number of the latest load(); written under the mutex too
   std::atomic<double> m_readShare = 0;
 
-  int m_number = 0;  ///< of the load() that is served; the thread's own, as all below
+  int m_number = 0;  ///< the number of the load() that is served; the thread's own, as all below
   std::optional<Scene> m_scene;
   std::optional<LensKey> m_lens;  ///< the one certified last
   ViewPace m_pace;
-  QElapsedTimer m_timer;  ///< since the rendering began
+  QElapsedTimer m_timer;  ///< since the rendering started
   double m_patience = 0;  ///< milliseconds after which a newer request stops the rendering
   std::thread m_thread;
 };

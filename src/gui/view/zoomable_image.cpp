@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One image painted at any zoom: its own pixels above one to one, averages below.
+// An image painted at any zoom: its own pixels above one to one, averages below.
 #include "gui/view/zoomable_image.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The pixels that a part of the screen touches.
+/// Returns the pixels that a part of the screen touches.
 QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& image) {
   const QPointF first = at.toImage(clip.topLeft());
   const QPointF end = at.toImage(clip.topLeft() + QPoint(clip.width(), clip.height()));
@@ -31,7 +31,7 @@ void ZoomableImage::paint(QPainter& painter, const QRect& clip, const Placement&
       m_small = m_image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     painter.drawImage(at.origin, m_small);
   } else {
-    // Not the whole image: far off the screen Qt's coordinates overflow.
+    // Only the visible part, because Qt's coordinates overflow far outside the screen.
     const QRect part = pixelsUnder(clip, at, m_image.size());
     const QRectF target(at.toDevice(part.topLeft()), QSizeF(part.size()) * at.zoom);
     painter.drawImage(target, m_image, part);

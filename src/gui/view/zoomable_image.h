@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One image painted at any zoom: its own pixels above one to one, averages below.
+// An image painted at any zoom: its own pixels above one to one, averages below.
 #pragma once
 
 #include <QImage>
@@ -15,18 +15,18 @@ class ZoomableImage {
   explicit ZoomableImage(const QImage& image) : m_image(image) {}
 
   [[nodiscard]] const QImage& image() const { return m_image; }
-  /// `clip`, as all of the painter's coordinates, in device pixels.
+  /// Paints the image. `clip` is in device pixels, as are all of the painter's coordinates.
   void paint(QPainter& painter, const QRect& clip, const Placement& at) const;
 
  private:
   QImage m_image;
-  mutable QImage m_small;  ///< kept from the last painting below one to one
+  mutable QImage m_small;  ///< cached by the last painting below one to one
 };
 
-/// Stripes where `seen` is 0, nothing elsewhere. Null for a null mask.
+/// Returns stripes where `seen` is 0, transparent elsewhere; null for a null mask.
 QImage hatched(const QImage& seen);
 
-/// Lines between the pixels, from 8 device pixels per pixel on.
+/// Paints lines between the pixels, from 8 device pixels per pixel on.
 void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image);
 
 }  // namespace hogelscope

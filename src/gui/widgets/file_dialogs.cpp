@@ -20,15 +20,15 @@ QString lastFolder() {
   return QSettings().value(folderKey, QDir::homePath()).toString();
 }
 
-/// Qt's own dialog deletes whole folders with Del, and renames and moves what is in them. What is
-/// left is to make new folders, where something is to be written.
+/// Disables Qt's deletion, renaming and moving of files. New folders can still be created for
+/// output.
 void keepFiles(QFileDialog& dialog) {
   QStringList hidden{"qt_rename_action", "qt_delete_action"};
   if (dialog.testOption(QFileDialog::ReadOnly)) hidden << "qt_new_folder_action";
   for (const QString& name : hidden)
     if (auto* action = dialog.findChild<QAction*>(name)) {
       action->setVisible(false);
-      action->setEnabled(false);  // Qt 6.4 leaves that of new folders
+      action->setEnabled(false);  // Qt 6.4 keeps the one for new folders enabled
     }
   for (auto* view : dialog.findChildren<QAbstractItemView*>()) {
     view->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -37,7 +37,7 @@ void keepFiles(QFileDialog& dialog) {
   }
 }
 
-/// A folder to write into may be a new one, whose name is typed.
+/// A dialog that also accepts the typed name of a new folder for output.
 class FolderMaker : public QFileDialog {
  public:
   using QFileDialog::QFileDialog;
@@ -89,7 +89,7 @@ QStringList chooseFiles(QWidget* parent, const QString& title, const QString& fi
   return chosen(parent, title, {QFileDialog::ExistingFiles, QFileDialog::ReadOnly, filter});
 }
 
-/// The folder around the one that is chosen is kept: the next one is likely to lie beside it.
+/// Remembers the parent of the chosen folder, because the next one is likely to lie there too.
 QString chooseFolder(QWidget* parent, const QString& title) {
   const auto options = QFileDialog::ShowDirsOnly | QFileDialog::ReadOnly;
   return chosen(parent, title, {QFileDialog::Directory, options, {}}).value(0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dialogs that ask for files and folders; they open in the folder that was used last, also in
-// another run of the program. None deletes, renames or moves files; new folders can be made where
-// something is to be written.
+// Dialogs for choosing files and folders. They open in the folder that was used last, also after a
+// restart. They cannot delete, rename or move files; new folders can be created for output.
 #pragma once
 
 #include <QStringList>
@@ -10,20 +9,21 @@ class QWidget;
 
 namespace hogelscope {
 
-/// Returns the filter of the dialogs that ask for a session.
+/// Returns the filter of session dialogs.
 QString sessionFilter();
 
-/// All of them return nothing where the user does not choose. `filter` is as QFileDialog's.
+/// Returns the chosen file, or "" if the user cancels; the same for all functions below. `filter`
+/// is as in QFileDialog.
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
 QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter);
 QString chooseFolder(QWidget* parent, const QString& title);
-/// The folder is written into; the user may make a new one.
+/// Returns a folder for output, which the user may create.
 QString chooseOutputFolder(QWidget* parent, const QString& title);
-/// `name` is proposed: of a file in the folder that was used last.
+/// Returns a file to write; `name` is proposed in the folder that was used last.
 QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
                       const QString& filter);
 
-/// The folder of a file that was opened or saved without a dialog is used too.
+/// Remembers the folder of a file that was opened or saved without a dialog.
 void rememberFolderOf(const QString& file);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boxes.
+// Modal message boxes.
 #include "gui/widgets/message_boxes.h"
 
 #include <vtkVersion.h>

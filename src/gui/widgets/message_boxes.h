@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place that stops the user with a box: each function shows one and waits for its answer.
+// The program's modal message boxes. Each function shows one and waits for its answer.
 #pragma once
 
 #include <QDateTime>
@@ -10,11 +10,11 @@ class QWidget;
 namespace hogelscope {
 
 enum class Unsaved { save, discard, cancel };
-/// Before edits of `name` would be lost. Escape is cancel.
+/// Asks before edits of `name` would be lost. Escape cancels.
 Unsaved askUnsaved(QWidget* window, const QString& name);
 
 enum class Recovery { recover, discard, later };
-/// After a program ended without asking, with edits of `document` as of `time`. Escape is later.
+/// Asks about edits of `document`, dated `time`, that a crash left behind. Escape means later.
 Recovery askRecovery(QWidget* window, const QString& document, const QDateTime& time);
 
 void showAbout(QWidget* window);

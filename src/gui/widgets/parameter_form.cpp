@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A form created from a parameter description. One walk over the fields shows values in the
-// editors, or takes the one that a user changed (only that one: an editor's rounding must not touch
-// the others).
+// A form generated from a parameter description. One visit of the fields shows values in the
+// editors, or takes the value that a user changed (only that one, because an editor's rounding must
+// not change the others).
 #include "gui/widgets/parameter_form.h"
 
 #include <QCheckBox>
@@ -30,7 +30,7 @@ QString toQString(std::string_view text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
-/// Where a value may be left out, the emptied box, one step below the range, stands for that.
+/// A box for an optional value; empty, one step below the range, means left out.
 template <class Box>
 class LeavableBox : public Box {
  public:
@@ -57,7 +57,7 @@ class LeavableBox : public Box {
   }
 };
 
-/// Shows five digits, or all of a whole part; the value keeps more.
+/// A box that shows five digits, or the whole integer part; the value keeps more.
 class RealBox : public LeavableBox<QDoubleSpinBox> {
  public:
   explicit RealBox(QWidget* parent) : LeavableBox(parent) { setDecimals(12); }
@@ -80,8 +80,8 @@ class BoxRow : public QWidget {
 
 namespace {
 
-/// What a form says for a name of a document: "windowSize" is "Window size", and what nobody can
-/// pronounce is "PSF", or "k1".
+/// Returns the label of a document's name: "Window size" for "windowSize"; names without vowels
+/// stay, as "PSF" or "k1".
 QString inWords(const QString& name) {
   static const QRegularExpression vowel("[aeiouyAEIOUY]");
   static const QRegularExpression wordEnd("([a-z])([A-Z])");
@@ -95,14 +95,14 @@ QString labelOf(const Field& field) {
   return field.label.empty() ? inWords(toQString(field.name)) : toQString(field.label);
 }
 
-/// The values that a slider covers.
+/// Returns the range of a slider.
 Range slideOf(const Range& range) {
   const bool isDeclared = range.slideMin < range.slideMax;
   return {isDeclared ? range.slideMin : range.min, isDeclared ? range.slideMax : range.max,
           range.step};
 }
 
-/// Wide enough for a value that it holds as yet.
+/// Extends the slider's range to a value beyond it.
 void growTo(QSlider& slider, const Range& slide, double value) {
   const int at = qRound((value - slide.min) / slide.step);
   slider.setRange(std::min(slider.minimum(), at), std::max(slider.maximum(), at));
@@ -163,7 +163,7 @@ void ParameterForm::slideTo(const QString& name, double most) {
   refresh();
 }
 
-/// Editors take their value and leave the keys to the form.
+/// Emits entered() for Return and Escape; editors apply their value and ignore these keys.
 void ParameterForm::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
   if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Escape)
@@ -180,7 +180,7 @@ bool ParameterForm::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-/// That of a line of text, if it is one, and the default.
+/// Shows the menu: the line edit's own, if any, and the default.
 void ParameterForm::showMenu(QWidget* on, const QString& key, const QPoint& at) {
   auto* line = qobject_cast<QLineEdit*>(on);
   QMenu* menu = line != nullptr ? line->createStandardContextMenu() : new QMenu(on);
@@ -202,7 +202,7 @@ void ParameterForm::offerDefault(QMenu* menu, const QString& key) {
   });
 }
 
-/// Only for the row of that key.
+/// Visits the defaults for the row of that key only.
 void ParameterForm::walkDefaults(Pass pass, const QString& key) {
   if (!m_defaults) return;
   m_wanted = key;
@@ -215,7 +215,7 @@ bool ParameterForm::passesBy(const QWidget* row) const {
   return isOfDefaults && row->property("row").toString() != m_wanted;
 }
 
-/// Takes the value of an editor, or of all that are in a row.
+/// Takes the value of an editor, or of all editors in a row.
 void ParameterForm::applyEdit(QObject* editor) {
   m_pass = Pass::apply;
   m_edited = editor;
@@ -230,8 +230,8 @@ void ParameterForm::group(std::string_view name, std::string_view help) {
   setToolTip(toQString(help));
 }
 
-/// The field's editor; `make` makes it where there is none yet. Fields of one name may have editors
-/// of several kinds, and other ranges in another group.
+/// Returns the field's editor, created by `make` if missing. Fields of one name may have editors of
+/// several kinds, and other ranges in another group.
 template <class Make>
 auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
   using Editor = std::remove_pointer_t<decltype(make())>;
@@ -274,7 +274,7 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
     auto* box = new Box(row);
     box->setObjectName(boxName(field, k, isList));
     box->setKeyboardTracking(false);
-    const bool isNarrow = count > 2;  // the wheel and the arrow keys still step it
+    const bool isNarrow = count > 2;  // the wheel and the arrow keys still step the value
     if (isNarrow) box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setMinimumWidth(fontMetrics().horizontalAdvance(isNarrow ? "-0.0000 m" : "-00.0000 px") +
                          (isNarrow ? 8 : 24));
@@ -291,7 +291,7 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
   return row;
 }
 
-/// Beside a single number whose range has few enough steps to be slid over.
+/// Adds a slider to a single number whose range has few enough steps.
 template <class Box>
 void ParameterForm::addSlider(const Field& field, Box* box, QWidget* row) {
   constexpr double mostSteps = 1e5;
@@ -329,7 +329,7 @@ void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isL
     auto* slider = row->template findChild<QSlider*>(boxName(field, k, isList) + ".slider");
     if (slider == nullptr) continue;
     const QSignalBlocker quietSlider(slider);
-    // A value that was left out is below the range, as far as numbers go.
+    // An omitted value is numerically below the range.
     const double shown = std::clamp(double(values[k]), field.range.min, field.range.max);
     const Range slide = slideOf(field.range);
     if (const auto most = m_slideMost.constFind(toQString(field.name)); most != m_slideMost.cend())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A form created from a parameter description: a heading, and a row for each field with unit, help
-// and slider.
+// A form generated from a parameter description: a heading, and a row for each field with unit,
+// help and slider.
 #pragma once
 
 #include <QHash>
@@ -21,30 +21,29 @@ namespace hogelscope {
 template <class Box>
 class BoxRow;
 
-/// A field gets its row when it is visited first; the row hides while the field is not visited or
-/// does not count. The editors are named after their fields: "sigma", "sigma.slider", "eye.0". A
-/// right click on a row offers the default.
+/// Creates a field's row when the field is first visited, and hides it while the field is not
+/// visited or does not count. Editors are named after their fields: "sigma", "sigma.slider",
+/// "eye.0". A right click on a row offers the default.
 class ParameterForm : public QWidget, private ParameterVisitor {
   Q_OBJECT
 
  public:
-  /// Visits the parameters as they are now, and takes over what the visitor changed.
+  /// Visits the current parameters and applies what the visitor changed.
   using Visit = std::function<void(ParameterVisitor&)>;
 
-  /// `defaults` visits the parameters as they are where nobody has set them; without it, no default
-  /// is offered.
+  /// `defaults` visits the default parameters; without it, no default is offered.
   explicit ParameterForm(Visit visit, Visit defaults = {}, QWidget* parent = nullptr);
 
-  /// Hides a field's row, or shows it again.
+  /// Hides or shows a field's row.
   void hideField(const QString& name, bool isHidden);
-  /// A field's slider covers values up to this, or up to what is allowed; at first what the field
-  /// declares. It grows to a larger value.
+  /// Sets the upper end of a field's slider, limited to the field's maximum; the default is the
+  /// field's declaration. It extends to a larger value.
   void slideTo(const QString& name, double most);
-  /// Shows the parameters as they are now.
+  /// Shows the current parameters.
   void refresh();
 
  Q_SIGNALS:
-  /// Return was pressed in an editor, which has taken its value, or Escape, and it has not.
+  /// Return was pressed in an editor, which has applied its value, or Escape, and it has not.
   void entered();
 
  protected:
@@ -85,12 +84,12 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   QLabel* m_heading;
   QString m_group;
   Pass m_pass = Pass::show;
-  QObject* m_edited = nullptr;  ///< the editor that a user changed
-  QString m_wanted;             ///< the row whose default is said or shown
-  QStringList m_default;        ///< its values
+  QObject* m_edited = nullptr;  ///< the editor changed by the user
+  QString m_wanted;             ///< the row whose default is read or shown
+  QStringList m_default;        ///< the default values of that row
   QHash<QString, QWidget*> m_rows;
-  QSet<QWidget*> m_visited;  ///< of m_rows, in this walk
-  QSet<QString> m_hidden;    ///< names of fields
+  QSet<QWidget*> m_visited;  ///< of m_rows, during this visit
+  QSet<QString> m_hidden;    ///< names of hidden fields
   QHash<QString, double> m_slideMost;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar that asks how far the work is, ten times a second while it can be seen.
+// A progress bar that polls the progress ten times a second while visible.
 #pragma once
 
 #include <QProgressBar>
@@ -8,13 +8,13 @@
 
 namespace hogelscope {
 
-/// Work on another thread keeps its share in an atomic number. A signal for each step would fill
-/// the window's queue, and whatever comes next would wait until each of them has been painted.
+/// Polls work on another thread, which keeps its progress in an atomic number. Signals of each step
+/// would fill the window's queue and delay all other events.
 class PolledBar : public QProgressBar {
   Q_OBJECT
 
  public:
-  /// Says how much is done, 0 … 1.
+  /// Returns the progress, 0 … 1.
   using Share = std::function<double()>;
 
   explicit PolledBar(Share share, QWidget* parent = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a worker's thread answers the object that started it.
+// Answers of a worker's thread to the object that started it.
 #pragma once
 
 #include <QMetaObject>
@@ -7,9 +7,9 @@
 
 namespace hogelscope {
 
-/// Calls `answer` on the object's own thread, from any other one, unless a newer question has been
-/// asked by then: what waits in the queue would be the answer to an older one. `latest` counts the
-/// questions; it is a member of the object, which only its own thread changes.
+/// Calls `answer` on the object's own thread, from any other thread, unless a newer question has
+/// been asked by then. `latest` counts the questions; it is a member of the object that only the
+/// object's thread changes.
 template <class Answer>
 void queueAnswer(QObject* object, const int& latest, int number, Answer answer) {
   QMetaObject::invokeMethod(

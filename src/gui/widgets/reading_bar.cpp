@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the reading of a light field is.
+// A progress bar with a stop button for the status bar.
 #include "gui/widgets/reading_bar.h"
 
 #include <QHBoxLayout>

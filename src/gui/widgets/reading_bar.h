@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the reading of a light field, or the writing of pictures, is, with a button that stops
-// it; in the status bar.
+// A progress bar with a stop button for the status bar, for reading a light field or writing
+// images.
 #pragma once
 
 #include "gui/widgets/polled_bar.h"
@@ -11,8 +11,8 @@ class ReadingBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// `what` is read, and stands in the bar. Hidden at first; to be shown while it is read. Other
-  /// work has its own tooltips.
+  /// Creates a hidden bar labelled `what`, to be shown while the work runs. Work other than reading
+  /// passes its own tooltips.
   ReadingBar(const QString& what, PolledBar::Share share, QWidget* parent,
              const QString& barHelp = tr("How much has been read"),
              const QString& stopHelp =

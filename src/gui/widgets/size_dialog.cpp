@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks how many pixels a picture is to have.
+// Dialog of the size of an image.
 #include "gui/widgets/size_dialog.h"
 
 #include <QDialogButtonBox>
@@ -19,7 +19,7 @@ SizeDialog::SizeDialog(const QString& title, const QSize& proposed, QWidget* par
       m_width(new QSpinBox) {
   setObjectName("sizeDialog");
   setWindowTitle(title);
-  constexpr double longest = 16384;  // px, as a state's resolution
+  constexpr double longest = 16384;  // px, the limit of a state's resolution
   const double aspect = double(m_proposed.height()) / m_proposed.width();
   m_width->setObjectName("widthBox");
   m_width->setRange(1, int(longest / std::max(1.0, aspect)));

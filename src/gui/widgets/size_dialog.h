@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks how many pixels a picture is to have.
+// Dialog of the size of an image in pixels.
 #pragma once
 
 #include <QDialog>
@@ -13,14 +13,14 @@ class SizeDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// The shape is that of `proposed`.
+  /// Keeps the aspect ratio of `proposed`.
   SizeDialog(const QString& title, const QSize& proposed, QWidget* parent);
 
-  /// At least one pixel each way.
+  /// Returns the size, at least one pixel each way.
   [[nodiscard]] QSize size() const;
 
  protected:
-  /// For further rows.
+  /// The layout, for further rows.
   [[nodiscard]] QFormLayout* form() const { return m_form; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One long job at a time on a thread of its own.
+// Runs one long job at a time on its own thread.
 #include "gui/widgets/task.h"
 
 #include <utility>
@@ -28,7 +28,7 @@ void Task::queue(Answer answer) {
   queueAnswer(this, m_number, m_number, std::move(answer));
 }
 
-/// On the thread.
+/// Runs the job; called on the thread.
 void Task::run(const Job& job) {
   const auto finish = [this](const Answer& answer) {
     queue([this, answer] {

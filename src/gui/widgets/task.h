@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One long job at a time on a thread of its own.
+// Runs one long job at a time on its own thread.
 #pragma once
 
 #include <QObject>
@@ -11,31 +11,31 @@
 
 namespace hogelscope {
 
-/// Answers and signals come on the thread that the object lives in, and none of an older job comes
-/// after start() or abandon().
+/// Delivers answers and signals on the thread that the object lives in. Nothing of an older job
+/// arrives after start() or abandon().
 class Task : public QObject {
   Q_OBJECT
 
  public:
   using Answer = std::function<void()>;
-  /// Runs on the thread; the task calls what it returns.
+  /// Runs on the thread and returns the answer that the task calls.
   using Job = std::function<Answer(const Progress&)>;
 
   using QObject::QObject;
-  /// Cancels what is under way.
+  /// Abandons a running job.
   ~Task() override { abandon(); }
 
-  /// Abandons an older job.
+  /// Starts a job and abandons an older one.
   void start(Job job);
-  /// Cancels the job: its answer or one of the signals comes soon.
+  /// Cancels the job. Its answer or one of the signals follows soon.
   void stop() { m_stops = true; }
   /// Cancels the job and waits for its end.
   void abandon();
-  /// Calls `answer` later. The job calls this from any thread.
+  /// Calls `answer` later on the object's thread. The job may call this from any thread.
   void queue(Answer answer);
-  /// False again when the last answer or signal comes.
+  /// Whether a job runs; false again when the last answer or signal arrives.
   [[nodiscard]] bool isRunning() const { return m_isRunning; }
-  /// How much is done, 0 … 1; to be polled (PolledBar).
+  /// Returns the progress, 0 … 1; polled by PolledBar.
   [[nodiscard]] double share() const { return m_share; }
 
  Q_SIGNALS:
@@ -45,7 +45,7 @@ class Task : public QObject {
  private:
   void run(const Job& job);
 
-  int m_number = 0;  ///< of the latest job; changes only while no thread runs
+  int m_number = 0;  ///< the number of the latest job; changes only while no thread runs
   bool m_isRunning = false;
   std::atomic<bool> m_stops = false;
   std::atomic<double> m_share = 0;
