@@ -14,8 +14,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// At an end, from the three points there: the parabola's slope, limited so that the curve keeps
-/// its shape.
+/// Returns the slope at an end: that of the parabola through three points, limited to keep the
+/// curve's shape.
 double endSlope(double h0, double h1, double d0, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;
@@ -23,7 +23,8 @@ double endSlope(double h0, double h1, double d0, double d1) {
   return slope;
 }
 
-/// At each point; inside the weighted harmonic mean of the slopes to both sides, or 0 at a peak.
+/// Returns the slope at each point; inside, the weighted harmonic mean of both sides, or 0 at a
+/// peak.
 std::vector<double> slopes(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t last = x.size() - 1;
   const auto h = [&](std::size_t k) { return x[k + 1] - x[k]; };
@@ -41,12 +42,12 @@ std::vector<double> slopes(const std::vector<double>& x, const std::vector<doubl
   return m;
 }
 
-/// A curve as two columns; `x` is what is integrated over.
+/// A curve as two columns; `x` is the variable of integration.
 struct Curve {
   std::vector<double> x, y;
 };
 
-/// Mean of test − anchor over what both cover, or not a number.
+/// Returns the mean of test − anchor over their common range, or NaN.
 double meanDifference(const Curve& anchor, const Curve& test) {
   const double from = std::max(anchor.x.front(), test.x.front());
   const double to = std::min(anchor.x.back(), test.x.back());
@@ -64,7 +65,7 @@ Curve columns(const std::vector<RatePoint>& points, bool isOverQuality) {
   return curve;
 }
 
-/// Sorts by rate, and says what is wrong with a curve.
+/// Sorts by rate. Returns the problem of a curve, or "".
 std::string problemOf(std::vector<RatePoint>& points, const std::string& name) {
   if (points.size() < 4)
     return name + " has " + std::to_string(points.size()) + " points, but four are needed";
@@ -93,7 +94,7 @@ double pchipIntegral(const std::vector<double>& x, const std::vector<double>& y,
     const double a = std::max(from, x[k]);
     const double b = std::min(to, x[k + 1]);
     if (!(a < b)) continue;
-    // y[k] + t (m[k] + t (c2 + t c3)), t = x − x[k], by its antiderivative.
+    // The antiderivative of y[k] + t (m[k] + t (c2 + t c3)), t = x − x[k].
     const double h = x[k + 1] - x[k];
     const double d = (y[k + 1] - y[k]) / h;
     const double c2 = (3 * d - 2 * m[k] - m[k + 1]) / h;

@@ -15,7 +15,7 @@ namespace hogelscope {
 
 namespace {
 
-/// `counts` of the values 0 … 255.
+/// Returns the gain for the `counts` of the values 0 … 255.
 int gainFor(const std::array<std::size_t, 256>& counts) {
   std::size_t above = 0;  // values larger than `largest`
   const std::size_t all = std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
@@ -26,7 +26,8 @@ int gainFor(const std::array<std::size_t, 256>& counts) {
   return gain;
 }
 
-/// |a − b| in code values with fractions, in `rgb` times `gain` and rounded.
+/// Writes |a − b| in unrounded code values into `rgb`, multiplied by the gain and rounded. Returns
+/// the gain.
 int writeDeepDifference(const Image& a, const Image& b, std::span<std::uint8_t> rgb) {
   std::vector<double> differences(rgb.size());
   std::vector<double> others(rgb.size());

@@ -14,13 +14,13 @@ void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8
                      std::span<std::uint8_t> result);
 
 struct DifferenceImage {
-  Image image;   ///< gain · |reference − test|, each channel; seen where both are
-  int gain = 1;  ///< the largest power of two that cuts off at most a thousandth of the values
-                 ///< that differ, so that one outlier does not hide the rest; 1 for none, 65536 at
-                 ///< most
+  Image image;  ///< gain · |reference − test|, each channel; seen where both are
+  int gain =
+      1;  ///< the largest power of two that clips at most a thousandth of the differing values, so
+          ///< that one outlier does not hide the rest; 1 if none differ, 65536 at most
 };
 
-/// Throws std::invalid_argument where the sizes differ.
+/// Computes a difference image. Throws std::invalid_argument if the sizes differ.
 DifferenceImage differenceImage(const Image& reference, const Image& test);
 
 }  // namespace hogelscope

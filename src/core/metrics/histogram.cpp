@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many pixels of an image are how bright.
+// Luma histogram of an image.
 #include "core/metrics/histogram.h"
 
 namespace hogelscope {

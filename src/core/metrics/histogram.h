@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many pixels of an image are how bright.
+// Luma histogram of an image.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace hogelscope {
 
-/// By luma, 0 … 255.
+/// Pixel counts by luma, 0 … 255.
 using Histogram = std::array<std::size_t, 256>;
 
-/// Counts the pixels that are seen by their luma (BT.709), rounded half up.
+/// Counts the seen pixels by their luma (BT.709), rounded half up.
 Histogram lumaHistogram(const Image& image);
 
 }  // namespace hogelscope

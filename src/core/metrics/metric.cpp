@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The standard metrics, and those of a set side by side.
+// The standard metrics, and metric sets.
 #include "core/metrics/metric.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using Where = MetricColumn::Where;
 
-/// In the order of MetricIndex.
+/// Returns the columns in the order of MetricIndex.
 std::vector<MetricColumn> standardColumnList() {
   const char* const seenHelp =
       "Share of the image's pixels that see the display in both images; how much of the panel "
@@ -54,7 +54,7 @@ std::vector<MetricColumn> standardColumnList() {
           {.name = "mse_of_bits"}};
 }
 
-/// In the order of MeanIndex.
+/// Returns the means in the order of MeanIndex.
 std::vector<MetricMean> standardMeans() {
   return {{"mean_psnr", "mean PSNR", psnrColumn, 2, nullptr, true, "dB"},
           {"psnr_of_mean_mse", "PSNR of mean MSE", mseColumn, 2, psnr, false, "dB"},

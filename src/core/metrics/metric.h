@@ -14,36 +14,36 @@
 
 namespace hogelscope {
 
-/// One figure of a comparison.
+/// A value of a comparison.
 struct MetricColumn {
-  /// The tables that show it, each with those of the ones before.
+  /// The tables with this column. Each one also has the columns of those before it.
   enum class Where { files, page, window };
 
   std::string name;        ///< in CSV files: "psnr_seen"
-  std::string title{};     ///< in tables: "PSNR seen"
-  std::string unit{};      ///< in tables: "dB"
-  std::string help{};      ///< a tooltip
+  std::string title{};     ///< in tables, such as "PSNR seen"
+  std::string unit{};      ///< in tables, such as "dB"
+  std::string help{};      ///< tooltip
   int decimals = 2;        ///< in tables
-  double tableFactor = 1;  ///< what tables multiply values by: 100 for percent
+  double tableFactor = 1;  ///< the factor of values in tables, such as 100 for percent
   Where where = Where::files;
 };
 
-/// Returns a value as tables show it; "identical" if infinite, a dash if NaN.
+/// Formats a value for tables; "identical" if infinite, a dash if NaN.
 std::string tableText(const MetricColumn& column, double value);
 
-/// A mean over views. Values that are not finite do not count in it.
+/// A mean over views, without values that are not finite.
 struct MetricMean {
   std::string name;        ///< in CSV files: "psnr_of_mean_mse"
   std::string title;       ///< in tables
-  std::size_t column = 0;  ///< of the metric's columns
+  std::size_t column = 0;  ///< an index of the metric's columns
   int decimals = 2;
-  double (*ofMean)(double mean) = nullptr;  ///< what is shown of the mean; null: the mean itself
+  double (*ofMean)(double mean) = nullptr;  ///< conversion of the mean; null: the mean itself
   bool isQuality = false;                   ///< whether BD-rates use it
-  std::string unit{};                       ///< "dB"
-  bool isSeen = false;  ///< over the pixels seen in both, not over the whole frame
+  std::string unit{};                       ///< such as "dB"
+  bool isSeen = false;  ///< over the pixels seen in both images, not the whole frame
 };
 
-/// The value of each column, of images of one size.
+/// Returns the value of each column for images of one size.
 using CompareImages = std::function<std::vector<double>(
     const Image& reference, const Image& test, const ParallelRows& parallelRows,
     const Progress& progress, const Viewing& viewing)>;
@@ -52,12 +52,12 @@ struct Metric {
   std::vector<MetricColumn> columns;
   std::vector<MetricMean> means;
   CompareImages compare;
-  bool readsUnrounded = false;  ///< of the images; takes their rounded ones where they are missing
+  bool readsUnrounded = false;  ///< of the images; falls back to rounded ones
 };
 
-/// The columns of the standard metrics, which begin every MetricSet. Without "seen" they are over
-/// the whole frame. The headlines of a report are over what is seen: black surroundings, which
-/// every codec gets right, raise the others.
+/// Indices of the standard metrics' columns, which come first in every MetricSet. Those without
+/// "seen" are over the whole frame. A report's headlines use the seen pixels, because black
+/// surroundings, which every codec reproduces exactly, raise the others.
 enum MetricIndex : std::size_t {
   psnrSeenColumn,
   psnrColumn,
@@ -84,7 +84,7 @@ enum MetricIndex : std::size_t {
   mseOfBitsColumn
 };
 
-/// The means of the standard metrics, which begin every MetricSet.
+/// Indices of the standard metrics' means, which come first in every MetricSet.
 enum MeanIndex : std::size_t {
   meanPsnr,
   psnrOfMeanMse,
@@ -99,20 +99,20 @@ enum MeanIndex : std::size_t {
 };
 
 /// The standard metrics (MSE and PSNR of RGB, SSIM, the share of seen pixels, MSE and PSNR of
-/// YCbCr, the bits compared), then others.
+/// YCbCr, the bits compared), followed by others.
 class MetricSet {
  public:
   explicit MetricSet(std::vector<Metric> others = {});
 
   [[nodiscard]] const std::vector<MetricColumn>& columns() const { return m_columns; }
-  /// Their `column` is an index of columns().
+  /// Returns the means; their `column` is an index of columns().
   [[nodiscard]] const std::vector<MetricMean>& means() const { return m_means; }
 
-  /// Whether one of them reads unrounded values.
+  /// Whether any of the metrics reads unrounded values.
   [[nodiscard]] bool readUnrounded() const;
-  /// Returns the value of each column; NaN where there is nothing to compare. They are the same to
-  /// the last bit for any number of threads, and on every machine with IEEE arithmetic. Throws
-  /// std::invalid_argument where the sizes differ, Cancelled.
+  /// Returns the value of each column; NaN if there is nothing to compare. The values are
+  /// bit-identical for any number of threads and on every machine with IEEE arithmetic. Throws
+  /// std::invalid_argument if the sizes differ, and Cancelled.
   [[nodiscard]] std::vector<double> compare(const Image& reference, const Image& test,
                                             const ParallelRows& parallelRows = serialRows,
                                             const Progress& progress = {},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The squared error of views, thrown back onto the panel.
+// The squared error of views, back-projected onto the panel.
 #include "core/metrics/panel_error.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace hogelscope {
 
 namespace {
 
-/// In place of a cell: the pixel counts nowhere.
+/// The index of a pixel that counts for no cell.
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 std::size_t product(int a, int b) {
   return std::size_t(a) * std::size_t(b);
 }
 
-/// One exact ray through each pixel's centre, whatever the image was made of.
+/// Returns a job with one exact ray through each pixel's centre, however the image was rendered.
 RenderJob raysThroughCentres(RenderJob job) {
   job.sampling.samplesPerPixel = 1;
   job.method = {};
@@ -40,7 +40,7 @@ void squaredDifferences(const std::uint8_t* a, const std::uint8_t* b, std::size_
   }
 }
 
-/// Of 16-bit values.
+/// Computes the squared differences of 16-bit values.
 void squaredDifferences(const Image& a, const Image& b, std::size_t from, std::size_t count,
                         std::uint64_t* squares) {
   std::vector<double> valuesA(3 * count);
@@ -54,7 +54,7 @@ void squaredDifferences(const Image& a, const Image& b, std::size_t from, std::s
   }
 }
 
-/// Row-major indices of the cells along two axes of a batch, where a pixel is seen by all.
+/// Computes row-major cell indices along two axes of a batch; `nowhere` for pixels not seen by all.
 MULTIVERSIONED
 void cellIndices(const CellBatch& batch, std::size_t axis, int columns, const std::uint8_t* seenA,
                  const std::uint8_t* seenB, int count, std::uint32_t* __restrict at) {
@@ -68,7 +68,7 @@ void cellIndices(const CellBatch& batch, std::size_t axis, int columns, const st
   }
 }
 
-/// Neighbours often meet one cell, so it is written once for all of them.
+/// Adds squares to cells. Neighbours that meet one cell are summed first, so it is written once.
 void addTo(std::vector<PanelError::Cell>& cells, const std::vector<std::uint32_t>& at,
            const std::vector<std::uint64_t>& squares) {
   for (std::size_t k = 0; k < at.size();) {
@@ -152,7 +152,7 @@ void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRow
       for (int x = 0; x < reference.width; x += batchSize)
         batchAt(y, x, std::min(batchSize, reference.width - x));
   });
-  // On this thread: pixels of many rows meet one cell.
+  // Runs on this thread only, because pixels of many rows meet one cell.
   addTo(m_hogels, m_pixels.hogel, m_pixels.squares);
   addTo(m_directions, m_pixels.direction, m_pixels.squares);
 }

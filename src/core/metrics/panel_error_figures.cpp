@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the error on the panel amounts to.
+// Summary figures of the error on the panel.
 #include "core/metrics/panel_error_figures.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool isCheaper(const PanelError::Cell& a, const PanelError::Cell& b) {
   return a.squares < b.squares;
 }
 
-/// The share of the cells met that hold half of the squares.
+/// Returns the share of the non-empty cells that hold half of the squares.
 double halfShare(Cells cells) {
   std::erase_if(cells, [](const PanelError::Cell& cell) { return cell.pixels == 0; });
   std::sort(cells.begin(), cells.end(),
@@ -42,7 +42,7 @@ double degreesOf(double slope) {
   return std::atan(slope) * 180 / std::numbers::pi;
 }
 
-/// "12.0° right" of -12 … 12.
+/// Formats an angle, such as "12.0° right" for 12.
 std::string angleText(double degrees, const char* negative, const char* positive) {
   return rounded(std::abs(degrees), 1) + "° " + (degrees < 0 ? negative : positive);
 }
@@ -51,7 +51,7 @@ std::string percent(double share) {
   return rounded(100 * share, share < 0.1 ? 1 : 0) + " %";
 }
 
-/// How many pixels wide and high a cell becomes: whole numbers, as near to `shape` as they can be.
+/// Returns a cell's size in pixels: integers as close to `shape` as possible.
 std::array<int, 2> blockOf(const std::array<int, 2>& cells, const std::array<double, 2>& shape) {
   constexpr double least = 256;
   const double wanted = least / std::max(shape[0], shape[1]);
@@ -60,12 +60,12 @@ std::array<int, 2> blockOf(const std::array<int, 2>& cells, const std::array<dou
   std::array<int, 2> block{};
   block[dense] = std::max(1, int(std::ceil(wanted * shape[dense] / cells[dense] - 1e-9)));
   const double scale = block[dense] * cells[dense] / shape[dense];
-  const double largest = std::ceil(2 * least / cells[other]);  // odd shapes stay small
+  const double largest = std::ceil(2 * least / cells[other]);  // limits extreme shapes
   block[other] = int(std::clamp(std::round(scale * shape[other] / cells[other]), 1.0, largest));
   return block;
 }
 
-/// A block of its share's colour for each cell.
+/// Returns an image with a block of each cell's colour.
 Image picture(const std::vector<double>& shares, const std::array<int, 2>& count,
               const std::array<double, 2>& shape) {
   const auto [blockWidth, blockHeight] = blockOf(count, shape);
@@ -87,7 +87,7 @@ std::vector<double> meansOf(const Cells& cells, int perCode) {
   return means;
 }
 
-/// Shares of the scale, from 0.
+/// Returns the cells' positions on the scale, starting at 0.
 std::vector<double> sharesOf(const Cells& cells, int perCode) {
   std::vector<double> shares = meansOf(cells, perCode);
   const double end = scaleEndOf(shares);

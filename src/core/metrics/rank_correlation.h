@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether two figures put things in the same order: Spearman's rank correlation.
+// Spearman's rank correlation.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@ namespace hogelscope {
 /// No value may be NaN.
 std::vector<double> ranksOf(const std::vector<double>& values);
 
-/// Returns Spearman's ρ, Pearson's correlation of the ranks, over the pairs in which neither is
-/// NaN. NaN for fewer than two of them, or where all values of one are equal. Throws
-/// std::invalid_argument where the sizes differ.
+/// Returns Spearman's ρ, Pearson's correlation of the ranks, over the pairs without NaN. NaN for
+/// fewer than two pairs, or if all values of one list are equal. Throws std::invalid_argument if
+/// the sizes differ.
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the rows of a report as CSV.
+// CSV output of a report's rows.
 #include "core/metrics/report_rows.h"
 
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace hogelscope {
 
 namespace {
 
-/// The columns of report.csv never change: users' scripts read them.
+/// The columns of report.csv. They never change, because users' scripts read them.
 constexpr std::array<MetricIndex, 6> reportColumns{mseColumn,      psnrColumn, mseSeenColumn,
                                                    psnrSeenColumn, ssimColumn, seenColumn};
 
-/// The columns that report.csv does not have.
+/// Returns the columns missing in report.csv.
 std::vector<std::size_t> otherColumns(const MetricSet& metrics) {
   std::vector<std::size_t> others;
   for (std::size_t k = 0; k < metrics.columns().size(); ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a report, one for each state and test light field, as CSV. Last on the line.
+// The rows of a report, one for each state and test light field, and their CSV.
 #pragma once
 
 #include <string>
@@ -15,17 +15,17 @@ struct ReportRow {
   std::string test;
   std::vector<double> values;  ///< of MetricSet::columns()
   Vec3 eye;                    ///< in the world, metres
-  double weight = 1;           ///< in the weighted means, 0 or more
-  std::string problem{};       ///< why there is nothing to compare; "" if there is
+  double weight = 1;           ///< weight in the weighted means, at least 0
+  std::string problem{};       ///< why nothing can be compared; "" if there is no problem
 };
 
-/// A `problem`: neither image sees the display.
+/// A possible `problem`: neither image sees the display.
 inline constexpr const char* seesNothing = "sees nothing of the display";
 
-/// Returns `report.csv`, RFC 4180, lines end in \n: six columns of the standard metrics.
+/// Returns `report.csv` (RFC 4180, lines end in \n) with six columns of the standard metrics.
 std::string reportCsv(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
-/// Returns `metrics.csv`: the columns that report.csv does not have, weights and problems.
+/// Returns `metrics.csv`: the columns missing in report.csv, weights and problems.
 std::string metricsCsv(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums of squared differences, exact in whole numbers for images of 8 bits.
+// Sums of squared differences, exact integers for images of 8 bits.
 #include "core/metrics/squared_error.h"
 
 #include <algorithm>
@@ -12,18 +12,18 @@ namespace hogelscope {
 
 namespace {
 
-/// Pixels whose sums of squares and products stay within 32 bits: 255² · 3 · 8192 < 2³¹.
+/// The number of pixels whose sums of squares and products fit 32 bits: 255² · 3 · 8192 < 2³¹.
 constexpr std::size_t pieceSize = 8192;
 
 /// Sums of squared differences over some pixels: of R, G and B, and of Y, Cb and Cr in units that
-/// make BT.709's coefficients whole numbers. Whole numbers too for images of 8 bits.
+/// make BT.709's coefficients integers. The sums are integers for images of 8 bits.
 struct Squares {
   double rgb = 0;
   std::array<double, 3> yuv{};
   double pixels = 0;
 };
 
-/// Σ (r·red + g·green + b·blue)² from the sums of r², g², b², rg, rb, gb.
+/// Returns Σ (r·red + g·green + b·blue)² from the sums of r², g², b², rg, rb, gb.
 double quadratic(const std::array<std::int64_t, 3>& c, const std::array<std::int32_t, 6>& sums) {
   const std::array<std::int64_t, 6> coefficients{c[0] * c[0],     c[1] * c[1],     c[2] * c[2],
                                                  2 * c[0] * c[1], 2 * c[0] * c[2], 2 * c[1] * c[2]};
@@ -32,7 +32,7 @@ double quadratic(const std::array<std::int64_t, 3>& c, const std::array<std::int
   return double(sum);
 }
 
-/// Of those of at most `pieceSize` pixels that `counts` has a 1 for.
+/// Adds the squares of the pixels marked 1 in `counts`, at most `pieceSize`.
 MULTIVERSIONED
 void addSquares(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* counts,
                 std::size_t count, Squares& sums) {
@@ -57,8 +57,8 @@ void addSquares(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t
   sums.yuv[2] += quadratic({7874, -7152, -722}, {rr, gg, bb, rg, rb, gb});   // R − Y
 }
 
-/// The same of code values with fractions. Written with differences of differences, so that grey
-/// that differs has no error of its colour, to the last bit.
+/// Adds the same for unrounded code values. Uses differences of differences, so that differing grey
+/// values have exactly no colour error.
 MULTIVERSIONED
 void addSquares(const double* a, const double* b, const std::uint8_t* counts, std::size_t count,
                 Squares& sums) {
@@ -78,7 +78,7 @@ void addSquares(const double* a, const double* b, const std::uint8_t* counts, st
   }
 }
 
-/// Over all pixels and over those seen in both.
+/// Sums over all pixels and over those seen in both images.
 struct BothSquares {
   Squares all;
   Squares seen;
@@ -105,7 +105,7 @@ void addPiece(const Image& reference, const Image& test, std::size_t from, std::
   addPiece(a.data(), b.data(), seen, sums);
 }
 
-/// Cb = (B − Y) / 1.8556, Cr = (R − Y) / 1.5748: both span 255 as R, G and B do.
+/// Cb = (B − Y) / 1.8556 and Cr = (R − Y) / 1.5748 span 255, as R, G and B do.
 std::array<double, 3> meanYuv(const Squares& sums) {
   constexpr std::array<double, 3> unit{1e4, 1.8556e4, 1.5748e4};
   std::array<double, 3> means{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SSIM: Gaussian sums down the columns, then along the row.
+// SSIM with Gaussian sums down the columns, then along the row.
 #include "core/metrics/ssim.h"
 
 #include <algorithm>
@@ -29,14 +29,14 @@ Window gaussian(double sigma) {
   return w;
 }
 
-/// What SSIM needs of a place: sums of a, b, a² + b² and ab. The variances are only needed as their
-/// sum, which saves a fifth of the work.
+/// The sums needed for SSIM at a place: a, b, a² + b² and ab. Only the sum of the variances is
+/// needed, which saves a fifth of the work.
 struct Moments {
   std::vector<double> a, b, squares, products;
   explicit Moments(std::size_t width) : a(width), b(width), squares(width), products(width) {}
 };
 
-/// Gaussian sums down the columns, of the rows from `a` and `b` on.
+/// Computes Gaussian sums down the columns, over the rows starting at `a` and `b`.
 MULTIVERSIONED
 void alongColumns(const Window& w, const double* __restrict a, const double* __restrict b,
                   std::size_t width, Moments& sums) {
@@ -61,7 +61,7 @@ void alongColumns(const Window& w, const double* __restrict a, const double* __r
   }
 }
 
-/// Gaussian sums of those sums along the row, and SSIM of each place.
+/// Computes Gaussian sums of those sums along the row, and the SSIM of each place.
 MULTIVERSIONED
 void alongRow(const Window& w, const Moments& sums, std::size_t count, double* __restrict out) {
   constexpr double c1 = (0.01 * 255) * (0.01 * 255);
@@ -103,18 +103,18 @@ void luma(const Image& image, std::size_t from, std::size_t count, double* y) {
   luma(values.data(), count, y);
 }
 
-/// Sets 1 for each place of a row whose window holds only pixels seen in both, of the counts of its
-/// last row.
+/// Sets 1 for each place of a row whose window has only pixels seen in both images, from the counts
+/// of the window's last row.
 void wholeWindows(const std::uint8_t* seenAbove, std::size_t width,
                   std::vector<std::uint8_t>& whole) {
-  int run = 0;  // columns up to here that are seen as far up as the window reaches
+  int run = 0;  // columns up to here that are seen over the window's height
   for (std::size_t x = 0; x < width; ++x) {
     run = seenAbove[x] < windowSize ? 0 : run + 1;
     if (x + 1 >= windowSize) whole[x + 1 - windowSize] = run >= windowSize ? 1 : 0;
   }
 }
 
-/// SSIM of the places of some rows of windows: sums over all of them and over the whole windows.
+/// Sums of SSIM over the places of some rows: over all windows and over those seen completely.
 struct RowSums {
   double all = 0;
   double inSeen = 0;
@@ -132,13 +132,13 @@ RowSums sumsOf(const std::vector<double>& row, const std::vector<std::uint8_t>& 
   return sums;
 }
 
-constexpr std::size_t strip = 32;  // rows whose luma stays in the second-level cache
+constexpr std::size_t strip = 32;  // rows whose luma fits the second-level cache
 
-/// What the rows of windows need of some rows of pixels.
+/// The pixel rows needed for some rows of windows.
 struct Strip {
   std::size_t width;
   std::vector<double> a, b;
-  /// How many pixels from here upwards both images see, within the strip.
+  /// The number of pixels upwards from here, within the strip, seen in both images.
   std::vector<std::uint8_t> seenAbove;
   explicit Strip(std::size_t imageWidth)
       : width(imageWidth), a((strip + windowSize - 1) * width), b(a), seenAbove(a.size()) {}
@@ -154,7 +154,7 @@ struct Strip {
   }
 };
 
-/// Added up in one order for any threads.
+/// Returns the means, added in a fixed order for any number of threads.
 Ssim meanOf(const std::vector<RowSums>& rows, std::size_t places) {
   RowSums sums;
   for (const RowSums& row : rows) {

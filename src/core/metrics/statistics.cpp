@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// In [0, count). Lemire, "Fast Random Integer Generation in an Interval", 2019.
+/// Returns an integer in [0, count). Lemire, "Fast Random Integer Generation in an Interval", 2019.
 std::uint32_t below(std::uint32_t count, std::mt19937_64& engine) {
   const std::uint32_t unfair = (0U - count) % count;
   for (;;) {
@@ -23,8 +23,8 @@ std::uint32_t below(std::uint32_t count, std::mt19937_64& engine) {
   }
 }
 
-/// Resamples that are drawn before the units are gone through: of many units each pass is one
-/// through memory.
+/// The number of resamples drawn per pass over the units, because a pass over many units is limited
+/// by memory.
 constexpr std::size_t mostAtOnce = 16;
 
 MULTIVERSIONED
@@ -32,12 +32,12 @@ void add(const double* __restrict unit, std::size_t count, double times, double*
   for (std::size_t k = 0; k < count; ++k) sums[k] += times * unit[k];
 }
 
-/// Draws so many samples and returns the sums of each.
+/// Draws `samples` samples and returns the sums of each.
 std::vector<std::vector<double>> drawSums(const std::vector<std::vector<double>>& units,
                                           std::size_t samples, std::mt19937_64& engine) {
   const std::size_t width = units.empty() ? 0 : units.front().size();
   const std::size_t n = units.size();
-  std::vector<std::uint32_t> times(n * samples);  // how often a sample has each unit
+  std::vector<std::uint32_t> times(n * samples);  // how often a sample contains each unit
   for (std::size_t sample = 0; sample < samples; ++sample)
     for (std::size_t k = 0; k < n; ++k) ++times[sample * n + below(std::uint32_t(n), engine)];
   std::vector<std::vector<double>> sums(samples, std::vector<double>(width));
@@ -48,9 +48,10 @@ std::vector<std::vector<double>> drawSums(const std::vector<std::vector<double>>
   return sums;
 }
 
-/// The ⌈qn⌉-th smallest value.
+/// Returns the ⌈qn⌉-th smallest value.
 double quantile(std::vector<double>& values, double q) {
-  const double rank = std::ceil(q * double(values.size()) - 1e-9);  // 0.975 · 10000 is a bit more
+  const double rank =
+      std::ceil(q * double(values.size()) - 1e-9);  // 0.975 · 10000 is slightly more
   const auto at = values.begin() + std::ptrdiff_t(std::max(rank, 1.0)) - 1;
   std::nth_element(values.begin(), at, values.end());
   return *at;

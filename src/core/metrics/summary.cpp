@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums up a report's rows.
+// Summary of a report's rows.
 #include "core/metrics/summary.h"
 
 #include <algorithm>
@@ -16,12 +16,12 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// In files: what a figure is taken over.
+/// Returns the name of a mean's region in files.
 const char* regionOf(bool isSeen) {
   return isSeen ? "seen" : "frame";
 }
 
-/// The sums from which the means follow: for each mean Σ weight · value, Σ weight.
+/// Returns the sums for the means: Σ weight · value and Σ weight for each mean.
 std::vector<double> meanSums(const ReportRow& row, double weight, const MetricSet& metrics) {
   std::vector<double> sums(2 * metrics.means().size(), 0);
   if (!row.problem.empty()) return sums;
@@ -49,19 +49,19 @@ void addTo(std::vector<double>& sums, const std::vector<double>& more) {
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += more[k];
 }
 
-/// A row's plain sums, then its weighted ones.
+/// Returns a row's plain sums, followed by its weighted ones.
 std::vector<double> sumsOf(const ReportRow& row, const MetricSet& metrics) {
   std::vector<double> sums = meanSums(row, 1, metrics);
   std::ranges::copy(meanSums(row, row.weight, metrics), std::back_inserter(sums));
   return sums;
 }
 
-/// One unit of the bootstrap for each state: what one viewer saw is drawn as a whole.
+/// Returns a bootstrap unit for each state, because a viewer's observations are drawn as a whole.
 std::vector<std::vector<double>> unitsOf(const std::vector<ReportRow>& rows,
                                          const MetricSet& metrics) {
   std::vector<std::vector<double>> units;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (k > 0 && rows[k].state == rows[k - 1].state)  // they stand together in a report
+    if (k > 0 && rows[k].state == rows[k - 1].state)  // adjacent in a report
       addTo(units.back(), sumsOf(rows[k], metrics));
     else
       units.push_back(sumsOf(rows[k], metrics));

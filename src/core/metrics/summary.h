@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Means of a report's rows, for each test light field and over all: summary.csv, bd.csv.
+// Means of a report's rows, for each test light field and overall: summary.csv, bd.csv.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace hogelscope {
 
-/// Means are named, never mixed (docs/formulas.md, Metrics). A row with a problem counts in none,
-/// and the mean of nothing is NaN.
+/// Means of rows. Each kind of mean has its own name (docs/formulas.md, Metrics). Rows with a
+/// problem are excluded, and the mean of nothing is NaN.
 struct ReportSummary {
   std::vector<double> means;     ///< of MetricSet::means()
-  std::vector<double> weighted;  ///< the same, with each row's weight
-  /// The rows of the lowest PSNRs that are not infinite: over what is seen, over the whole frame.
+  std::vector<double> weighted;  ///< weighted by the rows' weights
+  /// The rows of the lowest finite PSNRs: over the seen pixels, and over the whole frame.
   std::optional<std::size_t> worst;
   std::optional<std::size_t> worstFrame;
   std::size_t identical = 0;
@@ -26,7 +26,7 @@ struct ReportSummary {
 
 ReportSummary summariseRows(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
-/// One block of summary.csv.
+/// A block of summary.csv.
 struct TestSummary {
   std::string test;  ///< "all tests" for the last block
   std::vector<ReportRow> rows;
@@ -42,13 +42,13 @@ struct TestRate {
   double rate = 0;
 };
 
-/// Test light fields that make one rate-distortion curve.
+/// Test light fields that form one rate-distortion curve.
 struct RateGroup {
   std::string name;
   std::vector<TestRate> tests;
 };
 
-/// A group against the first one, in one of the means that are qualities.
+/// A group compared with the first one, by one of the means that are qualities.
 struct BdRow {
   std::string anchor;
   std::string group;
@@ -56,21 +56,21 @@ struct BdRow {
   BdDelta delta;
 };
 
-/// The tests of a report's rows, in their order.
+/// Returns the tests of a report's rows, in their order.
 std::vector<std::string> testsOf(const std::vector<ReportRow>& rows);
 
-/// A block for each test in the order of the rows, then one over all, whose intervals resample
-/// states: rows of one state stay together.
+/// Returns a block for each test in the order of the rows, then one over all tests, whose intervals
+/// resample states: rows of one state stay together.
 std::vector<TestSummary> summariseTests(const std::vector<ReportRow>& rows,
                                         const MetricSet& metrics,
                                         const std::vector<RateGroup>& groups = {});
 
-/// Compares every later group with the first, in each mean that is a quality, those over what is
-/// seen first.
+/// Compares every later group with the first by each mean that is a quality, those over seen pixels
+/// first.
 std::vector<BdRow> bdRows(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
                           const std::vector<RateGroup>& groups);
 
-/// `summary.csv`, `bd.csv`.
+/// Returns `summary.csv`; the next function returns `bd.csv`.
 std::string summaryCsv(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
 std::string bdCsv(const std::vector<BdRow>& rows);
 

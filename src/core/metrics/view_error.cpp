@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a light field's own views beside the perceived one.
+// The error of a light field's own views, compared with the perceived one.
 #include "core/metrics/view_error.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ double squaredDifference(const Texel<A>& a, const Texel<B>& b) {
   return r * r + g * g + blue * blue;
 }
 
-/// Adds hogels (·, j) to the errors of the views (·, v), along u first as texels lie in memory.
+/// Adds hogels (·, j) to the errors of the views (·, v), along u first, as texels lie in memory.
 template <class A, class B>
 void addHogels(const LightField& reference, const TexelArray<A>& a, const LightField& test,
                const TexelArray<B>& b, int j, int v, double* squares) {
