@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moves and turns a camera by steps.
+// Stepwise moves and turns of a camera.
 #include "core/cameras/camera_motion.h"
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace {
 constexpr double stepMetres = 0.01;
 constexpr double stepDegrees = 2;
 
-/// Turns right-handed about a unit vector (Rodrigues' formula).
+/// Rotates right-handed about a unit vector (Rodrigues' formula).
 Vec3 rotated(const Vec3& v, const Vec3& axis, double degrees) {
   const double c = std::cos(radians(degrees));
   const double s = std::sin(radians(degrees));
   return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
 }
 
-/// Limits a turn upwards, so that the view does not come too near to `up` or its opposite. A view
-/// that is nearer already may only turn away.
+/// Limits a tilt, so that the view stays one degree from `up` and its opposite. A view that is
+/// nearer already may only turn away.
 double tiltLeft(const Vec3& forward, const Vec3& up, double degrees) {
   constexpr double nearest = 1;
   const double fromUp =

@@ -148,7 +148,7 @@ GridSize gridFor(const CameraRegionParams& region, int count) {
       std::array<int, 3> grid{columns, rows, 1};
       grid[last] = (count + columns * rows - 1) / (columns * rows);
       const double cost = costOf(grid);
-      if (!(cost < least - 1e-9)) continue;  // not rounding, but the order decides between equals
+      if (!(cost < least - 1e-9)) continue;  // ties are decided by order, not by rounding
       least = cost;
       best = grid;
     }

@@ -35,7 +35,7 @@ struct CameraRegionParams {
 
 void describe(ParameterVisitor& v, CameraRegionParams& p);
 
-/// Checks the rules that join several fields. Throws InputError; paths begin with `path`.
+/// Checks rules that involve several fields. Throws InputError; paths begin with `path`.
 void check(const CameraRegionParams& region, const std::string& path);
 
 /// One camera of a set, in the display frame.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets: many states for a session at once.
+// Camera sets, which add many states to a session.
 #include "core/cameras/camera_set.h"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ struct Maker {
   std::vector<CameraPose> operator()(const Trace& trace);
 };
 
-/// Returns each part's number of the `count` states; those that rounding down leaves go to the
-/// largest remainders, the first of equal ones.
+/// Returns the number of states of each part; those left over by rounding down go to the largest
+/// remainders, the first of equal ones.
 std::vector<int> sharesOf(const std::vector<Mixture::Part>& parts, int count) {
   double total = 0;
   for (const Mixture::Part& part : parts) total += part.weight;
@@ -162,7 +162,7 @@ long long lastNumber(const Session& session, const std::string& prefix) {
   return last;
 }
 
-/// Formats at least four digits, so that a set that is added later sorts with the first one.
+/// Formats a number padded to `digits` digits, so that sets added later sort with the first one.
 std::string numbered(const std::string& prefix, long long number, std::size_t digits) {
   const std::string text = std::to_string(number);
   return prefix + std::string(digits - text.size(), '0') + text;

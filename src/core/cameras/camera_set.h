@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets: many states for a session at once, from a distribution, a list, a path or a viewer's
-// trace.
+// Camera sets, which add many states to a session, from a distribution, a list, a path or a
+// viewer's trace.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct CameraSetParams {
 
 void describe(ParameterVisitor& v, CameraSetParams& p);
 
-/// A pose given by a user, in the display frame, in metres.
+/// A user-defined pose in the display frame, in metres.
 struct KeyPose {
   Vec3 eye{notGiven, notGiven, notGiven};
   Vec3 lookat{notGiven, notGiven, notGiven};
@@ -44,7 +44,7 @@ struct Mixture {
   std::vector<Part> parts;
 };
 
-/// A list of poses, each of which becomes a state.
+/// A list of poses, each of which gives a state.
 struct PoseList {
   std::vector<KeyPose> poses;
 };
@@ -72,20 +72,21 @@ struct TraceParams {
 
 void describe(ParameterVisitor& v, TraceParams& p);
 
-/// At least two positions of a viewer. Samples are in the middles of equal spans of time, linear
-/// between the points or, if it `holds`, at the point before; samples in the same cube of side
+/// At least two positions of a viewer. Samples are in the middles of equal time spans, linear
+/// between the points or, if it `holds`, at the previous point; samples in the same cube of side
 /// `place` (centred on its multiples) become one state at their mean, weighted by their number.
 struct Trace {
   struct Point {
-    double time = 0;  ///< seconds from the first one's, never falling; the last one's is above 0
+    double time =
+        0;  ///< seconds since the first point, never falling; that of the last one is above 0
     Vec3 eye;
   };
   std::vector<Point> points;
   bool holds = false;
 };
 
-/// The description of a camera set. Without a source it is `region`'s own distribution; with one
-/// `region` gives the look-at of the states that have none.
+/// The description of a camera set. Without a source it is `region`'s own distribution; with one,
+/// `region` gives the look-at of states without their own.
 struct CameraSet {
   CameraSetParams params;
   CameraRegionParams region;
@@ -96,11 +97,10 @@ struct CameraSet {
 /// numbers are seeded (std::mt19937_64) and drawn in the order of the states.
 std::vector<CameraPose> posesOf(const CameraSet& set, const std::array<double, 2>& panel);
 
-/// Returns the session with the set's states appended, without the template if so wanted, otherwise
-/// unchanged. Lens, intrinsics, PSF,
-/// resolution and field of view are the template's; up is the panel's. Positions are rounded to
-/// 1e-9 m, so that they do not depend on a machine's sine. Throws InputError: no such template, a
-/// state that a session would refuse.
+/// Returns the session with the set's states appended, without the template unless `keepTemplate`,
+/// otherwise unchanged. Lens, intrinsics, PSF, resolution and field of view are the template's; up
+/// is the panel's. Positions are rounded to 1e-9 m, so that they do not depend on a machine's sine.
+/// Throws InputError if there is no such template or a state is invalid in a session.
 Session withCameras(const Session& session, const CameraSet& set);
 
 }  // namespace hogelscope

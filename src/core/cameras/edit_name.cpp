@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares states and sessions by a visitor of their descriptions.
+// Comparison of states and sessions by their parameter descriptions.
 #include "core/cameras/edit_name.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class Values : public ParameterVisitor {
   }
 };
 
-/// A choice comes before the fields that only one of its values has.
+/// Returns the first change. A choice comes before the fields that only one of its values has.
 template <class Described>
 std::string firstChange(const Described& before, const Described& after) {
   const std::vector<Values::Value> old = Values(before).values;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the field of a camera state or a session that an edit changes, to name it in the undo
+// Finds the field of a camera state or a session that an edit changes, for its name in the undo
 // menu.
 #pragma once
 

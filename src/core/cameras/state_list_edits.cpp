@@ -32,8 +32,7 @@ std::string freeName(const Session& session, const std::string& wanted) {
 }
 
 CameraState inFrontOf(const DisplayParams& display) {
-  // As far away as the paper's camera is from its panel, in units of the panel, or where the views'
-  // cameras stood.
+  // The distance of the paper's camera in units of its panel, or that of the views' cameras.
   const double longer = std::max(display.size[0], display.size[1]);
   const bool isConverging = display.viewingDistance > 0;
   const double distance = isConverging ? display.viewingDistance : 1.118 * longer;
