@@ -15,7 +15,7 @@ double decadeOf(double value) {
   return std::pow(10, std::floor(std::log10(value)));
 }
 
-/// A minus sign is as wide as a plus; a hyphen is not.
+/// Returns a number with a minus sign, which is as wide as a plus; a hyphen is not.
 std::string withMinus(std::string number) {
   for (std::size_t at = 0; (at = number.find('-', at)) != std::string::npos;)
     number.replace(at, 1, "−");
@@ -30,7 +30,7 @@ std::string textOf(double value, int decade) {
 
 double roundedDown(double value) {
   const double decade = decadeOf(value);
-  // A rounding error more, so that half of 0.2 is 0.1.
+  // Adds a rounding error, so that half of 0.2 gives 0.1.
   const double share = value / decade * (1 + 1e-12);
   return decade * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
 }
@@ -55,9 +55,9 @@ std::vector<Tick> linearTicks(const Axis& axis, int most) {
 std::vector<Tick> logarithmicTicks(const Axis& axis, double room) {
   const double decade = std::abs(axis.to - axis.from) / (axis.high - axis.low);
   const int every = std::max(1, int(std::ceil(room / decade)));
-  // 2 and 5 divide a decade into about equal parts, of which log10(2) is the least.
+  // 2 and 5 divide a decade into about equal parts; log10(2) is the smallest.
   const bool isDivided = decade * std::log10(2.0) >= room;
-  const int digits = axis.high - axis.low > 12 ? 1 : 9;  // more minor ticks would be a grey bar
+  const int digits = axis.high - axis.low > 12 ? 1 : 9;  // more minor ticks would merge
   std::vector<Tick> ticks;
   constexpr double slack = 1e-9;
   for (int power = int(std::floor(axis.low)); power <= axis.high + slack; ++power)

@@ -7,7 +7,7 @@
 
 namespace hogelscope {
 
-/// Values [low, high] lie along [from, to], which may fall; low < high.
+/// An axis with values [low, high] at positions [from, to]; to < from is allowed; low < high.
 struct Axis {
   double low = 0;
   double high = 1;
@@ -23,14 +23,14 @@ struct Tick {
   std::string text;  ///< UTF-8 with U+2212 as minus; empty for a minor tick
 };
 
-/// The largest of 1, 2, 5 times a power of ten that is at most `value`, which is > 0.
+/// Returns the largest of 1, 2, 5 times a power of ten not above `value`, which is > 0.
 double roundedDown(double value);
-/// The smallest of 1, 2, 5 times a power of ten of which at most `most` steps fit into `range`.
+/// Returns the smallest of 1, 2, 5 times a power of ten of which at most `most` steps fit `range`.
 double tickStep(double range, int most);
-/// The multiples of that step within the axis.
+/// Returns ticks at the multiples of tickStep() within the axis.
 std::vector<Tick> linearTicks(const Axis& axis, int most);
-/// Ticks at 1, 2, … 9 times the powers of ten of an axis of log10 of the values. Those with a text
-/// are at least `room` apart.
+/// Returns ticks at 1, 2, … 9 times the powers of ten, for an axis of log10 of the values. Ticks
+/// with a text are at least `room` apart.
 std::vector<Tick> logarithmicTicks(const Axis& axis, double room);
 
 }  // namespace hogelscope

@@ -9,7 +9,7 @@
 namespace hogelscope {
 
 std::array<std::uint8_t, 3> falseColour(double share) {
-  // Nine of its colours; between them it is nearly straight.
+  // Nine of viridis' colours; the scale is nearly linear between them.
   constexpr std::array<std::array<double, 3>, 9> viridis{{{68, 1, 84},
                                                           {71, 44, 122},
                                                           {59, 81, 139},

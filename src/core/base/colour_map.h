@@ -8,12 +8,13 @@
 
 namespace hogelscope {
 
-/// matplotlib's viridis (CC0), even in lightness, so that it also reads in grey.
-/// Returns a colour from dark violet (0) to yellow (1); clamps beyond them; grey for NaN.
+/// Returns a colour of matplotlib's viridis (CC0) from dark violet (0) to yellow (1), clamped; grey
+/// for NaN. Its lightness is even, so that it is also readable in greyscale.
 std::array<std::uint8_t, 3> falseColour(double share);
 
-/// Returns "#rrggbb" for the k-th of several series; it is repeated after seven. Okabe and Ito's
-/// colours for all kinds of colour vision, without the yellow, which paper loses.
+/// Returns "#rrggbb" for the k-th of several series; colours repeat after seven. They are those of
+/// Okabe and Ito, for all kinds of colour vision, without the yellow, which is hard to see on
+/// paper.
 const char* seriesColour(std::size_t series);
 
 }  // namespace hogelscope

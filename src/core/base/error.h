@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one exception for input that a user can fix; main() turns it into one line and status 2.
+// The exception for user-correctable input; main() prints it as one line and returns status 2.
 #pragma once
 
 #include <stdexcept>
@@ -7,8 +7,8 @@
 
 namespace hogelscope {
 
-/// The message is "FILE: WHAT: WHY". `what` is a JSON path, a parameter or a part of the file; it
-/// or the file may be empty where it is not known (yet).
+/// An input error. Its message is "FILE: WHAT: WHY". `what` is a JSON path, a parameter or a part
+/// of the file; it or the file may be empty if unknown (yet).
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, std::string what, std::string why);
@@ -23,7 +23,7 @@ class InputError : public std::runtime_error {
   std::string m_why;
 };
 
-/// Thrown where a user or a newer request cancels the work; it is not an error.
+/// Thrown when a user or a newer request cancels the work; not an error.
 class Cancelled : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "stopped"; }

@@ -39,7 +39,7 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
 inline double length(const Vec3& a) {
   return std::hypot(a.x, a.y, a.z);
 }
-/// Scales to length 1, also where the square of the length would overflow or vanish. Zero stays 0.
+/// Scales to length 1, even if the square of the length overflows or underflows. Zero stays 0.
 inline Vec3 normalise(const Vec3& a) {
   const double n = length(a);
   return n > 0 ? Vec3{a.x / n, a.y / n, a.z / n} : Vec3{};
@@ -69,12 +69,12 @@ struct RigidTransform {
   }
 };
 
-/// Applies b first, then a: `c-from-b * b-from-a` is c-from-a.
+/// Returns the transform that applies b first, then a: `c-from-b * b-from-a` is c-from-a.
 inline RigidTransform operator*(const RigidTransform& a, const RigidTransform& b) {
   return {a.direction(b.xAxis), a.direction(b.yAxis), a.direction(b.zAxis), a.point(b.origin)};
 }
 
-/// T(position) · Rz·Rx·Ry, angles in degrees: the order of vtkProp3D::SetOrientation
+/// Returns T(position) · Rz·Rx·Ry, angles in degrees: the order of vtkProp3D::SetOrientation
 /// (docs/formulas.md, Display).
 inline RigidTransform transformFromPose(const Vec3& position, const Vec3& orientationDegrees) {
   const double ax = radians(orientationDegrees.x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An allocator for large arrays that asks the system for huge pages: views read from all parts of a
-// light field, and with small pages most of the time goes into address translation.
+// An allocator for large arrays that requests huge pages. Views read from all parts of a light
+// field, and small pages spend most of the time on address translation.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks what the functions' resolvers ask.
+// The kernel version, detected as by the functions' resolvers.
 #include "core/base/multiversioned.h"
 
 namespace hogelscope {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MULTIVERSIONED before a function makes GCC compile it for AVX-512, AVX2 and the baseline; the
-// version is chosen when the program starts.
+// version is chosen at program start.
 #pragma once
 
 #include <string_view>

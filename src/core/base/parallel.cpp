@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work on several threads.
+// Parallel execution on several threads.
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Hands out pieces of work to threads, until none is left or one of them has thrown.
+/// Distributes pieces of work to threads, until none is left or one has thrown.
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : m_count(count) {}
@@ -62,7 +62,7 @@ void parallelRows(int count, const std::function<void(int begin, int end)>& rows
   const auto work = [&] {
     pieces.run(grain, [&](std::size_t begin, std::size_t end) { rows(int(begin), int(end)); });
   };
-#ifdef __SANITIZE_THREAD__  // TBB, on which GCC's parallel algorithms run, is not built for it
+#ifdef __SANITIZE_THREAD__  // TBB, used by GCC's parallel algorithms, is not built for it
   sideBySide(workers.size(), int(workers.size()), [&](std::size_t, std::size_t) { work(); });
 #else
   std::for_each(std::execution::par, workers.begin(), workers.end(), [&](int) { work(); });
@@ -88,10 +88,10 @@ void sideBySide(std::size_t count, int workers,
   try {
     for (int worker = 1; worker < workers; ++worker) threads.emplace_back(run, std::size_t(worker));
   } catch (const std::system_error&) {
-    // The system allows no more threads: those that have started do all the work.
+    // The system allows no more threads, so the started ones do all the work.
   }
   run(0);
-  threads.clear();  // waits
+  threads.clear();  // joins the threads
   pieces.rethrow();
 }
 

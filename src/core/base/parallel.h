@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs work on several threads.
+// Parallel execution on several threads.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace hogelscope {
 
-/// Runs `rows(begin, end)` over [0, count), perhaps on several threads. An exception stops the
+/// Runs `rows(begin, end)` over [0, count), possibly on several threads. An exception stops the
 /// other threads before their next piece and is rethrown on the calling thread.
 using ParallelRows =
     std::function<void(int count, const std::function<void(int begin, int end)>& rows)>;
@@ -21,9 +21,9 @@ int threadCount();
 /// Sets that number. 0 means one for each core, which is also the maximum.
 void setThreads(int count);
 
-/// Calls `work(k, worker)` for every k below `count`, in their order, on `workers` threads numbered
-/// from 0: for pieces that read files or take long. An exception stops the other threads before
-/// their next piece and is rethrown on the calling thread.
+/// Calls `work(k, worker)` for every k below `count`, in order, on `workers` threads numbered from
+/// 0, for pieces that read files or take long. An exception stops the other threads before their
+/// next piece and is rethrown on the calling thread.
 void sideBySide(std::size_t count, int workers,
                 const std::function<void(std::size_t k, std::size_t worker)>& work);
 

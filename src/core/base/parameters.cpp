@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the name that a mistyped one was meant to be.
+// Suggestion for a mistyped name.
 #include "core/base/parameters.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ bool sameLetter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-/// Levenshtein's distance, ignoring case.
+/// Returns Levenshtein's distance, ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

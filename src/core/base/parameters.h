@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one declaration per parameter: a struct's `describe` passes each field's name, value, range,
-// unit and help to a visitor. JSON, forms, --set, --help and the manual are such visitors.
+// The single declaration of each parameter: a struct's `describe` passes each field's name, value,
+// range, unit and help to a visitor. JSON, forms, --set, --help and the manual are such visitors.
 #pragma once
 
 #include <array>
@@ -20,22 +20,23 @@ struct Range {
   double min = 0;
   double max = 0;
   double step = 1;
-  bool mayBeLeftOut = false;  ///< if so: notGiven for a real number, min - 1 for an integer
-  /// What a slider covers, where the allowed values are more than people use; else all of them.
+  bool mayBeLeftOut = false;  ///< left out is notGiven for a real number, min - 1 for an integer
+  /// The slider's range, if smaller than the allowed values; otherwise all of them.
   double slideMin = 0;
   double slideMax = 0;
 };
 
-/// The name in documents, and what a form says in its place; without that a form says the name,
-/// "windowSize" as "Window size".
+/// A field's name in documents and its label in forms; without a label, forms derive it, "Window
+/// size" from "windowSize".
 struct FieldName {
   std::string_view name;
   std::string_view label = {};
-  FieldName(const char* document) : name(document) {}  // NOLINT: a name alone is one
+  FieldName(const char* document)
+      : name(document) {}  // NOLINT: implicit, for names without a label
   FieldName(const char* document, const char* form) : name(document), label(form) {}
 };
 
-/// The value of a real number that was left out; it is outside every range.
+/// The value of an omitted real number; it is outside every range.
 constexpr double notGiven = std::numeric_limits<double>::lowest();
 
 struct Field {
@@ -45,16 +46,16 @@ struct Field {
   Range range = {};
   std::span<const std::string_view> choices = {};  ///< names of an enumeration's values, in order
   std::string_view label = {};
-  bool counts = true;  ///< false: another field's value makes it meaningless; forms hide it
+  bool counts = true;  ///< false if another field's value makes it meaningless; forms then hide it
 };
 
 class ParameterVisitor {
  public:
   virtual ~ParameterVisitor() = default;
 
-  /// Begins a section. Every `describe` calls it first.
+  /// Starts a section. Every `describe` calls it first.
   virtual void group(std::string_view name, std::string_view help) = 0;
-  /// Whether the fields that follow count, by what other fields say.
+  /// Sets whether the following fields count, which other fields decide.
   void count(bool doCount) { m_count = doCount; }
 
   void field(const FieldName& name, double& value, Range range, std::string_view unit,

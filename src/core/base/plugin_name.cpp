@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The names of plugins.
+// Plugin names.
 #include "core/base/plugin_name.h"
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The names of plugins, which are names of folders, of session entries and of CSV columns too.
+// Plugin names, which are also names of folders, session entries and CSV columns.
 #pragma once
 
 #include <string>
 
 namespace hogelscope {
 
-/// Throws InputError at `path` unless the name is 1 to 40 small letters, digits and "-", a letter
-/// first.
+/// Throws InputError at `path` unless the name is 1 to 40 lower-case letters, digits and "-",
+/// starting with a letter.
 void checkPluginName(const std::string& name, const std::string& path);
 
 }  // namespace hogelscope

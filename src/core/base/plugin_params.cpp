@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes the values out of objects of plugins, and puts them into them.
+// Parameter values of plugin objects.
 #include "core/base/plugin_params.h"
 
 namespace hogelscope {
 
-/// Lists the values that it visits.
+/// Collects the visited values.
 class NamedValues::Reader : public ParameterVisitor {
  public:
   void group(std::string_view, std::string_view) override {}
@@ -28,7 +28,7 @@ class NamedValues::Reader : public ParameterVisitor {
   }
 };
 
-/// Sets the values that it visits.
+/// Sets the visited values.
 class NamedValues::Writer : public ParameterVisitor {
  public:
   explicit Writer(const NamedValues& values) : m_values(values) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of a plugin's object, whatever they are: the values that its describe() visits, by
-// name. They can be copied and compared, unlike the object itself.
+// The parameters of a plugin's object: the values that its describe() visits, by name. Unlike the
+// object itself, they can be copied and compared.
 #pragma once
 
 #include <algorithm>
@@ -15,30 +15,30 @@
 
 namespace hogelscope {
 
-/// Values by name.
+/// Parameter values by name.
 class NamedValues {
  public:
   using Describe = std::function<void(ParameterVisitor&)>;
 
-  /// Takes the values that `describe` visits.
+  /// Reads the values that `describe` visits.
   void take(const Describe& describe);
-  /// Sets those that `describe` visits and that have the same name, type and size.
+  /// Writes the values that `describe` visits and that have the same name, type and size.
   void give(const Describe& describe) const;
-  /// Returns the value of this name; null unless there is one of this type.
+  /// Returns the value of this name; null if there is none of this type.
   template <class T>
   [[nodiscard]] const T* find(std::string_view name) const {
     const auto found = std::ranges::find(m_values, name, &Value::name);
     return found == m_values.end() ? nullptr : std::get_if<T>(&found->value);
   }
-  /// Sets a value that find() finds; changes nothing else.
+  /// Sets an existing value of this type; otherwise does nothing.
   template <class T>
   void set(std::string_view name, const T& value) {
     for (Value& known : m_values)
       if (known.name == name && std::holds_alternative<T>(known.value)) known.value = value;
   }
-  /// Returns the names of files: texts that are not empty, under names that begin with "file".
+  /// Returns the file names: non-empty texts whose names begin with "file".
   [[nodiscard]] std::vector<std::string> files() const;
-  /// Passes each of files() to `change`, and sets it to the result.
+  /// Replaces each of files() by the result of `change`.
   void changeFiles(const std::function<std::string(const std::string&)>& change);
 
   bool operator==(const NamedValues&) const = default;
@@ -61,13 +61,13 @@ class PluginParams : public NamedValues {
  public:
   using Make = std::function<std::unique_ptr<Object>()>;
 
-  /// No object.
+  /// Creates parameters without an object.
   PluginParams() = default;
-  /// The object's own values. Throws what `make` throws.
+  /// Takes the values of a new object. Throws what `make` throws.
   explicit PluginParams(Make make) : m_make(std::move(make)) { takeFrom(*m_make()); }
 
   [[nodiscard]] bool isGiven() const { return bool(m_make); }
-  /// Makes an object with these values, to be opened. There must be one.
+  /// Creates an object with these values, not yet opened. Requires an object.
   [[nodiscard]] std::unique_ptr<Object> make() const {
     auto object = m_make();
     give([&](ParameterVisitor& v) { object->describe(v); });

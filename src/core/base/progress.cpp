@@ -21,13 +21,14 @@ class SharedProgress {
   bool tell(double done) {
     using Clock = std::chrono::steady_clock;
     constexpr Clock::duration pause = std::chrono::milliseconds(20);
-    // Kept in any case: most calls only ask whether to stop, and one of them may be the next told.
+    // Stored even if not reported: most calls only poll for cancellation, and a later one may
+    // report it.
     double farthest = m_farthest;
     while (done > farthest && !m_farthest.compare_exchange_weak(farthest, done)) continue;
     const auto isTold = [this] { return m_stops || Clock::now() < m_next.load(); };
     if (isTold()) return !m_stops;
     const std::unique_lock lock(m_mutex, std::try_to_lock);
-    if (!lock || isTold()) return !m_stops;  // another thread reports, or has just done so
+    if (!lock || isTold()) return !m_stops;  // another thread reports or has just reported
     if (!m_listener(m_farthest)) m_stops = true;
     m_next = Clock::now() + pause;
     return !m_stops;
@@ -50,7 +51,7 @@ Progress forThreads(Progress listener) {
 }
 
 std::string timeLeft(double secondsSoFar, double done) {
-  constexpr double least = 2;  // seconds before a guess is worth showing
+  constexpr double least = 2;  // seconds before an estimate is useful
   if (secondsSoFar < least || done <= 0.01 || done >= 1) return {};
   const auto seconds = std::llround(secondsSoFar * (1 - done) / done);
   std::array<char, 40> text{};

@@ -9,8 +9,8 @@
 
 namespace hogelscope {
 
-/// Called with the fraction done, 0 … 1; returns false to cancel. May be empty. Called from any of
-/// the threads that do the work, never concurrently.
+/// Receives the fraction done, 0 … 1; returns false to cancel. May be empty. Called from any
+/// working thread, never concurrently.
 using Progress = std::function<bool(double done)>;
 
 /// Calls `progress` and throws Cancelled if it returns false.
@@ -18,12 +18,12 @@ inline void reportProgress(const Progress& progress, double done) {
   if (progress && !progress(done)) throw Cancelled();
 }
 
-/// Throws Cancelled likewise, without reporting a fraction: for steps too small to measure.
+/// Throws Cancelled likewise, without reporting a fraction; for steps too small to measure.
 inline void hearStop(const Progress& progress) {
   reportProgress(progress, 0.0);
 }
 
-/// Returns the progress of the part [from, to] of a longer work.
+/// Returns the progress of the part [from, to] of a longer job.
 inline Progress part(const Progress& whole, double from, double to) {
   if (!whole) return {};
   return [=](double done) { return whole(from + (to - from) * done); };
@@ -34,7 +34,7 @@ inline Progress part(const Progress& whole, double from, double to) {
 /// returned false, every call returns false.
 Progress forThreads(Progress listener);
 
-/// Returns "2:05 left", extrapolated from the time so far; "" where too little is done to say.
+/// Returns "2:05 left", extrapolated from the time so far; "" if too little is done.
 std::string timeLeft(double secondsSoFar, double done);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress of work in steps of different length, done on several threads.
+// Progress of work in steps of different length on several threads.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@ class StepProgress {
   explicit StepProgress(Progress listener) : m_listener(forThreads(std::move(listener))) {}
 
   void expect(double steps) { m_total += steps; }
-  /// Reports that a step of this length is done. Throws Cancelled.
+  /// Reports a finished step of this length. Throws Cancelled.
   void finish(double steps = 1);
   /// Returns a progress for use within steps; it adds nothing. May be called often, by any thread.
   [[nodiscard]] Progress within();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers, sizes and cells of CSV files as text.
+// Text of numbers, sizes and CSV cells.
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Whether a spreadsheet would take the text for a formula. A number is none, whatever its sign.
+/// Whether a spreadsheet would read the text as a formula. Numbers are none, even with a sign.
 bool isFormula(const std::string& text) {
   static const std::array<std::string_view, 11> beginnings{"=",  "+",  "-",  "@",  "\t", "\r",
                                                            "\n", "＝", "＋", "－", "＠"};
@@ -61,7 +61,7 @@ double fourDigits(double value) {
 std::string rounded(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return "identical";
-  std::array<char, 400> text{};  // 309 digits before the point at most
+  std::array<char, 400> text{};  // at most 309 digits before the point
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits)
           .ptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Formats numbers, sizes and cells of CSV files as text.
+// Formats numbers, sizes and CSV cells as text.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@ namespace hogelscope {
 
 /// Returns the shortest text that reads back as the same number; "inf", "nan".
 std::string numberText(double value);
-/// Rounds to four significant digits, as people write such numbers.
+/// Rounds to four significant digits, for reading.
 double fourDigits(double value);
 /// Formats with `digits` after the point; "identical" if infinite, a dash if NaN.
 std::string rounded(double value, int digits);
-/// Formats a size: "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
+/// Formats a size, such as "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
 std::string bytesText(std::size_t bytes);
 
-/// Returns a text with the letters a … z for A … Z.
+/// Returns the text with A … Z replaced by a … z.
 std::string lowerCase(std::string text);
 
-/// Returns a text as a cell of a CSV file (RFC 4180). A text that a spreadsheet would take for a
-/// formula gets an apostrophe in front, so that it stays a text (OWASP, CSV injection).
+/// Returns a text as a CSV cell (RFC 4180). A text that a spreadsheet would read as a formula gets
+/// a leading apostrophe (OWASP, CSV injection).
 std::string csvCell(const std::string& text);
 
 }  // namespace hogelscope

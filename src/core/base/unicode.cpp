@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// UTF-8, and which of its characters are not shown.
+// UTF-8 and invisible characters.
 #include "core/base/unicode.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns the number of bytes after a character's first one, and its bits; none for another byte.
+/// Returns the number of continuation bytes after a first byte, and its bits; none for other bytes.
 std::optional<std::pair<std::size_t, char32_t>> leadOf(unsigned char byte) {
   if (byte < 0x80) return std::pair{std::size_t(0), char32_t(byte)};
   if (byte >= 0xC2 && byte < 0xE0) return std::pair{std::size_t(1), char32_t(byte & 0x1FU)};
@@ -19,7 +19,8 @@ std::optional<std::pair<std::size_t, char32_t>> leadOf(unsigned char byte) {
   return std::nullopt;
 }
 
-/// "\x1b", "\u202e": a letter for the number of digits, and the lowest digits.
+/// Returns an escape such as "\x1b" or "\u202e": a letter for the number of digits, and the lowest
+/// digits.
 std::string escape(char letter, int digits, char32_t value) {
   std::string text{'\\', letter};
   for (int k = digits - 1; k >= 0; --k) text += "0123456789abcdef"[value >> unsigned(4 * k) & 15U];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads UTF-8 and makes text of others harmless to terminals and pages.
+// Reads UTF-8, and makes other text safe for terminals and pages.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,22 @@
 
 namespace hogelscope {
 
-/// A character of UTF-8 (RFC 3629) and the bytes that it takes; no point, and 1 byte, where no
-/// character begins.
+/// A UTF-8 character (RFC 3629) and its bytes; no code point, and 1 byte, if no character begins
+/// there.
 struct Character {
   std::optional<char32_t> point;
   std::size_t bytes = 1;
 };
 
-/// Reads the character that begins at byte `at` of the text.
+/// Returns the character that begins at byte `at`.
 Character characterAt(const std::string& text, std::size_t at);
 
-/// Whether a character controls a terminal, ends a line, turns the direction of writing or shows
-/// nothing. The joiners U+200C and U+200D are none: some scripts need them.
+/// Whether a character controls a terminal, ends a line, changes the writing direction or is
+/// invisible. The joiners U+200C and U+200D are excluded, because some scripts need them.
 bool isControl(char32_t c);
 
 /// Returns the text as one line of UTF-8. Controls become \xNN or \uNNNN, and bytes that are not
-/// UTF-8 \xNN. For names of files, messages of libraries and other text that is not ours.
+/// UTF-8 \xNN. For file names, library messages and other foreign text.
 std::string printable(const std::string& text);
 
 }  // namespace hogelscope

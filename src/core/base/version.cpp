@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program's version, which only this file is compiled with.
+// The program's version; only this file is compiled with it.
 #include "core/base/version.h"
 
 namespace hogelscope {
