@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A test's error projected onto the panel, over the states so far; kept on disk for going on later.
+// A test's error projected onto the panel, accumulated over the states and saved for resuming.
 #pragma once
 
 #include <chrono>
@@ -14,20 +14,21 @@ namespace hogelscope {
 
 class PanelProjection {
  public:
-  /// Takes up what an earlier run with the same `key` left in `file`.
+  /// Resumes what an earlier run with the same `key` left in `file`.
   PanelProjection(std::filesystem::path file, std::string key, const LightFieldSize& size,
                   bool isDeep);
 
   [[nodiscard]] bool has(std::size_t state) const { return m_states.contains(state); }
   [[nodiscard]] const PanelError& error() const { return m_error; }
-  /// From several threads. Saves every few seconds. Throws InputError (full disk), Cancelled.
+  /// Adds a state, from any thread, and saves every few seconds. Throws InputError (full disk),
+  /// Cancelled.
   void add(std::size_t state, std::size_t worker, const ViewPair& pair, ViewPairs& pairs,
            const Progress& progress);
   void save();
-  /// Adds what a shard with the same key has saved in `file`, unless one of its states is there
-  /// already. Throws InputError.
+  /// Adds the states that a shard with the same key has saved in `file`, unless one of them is
+  /// present already. Throws InputError.
   void join(const std::filesystem::path& file);
-  /// The report is written: the file is not needed any more.
+  /// Removes the file after the report has been written.
   void remove();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was tested.
+// Facts about the tested light fields.
 #include "report/report_facts.h"
 
 #include <array>
@@ -18,14 +18,14 @@ std::string pixels(int x, int y) {
   return std::to_string(x) + "×" + std::to_string(y);
 }
 
-/// "XXH3-128 …" of the files, or what a store says of itself; empty where there are no files.
+/// Returns "XXH3-128 …" of the files, or a store's own hash; empty without files.
 std::string contentOf(const LightFieldFile& file, FileHashes& hashes, const Progress& progress) {
   const std::string own = file.contentHash();
   if (!own.empty()) return "XXH3-128 of the pages " + own;
   return file.files().empty() ? "" : "XXH3-128 " + hashes.of(file.files(), progress);
 }
 
-/// "scene.png, 64×64 hogels of 32×32 directions, XXH3-128 …".
+/// Returns a text such as "scene.png, 64×64 hogels of 32×32 directions, XXH3-128 …".
 std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
                       const std::string& hash) {
   const std::string name =
@@ -42,7 +42,7 @@ std::string described(const SamplingParams& sampling) {
          (sampling.mapping == LensMapping::exact ? "exact" : "direct") + " lens mapping";
 }
 
-/// "2026-11-22 09:30 UTC".
+/// Returns a time such as "2026-11-22 09:30 UTC".
 std::string timeNow() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};

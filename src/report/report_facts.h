@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was tested, for the report's page; and the key by which a run knows its own unfinished work.
+// Facts about a report's inputs for its page, and the key that identifies unfinished work.
 #pragma once
 
 #include "campaign/file_hashes.h"
@@ -10,11 +10,11 @@ namespace hogelscope {
 
 struct ReportFacts {
   std::vector<ReportFact> lines;
-  /// The same for the same program, states, settings and contents of the light fields.
+  /// Identical for the same program, states, settings and contents of the light fields.
   std::string key;
 };
 
-/// Reads the light fields' files whose hashes are not known yet. Throws InputError, Cancelled.
+/// Collects the facts; hashes the light fields' files unless cached. Throws InputError, Cancelled.
 ReportFacts factsOf(const ReportRequest& request, FileHashes& hashes, const Progress& progress);
 
 }  // namespace hogelscope

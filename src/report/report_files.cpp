@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a report.
+// Output files of a report.
 #include "report/report_files.h"
 
 #include <algorithm>
@@ -25,15 +25,15 @@ std::string pngOf(const Image& image, const Progress& progress = {}) {
   return encodedPng(image.width, image.height, image.rgb, progress);
 }
 
-/// Bytes of PNG for each of the figures of a kind, whose share of the page is `share`: base64
-/// writes four characters for three bytes.
+/// Returns the bytes of PNG for each figure of a kind whose share of the page is `share`. Base64
+/// has four characters for three bytes.
 std::size_t roomFor(double share, std::size_t figures) {
   return std::size_t(share * 0.75 * double(mostPictureBytes) / double(figures));
 }
 
 constexpr double shareOfPanels = 0.25;
 
-/// Means of scale × scale pixels; of fewer at the right and at the bottom.
+/// Returns means of scale × scale pixels, of fewer at the right and at the bottom.
 Image reduced(const Image& image, int scale) {
   Image small((image.width + scale - 1) / scale, (image.height + scale - 1) / scale);
   auto to = small.rgb.begin();
@@ -52,7 +52,7 @@ Image reduced(const Image& image, int scale) {
   return small;
 }
 
-/// Pictures of one size, shrunk together until they have at most `room` bytes.
+/// Images of one size, scaled down together to at most `room` bytes.
 struct Shrunk {
   std::vector<std::string> pngs;
   int scale = 1;
@@ -60,7 +60,7 @@ struct Shrunk {
 
 Shrunk shrunk(const std::vector<const Image*>& images, std::size_t room,
               const Progress& progress = {}) {
-  constexpr int least = 32;  // pixels: smaller, nothing can be seen
+  constexpr int least = 32;  // pixels; smaller images show nothing
   Shrunk result;
   for (;; ++result.scale) {
     result.pngs.clear();
@@ -78,7 +78,7 @@ void writePng(const fs::path& file, const Image& image, const Progress& progress
   writeImage(file, image.width, image.height, image.rgb, progress);
 }
 
-/// With all bits that it has: 16 in the file for more than 8.
+/// Writes the image with its full depth: 16 bits for more than 8.
 void writeImage(const fs::path& file, const Image& image, const Progress& progress) {
   if (image.bits == 8) return writePng(file, image, progress);
   ImageRowWriter writer(file, std::size_t(image.width), std::size_t(image.height),
@@ -102,7 +102,7 @@ void writeCells(const fs::path& file, int width, int height,
               {{"mse", meanSquares(cells, perCode)}, {"pixels", pixelCounts(cells)}});
 }
 
-/// Where values lie within [low, high].
+/// Returns the positions of values within [low, high], as shares.
 std::vector<double> sharesOf(std::vector<double> values, double low, double high) {
   if (high > low)
     for (double& value : values) value = (value - low) / (high - low);

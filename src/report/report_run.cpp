@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The testing procedure: test after test, in each the states side by side.
+// The testing procedure: test by test, with the states in parallel.
 #include "report/report_run.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Seconds of all threads.
+/// Sum of time over all threads.
 class TimeSum {
  public:
   template <class Work>
@@ -66,7 +66,7 @@ class ReportRun {
   [[nodiscard]] fs::path panelFile(std::size_t test, const std::optional<Shard>& shard) const {
     return m_folder / ("report.panel" + std::to_string(test + 1) + endingOf(shard));
   }
-  /// What reading a light field counts as, in states: a guess for the progress bar.
+  /// The estimated cost of reading a light field, in states, for the progress bar.
   [[nodiscard]] double readingSteps() const { return 1 + 0.1 * double(states()); }
   [[nodiscard]] std::size_t rowOf(std::size_t test, std::size_t state) const {
     return ReportOrder{m_request.tests.size()}.row(state, test);
@@ -83,14 +83,15 @@ class ReportRun {
   std::size_t m_workers;
   ViewPairs m_pairs;
   std::vector<ReportView> m_views;
-  std::vector<std::vector<double>> m_viewErrors;  ///< of each test; empty where not in memory
+  std::vector<std::vector<double>> m_viewErrors;  ///< of each test; empty if not in memory
   Report m_report;
   TimeSum m_rendering;
   TimeSum m_comparing;
   TimeSum m_writing;
 };
 
-/// Many states side by side; an image's rows share the cores where states are few.
+/// Returns the number of states in parallel; for few states it is 1, and an image's rows run in
+/// parallel.
 std::size_t workersFor(const ReportRequest& request) {
   const auto threads = std::size_t(threadCount());
   return request.session.cameras.size() < 2 * threads ? 1 : threads;
@@ -117,7 +118,7 @@ ReportRun::ReportRun(const ReportRequest& request, const ReportListener& listene
   takeUp();
 }
 
-/// What an earlier run has done.
+/// Takes the results of an earlier run.
 void ReportRun::takeUp() {
   const std::vector<ReportTest>& tests = m_request.tests;
   for (std::size_t state = 0; state < states(); ++state) {
@@ -139,7 +140,7 @@ void ReportRun::takeUp() {
     for (const Shard& shard : m_rows.shards()) m_projections[test]->join(panelFile(test, shard));
   }
   if (m_request.shard) return;
-  // What is there from an earlier report must not pass for this one.
+  // Removes the table of an earlier report, which must not be mistaken for this one's.
   std::error_code none;
   fs::remove(m_folder / "report.csv", none);
 }
@@ -173,20 +174,21 @@ void ReportRun::compareState(std::size_t test, std::size_t state, std::size_t wo
 void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker) {
   const ViewPair pair =
       m_rendering.of([&] { return m_pairs.render(state, worker, m_progress.within()); });
-  // Its row may be on disk while the projection was saved before it.
+  // The row may be on disk already if the projection was saved before it.
   if (!m_rows.has(rowOf(test, state))) compareState(test, state, worker, pair);
   m_projections[test]->add(state, worker, pair, m_pairs, m_progress.within());
   m_progress.finish();
 }
 
-/// The worst, the median and the best of a test's views.
+/// Writes the worst, the median and the best of a test's views.
 void ReportRun::showViews(std::size_t test) {
   std::vector<std::size_t> order;
   for (std::size_t state = 0; state < states(); ++state)
     if (m_report.rows[rowOf(test, state)].problem.empty()) order.push_back(state);
   const auto error = [&](std::size_t state) {
     const double mse = m_report.rows[rowOf(test, state)].values[mseSeenColumn];
-    return std::isnan(mse) ? std::numeric_limits<double>::infinity() : mse;  // nothing seen in both
+    return std::isnan(mse) ? std::numeric_limits<double>::infinity()
+                           : mse;  // no pixel seen in both images
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return error(a) > error(b); });
@@ -202,7 +204,7 @@ void ReportRun::showViews(std::size_t test) {
   if (order.size() > 1) show("best", order.back());
 }
 
-/// What was thrown before is what a user should hear of.
+/// Saves and ignores errors, so that the earlier exception is the one reported.
 void saveQuietly(PanelProjection& projection) {
   try {
     projection.save();
@@ -210,7 +212,7 @@ void saveQuietly(PanelProjection& projection) {
   }
 }
 
-/// What is left to do of a test.
+/// Returns the states of a test that are not finished yet.
 std::vector<std::size_t> ReportRun::openStates(std::size_t test) const {
   std::vector<std::size_t> open;
   for (std::size_t state = 0; state < states(); ++state)
@@ -248,7 +250,7 @@ void ReportRun::runTest(std::size_t test) {
   m_viewErrors.push_back(m_comparing.of([&] { return m_pairs.viewErrors(m_progress.within()); }));
 }
 
-/// A lens that several states have is certified once.
+/// Certifies the lenses of all states, equal ones once.
 std::vector<ReportLens> certifyAll(const Session& session, const Progress& progress) {
   std::vector<std::pair<LensKey, LensCertificate>> known;
   std::vector<ReportLens> lenses;
@@ -319,7 +321,7 @@ std::vector<ReportTest> openTests(const Session& session, const std::vector<std:
 
 namespace {
 
-/// The images and tables of a report must not replace what it reads.
+/// Throws if an output file would replace an input.
 void checkFiles(const ReportRequest& request) {
   std::vector<fs::path> inputs{request.sessionFile};
   std::ranges::copy(request.file->files(), std::back_inserter(inputs));
@@ -332,7 +334,7 @@ void checkFiles(const ReportRequest& request) {
   checkOutputs(filesOf(request), inputs);
 }
 
-/// Differences in a report are the light fields', not the methods'.
+/// Removes tolerances, so that differences come from the light fields, not from methods.
 ReportRequest withoutTolerance(ReportRequest request) {
   request.session.sampling.tolerance = 0;
   for (ReportTest& test : request.tests) test.session.sampling.tolerance = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program's version and those of the libraries that figures come from.
+// Versions of the program and its libraries.
 #include "report/versions.h"
 
 #include "core/base/version.h"

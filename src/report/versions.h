@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program's version and those of the libraries that pictures and figures come from, for
-// reports; About adds those of the window.
+// Versions of the program and of the libraries that affect its results, for reports; the About box
+// adds those of the window.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ struct Version {
   std::string version;
 };
 
-/// Hogelscope first.
+/// Returns the versions, Hogelscope first.
 std::vector<Version> versions();
 
-/// "Hogelscope 0.1.0, OpenCV 4.6.0, …".
+/// Returns a line such as "Hogelscope 0.1.0, OpenCV 4.6.0, …".
 std::string versionsLine();
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images that a report compares.
+// The image pairs that a report compares.
 #include "report/view_pairs.h"
 
 #include <array>
@@ -42,7 +42,7 @@ StateImages ViewPairs::imagesOf(const Session& session, LightFieldFile& file,
 
 namespace {
 
-/// What two threads have done together; where one fails the other stops.
+/// The joint progress of two threads; if one fails, the other stops.
 class Halves {
  public:
   explicit Halves(const Progress& whole) : m_whole(whole) {}
@@ -70,14 +70,14 @@ class Halves {
 
 void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress) {
   Halves halves(progress);
-  auto reading = std::async([&] {  // one after the other where no thread can be started
+  auto reading = std::async([&] {  // runs sequentially if no thread can be started
     return halves.run(0, [&](const Progress& half) { return imagesOf(m_session, m_file, half); });
   });
   try {
     m_test = halves.run(
         1, [&](const Progress& half) { return imagesOf(test.session, *test.file, half); });
   } catch (const Cancelled&) {
-    reading.get();  // may have stopped for a better reason
+    reading.get();  // may throw the error that caused the cancellation
     throw;
   }
   m_reference = reading.get();

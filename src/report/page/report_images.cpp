@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images of the report's page.
+// Images of the report's page.
 #include "report/page/report_images.h"
 
 #include <cmath>
@@ -33,7 +33,7 @@ std::string viewFigure(const ReportView& view, const ReportRow& row) {
          captioned(view.difference, difference) + "</div></figure>\n";
 }
 
-/// Words at the ends of an image's sides.
+/// The texts at the ends of an image's sides.
 struct Ends {
   std::string top;
   std::string bottom;
@@ -41,7 +41,7 @@ struct Ends {
   std::string right;
 };
 
-/// The ends of the colours and what they mean; none where both are 0.
+/// The ends of the colour scale and its unit; no scale if both are 0.
 struct Scale {
   double low = 0;
   double high = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PSNR over camera position: from above and from the front.
+// PSNR over camera position, from above and from the front.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +42,8 @@ std::string colourOf(double share) {
   return text.data();
 }
 
-/// The finite PSNRs of all tests, out to round numbers; low > high where there are none.
+/// Returns the range of the finite PSNRs of all tests, extended to round numbers; low > high if
+/// there are none.
 Span psnrSpan(const std::vector<ReportRow>& rows) {
   Span range;
   for (const ReportRow& row : rows) {
@@ -73,7 +74,7 @@ std::string mark(const ViewPoint& point, const ReportRow& row, double x, double 
          coordinate(radius) + "\" " + fill + ">" + title + "</circle>\n";
 }
 
-/// One map: which coordinate of an eye goes down or up, and how the panel lies in it.
+/// A kind of map: the coordinate of an eye on the vertical axis, and the panel's outline.
 struct MapKind {
   std::string name;
   double Vec3::*up;
@@ -82,7 +83,8 @@ struct MapKind {
   std::string title;
 };
 
-/// Axes at one scale that hold the panel and all eyes, in a shape between 1:1 and about 2:1.
+/// Returns axes of equal scale that contain the panel and all eyes, with an aspect ratio between
+/// 1:1 and about 2:1.
 std::array<Axis, 2> axesOf(const MapKind& kind, const std::vector<ViewPoint>& points,
                            double halfWidth) {
   Span x{-halfWidth, halfWidth};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report as one self-contained page.
+// The report as a self-contained page.
 #include "report/page/report_page.h"
 
 #include "core/base/text.h"
@@ -43,7 +43,7 @@ std::string overPosition(const ReportPage& page) {
          cameraMaps(page.rows, page.display) + anglePlot(page.rows, page.display);
 }
 
-/// Whether codecs come out in the same order by their views' own errors and by what is perceived.
+/// Returns the rank correlation of the views' own quality and the perceived one over the tests.
 std::string orderOfTests(const ReportPage& page) {
   std::vector<double> own;
   std::vector<double> perceived;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report as one self-contained page: last on the line, in the line's order.
+// The report as a self-contained page.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace hogelscope {
 
-/// A line of "what was tested".
+/// A line of the section "what was tested".
 struct ReportFact {
   std::string name;
   std::string value;
 };
 
-/// Lists that are empty leave no heading.
+/// The contents of the page. Empty lists have no heading.
 struct ReportPage {
-  std::string session;  ///< what it is called: its document's name, if it has one
+  std::string session;  ///< the name, from its document's name if it has one
   std::vector<ReportFact> facts;
-  DisplayParams display;  ///< with its hogels and directions
+  DisplayParams display;  ///< with its hogel and direction counts
   MetricSet metrics;
   std::vector<ReportRow> rows;
   std::vector<TestSummary> summaries;
@@ -32,8 +32,8 @@ struct ReportPage {
   std::vector<ReportPanel> panels;
 };
 
-/// `report.html`: HTML that is well-formed XML, with its images, style and script inside. Throws
-/// std::out_of_range where a view names no row.
+/// Returns `report.html`: HTML that is well-formed XML, with embedded images, style and script.
+/// Throws std::out_of_range if a view names no row.
 std::string html(const ReportPage& page);
 
 }  // namespace hogelscope

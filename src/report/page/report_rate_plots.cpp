@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// "a.jpg: 0.25 bits, 31.20 (30.95 … 31.44)".
+/// Returns a text such as "a.jpg: 0.25 bits, 31.20 (30.95 … 31.44)".
 std::string titleOf(const TestSummary& test, double rate, std::size_t mean, int decimals) {
   const auto number = [&](double value) { return rounded(value, decimals); };
   const Interval& interval = test.intervals[mean];
@@ -19,7 +19,7 @@ std::string titleOf(const TestSummary& test, double rate, std::size_t mean, int 
          number(interval.low) + " … " + number(interval.high) + ")";
 }
 
-/// The finite points of a group, from the lowest rate on.
+/// Returns the finite points of a group, in ascending order of rate.
 Plot::Series curveOf(const RateGroup& group, const std::vector<TestSummary>& summaries,
                      std::size_t mean, int decimals) {
   Plot::Series curve{group.name, {}, 4.5};

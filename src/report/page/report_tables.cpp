@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of the report's page but for the means.
+// Tables of the report's page, except the means.
 #include "report/page/report_tables.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The columns of the table.
+/// Returns the columns of the table.
 std::vector<std::size_t> pageColumns(const MetricSet& metrics) {
   std::vector<std::size_t> columns;
   for (std::size_t k = 0; k < metrics.columns().size(); ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of the report's page but for the means (summary_page.h).
+// Tables of the report's page, except the means (summary_page.h).
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace hogelscope {
 
-/// A state's lens.
+/// The lens of a state.
 struct ReportLens {
   std::string state;
   LensCertificate certificate;
 };
 
-/// A row for each state and test.
+/// Returns a table with a row for each state and test.
 std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics);
 
-/// States whose lenses have the same certificate share a row.
+/// Returns the table of lenses. States whose lenses have the same certificate share a row.
 std::string lensesTable(const std::vector<ReportLens>& lenses);
 
-/// "a, b and 48 others".
+/// Returns a text such as "a, b and 48 others".
 std::string listed(const std::vector<std::string>& names);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The summary in words.
+// The summary as text.
 #include "report/page/summary_page.h"
 
 #include <algorithm>
@@ -18,18 +18,18 @@ std::string cell(const std::string& text) {
   return "<td class=\"n\">" + text + "</td>";
 }
 
-/// "31.20 (30.95 … 31.44)".
+/// Returns a cell such as "31.20 (30.95 … 31.44)".
 std::string withInterval(double value, const Interval& interval, int digits) {
   return cell(rounded(value, digits) + " <small>(" + rounded(interval.low, digits) + " … " +
               rounded(interval.high, digits) + ")</small>");
 }
 
-/// "mean PSNR in dB".
+/// Returns a title such as "mean PSNR in dB".
 std::string titleOf(const MetricMean& mean) {
   return mean.title + (mean.unit.empty() ? "" : " in " + mean.unit);
 }
 
-/// What only the row of the plain means has.
+/// Returns the cells that only the row of unweighted means has.
 std::string counts(const TestSummary& test, bool hasBlind) {
   const auto of = " of " + std::to_string(test.rows.size());
   std::string text = cell(std::to_string(test.summary.identical) + of);
@@ -40,7 +40,7 @@ std::string counts(const TestSummary& test, bool hasBlind) {
          "</td>";
 }
 
-/// A table's figures: those over what is seen, with counts and worst views, or all others.
+/// The layout of a table: means over the seen pixels, with counts and worst views, or all others.
 struct MeansTable {
   const MetricSet& metrics;
   bool isSeen;
@@ -82,7 +82,9 @@ std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable&
     text += "<th class=\"n\">worst PSNR</th><th>worst view</th>";
   }
   text += "</tr></thead>\n<tbody>\n";
-  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();  // all of one test is it
+  const std::size_t shown =
+      summaries.size() == 2 ? 1
+                            : summaries.size();  // the summary of all tests repeats a single one
   for (std::size_t k = 0; k < shown; ++k) {
     text += tableRow(summaries[k], table, false);
     if (hasWeights(summaries[k])) text += tableRow(summaries[k], table, true);
@@ -90,7 +92,7 @@ std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable&
   return text + "</tbody></table></div>\n";
 }
 
-/// The same table for a paper: tests, rates and means with their intervals.
+/// Returns the same table as LaTeX: tests, rates and means with their intervals.
 std::string latexOf(const std::vector<TestSummary>& summaries, const MeansTable& table) {
   std::vector<std::string> heads{"test"};
   if (table.hasRates) heads.emplace_back("bpp");

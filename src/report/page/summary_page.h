@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The summary in words, for the terminal and the report's page.
+// The summary as text, for the terminal and the report's page.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace hogelscope {
 
-/// The summary, a line each.
+/// Returns the summary, one line each.
 std::string summaryText(const ReportSummary& summary, const std::vector<ReportRow>& rows);
 
-/// BD-rates, a line each.
+/// Returns the BD-rates, one line each.
 std::string bdText(const std::vector<BdRow>& rows);
 
-/// The figures of every test as HTML. The last summary is that over all.
+/// Returns the means of every test as HTML. The last summary is the one of all tests.
 std::string summaryTables(const std::vector<TestSummary>& summaries, const MetricSet& metrics);
 
-/// BD-rates as HTML.
+/// Returns the BD-rates as HTML.
 std::string bdTable(const std::vector<BdRow>& rows);
 
 }  // namespace hogelscope

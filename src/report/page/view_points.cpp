@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The views of a report at their places in plots.
+// Points of a report's views in plots.
 #include "report/page/view_points.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The views of a report at their places in plots.
+// Points of a report's views in plots.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// What there is to say of a view at its place in a plot.
+/// The kind of a view's point in a plot.
 enum class PlotKind { identical, none, compared };
 struct ViewPoint {
   std::size_t row = 0;
@@ -18,13 +18,14 @@ struct ViewPoint {
   double psnr = 0;
   PlotKind kind = PlotKind::compared;
 };
-/// Of one test, in PlotKind's order and the lowest PSNR last, so that nothing covers it.
+/// Returns the points of one test, in PlotKind's order with the lowest PSNR last, so that it is
+/// drawn on top.
 std::vector<ViewPoint> pointsOf(const std::vector<ReportRow>& rows, const std::string& test,
                                 const DisplayParams& display);
 
-/// What a browser shows at a point.
+/// Returns the tooltip of a point.
 std::string titleOf(const ViewPoint& point, const ReportRow& row);
-/// Smaller where there are many.
+/// Returns the radius of points, smaller for many points.
 double radiusFor(std::size_t points);
 
 }  // namespace hogelscope
