@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hashes of files, kept beside a report.
+// Cached hashes of files.
 #include "campaign/file_hashes.h"
 
 #include <fcntl.h>
@@ -41,11 +41,11 @@ FileHashes::FileHashes(const fs::path& folder) : m_cache(folder / "report.hashes
 
 std::string FileHashes::identityOf(const fs::path& file) {
   std::error_code none;
-  // One line: a name with a line end could say a hash of another file.
+  // On one line, because a name with a line end could insert the hash of another file.
   return fileIdentity(file) + " " + printable(fs::absolute(file, none).lexically_normal().string());
 }
 
-/// Lines that a crash or a full disk has cut off count for nothing.
+/// Reads the cache and ignores lines that a crash or a full disk has truncated.
 void FileHashes::read() {
   std::ifstream in(m_cache, std::ios::binary);
   for (std::string line; std::getline(in, line);)
@@ -65,7 +65,7 @@ std::string FileHashes::of(const std::vector<fs::path>& files, const Progress& p
   return contentHash(lines);
 }
 
-/// Hashes what neither this process nor another has.
+/// Computes the hashes that neither this process nor another has.
 void FileHashes::complete(const std::vector<fs::path>& files,
                           const std::vector<std::string>& identities, const Progress& progress) {
   const Descriptor cache = lockedCache(m_cache, progress);
@@ -75,7 +75,7 @@ void FileHashes::complete(const std::vector<fs::path>& files,
     std::string& hash = m_hashes[identities[k]];
     if (!hash.empty()) continue;
     hash = contentHash(std::vector<fs::path>{files[k]}, progress);
-    // Begins a line, since the last one may have been cut off.
+    // Starts a new line, because the last one may be truncated.
     writeAll(cache.get(), "\n" + hash + " " + identities[k] + "\n", m_cache);
   }
 }

@@ -11,19 +11,19 @@
 
 namespace hogelscope {
 
-/// FOLDER/report.hashes keeps each file's XXH3-128 by fileIdentity() and path, a line each; a file
-/// whose identity is another is hashed again. While one process reads a file that is not in it, the
-/// others wait.
+/// A cache of hashes in FOLDER/report.hashes: a line for each file with its XXH3-128,
+/// fileIdentity() and path. A file whose identity has changed is hashed again. While one process
+/// hashes a file, the others wait.
 class FileHashes {
  public:
-  /// Throws InputError where a file of that name is another.
+  /// Opens the cache. Throws InputError if a file of that name is not one.
   explicit FileHashes(const std::filesystem::path& folder);
 
   /// Returns what contentHash() returns for these files. Throws InputError, Cancelled.
   std::string of(const std::vector<std::filesystem::path>& files, const Progress& progress);
 
  private:
-  /// A file as it is now: a line of the cache, but for the hash.
+  /// Returns a file's current identity: a line of the cache without the hash.
   [[nodiscard]] static std::string identityOf(const std::filesystem::path& file);
   void complete(const std::vector<std::filesystem::path>& files,
                 const std::vector<std::string>& identities, const Progress& progress);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report's journal: appended with one write per row, read up to the first line that is not
-// complete.
+// A report's journal: appended with one write per row, read up to the first incomplete line.
 #include "campaign/journal.h"
 
 #include <fcntl.h>
@@ -37,7 +36,8 @@ std::string textOf(const JournalHead& head) {
          "\n";
 }
 
-/// A number, as the shortest digits that read back as it; JSON has no infinite numbers and no NaN.
+/// Writes a number with the shortest digits that read back as it. JSON has neither infinity nor
+/// NaN.
 Json jsonNumber(double value) {
   return std::isinf(value) ? Json("inf") : Json(value);  // nlohmann writes null for NaN
 }
@@ -64,9 +64,9 @@ JournalEntry entryOf(const Json& line) {
 }
 
 struct Lines {
-  std::string head;  ///< with its end of line; "" if that is missing
+  std::string head;  ///< with its end of line; "" if missing
   JournalEntries entries;
-  std::uintmax_t bytes = 0;  ///< up to the first line that is not a complete row
+  std::uintmax_t bytes = 0;  ///< up to the first incomplete row
 };
 
 Lines readLines(const fs::path& file) {
@@ -91,7 +91,7 @@ Lines readLines(const fs::path& file) {
 
 constexpr std::string_view fileName = "report.journal";
 
-/// Reads "" or ".K-N".
+/// Parses "" or ".K-N".
 std::optional<std::optional<Shard>> shardOf(std::string_view ending) {
   if (ending.empty()) return std::optional<Shard>();
   Shard shard;
@@ -104,7 +104,7 @@ std::optional<std::optional<Shard>> shardOf(std::string_view ending) {
   return endingOf(shard) == ending ? std::optional(std::optional(shard)) : std::nullopt;
 }
 
-/// Returns none for what is no journal.
+/// Returns the journal, or none if the file is not one.
 std::optional<FoundJournal> foundJournal(const fs::path& file) {
   const std::string name = file.filename().string();
   if (!name.starts_with(fileName)) return std::nullopt;
@@ -122,7 +122,7 @@ std::optional<FoundJournal> foundJournal(const fs::path& file) {
   } catch (const Json::exception&) {
     return std::nullopt;
   }
-  constexpr std::size_t most = 100'000'000;  // states or tests: no report has as many
+  constexpr std::size_t most = 100'000'000;  // states or tests, beyond any real report
   if (found.head.states > most || found.head.tests > most) return std::nullopt;
   found.entries = std::move(lines.entries);
   return found;

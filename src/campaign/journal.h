@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The finished rows of a report, written to the disk at once, so that the same command can resume
-// after Ctrl-C or kill -9, and so that several processes can share the work: a line of JSON for
-// each row in OUTPUT/report.journal, or OUTPUT/report.journal.K-N of shard K/N.
+// The finished rows of a report, written to disk at once, so that the same command can resume after
+// Ctrl-C or kill -9 and several processes can share the work: a line of JSON for each row in
+// OUTPUT/report.journal, or OUTPUT/report.journal.K-N of shard K/N.
 #pragma once
 
 #include <filesystem>
@@ -15,29 +15,29 @@
 
 namespace hogelscope {
 
-/// Which report a journal is of.
+/// The identity of a journal's report.
 struct JournalHead {
-  std::string key;  ///< the same for the same report alone
+  std::string key;  ///< unique to the report
   std::size_t states = 0;
   std::size_t tests = 0;
   bool operator==(const JournalHead&) const = default;
 };
 
-/// The figures of a row; its state and test follow from the session.
+/// The values of a row; its state and test follow from the session.
 struct JournalEntry {
   std::vector<double> values;
   std::string problem;
 };
-using JournalEntries = std::map<std::size_t, JournalEntry>;  ///< by the rows' indices
+using JournalEntries = std::map<std::size_t, JournalEntry>;  ///< by row index
 
-/// "" for a whole run, ".K-N" for a shard: the end of the names of its files.
+/// Returns the ending of file names: "" for a whole run, ".K-N" for a shard.
 std::string endingOf(const std::optional<Shard>& shard);
 
 class Journal {
  public:
-  /// Resumes the journal in `folder` if it has the same head, else replaces it by a new one. A
-  /// line that was cut off is dropped. Throws InputError: a file of that name is not a journal,
-  /// another process uses it, or it cannot be written.
+  /// Resumes the journal in `folder` if it has the same head; otherwise replaces it by a new one. A
+  /// truncated line is dropped. Throws InputError if a file of that name is not a journal, another
+  /// process uses it, or it cannot be written.
   Journal(const std::filesystem::path& folder, const JournalHead& head,
           const std::optional<Shard>& shard = {});
   Journal(const Journal&) = delete;
@@ -49,7 +49,7 @@ class Journal {
   [[nodiscard]] bool replacedAnother() const { return m_replacedAnother; }
   [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
 
-  /// Adds a row, which outlives the process once this returns. Throws InputError (full disk).
+  /// Adds a row, which is safe on disk once this returns. Throws InputError (full disk).
   void add(std::size_t row, const std::vector<double>& values, const std::string& problem);
   /// Deletes the journal, after the report has been written.
   void remove();
@@ -61,16 +61,16 @@ class Journal {
   bool m_replacedAnother = false;
 };
 
-/// A journal that a process has left or is writing.
+/// A journal left or being written by a process.
 struct FoundJournal {
   std::filesystem::path file;
-  std::optional<Shard> shard;  ///< none: of a whole run
+  std::optional<Shard> shard;  ///< none for a whole run
   JournalHead head;
   JournalEntries entries;
   bool isInUse = false;
 };
 
-/// The journals in a folder, the whole run's first, then by shards. Throws InputError.
+/// Returns the journals in a folder: the whole run's first, then by shard. Throws InputError.
 std::vector<FoundJournal> findJournals(const std::filesystem::path& folder);
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a long run, kept on the disk as they are finished, so that a run goes on after a stop
-// and several processes share it.
+// The rows of a long run, stored on disk as they finish, so that a run can resume and several
+// processes can share it.
 #pragma once
 
 #include <mutex>
@@ -12,16 +12,16 @@ namespace hogelscope {
 
 class CampaignRows {
  public:
-  /// Takes up the rows of an earlier run in `folder`, and, but for a shard, those of all shards. A
-  /// row has `values` figures. Throws InputError: a shard of this run is still at work, or as
+  /// Takes the rows of an earlier run in `folder` and, unless this is a shard, those of all shards.
+  /// A row has `values` values. Throws InputError if a shard of this run is still running, or as
   /// Journal does.
   CampaignRows(const std::filesystem::path& folder, const JournalHead& head,
                const std::optional<Shard>& shard, std::size_t values);
 
   [[nodiscard]] bool has(std::size_t row) const { return m_has[row] != 0; }
-  /// The rows that were taken up.
+  /// Returns the rows taken from earlier runs.
   [[nodiscard]] const JournalEntries& taken() const { return m_taken; }
-  /// The shards whose rows were taken up.
+  /// Returns the shards whose rows were taken.
   [[nodiscard]] const std::vector<Shard>& shards() const { return m_shards; }
   [[nodiscard]] bool replacedAnother() const { return m_journal.replacedAnother(); }
 
@@ -33,7 +33,7 @@ class CampaignRows {
     m_has[row] = 1;
     added();
   }
-  /// The run's results are written: removes the journals.
+  /// Removes the journals after the run's results have been written.
   void remove();
 
  private:

@@ -11,28 +11,28 @@
 
 namespace hogelscope {
 
-/// Images are rendered when they are asked for. Only those of a light field that must be streamed
-/// (mustStream()) are made while it is read, and kept.
+/// Renders images on request. Only those of a light field that must be streamed (mustStream()) are
+/// made while it is read, and kept.
 class StateImages {
  public:
   struct Options {
     SourceUse use{};
-    Shard shard{};                ///< whose states are asked for
+    Shard shard{};                ///< the states that are rendered
     int bits = 8;                 ///< of the images' values
-    bool keepsUnrounded = false;  ///< beside them
+    bool keepsUnrounded = false;  ///< in addition to the rounded values
     ParallelRows rows = parallelRows;
   };
 
-  /// The light field of `scene` is open.
+  /// Takes a scene whose light field is open.
   StateImages(Scene scene, const std::vector<CameraState>& states)
       : m_scene(std::move(scene)), m_states(states) {}
   /// Reads `file`, the light field of `session`. Throws InputError, Cancelled.
   StateImages(const Session& session, LightFieldFile& file, const std::vector<CameraState>& states,
               const Options& options, const Progress& progress);
 
-  /// Return the image of a state. Throw InputError, where it cannot be made, and Cancelled.
+  /// Returns the image of a state. Throws InputError if it cannot be rendered, and Cancelled.
   [[nodiscard]] Image render(std::size_t state, Renderer& renderer, const Progress& progress) const;
-  /// The light field must not be streamed.
+  /// Returns an unrounded image; not for a streamed light field.
   [[nodiscard]] FloatImage renderFloat(std::size_t state, Renderer& renderer,
                                        const Progress& progress) const {
     return renderer.renderFloat(job(state), progress);
@@ -41,13 +41,13 @@ class StateImages {
   [[nodiscard]] RenderJob job(std::size_t state) const { return m_scene.job(m_states[state]); }
   [[nodiscard]] bool areStreamed() const { return !m_streamed.empty(); }
   [[nodiscard]] const Scene& scene() const { return m_scene; }
-  /// The images are those of the ideal views.
+  /// Switches to ideal views.
   void showIdeal() { m_scene.isIdeal = true; }
 
  private:
   Scene m_scene;
   std::vector<CameraState> m_states;
-  std::vector<StateImage> m_streamed;  ///< of all states; empty where they are rendered
+  std::vector<StateImage> m_streamed;  ///< of all states; empty if they are rendered on request
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of a light field that is read from the top.
+// Images of a streamed light field.
 #include "campaign/streamed_images.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class Group {
  public:
   explicit Group(std::size_t memory) : m_memory(memory) {}
 
-  /// False where there is no room for it beside the others.
+  /// Adds a view. Returns false if it does not fit beside the others.
   bool add(Passenger& passenger) {
     const StreamingRenderer& job = *passenger.job;
     const auto& lens = job.lens();
@@ -55,7 +55,7 @@ class Group {
   std::vector<Passenger> m_passengers;
 };
 
-/// Each state in the first group after the last one that has room.
+/// Adds each state to the current group, or to a new one if it does not fit.
 std::vector<Group> grouped(const std::vector<RenderJob>& views, std::size_t memory,
                            LensTables& tables, const ParallelRows& parallelRows,
                            std::vector<StateImage>& pictures, const Progress& progress) {
@@ -75,7 +75,7 @@ std::vector<Group> grouped(const std::vector<RenderJob>& views, std::size_t memo
   return groups;
 }
 
-/// All are kept until the last row has come.
+/// Throws if the images, all kept until the last row, do not fit in memory.
 void checkRoom(const std::vector<RenderJob>& views) {
   std::size_t bytes = 0;
   for (const RenderJob& job : views) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images of many states from a light field that memory cannot hold and that can only be read
-// from the top: read once, as long as what the states need of it fits in memory.
+// The images of many states from a light field that exceeds the memory and must be streamed. It is
+// read once if the states' slices fit in memory together.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// A state's image, or why there is none.
+/// A state's image, or the problem.
 struct StateImage {
   Image image;
   std::string problem;
@@ -20,10 +20,10 @@ struct StateImage {
 /// Whether the file exceeds `memory` bytes and can be streamed.
 bool mustStream(const LightFieldFile& file, std::size_t memory);
 
-/// The views' light field has nothing in memory. At most `memory` bytes are taken besides the
-/// images and one hogel row of the file; where that is too little for all views the file is read
-/// more than once, and a view that alone needs more has a problem. Throws InputError (damaged
-/// file, images that the machine's memory cannot hold), Cancelled.
+/// Renders views of a light field that has nothing in memory. Uses at most `memory` bytes besides
+/// the images and one hogel row of the file; if that is too little for all views, the file is read
+/// several times, and a view that alone needs more has a problem. Throws InputError (damaged file,
+/// images exceed the machine's memory), Cancelled.
 std::vector<StateImage> renderStreamed(LightFieldFile& file, const std::vector<RenderJob>& views,
                                        std::size_t memory, const ParallelRows& parallelRows,
                                        const Progress& progress);
