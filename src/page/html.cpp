@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The few things that every part of the report's page writes.
+// Common elements of the report's page.
 #include "page/html.h"
 
 #include <algorithm>

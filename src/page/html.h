@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The few things that every part of the report's page writes.
+// Common elements of the report's page.
 #pragma once
 
 #include <string>
 
 namespace hogelscope {
 
-/// A text in HTML or SVG; its lines are printable(), since XML does not allow all characters.
+/// Escapes a text for HTML or SVG; its lines are made printable(), because XML does not allow all
+/// characters.
 std::string escaped(const std::string& text);
 
-/// The alphabet of RFC 4648, padded.
+/// Encodes bytes in base64 (RFC 4648), padded.
 std::string base64(const std::string& bytes);
 
-/// An image within the page, from a PNG file's bytes; `text` is what stands for it where it cannot
-/// be seen.
+/// Returns an embedded image of a PNG file's bytes; `text` is its alternative text.
 std::string imageTag(const std::string& png, const std::string& text);
 
 }  // namespace hogelscope

@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// What LaTeX reads as the text: its own characters escaped, dashes and hyphens of ASCII.
+/// Returns the text for LaTeX: special characters escaped, dashes and hyphens in ASCII.
 std::string texText(const std::string& text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 14> replaced{
       {{"\\", "\\textbackslash{}"},

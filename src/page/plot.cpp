@@ -16,13 +16,13 @@ namespace {
 
 constexpr double left = 62;
 constexpr double top = 14;
-constexpr double strip = 28;  ///< of the identical points
+constexpr double strip = 28;  ///< for the identical points
 
 std::vector<Tick> linearTicksAcross(const Axis& across) {
   return linearTicks(across, std::max(2, int(std::abs(across.to - across.from) / 50)));
 }
 
-/// Out to where the points are, and a little further.
+/// Extends the axis beyond the points by 5 %, and to a range of at least twice `least`.
 void pad(Axis& axis, double least) {
   if (!(axis.low <= axis.high)) axis.low = axis.high = 0;
   const double by = std::max(0.05 * (axis.high - axis.low), least - (axis.high - axis.low) / 2);
@@ -44,7 +44,7 @@ std::string svgMark(std::size_t series, double x, double y, double radius,
   return "<polygon points=\"" + points + "\"" + more + "</polygon>";
 }
 
-/// The line through the points of a series, and their intervals.
+/// Returns the line through the points of a series, and their intervals.
 std::string svgCurve(const Plot::Series& series, const PlotArea& area) {
   std::string line, bars;
   for (const Plot::Point& point : series.points) {
@@ -118,7 +118,7 @@ PlotArea areaOf(const Plot& plot, const PlotBox& box) {
   return area;
 }
 
-/// Of logarithms: at round values.
+/// Returns round ticks, also for an axis of logarithms.
 std::vector<Tick> ticksAcross(const Plot& plot, const Axis& across) {
   if (!plot.isLogarithmic) return linearTicksAcross(across);
   std::vector<Tick> ticks = logarithmicTicks(across, 40);

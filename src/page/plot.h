@@ -16,26 +16,26 @@ namespace hogelscope {
 struct Plot {
   struct Point {
     double across = 0;
-    double up = 0;  ///< infinite: identical, in a strip of its own above the others
+    double up = 0;  ///< infinite: identical, in a separate strip above the others
     std::string title;
-    std::size_t row = 0;  ///< of the table that the point is of
-    Interval interval{};  ///< drawn in plots with curves
+    std::size_t row = 0;  ///< the point's row in the table
+    Interval interval{};  ///< drawn in plots with curves only
   };
   struct Series {
     std::string name;
     std::vector<Point> points;
-    double radius = 4;  ///< of its marks
+    double radius = 4;  ///< of the marks
   };
 
   std::string titleAcross;
   std::string titleUp;
   std::array<double, 2> leastRange{};  ///< of the values across and up
-  bool hasCurves = false;              ///< the points of a series are joined
-  bool isLogarithmic = false;          ///< `across` is log10 of what its ticks say
+  bool hasCurves = false;              ///< whether the points of a series are connected
+  bool isLogarithmic = false;          ///< `across` is log10 of the ticks' values
   std::vector<Series> series;
 };
 
-/// Where a plot lies: in `width` × `height`, with room for its titles below and at the right.
+/// The area of a plot: `width` × `height`, with margins for its titles below and at the right.
 struct PlotBox {
   double width = 0;
   double height = 0;
@@ -47,39 +47,39 @@ struct PlotBox {
 struct PlotArea {
   Axis across;
   Axis up;
-  std::size_t count = 0;  ///< of the series
+  std::size_t count = 0;  ///< the number of series
   bool hasIdentical = false;
 
   struct Place {
     double x = 0;
     double y = 0;
   };
-  /// The identical points of different series lie side by side, since series share their x.
+  /// Returns a point's place. Identical points of different series lie side by side, because they
+  /// share their x.
   [[nodiscard]] Place placeOf(const Plot::Point& point, std::size_t series) const;
 };
 PlotArea areaOf(const Plot& plot, const PlotBox& box);
-/// The ticks of the horizontal axis; those without a text are minor.
+/// Returns the ticks of the horizontal axis; those without a text are minor.
 std::vector<Tick> ticksAcross(const Plot& plot, const Axis& across);
 std::vector<Tick> ticksUp(const Axis& up);
 
-/// Corners of a series' marks in radii, x and y in turn; empty for a circle.
+/// Returns the corners of a series' marks in radii, x and y in turn; empty for a circle.
 std::vector<double> markCorners(std::size_t series);
 
-/// The plot as an element `<svg>` of the class `style`.
+/// Returns the plot as an element `<svg>` of the class `style`.
 std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style,
                   const std::string& label);
-/// The names of all series beside their marks.
+/// Returns the names of all series with their marks.
 std::string legendOf(const Plot& plot);
 
-// Parts of SVG for figures of other kinds.
+// SVG elements for other figures.
 
-/// A number with two digits after the point, as coordinates need.
+/// Formats a coordinate with two digits after the point.
 std::string coordinate(double value);
-/// `anchor`: start, middle, end.
+/// Returns a text element; `anchor` is start, middle or end.
 std::string svgText(double x, double y, std::string_view anchor, const std::string& text);
 std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style);
-/// Grid, ticks, frame and titles around the area of the two axes; linear ticks where none are
-/// given.
+/// Returns grid, ticks, frame and titles around the area of the two axes; linear ticks by default.
 std::string svgFrame(const Axis& across, const Axis& up, const std::string& titleAcross,
                      const std::string& titleUp, std::vector<Tick> ticks = {});
 

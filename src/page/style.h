@@ -7,12 +7,12 @@ namespace hogelscope {
 /// CSS for screen and paper.
 extern const char* const pageStyle;
 
-/// JavaScript that sorts tables; the page is complete without it. Free of < and &, so that the page
-/// is XML.
+/// JavaScript that sorts tables; the page is complete without it. Contains no < or &, so that the
+/// page is XML.
 extern const char* const pageScript;
 
-/// Content-Security-Policy: this style and this script, by their hashes, and images within the
-/// page. Nothing that a name in a page contains can run.
+/// Content-Security-Policy: allows this style and this script, by their hashes, and embedded
+/// images. Names in a page cannot run as code.
 extern const char* const pagePolicy;
 
 }  // namespace hogelscope
