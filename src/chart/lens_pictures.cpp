@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of lenses.png.
+// The maps of lenses.png.
 #include "chart/lens_pictures.h"
 
 #include <QImage>
@@ -35,7 +35,7 @@ double pictureWidth() {
   return (width - 2 * margin - (columns - 1) * between) / columns;
 }
 
-/// A picture has its camera's shape, within reason.
+/// Returns a height with the camera's aspect ratio, within limits.
 double pictureHeight(const LensKey& lens) {
   return pictureWidth() * std::clamp(double(lens.res[1]) / lens.res[0], 0.25, 1.5);
 }
@@ -54,7 +54,7 @@ QImage pictureOf(const LensOutcomes& outcomes) {
   return image;
 }
 
-/// "all right", or the worst outcome and its share.
+/// Returns "all right", or the worst outcome and its share.
 QString captionOf(const LensOutcomes& outcomes) {
   const Outcome worst = outcomes.worst();
   if (worst == Outcome::right) return "all right";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// lenses.png: where in a lens' own picture each way to invert it holds.
+// The maps of lenses.png: where each inverse of a lens is right within the lens' own image.
 #pragma once
 
 #include "chart/painting.h"
@@ -7,15 +7,15 @@
 
 namespace hogelscope {
 
-/// The most lenses of one picture; later ones are in the table alone.
+/// The largest number of lenses in one image; later ones are only in the table.
 constexpr std::size_t mostLensPictures = 24;
 
-/// Paints one row for each lens from the `first` on, one column for each method, and a legend
-/// below: the outcome of every pixel that was measured.
+/// Paints the outcome of every measured pixel: one row for each lens starting at `first`, one
+/// column for each method, and a legend below.
 void paintLensPictures(QPainter& painter, const QSizeF& size, const Stability& stability,
                        std::size_t first);
 
-/// The size, in points, that the pictures are drawn for.
+/// Returns the size in points for which the maps are designed.
 QSize lensPicturesSize(const Stability& stability, std::size_t first);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours and words of a lens inverse's outcomes.
+// Colours and texts of a lens inverse's outcomes.
 #include "chart/outcome_legend.h"
 
 #include <QStringList>

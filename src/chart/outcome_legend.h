@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours and words of a lens inverse's outcomes, in all charts of them.
+// Colours and texts of a lens inverse's outcomes, for all charts.
 #pragma once
 
 #include <QPainter>
@@ -10,15 +10,16 @@
 
 namespace hogelscope {
 
-/// Returns a light colour where all is well, a dark one where it is not; told apart by the
-/// colour-blind and in grey.
+/// Returns a colour, light for right outcomes and dark for wrong ones, distinct for colour-blind
+/// readers and in greyscale.
 QRgb colourOf(Outcome outcome);
 
 using OutcomeWords = std::array<QString, outcomeCount>;
 
-/// The place of a line of the legend, which has two columns of three lines, 66 points high.
+/// Returns the place of a line of the legend, which has two columns of three lines and is 66 points
+/// high.
 QRectF legendLine(const QRectF& area, int index);
-/// Paints a sample and words for each outcome, in their order.
+/// Paints a sample and a text for each outcome, in their order.
 void paintOutcomeLegend(QPainter& painter, const QRectF& area, const OutcomeWords& words);
 
 /// Paints bold text in the middle of the area.

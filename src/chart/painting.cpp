@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Charts as files.
+// Export of charts to files.
 #include "chart/painting.h"
 
 #include <QBuffer>
@@ -35,7 +35,7 @@ void paintOn(QPaintDevice& device, const Paint& paint, const QSize& size) {
 OffscreenPainting::OffscreenPainting() {
   if (QCoreApplication::instance() != nullptr) return;
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  // It would warn of a missing XDG_RUNTIME_DIR, which batch machines do not have and paint without.
+  // Suppresses Qt's warning of a missing XDG_RUNTIME_DIR, which batch machines do not need.
   const QtMessageHandler before = qInstallMessageHandler(onlyFatal);
   m_application.emplace(m_argc, m_argv);
   qInstallMessageHandler(before);
@@ -59,7 +59,7 @@ std::string svgOf(const Paint& paint, const QSize& size, const std::string& titl
   generator.setOutputDevice(&buffer);
   generator.setSize(size);
   generator.setViewBox(QRect({0, 0}, size));
-  generator.setResolution(72);  // a point is a unit
+  generator.setResolution(72);  // one unit per point
   generator.setTitle(QString::fromStdString(title));
   paintOn(generator, paint, size);
   return buffer.data().toStdString();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Charts as files: one paint function makes the PNG, the SVG and the widget.
+// Export of charts to files: one paint function for PNG, SVG and the widget.
 #pragma once
 
 #include <QGuiApplication>
@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// Lets Qt paint text where no window is wanted: without X. For batch mode; keep it while painting.
+/// Enables Qt's text painting without a window or X, for batch mode. Keep it while painting.
 class OffscreenPainting {
  public:
   OffscreenPainting();
@@ -20,13 +20,14 @@ class OffscreenPainting {
   int m_argc = 1;
   char m_name[11] = "hogelscope";
   char* m_argv[2] = {m_name, nullptr};
-  std::optional<QGuiApplication> m_application;  ///< none where there is one already
+  std::optional<QGuiApplication> m_application;  ///< none if an application exists already
 };
 
 /// Paints on an area of `size`, in points, from (0, 0).
 using Paint = std::function<void(QPainter& painter, const QSizeF& size)>;
 
-/// The bytes of the files. Text is DejaVu Sans; PNG has twice as many pixels as points.
+/// Returns the bytes of a PNG; the next function those of an SVG. Text is DejaVu Sans; PNG has
+/// twice as many pixels as points.
 std::string pngOf(const Paint& paint, const QSize& size);
 std::string svgOf(const Paint& paint, const QSize& size, const std::string& title);
 

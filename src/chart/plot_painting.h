@@ -10,12 +10,12 @@
 
 namespace hogelscope {
 
-/// Paints for any size from about 250×150 points, with a ring around the points of `selected`.
+/// Paints at any size from about 250×150 points, with a ring around the points of `selected`.
 void paintPlot(QPainter& painter, const QSizeF& size, const Plot& plot,
                std::optional<std::size_t> selected = {});
-/// The row of the nearest point, at most a few points away from `place`.
+/// Returns the row of the nearest point, if it is within a few points of `place`.
 std::optional<std::size_t> rowAt(const Plot& plot, const QPointF& place, const QSizeF& size);
-/// The place of a row's point; none where it has none.
+/// Returns the place of a row's point; none if it has none.
 std::optional<QPointF> placeOf(const Plot& plot, std::size_t row, const QSizeF& size);
 
 }  // namespace hogelscope

@@ -11,7 +11,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Beyond the spread of the runs, and by more than `factor`.
+/// Whether `row` is faster by more than `factor`, beyond the spread of the runs.
 bool isFaster(const TradeoffRow& row, const TradeoffRow& other, double factor = 1) {
   return factor * row.upperQuartile < other.fastest;
 }
@@ -24,8 +24,8 @@ Indices measuredRows(const std::vector<TradeoffRow>& rows, Condition condition) 
   return indices;
 }
 
-/// Those that no other one is faster than. The default is only left out for what is faster by more
-/// than a quarter.
+/// Returns the rows that no other one is faster than. The default is excluded only by rows that are
+/// faster by more than a quarter.
 Indices fastestOf(const std::vector<TradeoffRow>& rows, const Indices& indices) {
   constexpr double hardly = 1.25;
   Indices fastest;
@@ -46,7 +46,7 @@ Indices mostAccurateOf(const std::vector<TradeoffRow>& rows, const Indices& indi
   return best;
 }
 
-/// The default if it is among them, else the first.
+/// Returns the default if it is among the rows, else the first.
 std::optional<std::size_t> pick(const std::vector<TradeoffRow>& rows, const Indices& indices) {
   if (indices.empty()) return std::nullopt;
   const auto found =

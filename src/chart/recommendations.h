@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of the measured methods to use for what.
+// Recommendations among the measured methods.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,27 @@
 
 namespace hogelscope {
 
-// A time is known as well as its runs agree: one method is faster than another where its upper
-// quartile lies below the other's fastest run. Else the more accurate one is advised, then the
-// default, whose rays are certified, then the first of the table. The default also stays where
-// another one of its error is at most a quarter faster. So noise does not change the advice.
+// Times are only as precise as the runs agree: a method is faster than another if its upper
+// quartile lies below the other's fastest run. Otherwise the more accurate one is recommended, then
+// the default, whose rays are certified, then the first of the table. The default is also kept if
+// another one of its error is at most a quarter faster. Noise therefore does not change the
+// recommendation.
 
-/// A picture that takes no longer moves with the hand: 60 views per second.
+/// The time limit of an image that follows the hand smoothly: 60 views per second.
 constexpr double movingViewMilliseconds = 1000.0 / 60;
 
-/// Has times and an error: finite times > 0, a finite error >= 0.
+/// Whether the row has times and an error: finite times > 0, a finite error >= 0.
 bool isMeasured(const TradeoffRow& row);
 
-/// The most accurate one whose runs come within movingViewMilliseconds; where there is none, the
-/// fastest of all. None without measured rows.
+/// Returns the most accurate row whose runs stay within movingViewMilliseconds; the fastest of all
+/// if there is none; none without measured rows.
 std::optional<std::size_t> forMovingView(const std::vector<TradeoffRow>& rows);
 
-/// The least error, and the fastest with that error.
+/// Returns the fastest row with the least error.
 std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows);
 
 enum class Purpose { movingView, paper, standard };
-/// The purposes that a row is the answer to.
+/// Returns the purposes for which a row is recommended.
 std::vector<Purpose> purposesOf(const std::vector<TradeoffRow>& rows, std::size_t row);
 const char* words(Purpose purpose);
 

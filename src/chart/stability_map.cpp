@@ -31,14 +31,14 @@ const OutcomeWords& words() {
   return all;
 }
 
-/// Where a map's lenses are on the paper.
+/// The place of a map on the paper.
 struct MapFrame {
   QRectF area;
-  double reach;  ///< of the coefficients
-  double cell;   ///< of the map, in coefficients
+  double reach;  ///< the largest coefficient
+  double cell;   ///< the size of a map's cell, in coefficients
 
   [[nodiscard]] QPointF at(double x, double y) const {
-    const double half = reach + cell / 2;  // a lens is its cell's middle
+    const double half = reach + cell / 2;  // a lens is at its cell's centre
     return {area.left() + area.width() * (x + half) / (2 * half),
             area.bottom() - area.height() * (y + half) / (2 * half)};
   }
@@ -69,7 +69,7 @@ void paintFoldLine(QPainter& painter, const MapFrame& frame,
   painter.drawPath(path);
 }
 
-/// Five ticks along each axis; names and numbers of y only where it is the row's first map.
+/// Paints five ticks along each axis; name and numbers of y only at the row's first map.
 void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane, bool isFirst) {
   constexpr double length = 4;
   painter.setBrush(Qt::NoBrush);
@@ -78,13 +78,13 @@ void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane,
   const double bottom = frame.area.bottom();
   bool hasNumber = false;
   for (const Tick& tick : linearTicks({-frame.reach, frame.reach}, 5)) {
-    hasNumber = !hasNumber;  // along x there is room for every other one
+    hasNumber = !hasNumber;  // every second one along x, for space
     const double x = frame.at(tick.value, 0).x();
     const double y = frame.at(0, tick.value).y();
     const QString number = QString::fromStdString(tick.text);
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + length));
     painter.drawLine(QPointF(frame.area.left() - length, y), QPointF(frame.area.left(), y));
-    // The outer numbers keep within the map, so that the next one's have room.
+    // Keeps the outer numbers within the map, so that they do not overlap the next map's.
     const double middle = std::clamp(x, frame.area.left() + 14, frame.area.right() - 10);
     if (hasNumber)
       painter.drawText(QRectF(middle - 30, bottom + length + 1, 60, 15), Qt::AlignCenter, number);

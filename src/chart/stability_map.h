@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The maps of stability.png: which way to invert a lens holds for which coefficients.
+// The maps of stability.png: the coefficients for which each lens inverse is right.
 #pragma once
 
 #include "chart/painting.h"
@@ -7,10 +7,10 @@
 
 namespace hogelscope {
 
-/// One row of maps for each plane, one column for each method, and a legend below.
+/// Paints one row of maps for each plane, one column for each method, and a legend below.
 void paintStabilityMaps(QPainter& painter, const QSizeF& size, const std::vector<LensMap>& maps);
 
-/// The size, in points, that the maps are drawn for.
+/// Returns the size in points for which the maps are designed.
 QSize stabilityMapsSize();
 
 }  // namespace hogelscope

@@ -16,18 +16,18 @@ namespace {
 
 const QColor ink(40, 40, 40);
 const QColor faint(225, 225, 225);
-const QColor smoothArea(238, 244, 250);  // within 60 views per second
+const QColor smoothArea(238, 244, 250);  // within the time of 60 views per second
 const QString zeroText = QStringLiteral("0: the reference’s own pixels");
 
 struct Guide {
   double milliseconds;
   const char* caption;
-  Qt::AlignmentFlag side;  // of the line, where the caption stands
+  Qt::AlignmentFlag side;  // of the line, for the caption
 };
 constexpr std::array guidesOfViews{Guide{movingViewMilliseconds, "60 views/s", Qt::AlignRight},
                                    Guide{1000.0 / 30, "30 views/s", Qt::AlignLeft}};
 
-/// Of logarithms to the base 10.
+/// A range of base-10 logarithms.
 struct Range {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -36,8 +36,8 @@ struct Range {
     least = std::min(least, std::log10(value));
     most = std::max(most, std::log10(value));
   }
-  /// A decade at least, so that ticks tell, with room beyond both ends: no marker lies on the
-  /// frame.
+  /// Returns an axis of at least a decade, so that it has ticks, with margins that keep markers off
+  /// the frame.
   Axis axis(double from, double to) const {
     constexpr double margin = 0.06;
     if (least > most) return {0, 2, from, to};
@@ -52,7 +52,7 @@ void text(QPainter& painter, const QRectF& box, int flags, const QString& words)
   painter.drawText(box, flags | Qt::TextSingleLine | Qt::TextDontClip, words);
 }
 
-/// Upwards, around a point.
+/// Paints a text upwards, centred on a point.
 void sideways(QPainter& painter, const QPointF& centre, const QString& words) {
   painter.save();
   painter.translate(centre);
@@ -81,11 +81,11 @@ TradeoffAxes::TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& s
     if (row.rmse > 0) errors.add(row.rmse);
     hasZeros = hasZeros || row.rmse == 0;
   }
-  // Whether a view moves smoothly is seen where its limit is seen.
+  // Includes the limit of smooth motion if times come near it.
   if (times.most > std::log10(movingViewMilliseconds / 10)) times.add(movingViewMilliseconds);
 
   m_plot = QRectF({0, 0}, size).adjusted(5.2 * m_em, 4.7 * m_em, -4 * m_em, -3.6 * m_em);
-  m_plot.setSize(m_plot.size().expandedTo({1, 1}));  // however small the chart
+  m_plot.setSize(m_plot.size().expandedTo({1, 1}));  // for very small charts
   if (hasZeros) {
     const double gap = std::min(0.5 * m_em, 0.1 * m_plot.height());
     const double height = std::min(5.5 * m_em, 0.5 * m_plot.height());
@@ -134,7 +134,7 @@ QRectF TradeoffAxes::zeroCaption(const QFont& font) const {
   if (m_zero.isEmpty()) return {};
   const QFontMetricsF metrics(sized(font, 0.9 * m_em));
   const double width = metrics.horizontalAdvance(zeroText);
-  // The Pareto front comes from above and ends half way down.
+  // Avoids the Pareto front, which comes from above and ends at half height.
   return {m_zero.right() - 0.5 * m_em - width, m_zero.bottom() - 0.2 * m_em - metrics.height(),
           width, metrics.height()};
 }
@@ -214,7 +214,7 @@ void TradeoffAxes::paintErrors(QPainter& painter) const {
   }
 }
 
-/// PSNR = 20 log10(255 / RMS error): the same axis, read in dB.
+/// Paints the error axis in dB: PSNR = 20 log10(255 / RMS error).
 void TradeoffAxes::paintPsnr(QPainter& painter) const {
   const double logCodeValues = std::log10(255.0);
   const Axis decibels{20 * (logCodeValues - m_errors.high), 20 * (logCodeValues - m_errors.low),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where things lie on the chart of speed against accuracy: frame, axes, the band of the errors 0.
+// Layout of the chart of speed against accuracy: frame, axes, the band of zero errors.
 #pragma once
 
 #include <QFont>
@@ -17,27 +17,27 @@ namespace hogelscope {
 
 class TradeoffAxes {
  public:
-  /// For a plot of `size` in points, legend excluded, whose axes hold all measured rows.
+  /// Creates axes for all measured rows, for a plot of `size` in points without the legend.
   TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& size);
 
-  /// The row's point; none for a row without a time or an error.
+  /// Returns the row's point; none for a row without a time or an error.
   std::optional<QPointF> positionOf(const TradeoffRow& row) const;
-  /// The spread of the times of a measured row, through its point.
+  /// Returns the interquartile line of a measured row's times, through its point.
   QLineF quartilesOf(const TradeoffRow& row) const;
-  /// The size of the text, points.
+  /// Returns the text size in points.
   double em() const { return m_em; }
-  /// The parts of the plot: above the band of zeros, and the band.
+  /// Returns the parts of the plot: the area above the band of zeros, and the band.
   std::vector<QRectF> areas() const;
-  /// The lines at 60 and 30 views per second, as far as the time axis reaches.
+  /// Returns the lines at 60 and 30 views per second, within the time axis.
   std::vector<QLineF> guides() const;
-  /// The words in the band; empty where there is no band.
+  /// Returns the place of the caption in the band; empty without a band.
   QRectF zeroCaption(const QFont& font) const;
 
   void paint(QPainter& painter, const QString& title) const;
 
  private:
   double x(double milliseconds) const;
-  double y(double rmse) const;  ///< > 0
+  double y(double rmse) const;  ///< rmse > 0
   void paintGround(QPainter& painter, const QRectF& box) const;
   void paintFrames(QPainter& painter) const;
   void paintGuides(QPainter& painter) const;
@@ -49,13 +49,13 @@ class TradeoffAxes {
 
   QSizeF m_size;
   double m_em;
-  QRectF m_plot;  ///< of errors > 0
-  QRectF m_zero;  ///< of errors 0; empty where there are none
+  QRectF m_plot;  ///< the area of errors > 0
+  QRectF m_zero;  ///< the band of errors 0; empty if there are none
   Axis m_times;   ///< of log10
   Axis m_errors;  ///< of log10
 };
 
-/// `font` at a size in points of the chart.
+/// Returns `font` at a size in points of the chart.
 QFont sized(QFont font, double size, bool isBold = false);
 
 }  // namespace hogelscope

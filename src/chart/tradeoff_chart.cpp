@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The chart of speed against accuracy, painted.
+// Painting of the chart of speed against accuracy.
 #include "chart/tradeoff_chart.h"
 
 #include <QFontMetricsF>
@@ -13,8 +13,8 @@ namespace hogelscope {
 
 namespace {
 
-// Blue and vermilion are told apart by colour-blind eyes (Okabe and Ito); words say the same in
-// grey.
+// Blue and vermilion differ for colour-blind readers (Okabe and Ito); texts tell the same in
+// greyscale.
 const QColor ink(20, 20, 20);
 const QColor grey(110, 110, 110);
 const QColor paleGrey(165, 165, 165);
@@ -30,7 +30,7 @@ void text(QPainter& painter, const QRectF& box, int flags, const QString& words)
   painter.drawText(box, flags | Qt::TextSingleLine | Qt::TextDontClip | Qt::AlignVCenter, words);
 }
 
-/// The right part of the chart; empty where nothing is measured.
+/// Returns the right part of the chart; empty without measured rows.
 QRectF legendArea(const std::vector<TradeoffRow>& rows, const QSizeF& size) {
   const double width = std::ranges::any_of(rows, isMeasured) ? 0.36 * size.width() : 0;
   return {size.width() - width, 0, width, size.height()};
@@ -123,13 +123,13 @@ void TradeoffChart::paintFront(QPainter& painter, const TradeoffAxes& axes) cons
   for (const QLineF& step : paretoSteps(m_rows, axes)) painter.drawLine(step);
 }
 
-/// Half of the runs lie on the line; mostly it is shorter than the marker.
+/// Paints the interquartile ranges, which are mostly shorter than the markers.
 void TradeoffChart::paintSpreads(QPainter& painter, const TradeoffAxes& axes) const {
   painter.setPen(QPen(grey, 0.1 * axes.em()));
   for (const std::size_t row : numbered(m_rows)) painter.drawLine(axes.quartilesOf(m_rows[row]));
 }
 
-/// The more a point has to say, the higher it lies.
+/// Paints the markers, more important ones on top.
 void TradeoffChart::paintMarkers(QPainter& painter, const TradeoffAxes& axes) const {
   const auto importance = [&](std::size_t k) {
     return m_selected == k ? 3 : !purposesOf(m_rows, k).empty() ? 2 : m_rows[k].isPareto ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The chart of speed against accuracy: one point per method, for the window and for files.
+// Chart of speed against accuracy with one point per method, for the window and for files.
 #pragma once
 
 #include <QFont>
@@ -18,19 +18,19 @@ namespace hogelscope {
 
 class TradeoffChart {
  public:
-  /// `question` says what the error is measured against: "Error against the display as built".
-  /// Rows without a time (> 0) or an error (>= 0) are left out.
+  /// `question` is the title of the error, such as "Error against the display as built". Rows
+  /// without a time (> 0) or an error (>= 0) are omitted.
   TradeoffChart(std::vector<TradeoffRow> rows, std::string question);
 
-  /// A Paint (chart/painting.h) for any size from about 500×400 points. Text is in the painter's
-  /// font, whose size follows the chart's.
+  /// Paints the chart (Paint, chart/painting.h) at any size from about 500×400 points. Text has the
+  /// painter's font, scaled with the chart.
   void paint(QPainter& painter, const QSizeF& size) const;
 
-  /// The row whose point lies within a few points of `place` on a chart of `size`.
+  /// Returns the row whose point is within a few points of `place` on a chart of `size`.
   std::optional<std::size_t> rowAt(const QPointF& place, const QSizeF& size) const;
-  /// Each row's line in the legend; empty for a row that is not measured.
+  /// Returns each row's line in the legend; empty for a row that is not measured.
   std::vector<QRectF> nameBoxes(const QSizeF& size, const QFont& font) const;
-  /// The axes of a chart of `size`, left of the legend.
+  /// Returns the axes of a chart of `size`, left of the legend.
   TradeoffAxes axes(const QSizeF& size) const;
 
   /// Highlights a row.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The legend of the chart of speed against accuracy: the methods by number, with their figures.
+// Legend of the chart of speed against accuracy: numbered methods with their values.
 #include "chart/tradeoff_legend.h"
 
 #include <QFontMetricsF>

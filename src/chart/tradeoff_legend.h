@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The legend of the chart of speed against accuracy: the methods by number, with their figures.
+// Legend of the chart of speed against accuracy: numbered methods with their values.
 #pragma once
 
 #include <QFont>
@@ -15,28 +15,29 @@ namespace hogelscope {
 
 struct LegendLine {
   std::size_t row = 0;
-  std::optional<Purpose> purpose;  ///< of the row above; the row itself if empty
+  std::optional<Purpose> purpose;  ///< a purpose of the row above; empty for the row itself
   QRectF box;
 };
 
-/// Columns are distances from the left edge of the lines: a marker comes before the number.
+/// The layout of the legend. Columns are distances from the lines' left edge; the marker precedes
+/// the number.
 struct TradeoffLegend {
   QFont font;
   double numberEnd = 0;
   double name = 0;
-  double timeEnd = 0;  ///< 0 where there is no room for times and errors
+  double timeEnd = 0;  ///< 0 if there is no space for times and errors
   std::vector<LegendLine> lines;
 };
 
-/// Lays out the legend from the top of `area`, under a line for its titles, in the largest font of
-/// at most `size` that fits, and from fast to slow.
+/// Lays out the legend at the top of `area`, below a title line, in the largest font of at most
+/// `size` that fits, from fast to slow.
 TradeoffLegend legendOf(const std::vector<TradeoffRow>& rows, const QRectF& area, const QFont& font,
                         double size);
 
-/// The method's name, with an asterisk if it is measured on part of the pixels.
+/// Returns the method's name, with an asterisk if it was measured on part of the pixels.
 QString legendName(const TradeoffRow& row);
 
-/// With two digits, but without powers of ten up to a million.
+/// Formats a value with two digits, without powers of ten up to a million.
 QString figureText(double value);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of the methods, and their places beside the points of the chart.
+// Numbers of the methods beside the points of the chart.
 #include "chart/tradeoff_numbers.h"
 
 #include <QFontMetricsF>
@@ -31,8 +31,8 @@ QRectF markerOf(const std::vector<TradeoffRow>& rows, std::size_t row, const Tra
   return square(*axes.positionOf(rows[row]), axes.em() * markerRadius(rows, row));
 }
 
-/// Points whose markers hide one another share a box. Those with many numbers come first, since
-/// large boxes have the fewest places.
+/// Groups points whose markers overlap. Groups with many numbers come first, because large boxes
+/// have the fewest places.
 std::vector<PointNumbers> groupsOf(const std::vector<TradeoffRow>& rows, const TradeoffAxes& axes) {
   std::vector<PointNumbers> groups;
   std::size_t number = 0;
@@ -50,9 +50,9 @@ std::vector<PointNumbers> groupsOf(const std::vector<TradeoffRow>& rows, const T
   return groups;
 }
 
-/// What a number may not cover.
+/// Areas that a number must not cover.
 struct Obstacles {
-  std::vector<QRectF> things;  ///< a leader may not cross them either
+  std::vector<QRectF> things;  ///< a leader must not cross them either
   std::vector<QRectF> lines;
 };
 
@@ -67,7 +67,8 @@ Obstacles obstaclesOf(const std::vector<TradeoffRow>& rows, const TradeoffAxes& 
   return obstacles;
 }
 
-/// The box beside the markers, `gap` away from them; the longer part of the direction is 1.
+/// Returns the box beside the markers at a distance of `gap`; the larger component of `direction`
+/// is 1.
 QRectF boxBeside(const QRectF& markers, const QSizeF& size, const QPointF& direction, double gap) {
   const QSizeF reach = (markers.size() + size) / 2;
   QRectF box({0, 0}, size);
@@ -81,7 +82,7 @@ QPointF nearestIn(const QRectF& box, const QPointF& point) {
           std::clamp(point.y(), box.top(), box.bottom())};
 }
 
-/// Small squares along the line.
+/// Returns small squares along the line.
 std::vector<QRectF> dotsOn(const QLineF& line) {
   const int last = 1 + static_cast<int>(line.length() / 3);
   std::vector<QRectF> dots;
@@ -90,10 +91,10 @@ std::vector<QRectF> dotsOn(const QLineF& line) {
   return dots;
 }
 
-/// Takes the first free place, and lets the group's box and leader be obstacles to others.
+/// Places a group at the first free place, and adds its box and leader to the obstacles.
 bool placeGroup(PointNumbers& group, const QSizeF& size, const std::vector<QRectF>& areas,
                 Obstacles& obstacles, bool mayCoverLines) {
-  // Sides, corners, and what lies between them.
+  // Sides, corners, and the directions between them.
   constexpr std::array right{1., 0., 0., -1., 1., 1., -1., -1., 1., 1., .5, .5, -.5, -.5, -1., -1.};
   constexpr std::array down{0., -1., 1., 0., -1., 1., -1., 1., -.5, .5, -1., 1., -1., 1., -.5, .5};
   for (const double gap : {1.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0})
@@ -139,7 +140,7 @@ QString textOf(const PointNumbers& numbers) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     const std::size_t first = k;
     while (k + 1 < all.size() && all[k + 1] == all[k] + 1) ++k;
-    if (k == first + 1) --k;  // two are listed
+    if (k == first + 1) --k;  // two numbers are listed
     texts +=
         k == first ? QString::number(all[k]) : QStringLiteral("%1–%2").arg(all[first]).arg(all[k]);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of the methods, and their places beside the points of the chart.
+// Numbers of the methods beside the points of the chart.
 #pragma once
 
 #include <QFont>
@@ -14,30 +14,30 @@
 
 namespace hogelscope {
 
-/// The measured rows from fast to slow, of equal time the less accurate first: the row of number
-/// n is at n - 1.
+/// Returns the measured rows from fast to slow, for equal times the less accurate first. The row of
+/// number n is at n - 1.
 std::vector<std::size_t> numbered(const std::vector<TradeoffRow>& rows);
 
-/// The radius of a row's marker in ems; the default's has a ring.
+/// Returns the radius of a row's marker in ems. The default's marker has a ring.
 double markerRadius(const std::vector<TradeoffRow>& rows, std::size_t row);
 
-/// The number beside a point, or the numbers of points that lie together.
+/// The numbers of a point or of overlapping points.
 struct PointNumbers {
-  std::vector<std::size_t> numbers;  ///< rising, from 1
+  std::vector<std::size_t> numbers;  ///< ascending, from 1
   QRectF markers;
   QRectF box;
-  std::optional<QLineF> leader;  ///< from the markers to a box that is not right beside them
+  std::optional<QLineF> leader;  ///< from the markers to a box that is not adjacent
 };
 
-/// "7" or "3, 8–11".
+/// Returns a text such as "7" or "3, 8–11".
 QString textOf(const PointNumbers& numbers);
 
-/// The numbers of all measured rows, each in the first of some places around its point where it
-/// covers nothing. Those that have no such place, in a chart far too small, are left out.
+/// Returns the numbers of all measured rows, each at the first free place around its point. Numbers
+/// without a free place, in a very small chart, are omitted.
 std::vector<PointNumbers> numbersBesidePoints(const std::vector<TradeoffRow>& rows,
                                               const TradeoffAxes& axes, const QFont& font);
 
-/// The Pareto front as steps: from each point to the right, then down to the next.
+/// Returns the Pareto front as steps: from each point to the right, then down to the next.
 std::vector<QLineF> paretoSteps(const std::vector<TradeoffRow>& rows, const TradeoffAxes& axes);
 
 }  // namespace hogelscope
