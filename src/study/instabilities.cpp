@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Instabilities of leakage and of averages.
+// Instabilities of leakage and of means.
 #include "study/instabilities.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Simulates a white hogel, seen through the leakage.
+/// Returns the gain of a simulated white hogel with leakage.
 double normalisedGain(const PsfParams& params) {
   constexpr int side = 32;
   constexpr std::uint8_t white = 255;
@@ -26,12 +26,12 @@ double normalisedGain(const PsfParams& params) {
 double paperGain(const PsfParams& params) {
   const int n = (params.windowSize - 1) / 2;
   const double variance = params.sigma * params.sigma;
-  double axis = 0;  // the Gaussian is the product of its axes
+  double axis = 0;  // the Gaussian is the product of both axes
   for (int x = -n; x <= n; ++x) axis += std::exp(-x * x / (2 * variance));
   return axis * axis / (2 * std::numbers::pi * variance);
 }
 
-/// Makes two images whose difference is 35.0 dB: `fives` values differ by 5, the others by 4.
+/// Two images with a PSNR of 35.0 dB: `fives` values differ by 5, the others by 4.
 struct NoisyPair {
   NoisyPair() : reference(64, 64), test(64, 64) {
     constexpr std::size_t fives = 6231;  // of 12288: MSE 20.563
@@ -64,7 +64,7 @@ std::vector<InstabilityRow> psfGains() {
 }
 
 std::vector<InstabilityRow> psnrMeans() {
-  constexpr int views = 6;  // as many as the paper's Table I has
+  constexpr int views = 6;  // as in the paper's Table I
   NoisyPair pair;
   std::vector<InstabilityRow> rows;
   for (int identical = 0; identical < views; ++identical) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Methods to invert a lens.
+// Methods of inverting a lens.
 #include "study/inverse_methods.h"
 
 #include <opencv2/calib3d.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-/// Calls cv::undistortPoints on points of the plane z = 1.
+/// Calls cv::undistortPoints for points of the plane z = 1.
 Points byOpenCv(const Distortion& lens, const Points& distorted, int iterations) {
   const auto& [k1, k2, p1, p2, k3] = lens.params();
   std::vector<cv::Point2d> from;
@@ -26,7 +26,7 @@ Points byOpenCv(const Distortion& lens, const Points& distorted, int iterations)
   return ideal;
 }
 
-/// Makes plain Newton steps without safeguards: a step may go anywhere.
+/// Performs plain Newton steps without safeguards, which may diverge.
 Vec2 newton(const Distortion& lens, const Vec2& distorted) {
   constexpr int steps = 20;
   Vec2 ideal = distorted;

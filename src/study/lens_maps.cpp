@@ -15,11 +15,11 @@ namespace {
 
 constexpr int pointsPerSide = 9;
 
-/// Points in a row; none where the lenses of the map do not fold.
+/// Consecutive points; none where the lenses of the map do not fold.
 using FoldEnds = std::vector<std::optional<Vec2>>;
 
-/// The border of the image, corners first: they are the farthest out. A pixel inside it has a ray
-/// where the border pixel of the same direction has one.
+/// Returns the border of the image, corners first, because they are the farthest out. A pixel
+/// inside has a ray if the border pixel of the same direction has one.
 std::vector<Vec2> borderOf(const LensKey& camera) {
   constexpr int steps = 16;
   std::vector<Vec2> border;
@@ -42,13 +42,13 @@ bool isOneToOne(const DistortionParams& lens, const std::vector<Vec2>& border,
   });
 }
 
-/// Finds the points of a plane's fold line.
+/// Finds points of a plane's fold line.
 class FoldFinder {
  public:
   FoldFinder(const LensPlane& plane, const Progress& progress)
       : m_plane(plane), m_border(borderOf(paperCamera({}))), m_progress(progress) {}
 
-  /// Returns the fold line from an angle to another one, the latter excluded.
+  /// Returns the fold line between two angles, the latter excluded.
   [[nodiscard]] FoldEnds between(double from, double to) const {
     FoldEnds ends;
     refine(from, along(from), to, along(to), 0, ends);
@@ -56,8 +56,8 @@ class FoldFinder {
   }
 
  private:
-  /// Finds the line's point in a direction of the plane; none within the map. Along a direction a
-  /// lens only gets worse: its fold moves inwards.
+  /// Returns the line's point in a direction of the plane; none within the map. The fold moves
+  /// inwards monotonically along a direction.
   [[nodiscard]] std::optional<Vec2> along(double angle) const {
     const double x = std::cos(angle);
     const double y = std::sin(angle);
@@ -76,8 +76,7 @@ class FoldFinder {
     return isOneToOne(m_plane.lens(x, y), m_border, m_progress);
   }
 
-  /// Adds the points before `to`, near enough to each other for a smooth line, and up to where it
-  /// leaves the map.
+  /// Adds the points before `to`, close enough for a smooth line and up to the map's border.
   void refine(double from, const std::optional<Vec2>& first, double to,
               const std::optional<Vec2>& last, int depth, FoldEnds& ends) const {
     constexpr int deepest = 7;
@@ -153,7 +152,7 @@ LensMap measureMap(const LensPlane& plane, const ParallelRows& parallelRows,
                    const Progress& progress) {
   const int side = plane.side();
   const auto& methods = inverseMethods();
-  constexpr double foldShare = 0.3;  // of the time, about
+  constexpr double foldShare = 0.3;  // approximate share of the time
   const Progress heard = forThreads(progress);
   LensMap map{plane, {}, foldLineOf(plane, parallelRows, part(heard, 0, foldShare))};
   map.outcomes.assign(methods.size(),

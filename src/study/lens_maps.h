@@ -10,10 +10,10 @@ namespace hogelscope {
 /// A plane of lenses: two coefficients from -reach to reach, the others 0. The camera is the
 /// paper's, 60° over 600×600 pixels; the worst of 9×9 of its pixels counts.
 struct LensPlane {
-  std::string name;                   ///< "k1_k2"
-  std::array<std::string, 2> axes;    ///< "k1", "k2"
+  std::string name;                   ///< such as "k1_k2"
+  std::array<std::string, 2> axes;    ///< such as "k1", "k2"
   double DistortionParams::*across;   ///< the coefficient along the map's x axis
-  double DistortionParams::*upwards;  ///< and along y
+  double DistortionParams::*upwards;  ///< the coefficient along y
   int stepsPerSide;                   ///< the map has 2·stepsPerSide + 1 lenses per side
   int stepsPerUnit;
   [[nodiscard]] int side() const { return 2 * stepsPerSide + 1; }
@@ -25,9 +25,9 @@ struct LensPlane {
 
 struct LensMap {
   LensPlane plane;
-  /// For each method of inverseMethods(): side()² lenses, the least y first, x the fastest.
+  /// The outcomes of each of inverseMethods(): side()² lenses, in ascending y, x fastest.
   std::vector<std::vector<LensOutcomes>> outcomes;
-  /// The line where the fold enters the image, as pieces of lines of (x, y).
+  /// The line where the fold enters the image, as polylines of (x, y).
   std::vector<std::vector<Vec2>> foldLine;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outcome of a lens' points.
+// Outcomes of inverting a lens.
 #include "study/lens_outcomes.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ double LensTrial::pixels(const Vec2& from, const Vec2& to) const {
 
 Outcome LensTrial::outcome(std::size_t at, const Vec2& ideal, bool saysNoRay) const {
   constexpr double rootResidual = 1e-3;  // px
-  constexpr double sameRoot = 1;         // px: near a fold the residual says little about the root
+  constexpr double sameRoot = 1;  // px, because near a fold the residual determines the root poorly
   const Distortion lens(m_lens.distortion);
   const Vec2& distorted = m_distorted[at];
   if (!(std::isfinite(ideal.x) && std::isfinite(ideal.y)))
@@ -56,7 +56,7 @@ Outcome LensTrial::outcome(std::size_t at, const Vec2& ideal, bool saysNoRay) co
   if (residual <= rootResidual)
     return m_right[at] && pixels(*m_right[at], ideal) <= sameRoot ? Outcome::right
                                                                   : Outcome::wrongRoot;
-  // Every method begins at the distorted point itself.
+  // Every method starts at the distorted point itself.
   return residual < pixels(distorted, lens.distort(distorted)) ? Outcome::inexact
                                                                : Outcome::diverged;
 }

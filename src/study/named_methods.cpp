@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The methods that are compared.
+// The compared methods.
 #include <algorithm>
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of which only some rows are rendered.
+// Images of which only some rows are rendered.
 #include "study/sampled_picture.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int bandRows = 8;
 
-/// Returns the view of the band alone.
+/// Returns the view of a single band.
 RenderJob bandOf(const RenderJob& job, const Band& band) {
   RenderJob part = job;
   CameraState& state = part.state;
@@ -33,7 +33,7 @@ void copyInto(Image& image, const Image& rows, int firstRow) {
 
 std::vector<Band> sampledBands(int height, int step) {
   if (step == 1) return {{0, height}};
-  // 010101 in binary: its remainder lies near the middle of every step, so no border is preferred.
+  // 010101 in binary; the remainder is near the middle of every step, which avoids the borders.
   constexpr int first = 21;
   std::vector<Band> bands;
   for (int y = first % step * bandRows; y < height; y += step * bandRows)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of docs/formulas.md in float or double, word by word.
+// The geometry of docs/formulas.md in float or double, literally.
 #include "study/single_precision.h"
 
 #include <cmath>
@@ -45,7 +45,8 @@ struct Geometry {
     forward = unitCross(right, down);
   }
 
-  /// Finds the directional pixel that a ray meets (docs/formulas.md, Hit); x, y on the plane z = 1.
+  /// Returns the directional pixel that a ray meets (docs/formulas.md, Hit); x, y on the plane z =
+  /// 1.
   [[nodiscard]] std::optional<TexelIndex> hit(Real x, Real y) const {
     const Real dz = x * right.z + y * down.z + forward.z;
     if (!(eye.z > 0 && dz < 0)) return std::nullopt;
@@ -64,7 +65,7 @@ struct Geometry {
     return TexelIndex{int(i), int(j), int(u), int(v)};
   }
 
-  /// Returns the fraction of the angular field from its middle, -1/2 … 1/2.
+  /// Returns the position in the angular field from its middle, -1/2 … 1/2.
   [[nodiscard]] Real part(Real slope, std::size_t axis) const {
     if (display.lens == HogelLensModel::plugin)
       return Real(panel.lens(axis).directionOf(double(slope)));
@@ -74,7 +75,7 @@ struct Geometry {
   }
 
   DisplayParams display;
-  Display panel;  ///< for a plugin's lens, which has one precision
+  Display panel;  ///< for a plugin's lens, which exists in one precision only
   Vector<Real> eye, right{}, down{}, forward{};
 };
 

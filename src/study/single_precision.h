@@ -6,8 +6,8 @@
 
 namespace hogelscope {
 
-/// Renders with all geometry of docs/formulas.md in `Real`, float or double, from the world's
-/// numbers on: nearest, one ray a pixel, no leakage, no lens distortion, an unturned panel.
+/// Renders with all geometry of docs/formulas.md in `Real`, float or double, starting from world
+/// coordinates: nearest, one ray per pixel, no leakage, no lens distortion, an unrotated panel.
 template <class Real>
 Image pictureIn(const RenderJob& job);
 

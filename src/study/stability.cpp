@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures where methods fail, and writes the table.
+// Measures the failures of methods, and writes the table.
 #include "study/stability.h"
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns a camera whose principal point is the image's middle and whose corner pixel lies at
-/// `corner`, a distance from the centre in the plane z = 1.
+/// Returns a camera whose principal point is the image's middle and whose corner pixel is at the
+/// distance `corner` from the centre in the plane z = 1.
 LensKey cameraWithCorner(const DistortionParams& distortion, double corner) {
   LensKey key{distortion, LensMapping::exact, {640, 480}, {}, {319.5, 239.5}, 1};
   const double focal = std::hypot(key.centre.x, key.centre.y) / corner;
@@ -53,7 +53,7 @@ std::string instabilityRow(const InstabilityRow& row) {
 
 }  // namespace
 
-/// The paper's coefficients are those of data/table1.json.
+/// Returns the lenses; the paper's coefficients are those of data/table1.json.
 std::vector<NamedLens> hardLenses() {
   const LensKey openCvs{{0.2958943955272433, -1.0354662043042675, 0, 0, 0},
                         LensMapping::exact,
@@ -72,7 +72,7 @@ std::vector<NamedLens> hardLenses() {
 Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelRows& parallelRows,
                            const Progress& progress) {
   constexpr int gridSide = 41;
-  constexpr double lensShare = 0.05;  // of the time, about
+  constexpr double lensShare = 0.05;  // approximate share of the time
   constexpr double mapShare = 0.4;
   const Progress heard = forThreads(progress);
   Stability result{lenses, {}, {}, {}};

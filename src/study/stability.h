@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures where methods fail: which inverse of a lens finds the right root, and the other
+// Measures the failures of methods: which inverse of a lens finds the right root, and other
 // instabilities; stability.csv.
 #pragma once
 
@@ -13,13 +13,13 @@ struct NamedLens {
   LensKey key;
 };
 
-/// Returns lenses that are known to be hard: the paper's Table I, and the others of
-/// docs/formulas.md, Known failures.
+/// Returns lenses that are difficult to invert: the paper's Table I, and those of docs/formulas.md,
+/// Known failures.
 std::vector<NamedLens> hardLenses();
 
 struct Stability {
   std::vector<NamedLens> lenses;
-  /// The outcomes, for each lens and each of inverseMethods(), of 41×41 of its pixels.
+  /// The outcomes at 41×41 pixels, for each lens and each of inverseMethods().
   std::vector<std::vector<LensOutcomes>> outcomes;
   std::vector<LensMap> maps;  ///< maps of lensPlanes()
   std::vector<InstabilityRow> instabilities;
@@ -29,8 +29,8 @@ struct Stability {
 Stability measureStability(const std::vector<NamedLens>& lenses, const ParallelRows& parallelRows,
                            const Progress& progress);
 
-/// Returns one table (RFC 4180) with empty cells for what a row does not have. The manual gives the
-/// meaning of x, y and value for each kind.
+/// Returns one table (RFC 4180) with empty cells for missing values. The manual defines x, y and
+/// value for each kind.
 std::string csv(const Stability& stability);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shares a budget of wall time out among methods.
+// Distribution of a budget of wall time among methods.
 #include "study/time_budget.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ ErrorPlan planErrors(const std::vector<PictureCost>& costs, int mostStep, std::s
 
 namespace {
 
-/// For the first `views`.
+/// Plans the first `views` views.
 TimePlan shareOut(const std::vector<std::vector<double>>& costs, std::size_t views,
                   double seconds) {
   const std::size_t count = costs.size();
@@ -77,7 +77,7 @@ TimePlan planTimes(const std::vector<std::vector<double>>& costs, double seconds
 std::vector<std::size_t> spreadOrder(std::size_t count) {
   std::vector<std::size_t> order;
   for (std::uint64_t k = 0; order.size() < count; ++k) {
-    double place = 0;  // van der Corput: the binary digits of k behind the point, mirrored
+    double place = 0;  // van der Corput: the mirrored binary digits of k behind the point
     double digit = 0.5;
     for (std::uint64_t bits = k; bits > 0; bits /= 2, digit /= 2) place += digit * double(bits % 2);
     const auto next = std::size_t(place * double(count));

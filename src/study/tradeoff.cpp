@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed against accuracy: the question, the figures of the runs, the table.
+// Speed against accuracy: the reference, the statistics of the runs, the table.
 #include "study/tradeoff.h"
 
 #include <algorithm>

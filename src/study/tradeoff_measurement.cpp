@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed against accuracy, measured within a budget: a look at what all methods cost, their errors,
-// their times.
+// Speed against accuracy, measured within a budget: a trial of all costs, then errors, then times.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Sums over the views.
+/// Sums of errors over the views.
 struct ErrorSum {
   double squares = 0;
   int largest = 0;
@@ -80,7 +79,7 @@ double megaRays(const RenderJob& job) {
   return n * n * pixelsOf(reduced(job)) * 1e-6;
 }
 
-/// The median of enough runs is known to two per cent.
+/// Whether the median is known to two per cent.
 bool isSettled(const std::vector<double>& runs) {
   if (runs.size() < leastRuns) return false;
   TradeoffRow row;
@@ -88,10 +87,10 @@ bool isSettled(const std::vector<double>& runs) {
   return spreadOf(row) <= 0.02;
 }
 
-/// One run on some pixels.
+/// The cost of an image, from one run on some pixels.
 struct Cost {
-  double seconds = 0;  ///< of all pixels
-  int divisor = 1;     ///< of the sides of the picture that was rendered
+  double seconds = 0;  ///< for all pixels
+  int divisor = 1;     ///< divisor of the rendered image's sides
 };
 
 class Measurement {
@@ -120,11 +119,12 @@ class Measurement {
   }
 
  private:
-  // Parts of the budget. No view's errors begin after the limit, even if the look was wrong.
+  // Parts of the budget. No view's errors start after the limit, even if the trial was inaccurate.
   static constexpr double lookPart = 0.1;
   static constexpr double errorPart = 0.4;
   static constexpr double errorLimit = 0.5;
-  static constexpr double planned = 0.8;  // of what is left for runs: looks are rough
+  static constexpr double planned =
+      0.8;  // of the time left for runs, because the trial is inaccurate
 
   [[nodiscard]] double elapsed() const { return m_budget.clock() - m_start; }
   [[nodiscard]] double left(double part) const { return part * m_budget.seconds - elapsed(); }
@@ -152,7 +152,7 @@ class Measurement {
     return {(m_budget.clock() - start) * pixelsOf(job) / pixelsOf(part), divisor};
   }
 
-  /// Measures on few pixels, then on four times as many while these fit into the seconds allowed.
+  /// Measures on few pixels, then on four times as many while these fit into `allowed` seconds.
   template <class Measure>
   static Cost costOf(double allowed, const Measure& measure) {
     Cost cost = measure(16);
@@ -161,12 +161,12 @@ class Measurement {
     return cost;
   }
 
-  /// Says what all cost, of as many views as fit.
+  /// Measures the costs of all methods on as many views as fit.
   void look() {
     const double allowed = lookPart / 2 * m_budget.seconds / double(m_methods.size() + 1);
     m_looks.resize(m_methods.size());
     m_errorCosts.resize(m_methods.size() + 1);
-    // The first picture warms up: code, pages, threads, the processor's clock.
+    // Warms up code, pages, threads and the processor's clock.
     (void)timedPicture(applyMethod(m_methods.front(), m_views.front()), 16);
     double pixels = 0;
     for (const RenderJob& job : m_views) {
@@ -197,7 +197,7 @@ class Measurement {
       ++m_errorViews;
       const RenderJob& job = m_views[k];
       const Image expected = reference(job, plan.steps.front());
-      Renderer renderer(m_parallelRows);  // which keeps the lens of the methods that share one
+      Renderer renderer(m_parallelRows);  // reuses the lens of methods that share one
       for (std::size_t m = 0; m < m_methods.size(); ++m) {
         const int step = plan.steps[m + 1];
         const RenderJob used = applyMethod(m_methods[m], job);
@@ -228,8 +228,8 @@ class Measurement {
     return result;
   }
 
-  /// Milliseconds per picture. Runs of all methods are interleaved, so that none has a quiet moment
-  /// of the machine alone.
+  /// Returns milliseconds per image. The runs of all methods are interleaved, so that quiet moments
+  /// of the machine favour none.
   [[nodiscard]] std::vector<std::vector<double>> repeated(const TimePlan& plan) {
     std::vector<std::vector<double>> runs(m_methods.size());
     const double before = m_done;
@@ -247,7 +247,7 @@ class Measurement {
     return runs;
   }
 
-  /// Without runs the time is that of the look.
+  /// Returns a row; without runs the time is that of the trial.
   [[nodiscard]] TradeoffRow row(std::size_t m, std::vector<double> runs, std::size_t views) const {
     TradeoffRow row = rowOf(m_methods[m], m_errors[m]);
     double rays = 0;
@@ -268,14 +268,14 @@ class Measurement {
     return row;
   }
 
-  std::vector<RenderJob> m_views;  ///< in an order of which every beginning is spread over all
+  std::vector<RenderJob> m_views;  ///< in an order of which every prefix is spread over all
   std::vector<NamedMethod> m_methods;
   Question m_question;
   Budget m_budget;
   double m_start;
   const ParallelRows& m_parallelRows;
   Progress m_pulse;
-  double m_done = 0;                       ///< where the work ends before the budget does
+  double m_done = 0;                       ///< the share done, if the work ends before the budget
   double m_pixels = 0;                     ///< of all views
   std::vector<std::vector<Cost>> m_looks;  ///< of each method and the first views
   std::vector<PictureCost> m_errorCosts;   ///< of all views, the reference's first

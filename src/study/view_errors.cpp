@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors in the directional pixels that a view's rays meet: an eye near the panel, grazing rays,
-// large numbers.
+// Errors in the directional pixels that a view's rays meet, with an eye near the panel, grazing
+// rays, or large coordinates.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double paperDistance = 0.559;
 
-/// Returns the paper's panel with fewer hogels, whose lenses reach nearly to the panel's plane.
+/// Returns the paper's panel with fewer hogels and lenses with an angular field of almost 180°.
 DisplayParams panel() {
   DisplayParams display;
   display.size = {0.5, 0.5};
@@ -26,8 +26,8 @@ DisplayParams panel() {
   return display;
 }
 
-/// Colours each directional pixel by its number, so that images show which one a ray has met. There
-/// are 2^24 of them, as many as colours.
+/// Returns a light field that encodes each directional pixel's number as its colour. There are 2^24
+/// of them, as many as colours.
 std::shared_ptr<const LightField> numbered(const DisplayParams& display,
                                            const ParallelRows& parallelRows) {
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
@@ -76,7 +76,7 @@ RenderJob eyeAside(RenderJob job) {
 }
 
 /// Returns the share of the pixels, among those seen in either image, that show another directional
-/// pixel than the reference, or are seen in only one of them.
+/// pixel than the reference or are seen in only one of the images.
 InstabilityRow row(const char* kind, const std::string& method, double x, const Image& reference,
                    const Image& image) {
   std::size_t points = 0;
@@ -119,7 +119,7 @@ std::vector<InstabilityRow> viewErrors(const ParallelRows& parallelRows, const P
     addEye("grazing", angle, viewFrom(field, eye), part(progress, 0.6, 0.6), rows);
   }
   for (int power = -3; power <= 6; ++power) {
-    const double metres = std::stod("1e" + std::to_string(power));  // as a reader writes it
+    const double metres = std::stod("1e" + std::to_string(power));  // as read from a file
     for (const auto& [kind, job] : {std::pair{"scale", scaled(paper, metres)},
                                     std::pair{"origin", moved(paper, {metres, metres, metres})}}) {
       reportProgress(progress, 0.8);
