@@ -6,10 +6,10 @@
 
 namespace hogelscope {
 
-/// Adds the folders of --plugins-path, of a job or the window. Throws InputError.
+/// Adds the folders of --plugins-path, for a job or the window. Throws InputError.
 void usePluginFolders(const CommandLine& line);
 
-/// Does the job of the command line and returns the exit status: 0, or 1 for a failed gate. Throws
+/// Runs the job of the command line and returns the exit status: 0, or 1 for a failed gate. Throws
 /// InputError, or Cancelled after Ctrl-C.
 int runBatch(const CommandLine& line);
 

@@ -9,7 +9,7 @@ namespace hogelscope {
 
 namespace {
 
-/// One word as a shell reads it.
+/// Quotes a word for a shell, if necessary.
 std::string quoted(const std::string& word) {
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";

@@ -27,18 +27,18 @@ enum class Command {
   version
 };
 
-/// A job and its options, with checked values. Reading an option that the table of flags does not
-/// give to the job throws std::logic_error.
+/// A job and its options, with checked values. Reading an option that the job does not have in the
+/// table of flags throws std::logic_error.
 struct CommandLine {
   Command command = Command::window;
-  /// The value of the job's own option: a camera set, a pattern, a light field, a file; or the
-  /// topic of --help.
+  /// The value of the job's own option: a camera set, a pattern, a light field or a file; the topic
+  /// for --help.
   std::string subject;
-  std::string shellText;                  ///< the whole command line, see shellText()
-  std::vector<std::string> files;         ///< to open in the window
+  std::string shellText;                  ///< the whole command line, quoted by shellText()
+  std::vector<std::string> files;         ///< opened in the window
   std::vector<std::string> jobOverrides;  ///< --set of the job's own sections, such as pattern
-  /// The values of each option that the job may have; empty if it is not given. Those of --set are
-  /// the session's.
+  /// The values of each option that the job may have; empty if the option is not given. Those of
+  /// --set are for the session.
   std::map<std::string_view, std::vector<std::string>> options;
 
   [[nodiscard]] bool mayHave(std::string_view option) const { return options.contains(option); }
@@ -48,7 +48,7 @@ struct CommandLine {
   [[nodiscard]] std::optional<double> number(std::string_view option) const;
 };
 
-/// The program with its arguments, as a shell reads it.
+/// Returns the program with its arguments, quoted for a shell.
 std::string shellText(const std::vector<std::string>& arguments);
 
 }  // namespace hogelscope

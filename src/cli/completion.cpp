@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The completion of command lines in bash, made from the tables of jobs and flags.
+// Bash completion, generated from the tables of jobs and flags.
 #include "cli/completion.h"
 
 #include "cli/flags.h"
@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// What is proposed for a value that --help shows as `value`: words, and "files" or "folders".
+/// The proposals for a value that --help shows as `value`: words, and "files" or "folders".
 struct Proposal {
   std::string words;
   std::string paths;
@@ -43,7 +43,7 @@ std::string valueCase(std::string_view name, std::string_view value) {
   return "    --" + std::string(name) + ") words='" + words + "' paths='" + paths + "' ;;\n";
 }
 
-/// As --help shows them, also where there is only one.
+/// Returns the choices as in --help, also if there is only one.
 std::string choicesOf(const Flag& flag) {
   if (flag.choices.size() == 1) return std::string(flag.choices.front()) + "|";
   return std::string(flag.value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: the plan, the work that is left and the lens' certificate in words.
+// --explain: the plan, the remaining work and the lens' certificate as text.
 #include "cli/explain.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ std::string millions(double count) {
   return numberText(std::round(count / 1e4) / 100) + " million";
 }
 
-/// Texels that one ray reads.
+/// Returns the number of texels that a ray reads.
 int texelsPerRay(const RenderJob& view, const Plan& plan) {
   const int taps = (2 * plan.psfReach + 1) * (2 * plan.psfReach + 1);
   switch (view.sampling.reconstruction) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: the plan and the lens' certificate in words.
+// --explain: the plan and the lens' certificate as text.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace hogelscope {
 
-/// What is modelled for all states of a session, what is left out and why. Throws Cancelled.
+/// Returns, for all states of a session, what is modelled, what is omitted and why. Throws
+/// Cancelled.
 std::string explanations(const Scene& scene, const Session& session, const Progress& progress);
 
 }  // namespace hogelscope

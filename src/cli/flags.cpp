@@ -22,9 +22,9 @@ bool isNumberIn(const NumberRange& range, const std::string& text) {
 
 using enum Command;
 
-/// Those that work on a session's camera states.
+/// The jobs that use a session's camera states.
 const std::vector<Command> onStates{render, report, makeCameras, tradeoff};
-/// Those that write files.
+/// The jobs that write files.
 const std::vector<Command> writing{render, report,   makeCameras, generate,
                                    pack,   exportAs, tradeoff,    stability};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of the command line, beside those that choose the job: the one table that parsing,
-// refusals and --help read.
+// The options of the command line, except those that choose the job. Parsing, checks and --help use
+// this single table.
 #pragma once
 
 #include <limits>
@@ -22,19 +22,19 @@ struct NumberRange {
 
 struct Flag {
   std::string_view name;
-  std::string_view value = {};                 ///< "" if none follows
-  std::vector<Command> jobs;                   ///< those that use it; all others refuse it
-  std::vector<Command> neededBy = {};          ///< those that cannot do without it
-  std::string_view unless = {};                ///< an option that makes up for a missing one
-  bool mayRepeat = false;                      ///< with another value each time
-  std::optional<NumberRange> range = {};       ///< of the value, where it must be a number
+  std::string_view value = {};                 ///< "" if the option has no value
+  std::vector<Command> jobs;                   ///< those that accept it; all others reject it
+  std::vector<Command> neededBy = {};          ///< those that require it
+  std::string_view unless = {};                ///< an option that replaces a missing one
+  bool mayRepeat = false;                      ///< with different values
+  std::optional<NumberRange> range = {};       ///< of the value, if it must be a number
   std::vector<std::string_view> choices = {};  ///< the allowed values; any if empty
-  /// The parameter that the flag sets, as --set does, in the job that the parameter belongs to.
+  /// The parameter that the flag sets, like --set, in the job that owns the parameter.
   std::string_view shortFor = {};
   std::string_view help;
 };
 
-/// Flags under one heading of --help.
+/// Flags under a heading of --help.
 struct FlagGroup {
   std::string_view heading;
   std::vector<Flag> flags;
@@ -46,7 +46,7 @@ inline auto allFlags() {
   return flagGroups() | std::views::transform(&FlagGroup::flags) | std::views::join;
 }
 
-/// Throws InputError.
+/// Checks a value of the flag. Throws InputError.
 void checkValue(const Flag& flag, const std::string& value);
 
 }  // namespace hogelscope

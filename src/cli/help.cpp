@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text that --help prints.
+// The text of --help.
 #include "cli/help.h"
 
 #include <algorithm>
@@ -20,13 +20,13 @@ namespace {
 
 constexpr std::size_t indent = 26;
 
-/// Of UTF-8, in which a character's later bytes begin with the bits 10.
+/// Returns the number of UTF-8 characters, whose continuation bytes begin with the bits 10.
 std::size_t columnsOf(std::string_view text) {
   return std::size_t(std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// `text`, broken at spaces to lines of at most 100 columns, the later ones indented.
+/// Breaks `text` at spaces into lines of at most 100 columns, the later ones indented.
 std::string wrapped(std::string_view text, std::size_t from) {
   constexpr std::size_t width = 100;
   std::string out;
@@ -55,7 +55,7 @@ std::string entry(std::string_view name, std::string_view value, std::string_vie
   return head + wrapped(help, indent);
 }
 
-/// Before an option's help, or after it: which jobs it is for.
+/// Returns an option's help with its jobs in front, or with the jobs that lack it behind.
 std::string helpWithJobs(const Flag& flag) {
   constexpr std::size_t few = 4;
   std::vector<Command> others;
@@ -101,7 +101,7 @@ std::string overview() {
          "Errors go to stderr as hogelscope: FILE: WHAT: WHY.\n";
 }
 
-/// The entries of the options that a job needs, or of those that it may have.
+/// Returns the entries of the options that a job requires, or of its optional ones.
 std::string entriesFor(Command job, bool areNeeded) {
   std::string text;
   for (const Flag& flag : allFlags())
@@ -135,7 +135,7 @@ std::string explained(const Job& job) {
   return text;
 }
 
-/// What --help prints for programs to read, beside the help on jobs.
+/// A topic of --help whose text is for other programs.
 struct Topic {
   std::string_view name;
   std::string (*text)();

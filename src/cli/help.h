@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text that --help prints.
+// The text of --help.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace hogelscope {
 
-/// The help on `topic`: "" for all, or one of helpTopics(). Throws InputError.
+/// Returns the help on `topic`: "" for all, or one of helpTopics(). Throws InputError.
 std::string helpText(const std::string& topic);
 
-/// "parameters", "man", "completion" and the names of the jobs.
+/// Returns "parameters", "man", "completion" and the names of the jobs.
 std::vector<std::string_view> helpTopics();
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sessions and light fields that the jobs of the command line begin with.
+// Input sessions and light fields of the jobs.
 #include "cli/inputs.h"
 
 #include <fnmatch.h>
@@ -46,13 +46,13 @@ void warn(const CommandLine& line, const std::string& warning) {
     printNote(line.text("session") + ": warning: " + warning);
 }
 
-/// A warning if the lenslets are not where a regular grid has them.
+/// Prints a warning if the lenslets are not on a regular grid.
 void checkLenslets(const CommandLine& line, const Session& session) {
   if (line.has("quiet") || session.lightField.layout != Layout::lenslets) return;
   warn(line, warningOf(session.lightField, lensletsOf(session.lightField, session.display)));
 }
 
-/// A new session around a folder, a picture or a mesh, and a line on what is assumed of it.
+/// Returns a new session for a folder, an image or a mesh, and prints the assumptions about it.
 Session sessionAroundFile(const CommandLine& line) {
   ProgressBar bar("looking at the views", line.has("quiet"));
   const OrderedSession around =
@@ -71,11 +71,11 @@ Session sessionAroundFile(const CommandLine& line) {
   return around.session;
 }
 
-/// The session of a document, and a warning if its views are in another order.
+/// Returns the session of a document, and prints a warning if its views are in another order.
 Session checkedSession(const CommandLine& line, const std::optional<Calibration>& calibration) {
   Session session = loadSession(line.text("session"), line.texts("set"), calibration);
   checkLenslets(line, session);
-  // Of many shards each would look at all views again; the run without a shard does.
+  // Shards skip this check of all views, which the run without a shard does.
   const bool isShard = line.mayHave("shard") && line.has("shard");
   if (line.has("quiet") || isShard || !isGridOfViews(session.lightField.layout)) return session;
   ProgressBar bar("looking at the views", false);
@@ -169,7 +169,7 @@ OrderedSession sessionAroundSubject(const CommandLine& line) {
 }
 
 std::string readingTimeText(const LightFieldFile& file) {
-  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: docs/measurements.md
+  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured, see docs/measurements.md
   const double minutes = double(pixelBytes(file)) / bytesPerMinute;
   if (minutes < 0.2) return "";
   return ", about " + numberText(std::ceil(minutes)) + " min";

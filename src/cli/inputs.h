@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sessions and light fields that the jobs of the command line begin with.
+// Input sessions and light fields of the jobs.
 #pragma once
 
 #include <cstddef>
@@ -16,47 +16,47 @@
 
 namespace hogelscope {
 
-/// Whether a file is a session, not a light field that a session is made around.
+/// Whether a file is a session, not a light field that needs a new session.
 bool isSessionDocument(const std::string& file);
 
-/// The session that --session names, or a new one around a folder, a picture or a mesh, with --set,
-/// and with --calibration if the job has it. What its pictures say against the order of its views
-/// goes to stderr. Throws InputError, or Cancelled.
+/// Returns the session of --session, or a new one for a folder, an image or a mesh, with --set
+/// applied, and with --calibration if the job has it. Prints a warning on stderr if its images
+/// contradict the order of its views. Throws InputError, Cancelled.
 Session loadSessionOf(const CommandLine& line);
 
-/// Writes the session to --save-session, if that is given. Throws InputError.
+/// Writes the session to --save-session if that is given. Throws InputError.
 void keepSession(const CommandLine& line, const Session& session);
 
-/// The same session with only the states that --states selects; its other warnings go to stderr,
-/// too. Throws InputError, or Cancelled.
+/// Returns the same session with only the states that --states selects; prints all warnings on
+/// stderr. Throws InputError, Cancelled.
 Session loadSelected(const CommandLine& line);
 
-/// What --shard says; none without it. Throws InputError.
+/// Returns the shard of --shard; none without it. Throws InputError.
 std::optional<Shard> shardOf(const CommandLine& line);
 
-/// The files of a session's light field and lens, after the other ones that a job reads.
+/// Returns the files of a session's light field and lens, after the other inputs of a job.
 std::vector<std::filesystem::path> inputFiles(std::vector<std::filesystem::path> others,
                                               const Session& session,
                                               const LightFieldFile& lightField);
 
-/// Prints what a light field lacks on stderr, unless the job is quiet.
+/// Prints missing parts of a light field on stderr, unless the job is quiet.
 void warnOf(const LightFieldFile& lightField, const std::string& name, const CommandLine& line);
 
-/// Prints what of a mesh that was given in place of a session the panel cuts, as the first state
-/// sees it, unless the job is quiet. Authors of sessions know.
+/// Prints which part of a mesh given as --session is cut by the panel, as the first state sees it,
+/// unless the job is quiet. For other sessions it prints nothing.
 void warnOfCuts(const LightFieldFile& lightField, const Session& session, const CommandLine& line);
 
-/// A new session around the light field that the job's own option names, read as --set says. Throws
-/// InputError, also for a --set of what such a session does not have: camera states and their
-/// sampling.
+/// Returns a new session for the light field that the job's own option names, read as --set
+/// specifies. Throws InputError, also for a --set of parameters that it does not have: camera
+/// states and their sampling.
 OrderedSession sessionAroundSubject(const CommandLine& line);
 
-/// ", about 4 min" for reading a plain PNG, or another file of so many pixels, on one core; "" for
-/// some seconds.
+/// Returns a text such as ", about 4 min" for reading a plain PNG, or another file of as many
+/// pixels, on one core; "" for a few seconds.
 std::string readingTimeText(const LightFieldFile& file);
 
-/// Prints before the wait, unless `isQuiet`, that a light field is too large for `memory` and will
-/// be read from the top, and about how long that takes.
+/// Prints before a long wait, unless `isQuiet`, that a light field exceeds `memory` and is
+/// streamed, and the approximate time.
 void announceStreaming(const LightFieldFile& file, std::size_t memory, bool isQuiet);
 
 }  // namespace hogelscope

@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// "scene, spheres.", or with what each shows.
+/// Returns a list such as "scene, spheres.", optionally with the content of each.
 std::string patternList(bool isExplained) {
   std::string text;
   for (const auto& [name, help, make] : patterns()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The jobs of the command line: a new one is a row of this table, and named by the flags that it
-// uses (flags.cpp).
+// The jobs of the command line. A new job is a row of this table, and is named by its flags
+// (flags.cpp).
 #pragma once
 
 #include <string>
@@ -13,23 +13,23 @@ namespace hogelscope {
 
 struct Job {
   Command command;
-  std::string_view name;        ///< of the option that asks for it
-  std::string_view value = {};  ///< "" if none follows
+  std::string_view name;        ///< of the option that selects it
+  std::string_view value = {};  ///< "" if the option has no value
   std::string help;
-  std::string details = {};                     ///< which --help JOB alone has
+  std::string details = {};                     ///< shown by --help JOB only
   std::string_view examples = {};               ///< command lines
-  std::vector<std::string_view> sections = {};  ///< that --set knows for this job alone
+  std::vector<std::string_view> sections = {};  ///< known to --set for this job only
   int (*run)(const CommandLine& line);          ///< returns the exit status
 };
 
 const std::vector<Job>& jobs();
 
-/// Not for Command::window, which has no option of its own.
+/// Returns the job of a command, which must not be Command::window: it has no option.
 const Job& jobOf(Command command);
 
 bool isOneOf(const std::vector<Command>& commands, Command command);
 
-/// "--render, --report"; without the window.
+/// Returns a list such as "--render, --report", without the window.
 std::string optionsOf(const std::vector<Command>& commands);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The man page, made from the tables of jobs and flags.
+// The man page, generated from the tables of jobs and flags.
 #include "cli/man_page.h"
 
 #include "cli/flags.h"
@@ -10,7 +10,7 @@ namespace hogelscope {
 
 namespace {
 
-/// `text` as man(7) shows it letter by letter: a hyphen stays one that a shell understands.
+/// Escapes `text` for man(7), so that hyphens can be copied into a shell.
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -35,7 +35,7 @@ std::string option(std::string_view name, std::string_view value) {
   return value.empty() ? dashed : dashed + " \\fI" + escaped(value) + "\\fR";
 }
 
-/// "--output PATH --session FILE", of what the job cannot do without.
+/// Returns the options that the job requires, such as "--output PATH --session FILE".
 std::string needsOf(const Job& job) {
   std::string text;
   for (const Flag& flag : allFlags())

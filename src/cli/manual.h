@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The manual's table of parameters, made from their descriptions.
+// The manual's table of parameters, generated from their descriptions.
 #pragma once
 
 #include <string>
 
 namespace hogelscope {
 
-/// Markdown: what resources/manual/parameters.md holds and --help parameters prints.
+/// Returns Markdown: the contents of resources/manual/parameters.md, which --help parameters
+/// prints.
 std::string parameterManual();
 
 }  // namespace hogelscope

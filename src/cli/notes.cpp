@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One line on stderr.
+// Notes on stderr.
 #include "cli/notes.h"
 
 #include <iostream>

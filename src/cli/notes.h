@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What batch mode says beside its output.
+// Notes of batch mode on stderr.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From words to a command line; options that the job does not use are refused.
+// Parsing of the command line; options that the job does not use are rejected.
 #include "cli/parser.h"
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace hogelscope {
 
 namespace {
 
-/// An option as it was given: it names a job, or is in the table of flags.
+/// An option as given: it selects a job or is in the table of flags.
 struct Given {
   std::string_view name;
-  std::string_view valueName;  ///< "" if no value follows
-  const Job* job = nullptr;    ///< one of the two
+  std::string_view valueName;  ///< "" if the option has no value
+  const Job* job = nullptr;    ///< either the job or the flag
   const Flag* flag = nullptr;
   std::string value = {};
 };
@@ -45,7 +45,7 @@ Given findOption(const std::string& name) {
 
 using Word = std::vector<std::string>::const_iterator;
 
-/// Moves `at` to the last word of the option.
+/// Parses an option, and moves `at` to its last word.
 Given parseOption(Word& at, Word end) {
   if (!at->starts_with("--") && *at != "-h")
     throw InputError(*at, "unknown option; options begin with two dashes, see --help");
@@ -74,7 +74,7 @@ void refuseRepeated(const std::vector<Given>& all) {
             "is given twice" + (other->value == one->value ? "" : ", before as " + other->value));
 }
 
-/// --help beside a job asks for the help on it.
+/// Chooses the job. --help with a job shows the help on it.
 void chooseJob(const std::vector<Given>& all, CommandLine& line) {
   const Job* chosen = nullptr;
   bool isHelp = false;
@@ -127,7 +127,7 @@ void addOptions(const std::vector<Given>& all, CommandLine& line) {
   for (const Flag& flag : allFlags()) refuseMissing(flag, line);
 }
 
-/// The window opens files, --help has a topic; jobs read what their options name.
+/// Assigns words without an option: files for the window, the topic for --help; jobs accept none.
 void addLooseWords(std::vector<std::string> words, CommandLine& line) {
   if (line.command == Command::window) {
     line.files = std::move(words);
@@ -139,7 +139,7 @@ void addLooseWords(std::vector<std::string> words, CommandLine& line) {
   }
 }
 
-/// The job that alone has the parameter; null if the parameter is the session's.
+/// Returns the job that owns the parameter; null for a parameter of the session.
 const Job* ownerOf(std::string_view parameter) {
   const std::string_view section = parameter.substr(0, parameter.find('.'));
   for (const Job& job : jobs())
@@ -147,7 +147,7 @@ const Job* ownerOf(std::string_view parameter) {
   return nullptr;
 }
 
-/// "section.field=value" of --set, or of a flag that is short for it in this job; else "".
+/// Returns "section.field=value" of --set, or of a flag that sets a parameter of this job; else "".
 std::string overrideBy(const Given& given, Command command) {
   if (given.flag == nullptr) return {};
   if (given.name == "set") return given.value;
@@ -156,7 +156,7 @@ std::string overrideBy(const Given& given, Command command) {
   return std::string(given.flag->shortFor) + "=" + given.value;
 }
 
-/// Separates the overrides of the job's own sections from the session's; each parameter is set
+/// Separates the overrides of the job's own sections from the session's. Each parameter may be set
 /// once.
 void sortOverrides(const std::vector<Given>& all, CommandLine& line) {
   std::set<std::string> known;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From words to a command line that the tables of jobs and flags allow.
+// Parsing of the command line by the tables of jobs and flags.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace hogelscope {
 
-/// Throws InputError: an unknown option (with the nearest one), one that the job does not use, one
-/// given twice, a missing or a wrong value.
+/// Parses the arguments. Throws InputError for an unknown option (with the nearest known one), one
+/// that the job does not use, one given twice, a missing or an invalid value.
 CommandLine parseCommandLine(const std::vector<std::string>& arguments);
 
 }  // namespace hogelscope

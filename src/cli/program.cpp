@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the two programs share: batch mode and the window.
+// The common start of both programs, batch mode and the window.
 #include "cli/program.h"
 
 #include <csignal>
@@ -23,7 +23,7 @@ enum ExitStatus { badInput = 2, internalError = 3 };
 }  // namespace
 
 int runProgram(int argc, char** argv, const std::function<int(const CommandLine&)>& run) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error of write()
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error of write()
   try {
     const CommandLine line = parseCommandLine({argv + 1, argv + argc});
     if (line.mayHave("memory") && line.has("memory"))

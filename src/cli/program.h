@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the two programs share: batch mode and the window.
+// The common start of both programs, batch mode and the window.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace hogelscope {
 
-/// Parses the command line and calls `run`, whose exit status it returns. The one place where
+/// Parses the command line and calls `run`, whose exit status it returns. The only place where
 /// errors become a line and an exit status.
 int runProgram(int argc, char** argv, const std::function<int(const CommandLine&)>& run);
 

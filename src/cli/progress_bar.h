@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar with the time left on a terminal.
+// A progress bar with the remaining time on a terminal.
 #pragma once
 
 #include <chrono>
@@ -11,12 +11,12 @@ namespace hogelscope {
 
 class ProgressBar {
  public:
-  /// Draws only where stderr is a terminal and not `quiet`.
+  /// Draws only if stderr is a terminal, unless `quiet`.
   ProgressBar(std::string what, bool quiet);
 
-  /// Draws, and says stop after Ctrl-C or SIGTERM. For threads.
+  /// Returns a thread-safe progress that draws, and cancels after SIGINT or SIGTERM.
   [[nodiscard]] Progress progress();
-  /// Wipes the bar.
+  /// Clears the bar.
   void done();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What SIGINT and SIGTERM do in batch mode.
+// SIGINT and SIGTERM in batch mode.
 #include "cli/stop_signals.h"
 
 #include <poll.h>
@@ -35,7 +35,7 @@ void remember(int signal) {
   errno = error;
 }
 
-/// Waits for another signal; false if none comes.
+/// Waits for another signal. Returns false if none arrives.
 bool signalComesWithin(long milliseconds) {
   constexpr long nanosecondsPerSecond = 1000000000;
   timespec end{};
@@ -48,7 +48,7 @@ bool signalComesWithin(long milliseconds) {
   return true;
 }
 
-/// On a thread of its own, since a handler must not take locks.
+/// Runs on its own thread, because a signal handler must not take locks.
 void watch() {
   constexpr long unheard = 300;
   constexpr long longest = 5000;
@@ -58,7 +58,7 @@ void watch() {
   endBySignal();
 }
 
-/// Not by stdio, whose lock a thread that hangs may hold, and not where it would wait.
+/// Prints without stdio, whose lock a hanging thread may hold, and only if that does not block.
 void sayStopped() {
   const std::string line = std::string(::isatty(STDERR_FILENO) == 1 ? "\n" : "") +
                            "hogelscope: stopped; what is finished is kept\n";
@@ -73,7 +73,8 @@ void catchSignals() {
   try {
     std::thread(watch).detach();
     isWatched = 1;
-  } catch (const std::system_error&) {  // no thread to be had: a second signal ends at once
+  } catch (
+      const std::system_error&) {  // no thread available: a second signal ends the process at once
   }
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
@@ -93,7 +94,7 @@ void endBySignal() {
     std::signal(signalThatCame, SIG_DFL);
     std::raise(signalThatCame);
   });
-  std::_Exit(128 + signalThatCame);  // the signal is blocked
+  std::_Exit(128 + signalThatCame);  // reached if the signal is blocked
 }
 
 }  // namespace hogelscope

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What SIGINT and SIGTERM do in batch mode.
+// SIGINT and SIGTERM in batch mode.
 #pragma once
 
 namespace hogelscope {
 
-/// From now on the two signals make mustStop() true, and the process ends as by the signal and
-/// without temporary files: when the job has stopped, after 0.3 s where nothing has asked
-/// mustStop(), after 5 s in any case, and at once with a second signal. Whatever is finished is on
-/// the disk already, so that the end may come anywhere.
+/// Makes the two signals set mustStop() and end the process as by the signal, without temporary
+/// files: when the job has stopped, after 0.3 s if nothing has called mustStop(), after 5 s in any
+/// case, and at once for a second signal. Finished results are on disk already, so that the process
+/// may end anywhere.
 void catchSignals();
 
-/// Asked by every Progress of batch mode, from any thread.
+/// Whether a signal has arrived; called by every Progress of batch mode, from any thread.
 bool mustStop();
 
-/// The end of a job that has stopped.
+/// Ends the process after the job has stopped.
 [[noreturn]] void endBySignal();
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of all jobs, each named after its option and defined in a file of its own.
+// The functions of all jobs, each named after its option and defined in its own file.
 #pragma once
 
 #include "cli/command_line.h"
@@ -11,30 +11,31 @@ namespace hogelscope {
 
 /// Writes one image for each camera state.
 int runRender(const CommandLine& line);
-/// Compares every state's image from the session's light field with that from each test. Returns 1
-/// for a failed gate.
+/// Compares every state's image from the session's light field with the image from each test.
+/// Returns 1 for a failed gate.
 int runReport(const CommandLine& line);
 /// Writes the session and a set of camera states to --output, which may be the session itself.
 int runMakeCameras(const CommandLine& line);
-/// Writes a test light field of any size; two of its rows of hogels are in memory.
+/// Writes a test light field of any size, with two of its hogel rows in memory.
 int runGenerate(const CommandLine& line);
 /// Writes a light field as a store. Continues where an earlier run stopped.
 int runPack(const CommandLine& line);
-/// Does the work of runPack() with the session's light field; `isDisplayGiven`: the store keeps its
-/// display.
+/// Packs the session's light field as runPack() does. With `isDisplayGiven` the store contains the
+/// session's display.
 int packContent(const Session& session, bool isDisplayGiven, const CommandLine& line);
 /// Writes the session's light field in another layout.
 int runExport(const CommandLine& line);
 /// Measures speed against accuracy of every method on the session's own states: tradeoff.csv, .png
 /// and .svg.
 int runTradeoff(const CommandLine& line);
-/// Measures where methods fail: stability.csv and .png.
+/// Measures the failures of methods: stability.csv and .png.
 int runStability(const CommandLine& line);
-/// Prints what a session, an image, a folder of views or a store is, read as --set says.
+/// Prints the properties of a session, an image, a folder of views or a store, read as --set
+/// specifies.
 int runInfo(const CommandLine& line);
-/// Prints which plugins are found, and why any is refused.
+/// Prints the plugins that are found, and the reasons for rejected ones.
 int runPlugins(const CommandLine& line);
-/// Prints how far the report in a folder is; 1 if it is not finished.
+/// Prints the progress of the report in a folder. Returns 1 if it is not finished.
 int runStatus(const CommandLine& line);
 int runHelp(const CommandLine& line);
 int runVersion(const CommandLine& line);

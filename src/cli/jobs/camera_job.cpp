@@ -40,7 +40,7 @@ int runMakeCameras(const CommandLine& line) {
   const std::string output = line.text("output");
   if (!isSessionFile(output))
     throw InputError(output, "cannot be written", "a session's name ends in .hogelscope or .json");
-  // The session itself may be replaced by the one with more states; nothing that it reads may.
+  // The session itself may be replaced by the one with more states, but none of its inputs.
   checkOutputs({output}, {line.subject, line.text("calibration"), contentName(session.lightField)});
   makeFolderOf(output);
   saveSession(output, result);

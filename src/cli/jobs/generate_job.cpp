@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --generate: one row of hogels is computed while the last one is written.
+// --generate: computes a row of hogels while the previous one is written.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -58,10 +58,10 @@ void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes,
 
 struct Cost {
   double seconds = 0;
-  double bytes = 0;  ///< on the disk
+  double bytes = 0;  ///< on disk
 };
 
-/// The cost of the whole light field, from a few rows of hogels.
+/// Estimates the cost of the whole light field from a few rows of hogels.
 Cost estimateCost(const Pattern& pattern, const LightFieldSize& size,
                   const Degradation& degradation, const fs::path& file, const Progress& progress) {
   const int sampled = std::min(4, size.ny);
@@ -83,8 +83,8 @@ Cost estimateCost(const Pattern& pattern, const LightFieldSize& size,
   return {whole * std::max(writing, making + writing / threadCount()), whole * bytes};
 }
 
-/// Prints before a long wait how long it is and how large the file. Throws InputError where the
-/// disk has not that much room.
+/// Prints the expected time and file size before a long wait. Throws InputError if the disk has too
+/// little space.
 void announceCost(const Pattern& pattern, const LightFieldSize& size,
                   const Degradation& degradation, const fs::path& file, bool isQuiet) {
   constexpr std::size_t largeBytes = 1000000000;
@@ -115,8 +115,9 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
   writer.finish();
 }
 
-/// Of a document, whose light field need not be there yet; or of a session around a folder or the
-/// like, with as many hogels and directions; what is read is added to `inputs`.
+/// Returns the display of a document, whose light field need not exist yet, or of a new session for
+/// a folder, an image or a mesh, with its hogel and direction counts. Adds the files read to
+/// `inputs`.
 DisplayParams displayToFill(const CommandLine& line, std::vector<fs::path>& inputs) {
   if (isSessionDocument(line.text("session")))
     return displayOf(loadSession(line.text("session"), line.texts("set")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --info: prints what a file is.
+// --info: prints the properties of a file.
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -121,7 +121,7 @@ void printStore(std::ostream& out, const Session& around) {
   printSize(out, around);
 }
 
-/// Prints the parameters of a live scene, one in a line.
+/// Prints the parameters of a live scene, one per line.
 class ParameterLines : public ParameterVisitor {
  public:
   explicit ParameterLines(std::ostream& out) : m_out(out) {}
@@ -214,7 +214,7 @@ void printSession(std::ostream& out, const Session& session) {
   }
 }
 
-/// A light field, and what was found out about the order of its views.
+/// A light field, and the order of its views that was found.
 struct Subject {
   Session session;
   LightFieldOrder order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --pack: a light field becomes a store.
+// --pack: converts a light field to a store.
 #include <filesystem>
 #include <iostream>
 
@@ -19,7 +19,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The light field that is packed; a display that nobody gave is not kept in the store.
+/// The light field to pack; the store does not contain a display that nobody specified.
 struct Content {
   Session session;
   bool isDisplayGiven = false;
@@ -51,7 +51,7 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
   const bool isQuiet = line.has("quiet");
   const auto file = openLightField(session.lightField, session.display);
   checkOutputs({output}, inputFiles({line.subject, line.text("session")}, session, *file));
-  const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // the reader's half
+  const std::size_t memory = allowedMemory() / (file->isStream() ? 1 : 2);  // half for the reader
   const PackPlan plan =
       planPack(session.lightField, *file,
                isDisplayGiven ? std::optional(session.display) : std::nullopt, memory);

@@ -21,7 +21,7 @@ std::string kindsText(const FoundPlugin& plugin) {
   return text;
 }
 
-/// All columns but the last are as wide as their longest cell.
+/// Prints a table; all columns except the last are as wide as their longest cell.
 void print(const std::vector<Cells>& rows) {
   Cells widest;
   for (const Cells& row : rows)

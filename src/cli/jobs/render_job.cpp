@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The files of all states and the words of --explain.
+/// The files of all states and the text of --explain.
 struct RenderOutput {
   fs::path folder;
   std::string format;
@@ -43,7 +43,7 @@ struct RenderOutput {
     return files;
   }
 
-  /// An Image or a FloatImage.
+  /// Writes an Image or a FloatImage.
   template <class AnyImage>
   void write(const CameraState& state, const AnyImage& image) const {
     writeImage(file(state, format), image.width, image.height, image.rgb);
@@ -51,7 +51,7 @@ struct RenderOutput {
   }
 };
 
-/// Writes the images of all states; PNGs also after a state that cannot be rendered.
+/// Writes the images of all states; for PNG, continues after a state that cannot be rendered.
 void renderAll(LightFieldFile& file, const Session& session, const RenderOutput& output,
                const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());
@@ -85,7 +85,7 @@ void renderAll(LightFieldFile& file, const Session& session, const RenderOutput&
   if (first) throw *first;
 }
 
-/// Its share of the states may be none.
+/// Keeps the shard's share of the states, which may be empty.
 void keepShard(Session& session, const Shard& shard) {
   std::vector<CameraState> own;
   for (std::size_t k = 0; k < session.cameras.size(); ++k)
@@ -98,7 +98,7 @@ void keepShard(Session& session, const Shard& shard) {
 int runRender(const CommandLine& line) {
   Session session = loadSelected(line);
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
-  // Opened first, so that a bad one leaves no folder behind.
+  // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   const RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),
                             line.has("explain"), line.has("ideal")};

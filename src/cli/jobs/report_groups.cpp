@@ -29,7 +29,7 @@ void refuseUnknown(const std::string& test, const std::string& flag,
           (nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?"));
 }
 
-/// Reads FILE=bpp; a FILE may hold "=" itself.
+/// Parses FILE=bpp; FILE may contain "=".
 std::vector<TestRate> parseRates(const std::vector<std::string>& texts,
                                  const std::vector<TestSize>& tests) {
   std::vector<TestRate> rates;
@@ -77,7 +77,7 @@ double findRate(const std::string& test, const std::vector<TestRate>& rates,
   return fileBits(*size) / size->directionalPixels;
 }
 
-/// Reads NAME=FILE,FILE,…; the rates are not known yet.
+/// Parses NAME=FILE,FILE,…; the rates are not known yet.
 RateGroup parseGroup(const std::string& text, const std::vector<TestSize>& tests) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --rate and --group: which tests make a rate-distortion curve, and what they cost.
+// --rate and --group: the tests of each rate-distortion curve, and their rates.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,16 @@ namespace hogelscope {
 
 /// A test light field on disk.
 struct TestSize {
-  std::string test;                          ///< as --test names it
-  std::vector<std::filesystem::path> files;  ///< of its pixels; a folder's others do not count
+  std::string test;  ///< as given by --test
+  std::vector<std::filesystem::path>
+      files;  ///< those with pixels; other files of a folder do not count
   double directionalPixels = 0;
 };
 
-/// Each --group with its tests' rates: those of --rate, else the sizes of its files. None without
-/// --group. Throws InputError: a test that was not given, fewer than two groups or four tests, a
+/// Returns each --group with its tests' rates: those of --rate, else from the file sizes; none
+/// without
+/// --group. Throws InputError for a test that was not given, fewer than two groups or four tests,
+/// or a
 /// rate that is not a positive number.
 std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<TestSize>& tests);
 

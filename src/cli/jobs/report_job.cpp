@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --report: every state from the session's light field and from each test, compared.
+// --report: compares every state's image from the session's light field with that of each test.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The exit status, by the PSNRs over what is seen. A view that sees nothing does not fail; one
-/// that could not be rendered, or of which nothing is seen in both images, does.
+/// Returns the exit status, from the PSNRs over the seen pixels. A view that sees nothing does not
+/// fail; one that could not be rendered, or without a pixel seen in both images, does.
 int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
   if (!least) return 0;
   int status = 0;
@@ -53,7 +53,7 @@ std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const C
   return rateGroups(line, sizes);
 }
 
-/// "400 views: 62 % of the time rendering, 12 % metrics, 3 % images".
+/// Returns a text such as "400 views: 62 % of the time rendering, 12 % metrics, 3 % images".
 std::string timesText(const Report& report) {
   const double all = report.rendering + report.comparing + report.writing;
   const auto percent = [all](double seconds) {

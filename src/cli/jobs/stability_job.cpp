@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --stability: where methods fail, as a table and as maps.
+// --stability: the failures of methods, as a table and as maps.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -20,7 +20,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The hard lenses, and then those of `calibrations`, "" for none.
+/// Returns the hard lenses, followed by those of `calibrations` ("" for none).
 std::vector<NamedLens> allLenses(const std::string& calibrations) {
   std::vector<NamedLens> lenses = hardLenses();
   if (calibrations.empty()) return lenses;

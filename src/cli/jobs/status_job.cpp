@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --status: how far the report in a folder is.
+// --status: the progress of the report in a folder.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -24,7 +24,7 @@ void addRange(std::string& text, std::size_t first, std::size_t last) {
   if (last > first) text += (last > first + 1 ? " to " : ", ") + std::to_string(last);
 }
 
-/// "1 to 3, 7".
+/// Returns a text such as "1 to 3, 7".
 std::string rangesText(const std::set<std::size_t>& numbers) {
   std::string text;
   for (auto at = numbers.begin(); at != numbers.end();) {
@@ -36,7 +36,7 @@ std::string rangesText(const std::set<std::size_t>& numbers) {
   return text;
 }
 
-/// The numbers 1 … `count` that are not among `numbers`.
+/// Returns the numbers 1 … `count` that are not in `numbers`.
 std::string gapsText(const std::set<std::size_t>& numbers, std::size_t count) {
   std::string text;
   std::size_t next = 1;

@@ -21,7 +21,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Names the rows that are not of all pixels or not of many runs: their figures say less.
+/// Prints the rows measured once or on part of the pixels, because their figures are less reliable.
 void printLimits(const std::vector<TradeoffRow>& rows) {
   const auto print = [&rows](const char* what, auto isOne) {
     std::string names;
@@ -38,7 +38,7 @@ void printLimits(const std::vector<TradeoffRow>& rows) {
 int runTradeoff(const CommandLine& line) {
   const double start = steadySeconds();
   const Session session = loadSelected(line);
-  // Opened first, so that a bad one leaves no folder behind.
+  // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
   const std::filesystem::path folder = line.text("output");
   checkOutputs({folder / "tradeoff.csv", folder / "tradeoff.png", folder / "tradeoff.svg"},
