@@ -29,7 +29,7 @@ void withType(StoredType type, Use use) {
   }
 }
 
-/// One type's values of an array, which need not be aligned.
+/// Reads an array's values of one type, which need not be aligned.
 template <class T>
 class Values {
  public:
@@ -49,7 +49,7 @@ class Values {
   const ViewArray& m_array;
 };
 
-/// Copies what of each hogel row lies in the footprint, rows side by side.
+/// Copies the part of each hogel row in the footprint, rows in parallel.
 void copyRows(const ViewArray& array, const Footprint& footprint, LightField& target,
               const Progress& progress) {
   const LightFieldSize size = array.size;
@@ -75,7 +75,7 @@ void copyRows(const ViewArray& array, const Footprint& footprint, LightField& ta
   });
 }
 
-/// Returns the footprint of everything.
+/// Returns the footprint of the whole light field.
 Footprint wholeOf(const LightFieldSize& size) {
   Footprint all(size.nx, size.ny);
   std::ranges::fill(all.u, CellRange{0, size.du - 1});
@@ -83,7 +83,7 @@ Footprint wholeOf(const LightFieldSize& size) {
   return all;
 }
 
-/// Slices of an array for views.
+/// A source of slices of an array.
 class ArraySource : public LightFieldSource {
  public:
   explicit ArraySource(ViewArray array) : m_array(std::move(array)) {}
@@ -100,7 +100,8 @@ class ArraySource : public LightFieldSource {
     return target;
   }
 
-  /// At most 64 hogels and 16 directions along each axis, as many as some views have pixels.
+  /// Returns at most 64 hogels and 16 directions along each axis, about as many as small views have
+  /// pixels.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override {
     std::call_once(m_overviewIsMade, [this] { m_overview = makeOverview(); });
     return m_overview;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field that lies in an array of somebody else's, such as numpy's.
+// A light field in an array of another owner, such as numpy's.
 #pragma once
 
 #include <array>
@@ -20,18 +20,18 @@ struct ViewArray {
   std::shared_ptr<const void> owner;        ///< keeps the memory
 };
 
-/// Throws InputError for a value that is not finite, Cancelled.
+/// Throws InputError for a value that is not finite, and Cancelled.
 void checkFinite(const ViewArray& array, const Progress& progress);
 
-/// Copies nothing of a large array: views read the slices that they need. A small one is copied
-/// into blocks, which are faster. The array must not change.
+/// A light field in an array. A large array is not copied: views read the slices that they need. A
+/// small one is copied into blocks, which are faster. The array must not change.
 class ArrayLightField : public LightFieldFile {
  public:
   explicit ArrayLightField(ViewArray array) : m_array(std::move(array)) {}
 
   [[nodiscard]] LightFieldSize size() const override { return m_array.size; }
   [[nodiscard]] StoredType type() const override { return m_array.type; }
-  /// Returns none.
+  /// Returns no files.
   [[nodiscard]] std::vector<std::filesystem::path> files() const override { return {}; }
   [[nodiscard]] LightField read(const Progress& progress) override;
   [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the Python extension module _hogelscope. It speaks texts of JSON, numpy arrays and
-// LightField objects; the package around it makes dicts and classes of them.
+// The parts of the Python extension module _hogelscope. Its interface has JSON texts, numpy arrays
+// and LightField objects; the package around it makes dicts and classes of them.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,15 +17,15 @@ void addViews(pybind11::module_& module);
 void addFigures(pybind11::module_& module);
 void addReports(pybind11::module_& module);
 
-/// A session as Python holds it: its text, what its files are relative to, and what messages call
-/// it ("" where it is no file).
+/// A session held by Python: its text, the base of its relative paths, and its name in messages (""
+/// without a file).
 struct Document {
   std::string text;
   std::string folder;
   std::string name;
 };
 
-/// Throws InputError that begins with the document's name.
+/// Parses a session. Throws InputError that begins with the document's name.
 Session sessionOf(const Document& document);
 
 }  // namespace hogelscope

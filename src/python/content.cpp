@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field that Python has opened.
+// A light field opened by Python.
 #include "python/content.h"
 
 #include "core/base/parallel.h"
@@ -10,7 +10,7 @@ namespace hogelscope {
 
 namespace {
 
-/// A text that changes when a file is written or replaced.
+/// Returns a text that changes when a file is written or replaced.
 std::string stateOf(const std::vector<std::filesystem::path>& files) {
   std::string state;
   for (const std::filesystem::path& file : files) state += fileIdentity(file) + "\n";

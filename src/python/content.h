@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field that Python has opened, from files or an array: Python's LightField.
+// A light field opened by Python from files or an array: Python's LightField.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace hogelscope {
 
 class Content {
  public:
-  /// `lightField` and `display` are what a session says of it, or, of an array, could say.
+  /// `lightField` and `display` are a session's parameters for it; for an array, possible ones.
   Content(LightFieldParams lightField, DisplayParams display, std::shared_ptr<LightFieldFile> file,
           std::vector<std::string> warnings = {});
 
-  /// Opens a session's own. Throws InputError, Cancelled.
+  /// Opens a session's own light field. Throws InputError, Cancelled.
   static std::shared_ptr<Content> openOf(const Session& session, const Progress& progress);
 
   [[nodiscard]] const LightFieldParams& lightField() const { return m_lightField; }
@@ -26,16 +26,16 @@ class Content {
   [[nodiscard]] const std::shared_ptr<LightFieldFile>& file() const { return m_file; }
   /// Returns lines for the user.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
-  /// To be held while the file is read or rendered from.
+  /// Returns the mutex to hold while the file is read or rendered from.
   [[nodiscard]] std::timed_mutex& mutex() { return m_mutex; }
 
-  /// Returns the texels, read the first time. Throws InputError, Cancelled.
+  /// Returns the texels, read on first use. Throws InputError, Cancelled.
   std::shared_ptr<const LightFieldSource> source(const Progress& progress);
-  /// Whether the files are still those that were opened.
+  /// Whether the files are unchanged since they were opened.
   [[nodiscard]] bool isFresh() const;
 
-  /// Returns the session with this light field in the place of its own; it keeps its viewing
-  /// distance unless this one has another.
+  /// Returns the session with this light field instead of its own. The viewing distance is kept
+  /// unless this light field has another.
   [[nodiscard]] Session in(const Session& session) const;
 
  private:
@@ -43,7 +43,7 @@ class Content {
   DisplayParams m_display;
   std::shared_ptr<LightFieldFile> m_file;
   std::vector<std::string> m_warnings;
-  std::string m_state;  ///< of the files, when they were opened
+  std::string m_state;  ///< of the files when they were opened
   std::timed_mutex m_mutex;
   std::shared_ptr<const LightFieldSource> m_source;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sessions and camera sets for Python, as texts of JSON.
+// Sessions and camera sets for Python, as JSON texts.
 #include <pybind11/stl.h>
 
 #include "core/base/error.h"
@@ -54,7 +54,7 @@ py::tuple around(const std::string& file, const std::vector<std::string>& overri
   return py::make_tuple(textOf(found.session), warnings);
 }
 
-/// The session has nothing but the new states.
+/// Returns a session that contains only the new states.
 std::string cameras(const Document& document, const std::string& what,
                     const std::vector<std::string>& overrides) {
   return stoppable(py::none(), [&](const Progress&) {

@@ -22,7 +22,7 @@ using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
 using Floats = py::array_t<float, py::array::c_style>;
 using Words = py::array_t<std::uint16_t, py::array::c_style>;
 
-/// Copies a picture (h, w, 3) of uint8 or uint16 and a mask (h, w) of 0 and 1.
+/// Copies an image (h, w, 3) of uint8 or uint16 and a mask (h, w) of 0 and 1.
 Image imageOf(const py::array& picture, const Bytes& seen, const std::optional<Floats>& unrounded) {
   const bool isDeep = py::isinstance<Words>(picture);
   if ((!isDeep && !py::isinstance<Bytes>(picture)) || picture.ndim() != 3 || picture.shape(2) != 3)

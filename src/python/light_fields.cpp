@@ -49,7 +49,7 @@ LightFieldSize sizeOf(const py::array& array) {
   return {axis(3), axis(2), axis(1), axis(0)};
 }
 
-/// Owns a reference that may be given up by any thread.
+/// Owns a reference that any thread may release.
 std::shared_ptr<const void> ownerOf(const py::object& object) {
   PyObject* held = object.inc_ref().ptr();
   return {held, [](PyObject* reference) {
@@ -58,8 +58,8 @@ std::shared_ptr<const void> ownerOf(const py::object& object) {
           }};
 }
 
-/// An array has no file, so its content stands where a file's name does: reports go on only with
-/// the same one.
+/// Returns parameters with the array's content in place of a file name, so that reports resume only
+/// with the same array.
 LightFieldParams paramsOf(const std::string& name) {
   LightFieldParams params;
   params.file = name;
@@ -100,7 +100,7 @@ py::dtype dtypeOf(StoredType type) {
   return type == StoredType::uint16 ? py::dtype::of<std::uint16_t>() : py::dtype::of<float>();
 }
 
-/// Puts a hogel row's directions (·, v) where they belong among views.
+/// Puts a hogel row's directions (·, v) at their places among views.
 template <class T>
 void putRow(const LightFieldSize& size, int j, int v, const T* rgb, T* views) {
   const auto [nx, ny, du, dv] = size;

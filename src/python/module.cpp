@@ -11,7 +11,8 @@ namespace py = pybind11;
 PYBIND11_MODULE(_hogelscope, module) {
   using namespace hogelscope;
   module.doc() = "What the package hogelscope is made of; use that.";
-  // A signal or a listener's exception stops work, and is raised itself; this is never the reason.
+  // Work is stopped by a signal or a listener's exception, which is raised itself; this exception
+  // never is.
   py::register_exception<Cancelled>(module, "Stopped", PyExc_KeyboardInterrupt);
   auto& error = py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
   error.attr("__module__") = "hogelscope";

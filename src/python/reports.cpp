@@ -23,7 +23,7 @@ namespace {
 using Tests = std::vector<std::pair<std::string, LightChoice>>;
 using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::string, double>>>>;
 
-/// What a report is asked for by Python.
+/// A report's request from Python.
 struct Wishes {
   const Document& document;
   const LightChoice& reference;
@@ -34,7 +34,7 @@ struct Wishes {
   bool images = false;
 };
 
-/// The name by which an unfinished report knows an array again: its content.
+/// Returns a name that identifies an array by its content, for unfinished reports.
 std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
   ContentHash hash;
   const std::size_t row = 3 * file.size().width();
@@ -46,7 +46,7 @@ std::string nameOfArray(LightFieldFile& file, const Progress& progress) {
   return "array, XXH3-128 of its rows " + hash.hex();
 }
 
-/// The session itself if there is no other light field.
+/// Returns the session itself if there is no other light field.
 ReportTest testWith(const Session& session, const std::string& name, const LightChoice& light,
                     const Progress& progress) {
   if (std::holds_alternative<std::monostate>(light))
@@ -57,7 +57,7 @@ ReportTest testWith(const Session& session, const std::string& name, const Light
   }
   const auto& content = std::get<std::shared_ptr<Content>>(light);
   Session other = content->in(session);
-  if (content->lightField().layout == Layout::live)  // along this display's own rays
+  if (content->lightField().layout == Layout::live)  // needs the rays of this display
     return {name, other, openLightField(other.lightField, other.display, progress)};
   if (content->file()->files().empty())
     other.lightField.file = nameOfArray(*content->file(), progress);
@@ -108,7 +108,7 @@ ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
   return request;
 }
 
-/// Holds all light fields that are open, each once, in one order for all reports.
+/// Locks all open light fields, each once, in the same order for all reports.
 std::vector<std::unique_lock<std::timed_mutex>> lockAll(const LightChoice& reference,
                                                         const Tests& tests,
                                                         const Progress& progress) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work that stops at Ctrl-C.
+// Work that Ctrl-C can stop.
 #include "python/stoppable.h"
 
 #include <pthread.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr auto pause = std::chrono::milliseconds(20);
 
-/// What the working thread and the waiting one tell each other.
+/// The messages between the working thread and the waiting one.
 class Exchange {
  public:
   void work(const std::function<void(const Progress&)>& function) noexcept {
@@ -35,7 +35,7 @@ class Exchange {
     m_isOver = true;
     m_over.notify_one();
   }
-  /// Whether the work is over, after a pause at the longest.
+  /// Waits for the end of the work, up to `pause`. Returns whether it is over.
   bool wait() {
     std::unique_lock lock(m_mutex);
     return m_over.wait_for(lock, pause, [this] { return m_isOver; });
@@ -53,7 +53,7 @@ class Exchange {
   bool m_isOver = false;
 };
 
-/// Calls a Python listener with fractions that grow.
+/// Calls a Python listener with ascending fractions.
 class Listener {
  public:
   explicit Listener(const py::object& callable) : m_callable(callable) {}
@@ -68,12 +68,12 @@ class Listener {
   double m_told = -1;
 };
 
-/// Python ends while daemon threads run, and ends those that want its lock: with our frames on
-/// their stack that would be std::terminate(). So its end waits for our work, which stops, and the
-/// threads that asked for it never come back.
+/// The end of the interpreter. Python ends while daemon threads run, and ends those that want its
+/// lock; with our frames on their stack that would be std::terminate(). It therefore waits for our
+/// work, which stops, and the threads that started it never return.
 class Ending {
  public:
-  /// Called at Python's exit by the thread that ends it, with the lock.
+  /// Called at Python's exit by the ending thread, with the lock.
   void begin() {
     m_ender = std::this_thread::get_id();
     m_isBegun = true;
@@ -82,7 +82,7 @@ class Ending {
   }
   void enter() { ++m_works; }
   void leave() { --m_works; }
-  /// A copy of the process has none of the threads that work.
+  /// Resets the count after a fork, whose copy has no working threads.
   void forget() { m_works = 0; }
   [[nodiscard]] bool concernsThisThread() const {
     return m_isBegun && m_ender.load() != std::this_thread::get_id();
@@ -99,7 +99,7 @@ Ending& ending() {
   return theEnding;
 }
 
-/// Waits without Python's lock; returns whether the work is over.
+/// Waits without Python's lock. Returns whether the work is over.
 bool waitFor(Exchange& exchange, std::thread& thread) {
   PyThreadState* const state = PyEval_SaveThread();
   bool isOver = exchange.wait();
@@ -124,7 +124,7 @@ void waitAtExit() {
 void runStoppable(const py::object& listener, const std::function<void(const Progress&)>& work) {
   Exchange exchange;
   Listener heard(listener);
-  std::exception_ptr thrown;  // by Python
+  std::exception_ptr thrown;  // thrown by Python
   std::thread thread([&] { exchange.work(work); });
   ending().enter();
   while (!waitFor(exchange, thread)) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work that leaves Python's lock to other threads, tells a listener how far it is, and stops at
-// Ctrl-C.
+// Work that releases Python's lock, reports progress to a listener, and stops at Ctrl-C.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,13 +13,13 @@
 
 namespace hogelscope {
 
-/// Does the work on a thread of its own, while this one, which has Python's lock, waits without it.
-/// Every 20 ms it handles signals and tells `listener` (None, or callable with a fraction 0 … 1)
-/// what is new; an exception of either stops the work, which is waited for, and is thrown on.
+/// Runs the work on its own thread, while this one, which has Python's lock, waits without it.
+/// Every 20 ms it handles signals and reports progress to `listener` (None, or callable with a
+/// fraction 0 … 1). An exception of either stops the work, waits for its end, and is rethrown.
 void runStoppable(const pybind11::object& listener,
                   const std::function<void(const Progress&)>& work);
 
-/// The same for work(progress) that returns something that is no Python object.
+/// Returns the result of work(progress), which must not be a Python object.
 template <class Work>
 auto stoppable(const pybind11::object& listener, const Work& work) {
   std::optional<decltype(work(Progress()))> result;
@@ -28,14 +27,14 @@ auto stoppable(const pybind11::object& listener, const Work& work) {
   return std::move(*result);
 }
 
-/// Makes Python's end wait for what daemon threads do here. Called once, when the module is loaded.
+/// Makes Python's exit wait for the work of daemon threads. Called once, when the module is loaded.
 void waitAtExit();
 
-/// Waits for a lock that other work may hold for long. Throws Cancelled.
+/// Waits for a lock that other work may hold for a long time. Throws Cancelled.
 std::unique_lock<std::timed_mutex> lockFor(std::timed_mutex& mutex, const Progress& progress);
 
-/// Sets the number of threads of the whole process while it exists; 0 leaves it. Afterwards it is
-/// one for each core, whatever other calls do meanwhile. Throws InputError below 0.
+/// Sets the number of threads of the whole process during its lifetime; 0 leaves it unchanged.
+/// Afterwards it is one per core, regardless of other calls. Throws InputError below 0.
 class ThreadsOfCall {
  public:
   explicit ThreadsOfCall(int count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rendering for Python: what a session keeps between views, and views as numpy arrays.
+// Rendering for Python: state kept between views, and views as numpy arrays.
 #include "python/views.h"
 
 #include <pybind11/numpy.h>
@@ -24,8 +24,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// A state's image, and its values before rounding, which a light field that is too large for the
-/// memory and can only be read from the top does not give.
+/// A state's image and its unrounded values; a streamed light field has none.
 struct RenderedView {
   std::string state;
   Image image;
@@ -34,17 +33,17 @@ struct RenderedView {
 
 struct RenderedViews {
   std::vector<RenderedView> views;
-  std::vector<std::string> inputs;  ///< the files that the light field was read from
+  std::vector<std::string> inputs;  ///< the files of the light field
 };
 
-/// What is asked for; `light` is null for the session's own.
+/// The request of views; `light` is null for the session's own.
 struct RenderRequest {
   Session session;
   std::shared_ptr<Content> light;
   bool isIdeal = false;
 };
 
-/// Keeps the session's light field, and tables of lenses, from one view to the next.
+/// Keeps the session's light field and tables of lenses between views.
 class SessionViews {
  public:
   RenderedViews render(const RenderRequest& request, const Progress& progress);
@@ -53,14 +52,14 @@ class SessionViews {
   std::shared_ptr<Content> ownOf(const Session& session, const Progress& progress);
 
   std::timed_mutex m_mutex;
-  Session m_session;  ///< whose light field is kept
+  Session m_session;  ///< the session of the kept light field
   std::shared_ptr<Content> m_own;
   Renderer m_renderer;
 };
 
 std::shared_ptr<Content> SessionViews::ownOf(const Session& session, const Progress& progress) {
   if (m_own && readTheSame(session, m_session) && m_own->isFresh()) return m_own;
-  m_own.reset();  // its memory is free before the next one is read
+  m_own.reset();  // releases the memory before the next one is read
   m_own = Content::openOf(session, progress);
   m_session = session;
   return m_own;
@@ -73,7 +72,7 @@ RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_
   try {
     if (images.areStreamed()) return {name, images.render(state, renderer, progress), {}};
     FloatImage values = images.renderFloat(state, renderer, progress);
-    // A picture that a tolerance makes smaller is enlarged after it has been rounded.
+    // With a tolerance, the reduced image is rounded before it is enlarged.
     Image image =
         job.sampling.tolerance > 0 ? images.render(state, renderer, progress) : rounded(values);
     return {name, std::move(image), std::move(values.rgb)};
@@ -127,7 +126,7 @@ void select(Session& session, const std::vector<std::string>& names, const std::
   session.cameras = states;
 }
 
-/// A numpy array of a vector's own memory.
+/// Returns a numpy array that owns the vector's memory.
 template <class T>
 py::array arrayOf(std::vector<T> values, const std::vector<std::size_t>& shape) {
   auto* const held = new std::vector<T>(std::move(values));  // NOLINT: the capsule owns it

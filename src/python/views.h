@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a call of Python names a light field.
+// The light field of a Python call.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace hogelscope {
 
-/// The session's own; one that is open; a file, a folder or a session, as --test takes it.
+/// The session's own; an open one; or a file, a folder or a session, as for --test.
 using LightChoice = std::variant<std::monostate, std::shared_ptr<Content>, std::string>;
 
-/// The session with a file as its light field. Throws InputError that names the file.
+/// Returns the session with a file as its light field. Throws InputError that names the file.
 Session sessionWith(const Session& session, const std::string& file);
 
 }  // namespace hogelscope
