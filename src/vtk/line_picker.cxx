@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the states whose lines lie at a position of the screen. It projects every line: a few
-// thousand take a fraction of a millisecond, and a line exactly behind another one is found too.
+// Finds the states whose lines pass a position on the screen. It projects every line, which takes a
+// fraction of a millisecond for a few thousand, and also finds lines exactly behind others.
 #include "line_picker.h"
 
 #include <vtkCellData.h>
@@ -29,7 +29,7 @@ Clip clipOf(vtkPolyData* lines, vtkIdType point, vtkMatrix4x4* clipFromWorld)
   return p;
 }
 
-/// Moves `behind` along the line to where it passes the eye's plane.
+/// Moves `behind` along the line to the eye's plane.
 Clip atEyePlane(const Clip& behind, const Clip& before, double w)
 {
   const double share = (w - behind[3]) / (before[3] - behind[3]);
@@ -43,7 +43,7 @@ Clip atEyePlane(const Clip& behind, const Clip& before, double w)
 
 double distanceOnScreen(Clip a, Clip b, const ScreenPlace& place)
 {
-  constexpr double least = 1e-9; // the least w of a line that reaches behind the eye
+  constexpr double least = 1e-9; // the least w for a line that reaches behind the eye
   if (a[3] < least && b[3] < least)
   {
     return HUGE_VAL;

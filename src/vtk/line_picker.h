@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the states whose lines lie at a position of the screen.
+// Finds the states whose lines pass a position on the screen.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct ScreenPlace
   double X = 0;
   double Y = 0;
   double Tolerance = 4;
-  int Width = 1; ///< the viewport's
+  int Width = 1; ///< size of the viewport
   int Height = 1;
 };
 

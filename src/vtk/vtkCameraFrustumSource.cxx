@@ -22,7 +22,7 @@ namespace
 using hogelscope::CameraFrustum;
 using hogelscope::Vec3;
 
-/// Eye, the image's corners from the upper left clockwise, the tip over its upper edge.
+/// The eye, the image's corners clockwise from the upper left, and the tip above its upper edge.
 using Corners = std::array<Vec3, 6>;
 
 Corners cornersOf(const CameraFrustum& frustum)
@@ -69,7 +69,8 @@ public:
   }
 
 private:
-  /// Adds a line. A dashed one has a fixed number of dashes, so that it looks the same from afar.
+  /// Adds a line. Dashed lines have a fixed number of dashes, so that they look the same at any
+  /// distance.
   void AddEdge(const CameraFrustum& frustum, const Vec3& from, const Vec3& to)
   {
     const int parts = frustum.IsDashed ? 15 : 1;

@@ -32,7 +32,7 @@ struct CameraFrustum
   int State = 0;
   std::array<unsigned char, 3> Colour{ 255, 255, 255 };
   bool IsDashed = false;
-  double Length = 0.25; ///< the near plane's share of the way to lookat
+  double Length = 0.25; ///< distance of the near plane as a share of that of lookat
   bool operator==(const CameraFrustum&) const = default;
 };
 }

@@ -57,7 +57,7 @@ void fillPanel(const hogelscope::DisplayParams& display, vtkPolyData* output)
   output->GetPointData()->SetTCoords(texture);
 }
 
-/// Lines never get more, however near the eye is.
+/// The most lines per direction, at any distance of the eye.
 constexpr int maximumLines = 2048;
 
 int lineStep(int cells, double size, double spacing)
@@ -81,7 +81,7 @@ void fillGrid(const hogelscope::DisplayParams& display, double spacing, vtkPolyD
     lines->InsertCellPoint(points.Add(x1, y1));
   };
   const auto [nx, ny] = display.hogels;
-  // The panel's own edge is always drawn.
+  // Always includes the panel's own edge.
   const int stepX = lineStep(nx, display.size[0], spacing);
   for (int i = 0; i < nx + stepX; i += stepX)
   {

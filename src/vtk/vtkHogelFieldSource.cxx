@@ -32,7 +32,7 @@ public:
 
   void AddRays(vtkPolyData* output) const
   {
-    constexpr int parts = 4; // rays to each side's quarters
+    constexpr int parts = 4; // rays at each side's quarters
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
     const vtkIdType apex =
@@ -57,7 +57,7 @@ public:
 
   hogelscope::Vec3 LowerMiddle() const { return this->ToWorld(0.5, 1); }
 
-  /// Makes a mesh, since an equiangular lens' directions are not evenly spaced on a plane.
+  /// Adds a mesh, because an equiangular lens' directions are not evenly spaced on a plane.
   void AddEnd(vtkPolyData* output) const
   {
     const int nx = std::min(this->Size.du, 32);
@@ -102,7 +102,7 @@ private:
         return { 0, 1 - along };
     }
   }
-  /// Returns the point of the end at fractions of u and v.
+  /// Returns a point of the field's end at fractions of u and v.
   hogelscope::Vec3 ToWorld(double s, double t) const
   {
     const auto [a, b] = this->Display.slopes(s * this->Size.du, t * this->Size.dv);

@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkHogelViewFilter);
 
 namespace
 {
-/// Copies an image's rows, from the top, to VTK's, from the bottom.
+/// Copies an image's rows, top first, to VTK's, bottom first.
 template <class T>
 void copyFlipped(const std::vector<T>& values, int height, void* target)
 {
@@ -70,7 +70,7 @@ int vtkHogelViewFilter::RequestInformation(
   const double spacing[3] = { 1, 1, 1 };
   const double origin[3] = { 0, 0, 0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  // VTK 9.1 keeps what a failed execution was asked for, and asks for the union of both.
+  // VTK 9.1 keeps the extent of a failed execution, and requests the union of both.
   info->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
@@ -129,7 +129,8 @@ void vtkHogelViewFilter::UpdateOrThrow()
 {
   if (this->Cancelled || !this->ErrorMessage.empty())
   {
-    this->Modified(); // the pipeline takes what a failed execution left for its result
+    this->Modified(); // otherwise the pipeline would use the remains of a failed execution as its
+                      // result
   }
   this->Update();
   if (!this->ErrorMessage.empty())

@@ -85,7 +85,7 @@ protected:
   vtkHogelViewFilter();
   ~vtkHogelViewFilter() override = default;
 
-  /// Reports an error by GetErrorMessage() and an error event.
+  /// Reports an error through GetErrorMessage() and an error event.
   void Fail(const std::exception& error);
 
   int RequestInformation(

@@ -43,7 +43,7 @@ private:
   void operator=(const vtkScaleBarSource&) = delete;
 
   /// Returns a point of the panel's plane; `along` is in metres from the bar's left end, `down` in
-  /// fractions of the panel's longer side under its lower edge.
+  /// fractions of the panel's longer side below its lower edge.
   hogelscope::Vec3 At(double along, double down) const;
 
   hogelscope::DisplayParams Display;
