@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin SDK: all that a plugin of Hogelscope includes. It is header-only, so a plugin links
-// nothing of Hogelscope. Any change to this file, or to core/base/parameters.h and
+// The plugin SDK: the only header that a plugin of Hogelscope includes. It is header-only, so a
+// plugin links nothing of Hogelscope. Any change to this file, or to core/base/parameters.h and
 // core/base/geometry.h, which it includes, needs a new `abi` (tests/plugins/sdk.sha256).
 #pragma once
 
@@ -23,9 +23,9 @@ struct Colour {
   float b = 0;
 };
 
-/// A line of light, followed from the viewer's side: the points (x − a t, y − b t, z − t) for
-/// 0 ≤ t ≤ reach. Metres in the display frame (docs/formulas.md, Display): x to the right, y up, z
-/// from the panel to the viewer. a = dx/dz and b = dy/dz are the light's slopes.
+/// A ray of light, followed from the viewer's side: the points (x − a t, y − b t, z − t) for 0 ≤ t
+/// ≤ reach. Metres in the display frame (docs/formulas.md, Display): x to the right, y up, z from
+/// the panel to the viewer. a = dx/dz and b = dy/dz are the light's slopes.
 struct Ray {
   double x = 0;
   double y = 0;
@@ -35,26 +35,26 @@ struct Ray {
   double reach = 0;
 };
 
-/// The display that shows the content: its panel's size in metres, its hogels, their directions.
+/// The display that shows the content: the panel's size in metres, hogel and direction counts.
 struct Panel {
   double size[2];
   std::int32_t hogels[2];
   std::int32_t directions[2];
-  double slopeStep[2];  ///< the slopes' range / directions: the mean width of a directional pixel
+  double slopeStep[2];  ///< range of slopes / directions: the mean width of a directional pixel
 };
 
-/// Relative paths in parameters are relative to `folder`; `threads` may be used at a time; what is
-/// opened may hold `memory` bytes in all.
+/// The environment of a plugin: the base folder of relative paths in parameters, the number of
+/// threads that it may use, and the bytes of memory that it may hold in all.
 struct Place {
   std::string folder;
   std::int32_t threads = 1;
   std::uint64_t memory = 0;
 };
 
-/// The listener of long work.
+/// The progress listener of long work.
 class Progress {
  public:
-  /// Takes the fraction that is done, 0 … 1. Returns false to stop: the callee then throws.
+  /// Takes the fraction done, 0 … 1. Returns false to cancel; the callee then throws.
   [[nodiscard]] virtual bool go(double done) const = 0;
 
  protected:
@@ -69,41 +69,42 @@ struct Triangles {
   std::vector<std::uint8_t> colours;
 };
 
-/// Content that is computed when a view asks for it: one 3-D scene. describe() and open() are
-/// called by one thread while no other function runs; all others may be called from several threads
-/// at a time. What a function throws (std::exception) is shown to the user as one line, so its
-/// what() names the file or the parameter and what to change.
+/// Content that is computed on request of a view: a 3-D scene. describe() and open() are called by
+/// one thread while no other function runs; all others may be called from several threads at once.
+/// A thrown exception (std::exception) is shown to the user as one line, so its what() names the
+/// file or the parameter and the remedy.
 class ContentSource {
  public:
   virtual ~ContentSource() = default;
 
-  /// Visits the parameters, which JSON, forms, help and the manual follow.
+  /// Visits the parameters for JSON, forms, help and the manual.
   virtual void describe(ParameterVisitor& v) = 0;
-  /// Prepares the content of these parameters; called again after each edit.
+  /// Prepares the content for its parameters; called again after each edit.
   virtual void open(const Panel& panel, const Place& place, const Progress& progress) = 0;
-  /// The files that open() has read.
+  /// Returns the files that open() has read.
   [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
-  /// What those files have that is not shown, a sentence each ("Its 3 animations stay at rest.").
+  /// Returns a sentence for each part of the files that is not shown, such as "Its 3 animations
+  /// stay at rest."
   [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
-  /// The depths z between which there is content, back ≤ front.
+  /// Sets the range of depths z of the content, back ≤ front.
   virtual void depths(double& back, double& front) const = 0;
-  /// Sets the light of what each ray meets first, or of the background. A ray's result does not
-  /// depend on the others in the call. Neighbours in the list are near each other. Both spans have
-  /// one size.
+  /// Sets the light of the first surface that each ray meets, or of the background. A ray's result
+  /// does not depend on other rays of the call. Neighbours in the list are near each other. Both
+  /// spans have one size.
   virtual void trace(std::span<const Ray> rays, std::span<Colour> colours) const = 0;
-  /// Sets the depth z of the point that each ray meets first, in the display frame; NaN where it
-  /// meets nothing. Both spans have one size. Returns false, and sets nothing, where the content
-  /// does not know its depths.
+  /// Sets the depth z of the first point that each ray meets, in the display frame; NaN if it meets
+  /// nothing. Both spans have one size. Returns false, and sets nothing, if the content does not
+  /// know its depths.
   [[nodiscard]] virtual bool traceDepths(std::span<const Ray> /*rays*/,
                                          std::span<double> /*depths*/) const {
     return false;
   }
-  /// Returns what the 3-D scene draws.
+  /// Returns the triangles that the 3-D scene draws.
   [[nodiscard]] virtual Triangles triangles() const { return {}; }
 };
 
-/// One axis of a hogel's lens: a continuous, strictly growing function. All but describe() and
-/// open() may be called from several threads.
+/// One axis of a hogel's lens: a continuous, strictly increasing function. All functions except
+/// describe() and open() may be called from several threads.
 class HogelLens {
  public:
   virtual ~HogelLens() = default;
@@ -111,15 +112,15 @@ class HogelLens {
   /// Prepares the lens across (axis 0) or down (axis 1); `fov` is the full angle of the field in
   /// degrees.
   virtual void open(std::int32_t axis, double fov, const Place& place) = 0;
-  /// Returns the coordinate in the angular field, −1/2 … 1/2, of light of a slope (dx/dz to the
+  /// Returns the coordinate in the angular field, −1/2 … 1/2, of light with a slope (dx/dz to the
   /// right, dy/dz up).
   [[nodiscard]] virtual double directionOf(double slope) const = 0;
-  /// The inverse of directionOf().
+  /// Returns the inverse of directionOf().
   [[nodiscard]] virtual double slopeOf(double direction) const = 0;
 };
 
-/// A view as a metric sees it: width·height pixels from the top left. `values` are the same RGB
-/// before rounding, in the code values of a Colour. `seen` is not 0 where the pixel sees the
+/// A view for a metric: width·height pixels, starting at the top left. `values` are the same RGB
+/// before rounding, in the code values of a Colour. `seen` is not 0 for pixels that see the
 /// display.
 struct View {
   std::int32_t width = 0;
@@ -129,28 +130,28 @@ struct View {
   std::span<const std::uint8_t> seen;
 };
 
-/// From where the views are seen; NaN where that is not known.
+/// The viewing geometry of the views; NaN if unknown.
 struct Viewing {
   double pixelsPerDegree;  ///< of the field of view, in the middle of the image
   double distance;         ///< from the eye to the panel's centre, in metres
 };
 
-/// One figure of how far a test differs from a reference. compare() may be called from several
+/// A metric of the difference between a test and a reference. compare() may be called from several
 /// threads.
 class Metric {
  public:
   virtual ~Metric() = default;
-  /// The title and the unit in tables ("MS-SSIM", ""), and the digits after the point.
+  /// Returns the title in tables, such as "MS-SSIM"; then its unit and the digits after the point.
   [[nodiscard]] virtual const char* title() const = 0;
   [[nodiscard]] virtual const char* unit() const { return ""; }
   [[nodiscard]] virtual std::int32_t decimals() const { return 2; }
-  /// The views have one size. NaN where the figure is not defined.
+  /// Compares views of one size. Returns NaN if the metric is not defined.
   [[nodiscard]] virtual double compare(const View& reference, const View& test,
                                        const Viewing& viewing) const = 0;
 };
 
-/// What the library's one symbol is: numbers that are read before any code of the plugin runs, its
-/// name (of the session's entries and the CSV's column), and a function for each thing that it
+/// The type of the library's only symbol: numbers that are read before any code of the plugin runs,
+/// its name (of the session's entries and the CSV's column), and a function for each object that it
 /// offers, null for the others.
 struct Entry {
   std::uint32_t abi;
