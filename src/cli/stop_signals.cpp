@@ -73,8 +73,7 @@ void catchSignals() {
   try {
     std::thread(watch).detach();
     isWatched = 1;
-  } catch (
-      const std::system_error&) {  // no thread available: a second signal ends the process at once
+  } catch (const std::system_error&) {  // no thread: a second signal ends at once
   }
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);

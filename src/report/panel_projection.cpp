@@ -19,8 +19,7 @@ PanelProjection::PanelProjection(std::filesystem::path file, std::string key,
 
 void PanelProjection::add(std::size_t state, std::size_t worker, const ViewPair& pair,
                           ViewPairs& pairs, const Progress& progress) {
-  constexpr std::chrono::seconds pause{
-      5};  // the time that kill -9 may cost; later states are repeated
+  constexpr std::chrono::seconds pause{5};  // lost by kill -9; later states are repeated
   const std::lock_guard lock(m_mutex);
   Renderer& renderer = pairs.renderer(worker);
   if (pair.problem.empty())

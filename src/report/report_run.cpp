@@ -187,8 +187,7 @@ void ReportRun::showViews(std::size_t test) {
     if (m_report.rows[rowOf(test, state)].problem.empty()) order.push_back(state);
   const auto error = [&](std::size_t state) {
     const double mse = m_report.rows[rowOf(test, state)].values[mseSeenColumn];
-    return std::isnan(mse) ? std::numeric_limits<double>::infinity()
-                           : mse;  // no pixel seen in both images
+    return std::isnan(mse) ? std::numeric_limits<double>::infinity() : mse;  // nothing seen in both
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return error(a) > error(b); });

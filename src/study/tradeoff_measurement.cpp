@@ -123,8 +123,7 @@ class Measurement {
   static constexpr double lookPart = 0.1;
   static constexpr double errorPart = 0.4;
   static constexpr double errorLimit = 0.5;
-  static constexpr double planned =
-      0.8;  // of the time left for runs, because the trial is inaccurate
+  static constexpr double planned = 0.8;  // of the runs' time, for errors of the trial
 
   [[nodiscard]] double elapsed() const { return m_budget.clock() - m_start; }
   [[nodiscard]] double left(double part) const { return part * m_budget.seconds - elapsed(); }

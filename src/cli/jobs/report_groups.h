@@ -12,9 +12,8 @@ namespace hogelscope {
 
 /// A test light field on disk.
 struct TestSize {
-  std::string test;  ///< as given by --test
-  std::vector<std::filesystem::path>
-      files;  ///< those with pixels; other files of a folder do not count
+  std::string test;                          ///< as given by --test
+  std::vector<std::filesystem::path> files;  ///< with pixels; other files of a folder do not count
   double directionalPixels = 0;
 };
 

@@ -31,8 +31,7 @@ struct Range {
 struct FieldName {
   std::string_view name;
   std::string_view label = {};
-  FieldName(const char* document)
-      : name(document) {}  // NOLINT: implicit, for names without a label
+  FieldName(const char* document) : name(document) {}  // NOLINT: implicit conversion
   FieldName(const char* document, const char* form) : name(document), label(form) {}
 };
 

@@ -77,8 +77,7 @@ void describe(ParameterVisitor& v, TraceParams& p);
 /// `place` (centred on its multiples) become one state at their mean, weighted by their number.
 struct Trace {
   struct Point {
-    double time =
-        0;  ///< seconds since the first point, never falling; that of the last one is above 0
+    double time = 0;  ///< seconds since the first point, never falling; the last one's is above 0
     Vec3 eye;
   };
   std::vector<Point> points;

@@ -15,9 +15,9 @@ void writeDifference(std::span<const std::uint8_t> a, std::span<const std::uint8
 
 struct DifferenceImage {
   Image image;  ///< gain · |reference − test|, each channel; seen where both are
-  int gain =
-      1;  ///< the largest power of two that clips at most a thousandth of the differing values, so
-          ///< that one outlier does not hide the rest; 1 if none differ, 65536 at most
+  /// The largest power of two that clips at most a thousandth of the differing values, so that one
+  /// outlier does not hide the rest; 1 if none differ, 65536 at most.
+  int gain = 1;
 };
 
 /// Computes a difference image. Throws std::invalid_argument if the sizes differ.

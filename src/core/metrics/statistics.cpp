@@ -50,8 +50,7 @@ std::vector<std::vector<double>> drawSums(const std::vector<std::vector<double>>
 
 /// Returns the ⌈qn⌉-th smallest value.
 double quantile(std::vector<double>& values, double q) {
-  const double rank =
-      std::ceil(q * double(values.size()) - 1e-9);  // 0.975 · 10000 is slightly more
+  const double rank = std::ceil(q * double(values.size()) - 1e-9);  // 0.975 · 10000 is above 9750
   const auto at = values.begin() + std::ptrdiff_t(std::max(rank, 1.0)) - 1;
   std::nth_element(values.begin(), at, values.end());
   return *at;

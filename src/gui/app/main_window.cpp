@@ -205,8 +205,7 @@ void MainWindow::connectWorker() {
   connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, m_messages, &Messages::showError);
   connect(m_worker, &ViewWorker::failed, this, &MainWindow::showFailure);
-  connect(m_worker, &ViewWorker::loaded, m_messages,
-          &Messages::dismiss);  // clears errors of an older reading
+  connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // clears older errors
   connect(m_worker, &ViewWorker::loaded, this, &MainWindow::onSceneLoaded);
   connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);

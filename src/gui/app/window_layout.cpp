@@ -79,8 +79,7 @@ void WindowLayout::connectDocks() {
   m_window->installEventFilter(this);
   for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
     QAction* action = dock->toggleViewAction();
-    disconnect(action, &QAction::triggered, dock,
-               nullptr);  // Qt's slot would close a dock that is behind another one
+    disconnect(action, &QAction::triggered, dock, nullptr);  // Qt's would close a covered dock
     connect(action, &QAction::triggered, this, [dock] { toggle(dock); });
   }
 }

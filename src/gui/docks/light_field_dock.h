@@ -44,9 +44,8 @@ class LightFieldDock : public QWidget {
 
   SessionModel* m_model;
   QLabel* m_contents;
-  Task* m_task;  ///< reads a mesh or the order of views
-  std::array<QWidget*, 2>
-      m_liveForms{};  ///< the content's own parameters, and those that all contents have
+  Task* m_task;                           ///< reads a mesh or the order of views
+  std::array<QWidget*, 2> m_liveForms{};  ///< the content's own parameters, and the common ones
 };
 
 }  // namespace hogelscope

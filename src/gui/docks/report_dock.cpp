@@ -328,8 +328,7 @@ void ReportDock::showReport(const Report& report) {
   showIdle();
   if (m_table->rowCount() == 0) return;  // rows of another session
   QStringList texts;
-  for (std::size_t k = 0; k + 1 < report.summaries.size();
-       ++k) {  // the last summary is of all tests
+  for (std::size_t k = 0; k + 1 < report.summaries.size(); ++k) {  // the last is of all tests
     const TestSummary& test = report.summaries[k];
     const std::string name = m_tests.size() == 1 ? "" : test.test + "\n";
     texts << QString::fromStdString(name + summaryText(test.summary, test.rows));

@@ -55,8 +55,7 @@ void ReportPlotView::paintEvent(QPaintEvent*) {
 }
 
 void ReportPlotView::mousePressEvent(QMouseEvent* event) {
-  if (!m_picture.isNull() || event->button() != Qt::LeftButton)
-    return;  // the right button opens the menu
+  if (!m_picture.isNull() || event->button() != Qt::LeftButton) return;  // the right opens a menu
   if (const auto row = rowAt(m_plot, event->position(), QSizeF(size()))) Q_EMIT clicked(*row);
 }
 

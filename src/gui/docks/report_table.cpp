@@ -51,8 +51,7 @@ QVariant ReportTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole || (role == sortRole && isText)) return textOf(*row, index.column());
   if (role != sortRole) return {};
   const double number = value(*row, index.column());
-  return std::isnan(number) ? -std::numeric_limits<double>::infinity()
-                            : number;  // problems sort first
+  return std::isnan(number) ? -std::numeric_limits<double>::infinity() : number;  // problems first
 }
 
 QVariant ReportTable::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -59,8 +59,7 @@ void PanelActors::setDisplay(const DisplayParams& display) {
   const Vec3 label = m_barSource->GetLabelPosition();
   m_barLabel->GetPositionCoordinate()->SetValue(label.x, label.y, label.z);
   m_barLabel->SetInput((QString::number(m_barSource->GetLength()) + " m").toUtf8().constData());
-  const double length =
-      0.65 * std::max(display.size[0], display.size[1]);  // beyond the panel's edges
+  const double length = 0.65 * std::max(display.size[0], display.size[1]);  // beyond its edges
   m_axes->SetTotalLength(length, length, length);
 }
 

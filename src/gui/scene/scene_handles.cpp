@@ -98,9 +98,7 @@ void SceneHandles::update() {
     const bool isShown = handle->isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
     handle->ball->Modified();  // keeps the size in pixels instead of metres
     if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
-    if (isShown)
-      handle->ball
-          ->BuildRepresentation();  // updates its bounds, which count when the scene is fitted
+    if (isShown) handle->ball->BuildRepresentation();  // for its bounds, used by fitting
   }
 }
 

@@ -124,8 +124,7 @@ void SceneWorker::run() {
     const std::optional<CameraState> panel =
         m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
     lock.unlock();
-    if (isNew)
-      filter->SetJob({});  // releases the old light field, of which it may hold the last reference
+    if (isNew) filter->SetJob({});  // it may hold the last reference to the old light field
     if (isNew) makeMesh();
     if (!m_scene) continue;
     if (!panel) {

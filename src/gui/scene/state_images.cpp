@@ -11,9 +11,8 @@
 namespace hogelscope {
 
 namespace {
-constexpr int longestTile = 192;  ///< texels: few states have fine images
-constexpr int longestSide =
-    1024;  ///< of the whole texture, which is uploaded again with each image
+constexpr int longestTile = 192;   ///< texels: few states have fine images
+constexpr int longestSide = 1024;  ///< of the texture, which is uploaded again with each image
 constexpr std::uint8_t emptyGrey = 40;
 }  // namespace
 

@@ -167,8 +167,7 @@ void CameraCommands::stepSigma(int steps) {
   const Range range = RangeOf("sigma").range;
   edit(tr("Change sigma"), [&](CameraState& state) {
     const double wanted = std::round((state.psf.sigma + steps * step) * rounding) / rounding;
-    if (wanted > range.min)
-      state.psf.sigma = std::min(wanted, range.max);  // a Gaussian needs sigma above 0
+    if (wanted > range.min) state.psf.sigma = std::min(wanted, range.max);  // 0 is no Gaussian
   });
 }
 

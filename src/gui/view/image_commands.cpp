@@ -64,8 +64,7 @@ std::optional<Scene> ImageCommands::other() const {
 }
 
 void ImageCommands::show(const RenderedView& view) {
-  const bool hasOther =
-      other().has_value();  // false for an image still rendered after the comparison stopped
+  const bool hasOther = other().has_value();  // false for an image that arrives after the stop
   m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());
   m_ui.pictureView->setMask(view.seen, hasOther ? view.otherSeen : QImage());
   showNotice({});

@@ -30,9 +30,8 @@ struct RenderedView {
   QImage otherSeen;
   double milliseconds = 0;  ///< of both images
   int scale = 1;            ///< above 1: a coarse image shown during editing
-  bool isOverview =
-      false;     ///< coarse by fewer hogels and directions, not by one pixel in scale × scale
-  QString plan;  ///< the rendering plan in one line
+  bool isOverview = false;  ///< coarse by fewer hogels and directions, not by scale
+  QString plan;             ///< the rendering plan in one line
 };
 
 /// The certificate of a lens, and its drawing.

@@ -82,9 +82,7 @@ std::string tableOf(const std::vector<TestSummary>& summaries, const MeansTable&
     text += "<th class=\"n\">worst PSNR</th><th>worst view</th>";
   }
   text += "</tr></thead>\n<tbody>\n";
-  const std::size_t shown =
-      summaries.size() == 2 ? 1
-                            : summaries.size();  // the summary of all tests repeats a single one
+  const std::size_t shown = summaries.size() == 2 ? 1 : summaries.size();  // equal for one test
   for (std::size_t k = 0; k < shown; ++k) {
     text += tableRow(summaries[k], table, false);
     if (hasWeights(summaries[k])) text += tableRow(summaries[k], table, true);
