@@ -30,7 +30,7 @@ InputError cannotWrite(const fs::path& path, int error) {
   return {path.string(), "cannot be written", std::strerror(error)};
 }
 
-/// Returns the file that a path means: its target, if it is a symbolic link.
+/// Returns the file that a path refers to: its target, if it is a symbolic link.
 fs::path resolved(fs::path path) {
   constexpr int mostLinks = 16;
   std::error_code none;
@@ -100,7 +100,7 @@ void AtomicFile::openNamed() {
   m_descriptor = Descriptor(::open(m_temporary.c_str(), flags, 0666));
   if (m_descriptor.get() >= 0) return;
   const int error = errno;
-  dropName();  // not ours to delete
+  dropName();  // not owned by this object
   throw cannotWrite(m_path, error);
 }
 
@@ -133,7 +133,7 @@ void writeAll(int descriptor, std::string_view text, const fs::path& path) {
 }
 
 void syncToDisk(int descriptor, const fs::path& path) {
-  // Not all file systems can: EINVAL, EROFS.
+  // Some file systems do not support it: EINVAL, EROFS.
   if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) throw cannotWrite(path, errno);
 }
 
@@ -183,7 +183,7 @@ void requireOurs(const fs::path& path, std::string_view head) {
 }
 
 std::optional<Descriptor> openLocked(const fs::path& path, int moreFlags) {
-  constexpr int tries = 10;  // isLocked() of another process has the lock for a moment
+  constexpr int tries = 10;  // isLocked() of another process briefly holds the lock
   for (int failed = 0; failed < tries;) {
     Descriptor file(
         ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | moreFlags, 0666));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are either complete or absent: they are written without a name, then put in place.
+// Files that are either complete or absent: they are written without a name, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,14 @@
 
 namespace hogelscope {
 
-/// A new file: write to descriptor(), then call commit(). Until then `path` is unchanged.
-///
-/// The new file has no name before commit(), so nothing is left behind however the program ends. On
-/// file systems without such files (NFS, FAT) it has a random, unique name, so two programs that
-/// write one file do not collide.
+/// A new file: write to descriptor(), then call commit(). Until then `path` is unchanged. The new
+/// file has no name before commit(), so nothing is left behind however the program ends. On file
+/// systems without unnamed files (NFS, FAT) it has a random, unique name, so that two programs
+/// writing one file do not collide.
 class AtomicFile {
  public:
-  /// If `path` is a symbolic link, its target will be replaced. Throws InputError: `path` is not
-  /// a regular file, or its folder cannot be written to.
+  /// Creates the file. If `path` is a symbolic link, its target will be replaced. Throws InputError
+  /// if `path` is not a regular file or its folder cannot be written to.
   explicit AtomicFile(const std::filesystem::path& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -27,8 +26,8 @@ class AtomicFile {
 
   /// Returns a descriptor that is open for reading and writing.
   [[nodiscard]] int descriptor() const { return m_descriptor.get(); }
-  /// Waits until the file is on the disk, then replaces the old one, whose permissions it takes
-  /// over. Throws InputError.
+  /// Waits until the file is on the disk, then replaces the old one and keeps its permissions.
+  /// Throws InputError.
   void commit();
 
  private:
@@ -54,23 +53,23 @@ void syncToDisk(int descriptor, const std::filesystem::path& path);
 /// Reads a file. Throws InputError (missing, a folder, unreadable, larger than 64 MiB).
 std::string readTextFile(const std::filesystem::path& path);
 
-/// Creates a folder and its parents. Throws InputError, also if nothing can be written there.
+/// Creates a folder and its parents. Throws InputError, also if the folder cannot be written to.
 void makeFolder(const std::filesystem::path& folder);
 
 /// Checks a file whose name the program has chosen, before it is replaced or deleted without
 /// asking: throws InputError unless `path` is missing, or is a regular file (not a link) that
-/// begins with `head`, or with the part of it that a crash left.
+/// begins with `head`, or with a part of it left by a crash.
 void requireOurs(const std::filesystem::path& path, std::string_view head);
 
 /// Opens a file for reading and writing, creates it if missing, never follows a symbolic link, and
 /// locks it until it is closed; none if another process has the lock. Throws InputError.
 std::optional<Descriptor> openLocked(const std::filesystem::path& path, int moreFlags = 0);
 
-/// Removes what a process that was killed left in a folder between the writing of a file and its
-/// naming. Nobody may be writing there.
+/// Removes the temporary files that a killed process left in a folder before naming them. No
+/// process may be writing there.
 void removeLeftovers(const std::filesystem::path& folder);
 
-/// Whether a process has locked a file by openLocked(); false for what cannot be opened.
+/// Whether a process has locked a file by openLocked(); false for a file that cannot be opened.
 bool isLocked(const std::filesystem::path& path);
 
 }  // namespace hogelscope

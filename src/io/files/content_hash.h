@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells contents apart that nobody has made to be alike: XXH3, 128 bits, as fast as files are read
+// Distinguishes contents, but not intentionally similar ones: XXH3, 128 bits, as fast as reading
 // from memory.
 #pragma once
 
@@ -30,15 +30,15 @@ class ContentHash {
   std::unique_ptr<XXH3_state_s, Free> m_state;
 };
 
-/// Returns the hash of a file; of several, that of the lines "HASH  NAME\n" that xxh128sum prints
+/// Returns the hash of a file or, for several, of the lines "HASH  NAME\n" that xxh128sum prints
 /// for them in their folder. Throws InputError, Cancelled.
 std::string contentHash(const std::vector<std::filesystem::path>& files,
                         const Progress& progress = {});
 std::string contentHash(const std::string& text);
 
-/// Returns a text that changes when a file is written or replaced, whatever its size and time are
-/// set to: device, inode, times of the last change of its status and content, size. "" if there is
-/// none.
+/// Returns a text that changes when a file is written or replaced, even if its size and time are
+/// restored: device, inode, times of the last change of its status and content, size. "" if there
+/// is no file.
 std::string fileIdentity(const std::filesystem::path& file);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looking at files and folders without exceptions other than ours.
+// Queries of files and folders that throw only InputError.
 #include "io/files/folders.h"
 
 #include <algorithm>

@@ -7,13 +7,14 @@
 
 namespace hogelscope {
 
-/// Returns false if it is unknown: reading the path will then throw the reason.
+/// Whether a path is a folder; false if unknown, because reading the path will then report the
+/// reason.
 bool isFolder(const std::filesystem::path& path);
 
 /// Returns the entries of a folder, sorted by name. Throws InputError (missing, no permission).
 std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder);
 
-/// Returns the entries that are no folders, sorted by name; links that lead nowhere, too. Throws
+/// Returns the entries that are not folders, sorted by name, including broken links. Throws
 /// InputError.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
 

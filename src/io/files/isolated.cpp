@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A copy of this process that answers requests.
+// A forked process that answers requests.
 #include "io/files/isolated.h"
 
 #include <fcntl.h>
@@ -52,7 +52,7 @@ bool sendMessage(int to, const std::string& text, bool isError) {
   return sendAll(to, &header, sizeof header) && sendAll(to, text.data(), text.size());
 }
 
-/// Waits as long as it takes.
+/// Receives all bytes, without a time limit.
 bool receiveAll(int from, void* data, std::size_t bytes) {
   auto* to = static_cast<char*>(data);
   while (bytes > 0) {
@@ -65,7 +65,7 @@ bool receiveAll(int from, void* data, std::size_t bytes) {
   return true;
 }
 
-/// Leaves nothing of this process to the copy: its locks are open files, its handlers print.
+/// Closes this process' files and resets its signal handlers in the copy.
 int becomeAlone(int socket) {
   constexpr int kept = 3;
   const int nowhere = ::open("/dev/null", O_RDWR);
@@ -73,7 +73,7 @@ int becomeAlone(int socket) {
   if (socket != kept) ::dup2(socket, kept);
   ::close_range(kept + 1, ~0U, 0);
   for (int signal = 1; signal < NSIG; ++signal) (void)std::signal(signal, SIG_DFL);
-  (void)std::signal(SIGINT, SIG_IGN);  // Ctrl-C is this process' business, which then ends the copy
+  (void)std::signal(SIGINT, SIG_IGN);  // this process handles Ctrl-C, then ends the copy
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -82,7 +82,7 @@ int becomeAlone(int socket) {
   return kept;
 }
 
-/// Limits what may be allocated from now on: of what this process has the copy has a part.
+/// Limits the copy's allocations beyond the data that it has from this process.
 void limitMemory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -95,14 +95,14 @@ void limitMemory() {
   }
 }
 
-/// A signal ends the process after so many seconds; 0: none.
+/// Sets the seconds after which a signal ends the process; 0: none.
 void limitTime(unsigned answer, time_t work) {
   ::alarm(answer);
   const itimerval timer{{0, 0}, {work, 0}};
   ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-/// Answers until the other end of the socket is closed.
+/// Answers requests until the other end of the socket is closed.
 void serve(int socket, const std::function<Isolated::Service()>& start) {
   Isolated::Service service;
   Header header;
@@ -176,7 +176,7 @@ void Isolated::receive(char* to, std::size_t bytes, const Progress& progress) co
   while (bytes > 0) {
     hearStop(progress);
     pollfd waiting{m_socket, POLLIN, 0};
-    constexpr int patience = 50;  // ms between questions whether to stop
+    constexpr int patience = 50;  // ms between checks for cancellation
     if (::poll(&waiting, 1, patience) <= 0) continue;
     const ssize_t read = ::recv(m_socket, to, bytes, 0);
     if (read < 0 && errno == EINTR) continue;
@@ -194,7 +194,7 @@ std::string Isolated::ask(const std::string& request, const Progress& progress) 
   Header header;
   std::string answer;
   try {
-    sendMessage(m_socket, request, false);  // if the process has ended receive() says so
+    sendMessage(m_socket, request, false);  // if the process has ended, receive() reports it
     receive(reinterpret_cast<char*>(&header), sizeof header, progress);
     answer.resize(header.bytes);
     receive(answer.data(), answer.size(), progress);

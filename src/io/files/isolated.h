@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a library that damaged files can crash in a process of its own.
+// Runs a library that may crash for damaged files in a separate process.
 #pragma once
 
 #include <sys/types.h>
@@ -16,29 +16,29 @@
 
 namespace hogelscope {
 
-/// A copy of this process (fork) that answers requests. It has one thread, none of this process'
-/// open files and nowhere to write but its answers; beyond what this process has it gets 1 GB of
-/// memory, or allowedMemory() if that is less. From several threads one request waits for the
-/// other.
+/// A forked copy of this process that answers requests. It has one thread, none of this process'
+/// open files, and can only write its answers; beyond the memory of this process it gets 1 GB, or
+/// allowedMemory() if that is less. Requests of several threads run one after the other.
 class Isolated {
  public:
   /// Answers a request, in the other process. Throws InputError.
   using Service = std::function<std::string(const std::string& request)>;
 
-  /// `start` makes the service, in the other process, when there is a first request, or the next
-  /// one after one was cancelled or has ended it. Messages name `file`.
+  /// `start` creates the service in the other process, for the first request and after one that was
+  /// cancelled or ended the process. Messages name `file`.
   Isolated(std::filesystem::path file, std::function<Service()> start);
   ~Isolated();
   Isolated(const Isolated&) = delete;
   Isolated& operator=(const Isolated&) = delete;
 
-  /// Throws InputError that names the file: what the service throws, or that the other process
-  /// ended, which it also does after ten seconds of processor time or two minutes for one request;
-  /// Cancelled, which it asks for while it waits.
+  /// Sends a request and returns the answer. Throws InputError that names the file: the service's
+  /// error, or that the other process ended, also after ten seconds of processor time or two
+  /// minutes for one request. Throws Cancelled.
   std::string ask(const std::string& request, const Progress& progress = {});
 
-  /// Held (shared) while this process calls libraries that the copy calls, too: a lock of theirs
-  /// that another thread holds when the copy is made would be held there for ever.
+  /// Returns a mutex to hold (shared) while this process calls libraries that the copy calls too.
+  /// Otherwise a lock of theirs that another thread holds during the fork would stay locked in the
+  /// copy.
   static std::shared_mutex& librariesInUse();
 
  private:
@@ -53,13 +53,13 @@ class Isolated {
   int m_socket = -1;
 };
 
-/// A request or an answer, as bytes; T has no pointers.
+/// Converts a request or an answer to bytes; T has no pointers.
 template <class T>
 std::string messageOf(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/// The beginning of a message.
+/// Returns the value at the beginning of a message.
 template <class T>
 T valueOf(const std::string& message) {
   T value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks whether results can be written by creating a nameless file: permissions are not enough.
+// Checks whether results can be written by creating an unnamed file: permissions are not enough.
 #include "io/files/output_folder.h"
 
 #include <fcntl.h>
@@ -24,7 +24,7 @@ namespace {
 /// Returns 0, or errno.
 int errorOfWriting(const fs::path& folder) {
   int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
-  if (file < 0) {  // not every file system has files without a name
+  if (file < 0) {  // the file system may not support unnamed files
     std::string name = (folder / ".hogelscope-XXXXXX").string();
     file = ::mkostemp(name.data(), O_CLOEXEC);
     if (file >= 0) ::unlink(name.c_str());

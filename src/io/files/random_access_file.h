@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that is read at any position, by several threads at once.
+// A file that several threads read at any position.
 #pragma once
 
 #include <cstddef>
@@ -30,15 +30,15 @@ class Descriptor {
 
 class RandomAccessFile {
  public:
-  /// Throws InputError: missing, not a regular file, unreadable.
+  /// Opens a file. Throws InputError if it is missing, not a regular file, or unreadable.
   explicit RandomAccessFile(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
   [[nodiscard]] std::uint64_t size() const { return m_size; }
 
-  /// Fills `bytes` from the position `at`. Throws InputError if the file ends before.
+  /// Fills `bytes` from the position `at`. Throws InputError if the file is shorter.
   void read(std::uint64_t at, std::span<std::byte> bytes) const;
-  /// Reads as many of the bytes as there are. Returns their number.
+  /// Reads as many of the bytes as exist. Returns their number.
   std::size_t readSome(std::uint64_t at, std::span<std::byte> bytes) const;
 
  private:

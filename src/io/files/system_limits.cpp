@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Resources of this machine, and how much of them the program may use.
+// Resources of this machine, and the program's share of them.
 #include "io/files/system_limits.h"
 
 #include <sys/statvfs.h>
@@ -43,7 +43,7 @@ void allowMemory(std::size_t bytes) noexcept {
 void checkRoomOnDisk(const fs::path& file, std::uint64_t needed, std::uint64_t mine) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   struct statvfs disk {};
-  if (::statvfs(folder.c_str(), &disk) != 0) return;  // writing will report it
+  if (::statvfs(folder.c_str(), &disk) != 0) return;  // reported when writing
   const double room = double(disk.f_bavail) * double(disk.f_frsize) + double(mine);
   if (room < double(needed))
     throw InputError(file.string(), "cannot be written",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Resources of this machine, and how much of them the program may use.
+// Resources of this machine, and the program's share of them.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace hogelscope {
 
-/// Returns the bytes of this machine's memory.
+/// Returns the size of this machine's memory in bytes.
 std::size_t machineMemory();
-/// Throws InputError that names the file if `bytes` are more than this machine's memory; `hint`
-/// tells the user what to do.
+/// Throws InputError that names the file if `bytes` exceed this machine's memory; `hint` is the
+/// advice to the user.
 void checkFits(std::size_t bytes, const std::filesystem::path& file, const std::string& hint);
 
 /// Returns the bytes for light fields: those of allowMemory(), or a quarter of the memory.
 std::size_t allowedMemory() noexcept;
-/// Sets them from now on, for the whole process.
+/// Sets that number for the whole process.
 void allowMemory(std::size_t bytes) noexcept;
 
-/// To be called before long work: throws InputError if the disk has less than `needed` bytes free
-/// for a file. `mine` is the number of bytes of it that are there already.
+/// Throws InputError if the disk has fewer than `needed` bytes free for a file; call it before long
+/// work. `mine` is the number of bytes of the file that exist already.
 void checkRoomOnDisk(const std::filesystem::path& file, std::uint64_t needed,
                      std::uint64_t mine = 0);
 

@@ -16,7 +16,8 @@ struct Registry {
   std::multiset<fs::path> files;
 };
 
-/// Never destroyed: a signal may come while main() returns.
+/// Returns the registry, which is never destroyed, because a signal may arrive while main()
+/// returns.
 Registry& registry() {
   static auto* const only = new Registry;
   return *only;
@@ -36,7 +37,7 @@ void forgetTemporary(const fs::path& file) {
 }
 
 void removeTemporaries() {
-  registry().mutex.lock();  // forever
+  registry().mutex.lock();  // never unlocked
   std::error_code ignored;
   for (const fs::path& file : registry().files) fs::remove(file, ignored);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A list of temporary files, for ending the process before their owners remove them.
+// A list of temporary files, to remove them when the process ends early.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace hogelscope {
 void registerTemporary(const std::filesystem::path& file);
 void forgetTemporary(const std::filesystem::path& file);
 
-/// Removes all files, before the process ends. A thread that tries to register or forget a file
+/// Removes all files before the process ends. A thread that tries to register or forget a file
 /// afterwards waits forever, so that no file is missed.
 void removeTemporaries();
 
