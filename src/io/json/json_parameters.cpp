@@ -19,7 +19,7 @@ std::string shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t longest = 60;
   if (text.size() <= longest) return text;
-  std::size_t end = longest;  // not within a letter
+  std::size_t end = longest;  // not within a character
   while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;
   return text.substr(0, end) + "…";
 }
@@ -188,9 +188,9 @@ Override parseOverride(const std::string& text) {
 
 namespace {
 
-/// Goes through a document's structure: refuses what is not JSON, a key that occurs twice in an
-/// object, and a depth or a number of keys that no document of the program has. Not a callback of
-/// Json::parse(), which would look through all that is read of an array at each object's end.
+/// Checks a document's structure: rejects invalid JSON, a key that occurs twice in an object, and a
+/// depth or number of keys beyond all documents of the program. Not a callback of Json::parse(),
+/// which would traverse the array read so far at each object's end.
 class StructureCheck : public Json::json_sax_t {
  public:
   explicit StructureCheck(const std::string& text) : m_text(text) {}
@@ -225,8 +225,8 @@ class StructureCheck : public Json::json_sax_t {
     --m_depth;
     return true;
   }
-  /// `read` bytes were read, the last one of which is wrong. The place is counted here, since the
-  /// library's words change with its versions; what follows them is its reason.
+  /// Throws an error at the last of `read` bytes. Line and column are counted here, because the
+  /// library's text varies with its version; the part after them is its reason.
   bool parse_error(std::size_t read, const std::string& /*token*/,
                    const nlohmann::detail::exception& error) override {
     const std::string_view before(m_text.data(), std::min(m_text.size(), read - 1));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visitors of the parameter descriptions that read JSON, with the path of every mistake, and write
-// it.
+// Visitors of the parameter descriptions that read and write JSON, with the path of every error.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +10,7 @@
 
 namespace hogelscope {
 
-/// Keeps the order of the keys, as the documents do.
+/// A JSON value that keeps the order of the keys, as the documents do.
 using Json = nlohmann::ordered_json;
 
 /// Reads the fields that `object` has; the others keep their values. Throws InputError.
@@ -22,7 +21,7 @@ class JsonReader : public ParameterVisitor {
 
   void group(std::string_view, std::string_view) override {}
   /// Returns the value of a key that is read elsewhere, or null. Throws InputError for a name that
-  /// was read before: a plugin's parameters stand beside those of every live scene.
+  /// was read before, because a plugin's parameters share an object with those of every live scene.
   const Json* section(std::string_view name);
   /// Throws InputError for a key that was not read, with the nearest known one. Call it last.
   void refuseUnknown() const;
@@ -75,15 +74,15 @@ void readSection(JsonReader& parent, const char* name, Params& params) {
 struct Override {
   std::string section;
   std::string field;
-  Json value;  ///< a text if it is not JSON
+  Json value;  ///< a text if it is not valid JSON
 };
 
 /// Parses an override. Throws InputError for another form.
 Override parseOverride(const std::string& text);
 
-/// The depth at which readers of untrusted files stop; no document of the program reaches it.
+/// The depth limit for untrusted files, beyond all documents of the program.
 constexpr int deepestDocument = 32;
-constexpr std::size_t mostKeys = 1000;  ///< in one object, whose keys are searched one by one
+constexpr std::size_t mostKeys = 1000;  ///< in one object; keys are searched linearly
 
 enum class JsonComments { refused, ignored };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// YAML as cv::FileStorage writes it, read from files that nobody vouches for.
+// YAML as cv::FileStorage writes it, read from untrusted files.
 #include "io/json/yaml_reader.h"
 
 #include <yaml.h>
@@ -20,18 +20,18 @@ bool isOfName(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
 }
 
-/// Replaces OpenCV's extensions of YAML: the first line, %YAML:1.0; \' within quotes;
-/// no blank behind a name's colon, "{ x:1, at:[ 2, 3 ] }". Lines keep their numbers.
+/// Replaces OpenCV's extensions of YAML: the first line, %YAML:1.0; \' within quotes; no space
+/// after a name's colon, "{ x:1, at:[ 2, 3 ] }". Line numbers are kept.
 std::string standardYaml(const std::string& text) {
   std::string yaml;
   yaml.reserve(text.size());
   bool isQuoted = false;
-  bool isName = false;  // so far on this line, behind this brace or comma
+  bool isName = false;  // so far on this line, after this brace or comma
   const std::size_t begin = std::min(text.starts_with('%') ? text.find('\n') : 0, text.size());
   for (std::size_t at = begin; at < text.size(); ++at) {
     const char c = text[at];
     if (!isQuoted && c == '#' && (yaml.ends_with(' ') || yaml.ends_with('\n'))) {
-      at = std::min(text.find('\n', at), text.size()) - 1;  // a comment's quotes are none
+      at = std::min(text.find('\n', at), text.size()) - 1;  // ignores quotes in comments
       continue;
     }
     if (isQuoted && c == '\\' && at + 1 < text.size()) {
@@ -63,7 +63,7 @@ Json scalarOf(const yaml_event_t& event) {
   return text;
 }
 
-/// Reads libyaml's events one after the other: the parser stops where this reader does. libyaml's
+/// Reads libyaml's events one by one, so that the parser stops where this reader does. libyaml's
 /// loader builds whole documents first, which takes minutes for a megabyte of brackets.
 class Events {
  public:
@@ -91,7 +91,7 @@ class Events {
            std::string("is not YAML: ") + m_parser.problem);
   }
 
-  /// Throws InputError because of the last event.
+  /// Throws InputError about the last event.
   [[noreturn]] void refuse(const std::string& why) const { refuse(m_event.start_mark.line, why); }
 
  private:
@@ -109,10 +109,10 @@ class Events {
   yaml_event_t m_event{};
 };
 
-/// Reads the value that the current event is or begins.
+/// Reads the value that the current event is or starts.
 Json valueOf(Events& events, int depth);
 
-/// Reads up to the end of the mapping that the current event begins.
+/// Reads up to the end of the mapping that the current event starts.
 void addKeys(Events& events, Json& object, int depth) {
   while (events.next() != YAML_MAPPING_END_EVENT) {
     if (events.current().type != YAML_SCALAR_EVENT) events.refuse("a name is not a text");

@@ -9,9 +9,9 @@
 namespace hogelscope {
 
 /// Returns the names and values of all documents in the file, as one object. A plain scalar that is
-/// a finite number becomes one, every other scalar a text (.Inf and .Nan too); tags are ignored.
-/// Throws InputError that names the line: not YAML, an alias, a name that occurs twice, nested
-/// deeper than any calibration.
+/// a finite number becomes a number, every other scalar a text (also .Inf and .Nan); tags are
+/// ignored. Throws InputError that names the line: not YAML, an alias, a duplicate name, nesting
+/// deeper than in any calibration.
 Json parseOpenCvYaml(const std::string& text);
 
 }  // namespace hogelscope
