@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pages of a BigTIFF that we write.
+// Pages of BigTIFF files of this program.
 #include "io/images/big_tiff.h"
 
 #include <array>
@@ -61,7 +61,7 @@ void put(std::string& out, const T& value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// A directory in the making: small values in it, large ones before it.
+/// A directory under construction: small values in it, large ones before it.
 class DirectoryWriter {
  public:
   explicit DirectoryWriter(std::uint64_t at) : m_at(at) {}
@@ -112,7 +112,7 @@ struct Entry {
   std::uint64_t valueAt = 0;
 };
 
-/// Reads the directory that begins at a position.
+/// Reads the directory at a position.
 class DirectoryReader {
  public:
   DirectoryReader(const RandomAccessFile& file, std::uint64_t at) : m_file(file) {
@@ -156,7 +156,7 @@ class DirectoryReader {
     if (number(tag, type) != value) refuse();
   }
 
-  /// Returns a text, empty where there is none.
+  /// Returns a text, empty if there is none.
   [[nodiscard]] std::string text(Tag tag) const {
     const auto found = m_entries.find(tag);
     if (found == m_entries.end()) return {};
@@ -252,7 +252,7 @@ DecodedPage readPage(const RandomAccessFile& file, std::uint64_t directoryAt) {
   result.page.countsAt = directory.entry(tileByteCounts, longInt, tiles).valueAt;
   result.texts = {directory.text(imageDescription), directory.text(pageName)};
   result.link = directory.link();
-  // Pages of this program ascend; a chain that goes back would have no end.
+  // Pages of this program have ascending positions; a backward link would form a loop.
   if (result.link.next != 0 && result.link.next <= directoryAt) directory.refuse();
   return result;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pages of a BigTIFF as this program writes it: tiles of 64×64 RGB pixels, each compressed with
-// zstd. Any reader that knows zstd (libtiff, GDAL, OpenImageIO) reads them. This one reads the
-// tiles' index in place, row by row: a whole index can be 280 MB.
+// Pages of BigTIFF files of this program: tiles of 64×64 RGB pixels, each compressed with zstd. Any
+// reader with zstd (libtiff, GDAL, OpenImageIO) can read them. This one reads the tiles' index in
+// place, row by row, because a whole index can be 280 MB.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ constexpr std::uint32_t tilesAlong(std::size_t pixels) {
 /// Returns the bytes of one pixel in the file.
 std::size_t pixelBytes(StoredType type);
 
-/// Calls work(T{}), where T is the type of its values.
+/// Calls work(T{}), where T is the type of the values.
 template <class Work>
 void withStoredType(StoredType type, Work work) {
   switch (type) {
@@ -45,13 +45,13 @@ struct TiffPage {
   }
 };
 
-/// A page's link in the chain of pages.
+/// A link in the chain of pages.
 struct TiffLink {
-  std::uint64_t next = 0;    ///< position of the next page's directory, 0 = there is none
+  std::uint64_t next = 0;    ///< position of the next page's directory, 0: none
   std::uint64_t nextAt = 0;  ///< file position of `next`
 };
 
-/// Returns the file's first bytes; its link is at `firstLinkAt`.
+/// Returns the file's first bytes, with its link at `firstLinkAt`.
 std::string tiffHeader();
 inline constexpr std::uint64_t firstLinkAt = 8;
 
@@ -60,8 +60,8 @@ struct PageTexts {
   std::string name;
 };
 
-/// Index, texts and directory as encoded for the file position `at`. `offsets` and
-/// `counts` are the tiles', row by row; the directory comes last, its link in the last 8 bytes.
+/// Index, texts and directory encoded for the file position `at`. `offsets` and `counts` are those
+/// of the tiles, row by row; the directory comes last, with its link in the last 8 bytes.
 struct EncodedPage {
   std::string bytes;
   std::uint64_t directoryAt = 0;
@@ -73,7 +73,8 @@ EncodedPage encodedPage(const TiffPage& page, const std::vector<std::uint64_t>& 
 /// Returns the first page's link; `next` is 0 if the file is not a BigTIFF of this program.
 TiffLink firstLink(const RandomAccessFile& file);
 
-/// Throws InputError for a page that we cannot have written.
+/// A page read from a file. Reading throws InputError for a page that this program cannot have
+/// written.
 struct DecodedPage {
   TiffPage page;
   PageTexts texts;

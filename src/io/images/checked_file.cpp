@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bytes of a new picture, and the first error while they were written.
+// Writes the bytes of a new image and keeps the first error.
 #include "io/images/checked_file.h"
 
 #include <fcntl.h>

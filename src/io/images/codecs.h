@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What needs OpenImageIO or OpenCV's codecs: all picture formats but PNG, PGX, raw YUV and our
-// TIFFs. They bring 230 libraries along, which take longer to load than a picture of the sample to
-// make: so io/codecs, which implements this, is a library that the program loads with the first
-// file that needs it. All functions throw InputError that names the file.
+// The interface to OpenImageIO and OpenCV's codecs, for all image formats except PNG, PGX, raw YUV
+// and this program's TIFFs. They bring 230 libraries, which take longer to load than rendering an
+// image of the sample; io/codecs, which implements this, is therefore a library that the program
+// loads with the first file that needs it. All functions throw InputError that names the file.
 #pragma once
 
 #include <cstddef>
@@ -18,26 +18,26 @@
 
 namespace hogelscope {
 
-/// A picture or a video that is being read.
+/// An open image or video.
 class ImageInput {
  public:
   virtual ~ImageInput() = default;
   [[nodiscard]] virtual const ImageFacts& facts() const = 0;
-  /// Returns how many rows are read together best: pieces begin at multiples of it.
+  /// Returns the best number of rows to read at once; pieces begin at multiples of it.
   [[nodiscard]] virtual std::size_t tileRows() const = 0;
-  /// Reads rows as 3·width·rows values of the type; grey becomes RGB, colours come multiplied by
+  /// Reads rows as 3·width·rows values of the type. Grey becomes RGB; colours are multiplied by
   /// alpha.
   using Rows = std::variant<std::uint8_t*, std::uint16_t*, float*>;
   virtual void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) = 0;
 };
 
-/// A picture that is being written from the top.
+/// An image that is written from the top.
 class ImageOutput {
  public:
   virtual ~ImageOutput() = default;
-  /// Writes the next rows: channels·width·rows values of the type that the output was made for.
+  /// Writes the next rows: channels·width·rows values of the output's type.
   virtual void write(const StoredRows& values, std::size_t rows) = 0;
-  /// Called after the last row; without it what was written is of no use.
+  /// Completes the image after the last row; without it the image is unusable.
   virtual void finish() = 0;
 };
 
@@ -48,7 +48,7 @@ struct ImageSpec {
   StoredType type = StoredType::uint8;
 };
 
-/// Where the bytes of a picture go. Errors are kept, since codecs do not hear of them in time.
+/// The destination of an image's bytes. Errors are kept, because codecs do not notice them in time.
 class ByteOutput {
  public:
   virtual ~ByteOutput() = default;
@@ -62,19 +62,19 @@ class ByteOutput {
 class Codecs {
  public:
   virtual ~Codecs() = default;
-  /// `format` is OpenImageIO's name of the only one that is tried; empty for any.
+  /// Opens a file. `format` is OpenImageIO's name of the only format to try; empty for any.
   [[nodiscard]] virtual std::unique_ptr<ImageInput> open(const std::filesystem::path& file,
                                                          const std::string& format) const = 0;
-  /// The file's extension chooses the format. `bytes` has to outlive the output.
+  /// Creates an image; the file's extension gives the format. `bytes` must outlive the output.
   [[nodiscard]] virtual std::unique_ptr<ImageOutput> create(const std::filesystem::path& file,
                                                             const ImageSpec& spec,
                                                             ByteOutput& bytes) const = 0;
-  /// Codes and decodes RGB by OpenCV's JPEG (4:2:0), in place; rows are `stride` bytes apart.
+  /// Encodes and decodes RGB with OpenCV's JPEG (4:2:0), in place; rows are `stride` bytes apart.
   virtual void throughJpeg(int quality, int width, int height, std::uint8_t* rgb,
                            std::size_t stride) const = 0;
 };
 
-/// Throws InputError if the library cannot be loaded.
+/// Returns the codecs. Throws InputError if the library cannot be loaded.
 const Codecs& codecs();
 
 }  // namespace hogelscope

@@ -17,7 +17,7 @@ namespace {
 using Kind = Degradation::Kind;
 
 void throughJpeg(int quality, const cv::Mat& band, const Progress& progress) {
-  constexpr int longest = 65488;  // the format's limit, in whole blocks of 16
+  constexpr int longest = 65488;  // the format's limit in whole blocks of 16
   for (int x = 0; x < band.cols; x += longest) {
     hearStop(progress);
     codecs().throughJpeg(quality, std::min(longest, band.cols - x), band.rows,
@@ -25,7 +25,8 @@ void throughJpeg(int quality, const cv::Mat& band, const Progress& progress) {
   }
 }
 
-/// SplitMix64 (Steele, Lea, Flood 2014) of a counter, so that any value can be computed alone.
+/// Computes SplitMix64 (Steele, Lea, Flood 2014) of a counter, so that any value can be computed
+/// alone.
 std::uint64_t mixed(std::uint64_t counter) {
   std::uint64_t z = counter * 0x9E3779B97F4A7C15U;
   z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Degrades a light field as a codec, a sensor or a lens would, one row of hogels at a time.
+// Degrades a light field like a codec, a sensor or a lens, one row of hogels at a time.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ struct Degradation {
   std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// Parses "jpeg:60", "noise:2", "blur:1". Throws InputError.
+/// Parses a text such as "jpeg:60", "noise:2" or "blur:1". Throws InputError.
 Degradation parseDegradation(const std::string& text);
 
-/// Degrades the j-th row of hogels, `band`: dv rows of 3·nx·du values.
-/// jpeg: coded and decoded by OpenCV (4:2:0), each row of hogels as an image of its own, in pieces
-/// of at most 65 488 columns; if dv is a multiple of 16, equal to coding the whole image, except
-/// for the colour of the rows beside its border, which decoders smooth across blocks. noise:
-/// Gaussian, independent for each value, depending on its place and the seed alone. blur: Gaussian
-/// within each hogel, its edge repeated. Throws Cancelled.
+/// Degrades the j-th row of hogels, `band`: dv rows of 3·nx·du values. jpeg: encoded and decoded by
+/// OpenCV (4:2:0), each row of hogels as a separate image, in pieces of at most 65 488 columns; if
+/// dv is a multiple of 16, equal to coding the whole image, except for the colour of the rows at
+/// its border, which decoders smooth across blocks. noise: Gaussian, independent for each value,
+/// depending on its place and the seed only. blur: Gaussian within each hogel, with its edge
+/// repeated. Throws Cancelled.
 void degrade(const Degradation& degradation, const LightFieldSize& size, int j,
              std::span<std::uint8_t> band, const Progress& progress = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A look at an EXR's header before OpenEXR reads it.
-// Layout: https://openexr.com/en/latest/OpenEXRFileLayout.html
+// Checks an EXR's header before OpenEXR reads it. Layout:
+// https://openexr.com/en/latest/OpenEXRFileLayout.html
 #include "io/images/exr_header.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::array<unsigned char, 4> exrMagic{0x76, 0x2f, 0x31, 0x01};
 
-/// The bytes of the types of fixed size. OpenEXR reads that many whatever size the header declares,
-/// so this reader must do the same.
+/// The sizes in bytes of the types of fixed size. OpenEXR reads these sizes regardless of the
+/// header's, so this reader must do the same.
 constexpr auto sizes =
     std::to_array<std::pair<std::string_view, std::uint32_t>>({{"box2f", 16},
                                                                {"box2i", 16},
@@ -67,7 +67,7 @@ class ExrHeader {
       const std::optional<Attribute> attribute = next();
       if (!attribute) {
         checkChunks();
-        ++m_at;  // the end of a part's header; another part's may follow
+        ++m_at;  // the end of a part's header; another part may follow
         if (!m_isMultiPart || !next()) return;
         continue;
       }
@@ -82,7 +82,7 @@ class ExrHeader {
   }
 
  private:
-  /// Nothing at the header's end, and where the file ends.
+  /// Returns the next attribute; none at the header's end and at the end of the file.
   std::optional<Attribute> next() const {
     std::array<char, 600> bytes{};  // two names of at most 255 letters
     const std::size_t count = m_file.readSome(m_at, std::as_writable_bytes(std::span(bytes)));
@@ -103,7 +103,7 @@ class ExrHeader {
     return attribute;
   }
 
-  /// Checks that a value ends where its type says.
+  /// Checks that a value has the size of its type.
   void checkType(const Attribute& attribute) const {
     const auto* known =
         std::ranges::find(sizes, attribute.type, &decltype(sizes)::value_type::first);
@@ -120,7 +120,8 @@ class ExrHeader {
     }
   }
 
-  /// Names, each with 16 bytes of its channel, and an empty name.
+  /// Whether the value is a list of names, each with 16 bytes of its channel, ended by an empty
+  /// name.
   static bool isChannelList(std::string_view value) {
     constexpr std::size_t channel = 16;
     for (;;) {
@@ -131,7 +132,7 @@ class ExrHeader {
     }
   }
 
-  /// Strings, each after its length.
+  /// Whether the value is a list of strings, each after its length.
   static bool isStringVector(std::string_view value) {
     while (!value.empty()) {
       std::uint32_t length = 0;
@@ -153,7 +154,7 @@ class ExrHeader {
   }
 
   /// Checks that the file has eight bytes for each chunk: a tile, or at most 256 lines. No
-  /// compression packs more pixels into a byte: deflate ends at 1032 bytes, DWA was seen at 2767
+  /// compression packs more pixels into a byte: deflate's limit is 1032 bytes, DWA reached 2767
   /// pixels.
   void checkChunks() const {
     constexpr double mostLines = 256;
@@ -195,7 +196,7 @@ void checkExrHeader(const std::filesystem::path& path) {
   if (file.readSome(0, std::as_writable_bytes(std::span(found))) < found.size() ||
       !std::equal(exrMagic.begin(), exrMagic.end(), found.begin()))
     return;
-  constexpr unsigned multiPart = 0x10;  // of the second byte of version and flags
+  constexpr unsigned multiPart = 0x10;  // in the second byte of version and flags
   ExrHeader(file, (found[5] & multiPart) != 0).check();
 }
 

@@ -6,9 +6,9 @@
 
 namespace hogelscope {
 
-/// OpenEXR allocates what a header declares before it knows that the file has it: 1.3 kB can ask
-/// for gigabytes. Throws InputError if an attribute, or the table of chunks, would be longer than
-/// the file. Any other file is accepted.
+/// Throws InputError if an attribute, or the table of chunks, would be longer than the file.
+/// OpenEXR allocates what a header declares before it checks the file's size: 1.3 kB can request
+/// gigabytes. Any other file is accepted.
 void checkExrHeader(const std::filesystem::path& file);
 
 }  // namespace hogelscope

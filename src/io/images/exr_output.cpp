@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes an EXR through OpenEXR.
+// EXR output through OpenEXR.
 #include "io/images/exr_output.h"
 
 #include <Iex.h>
@@ -41,7 +41,7 @@ struct ExrOutput::File : Imf::OStream {
 
   ByteOutput& bytes;
   std::uint64_t pos = 0;
-  Imf::OutputFile rows;  // last: it is the first to go, and writes where its rows are
+  Imf::OutputFile rows;  // destroyed first, because it then writes the rest of the rows
 };
 
 ExrOutput::ExrOutput(std::string name, const ImageSpec& spec, ByteOutput& bytes)
@@ -58,7 +58,7 @@ ExrOutput::~ExrOutput() = default;
 void ExrOutput::write(const StoredRows& values, std::size_t rows) {
   const std::size_t pixel = m_spec.channels.size() * sizeof(float);
   const std::size_t row = m_spec.width * pixel;
-  // OpenEXR counts rows from the picture's first.
+  // OpenEXR counts rows from the image's first.
   auto* first = reinterpret_cast<char*>(const_cast<float*>(std::get<const float*>(values)));
   Imf::FrameBuffer buffer;
   for (std::size_t k = 0; k < m_spec.channels.size(); ++k)

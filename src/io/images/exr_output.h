@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes an EXR of floats through OpenEXR itself, which brings five libraries where OpenImageIO
-// brings 230: every report ends with pictures of floats.
+// EXR output of floats through OpenEXR itself, which brings five libraries instead of OpenImageIO's
+// 230; every report ends with images of floats.
 #pragma once
 
 #include "io/images/codecs.h"
@@ -9,8 +9,8 @@ namespace hogelscope {
 
 class ExrOutput : public ImageOutput {
  public:
-  /// Of StoredType::real alone. `name` is for errors, `bytes` has to outlive the output. Throws
-  /// InputError.
+  /// Creates an image of StoredType::real only. `name` is for errors; `bytes` must outlive the
+  /// output. Throws InputError.
   ExrOutput(std::string name, const ImageSpec& spec, ByteOutput& bytes);
   ~ExrOutput() override;
   void write(const StoredRows& values, std::size_t rows) override;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The views of an HDF5 file, by libhdf5.
+// Views of an HDF5 file, read by libhdf5.
 #include "io/images/hdf5_views.h"
 
-#define H5_USE_110_API  // Debian 12 has no other; later versions give H5Ovisit2 another callback
+#define H5_USE_110_API  // Debian 12 has this version; H5Ovisit2's callback differs in later ones
 #include <hdf5.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An identifier that is closed.
+/// Owns an identifier.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -44,7 +44,7 @@ class Handle {
   Close m_close;
 };
 
-/// What the library says of the last error: its innermost sentence.
+/// Returns the library's last error: its innermost sentence.
 std::string lastError() {
   std::string text = "HDF5 gives no reason";
   const auto keep = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
@@ -55,9 +55,10 @@ std::string lastError() {
   return text;
 }
 
-/// Links into other files are not followed: checks of inputs and hashes do not know those files.
+/// Opens a file without following links into other files, which checks of inputs and hashes do not
+/// know.
 Handle openFile(const fs::path& file) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // else errors are printed
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise errors are printed
   H5Lunregister(H5L_TYPE_EXTERNAL);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access.id(), false, true);  // archives are often read-only
@@ -80,9 +81,9 @@ std::vector<std::string> dataSetsOf(const Handle& file) {
 
 struct Shape {
   std::vector<hsize_t> lengths;
-  std::optional<StoredType> type;  ///< none: no values of pixels
+  std::optional<StoredType> type;  ///< none if the values are not pixels
 
-  /// Five axes, the last one of red, green, blue or grey; four for grey.
+  /// Whether there are five axes, the last one of red, green, blue or grey, or four for grey.
   [[nodiscard]] bool areViews() const {
     constexpr hsize_t longest = 1U << 20U;
     const bool hasColours = lengths.size() == 5 && (lengths.back() == 3 || lengths.back() == 1);
@@ -127,7 +128,7 @@ struct DataSet {
   Shape shape;
 };
 
-/// Not even one colour could be stored in so few bytes.
+/// Throws if even a single colour could not be stored in so few bytes.
 void checkStored(const Handle& dataSet, const Shape& shape, const std::string& name) {
   constexpr double mostValuesPerByte = 1 << 17;
   double values = 1;
@@ -136,14 +137,14 @@ void checkStored(const Handle& dataSet, const Shape& shape, const std::string& n
     throw InputError(name, "is damaged: " + shape.text() + " values are not in the file");
 }
 
-/// Neither raw values in other files nor a data set put together of others'.
+/// Throws for raw values in other files and for virtual data sets.
 void checkLayout(const Handle& dataSet, const std::string& name) {
   const Handle created(H5Dget_create_plist(dataSet.id()), H5Pclose);
   if (H5Pget_external_count(created.id()) > 0 || H5Pget_layout(created.id()) == H5D_VIRTUAL)
     throw InputError(name, "keeps its values in other files; copy them into this one");
 }
 
-/// "LF 9×9×512×512×3, depth 9×9×512×512".
+/// Returns a text such as "LF 9×9×512×512×3, depth 9×9×512×512".
 std::string listed(const Handle& file, const std::vector<std::string>& names) {
   constexpr std::size_t most = 5;
   std::string text;
@@ -154,8 +155,8 @@ std::string listed(const Handle& file, const std::vector<std::string>& names) {
   return names.size() > most ? text + ", …" : text;
 }
 
-/// The only one that can be views, else "LF". HCI's depth has as many axes as grey views, but not
-/// their values.
+/// Returns the only data set that can be views, else "LF". HCI's depth has as many axes as grey
+/// views, but other values.
 std::string chosenName(const Handle& file) {
   const std::vector<std::string> names = dataSetsOf(file);
   std::vector<std::string> views;
@@ -174,7 +175,7 @@ std::string chosenName(const Handle& file) {
   throw InputError("lightField.pattern", "must name one of the data sets: " + listed(file, views));
 }
 
-/// Opens the data set; all that follows runs in the other process, but for Hdf5Views.
+/// Opens the data set. Everything below except Hdf5Views runs in the other process.
 DataSet openDataSet(const fs::path& path, const std::string& name) {
   Handle file = openFile(path);
   const std::string chosen = name.empty() ? chosenName(file) : name;
@@ -193,7 +194,7 @@ DataSet openDataSet(const fs::path& path, const std::string& name) {
   return {std::move(file), chosen, std::move(handle), shape};
 }
 
-/// What is asked for: nothing, for the size; else rows of one view.
+/// A request: empty for the size, else rows of one view.
 struct Request {
   std::int32_t row = -1;
   std::int32_t column = 0;
@@ -247,7 +248,7 @@ void checkFinite(const std::vector<float>& values, const fs::path& file) {
           std::isnan(value) ? "has a value that is not a number" : "has an infinite value");
 }
 
-/// Grey becomes red, green and blue.
+/// Expands grey to red, green and blue.
 template <class T>
 std::vector<T> asColours(std::vector<T> values, std::size_t channels) {
   if (channels == 3) return values;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the views of an HDF5 file: a data set of rows × columns × height × width × 3 values, as the
-// old HCI light field archive has them ("LF"), or without the last axis.
+// Reads the views of an HDF5 file: a data set of rows × columns × height × width × 3 values, as in
+// the old HCI light field archive ("LF"), or without the last axis.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,12 @@ namespace hogelscope {
 
 class Hdf5Views;
 
-/// One view; reads as ImageFile does.
+/// A single view; reads like ImageFile.
 class Hdf5View {
  public:
   [[nodiscard]] std::size_t width() const;
-  /// Throws InputError: damaged, NaN, infinite; Cancelled. `type` must be that of the file.
+  /// Reads the pixels. `type` must be the file's. Throws InputError (damaged, NaN, infinite),
+  /// Cancelled.
   void read(StoredType type, const ImageFile::Band& band, const Progress& progress);
 
  private:
@@ -35,20 +36,20 @@ class Hdf5Views {
  public:
   static bool isHdf5(const std::filesystem::path& file);
 
-  /// `name` is the data set's, or empty: then the file's only one that can be views, or "LF".
-  /// Throws InputError that names the file and the data sets that are there.
+  /// Opens data set `name`, or if empty the file's only one that can be views, or "LF". Throws
+  /// InputError that names the file and its data sets.
   explicit Hdf5Views(const std::filesystem::path& file, const std::string& name = {});
 
-  /// Hogels are a view's pixels, directions the columns and rows of views.
+  /// Returns the size: hogels are a view's pixels, directions the columns and rows of views.
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
-  /// 8 or 16 bits, or floating values whose white is 1.
+  /// Returns 8 or 16 bits, or floating values with white at 1.
   [[nodiscard]] StoredType type() const { return m_type; }
   [[nodiscard]] Hdf5View view(int row, int column) const { return {*this, row, column}; }
 
  private:
   friend class Hdf5View;
 
-  /// libhdf5 1.10 crashes on some damaged files.
+  /// in its own process, because libhdf5 1.10 crashes on some damaged files
   mutable Isolated m_reader;
   std::filesystem::path m_file;
   LightFieldSize m_size;

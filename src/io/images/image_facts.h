@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the header of an image file says, and rows of its pixels.
+// The properties in an image file's header, and rows of its pixels.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,11 @@ struct ImageFacts {
   std::size_t height = 0;
   int channels = 0;
   StoredType type = StoredType::uint8;
-  /// The bits of a value as the file has them, 8 … 16: 10 for a PPM whose largest value is 1023. 16
-  /// for floats, 8 for fewer.
+  /// The bits of a value in the file, 8 … 16: 10 for a PPM whose largest value is 1023; 16 for
+  /// floats, 8 for fewer.
   int bits = 8;
   std::string format;      ///< such as "png"
-  std::size_t frames = 1;  ///< pictures of the same size that it holds: a video's frames
+  std::size_t frames = 1;  ///< images of the same size in the file: a video's frames
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Image files: PNGs by libspng, PGX and raw YUV by ourselves, all others by codecs().
+// Input of image files: PNG by libspng, PGX and raw YUV by this program, others by codecs().
 #include "io/images/image_file.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ To converted(From value) {
     return To((value + 128U) / 257U);
 }
 
-/// Reads one row after the other: PngRows, PgxRows, YuvRows.
+/// Reads row by row with PngRows, PgxRows or YuvRows.
 template <class T, class Rows>
 void readRowByRow(Rows image, const ImageFile::Band& band, const Progress& progress) {
   std::vector<T> row(3 * image.width());

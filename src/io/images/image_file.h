@@ -19,7 +19,7 @@ class ImageInput;
 /// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black.
 class ImageFile {
  public:
-  /// `yuv` says what a file of raw YUV, named .yuv, does not.
+  /// Opens a file. `yuv` has the missing properties of raw YUV, named .yuv.
   explicit ImageFile(const std::filesystem::path& file, const YuvParams& yuv = {});
   ~ImageFile();
   ImageFile(ImageFile&&) noexcept;
@@ -32,12 +32,13 @@ class ImageFile {
   [[nodiscard]] int bits() const { return m_facts.bits; }
   [[nodiscard]] std::string format() const { return m_facts.format; }
   [[nodiscard]] std::size_t frames() const { return m_facts.frames; }
-  /// Chooses the frame that read() reads; at first 0.
+  /// Selects the frame that read() reads, initially 0.
   void select(std::size_t frame) { m_frame = int(frame); }
 
-  /// Called with rows [first, first + rows), three values per pixel, valid only during the call.
+  /// Receives rows [first, first + rows), three values per pixel, valid only during the call.
   using Band = std::function<void(std::size_t first, std::size_t rows, const StoredRows&)>;
-  /// Reads all pixels from the top, some rows at a time. Throws InputError: damaged, NaN, infinite.
+  /// Reads all pixels from the top, some rows at a time. Throws InputError (damaged, NaN,
+  /// infinite).
   void read(StoredType type, const Band& band, const Progress& progress);
 
   [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
@@ -54,7 +55,7 @@ class ImageFile {
   Reader m_reader = Reader::codecs;
   ImageFacts m_facts;
   int m_frame = 0;
-  std::unique_ptr<ImageInput> m_input;  ///< that of codecs(); null for the other readers
+  std::unique_ptr<ImageInput> m_input;  ///< of codecs(); null for the other readers
 };
 
 }  // namespace hogelscope

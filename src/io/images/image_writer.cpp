@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Image files: PNGs by libspng, floats by OpenEXR, all others by codecs().
+// Output of image files: PNG by libspng, floats by OpenEXR, others by codecs().
 #include "io/images/image_writer.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class LibraryOutput : public ImageOutput {
 
 }  // namespace
 
-/// An image file that is being written.
+/// An image file under construction.
 struct ImageRowWriter::Output {
   fs::path file;
   AtomicFile atomic;
@@ -97,7 +97,7 @@ struct ImageRowWriter::Output {
 
 namespace {
 
-/// Can be cancelled between bands of rows.
+/// Writes rows; can be cancelled between bands of rows.
 template <class T>
 void writeRows(ImageOutput& image, const ImageSpec& spec, const T* values,
                const Progress& progress) {
@@ -176,7 +176,7 @@ ImageRowWriter::ImageRowWriter(const fs::path& file, std::size_t width, std::siz
   constexpr std::size_t largest = 1U << 30U;
   if (width > largest || height > largest)
     throw InputError(file.string(), "size", "is beyond 2^30 px on a side");
-  // The row of a large light field is a megabyte.
+  // A row of a large light field is a megabyte.
   const ImageSpec spec{.width = width, .height = height, .type = type};
   m_output = std::make_unique<Output>(file, spec, PngOutput::Effort::quick);
 }

@@ -25,7 +25,7 @@ std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb,
 /// Writes named planes of width·height floats each as EXR.
 void writePlanes(const std::filesystem::path& file, int width, int height,
                  const std::vector<std::pair<std::string, std::vector<float>>>& planes);
-/// Writes code values: as floats /255 to EXR, rounded to 16 bits to TIFF.
+/// Writes code values: to EXR as floats divided by 255, to TIFF rounded to 16 bits.
 void writeImage(const std::filesystem::path& file, int width, int height,
                 std::span<const float> rgb);
 /// Writes 8-bit grey.
@@ -35,7 +35,7 @@ void writeMask(const std::filesystem::path& file, int width, int height,
 /// Writes RGB of any size, row by row, in bounded memory.
 class ImageRowWriter {
  public:
-  /// Throws InputError too if the file's format cannot hold values of the type.
+  /// Creates a file. Throws InputError too if its format cannot hold values of the type.
   ImageRowWriter(const std::filesystem::path& file, std::size_t width, std::size_t height,
                  StoredType type = StoredType::uint8);
   ~ImageRowWriter();
@@ -44,7 +44,7 @@ class ImageRowWriter {
   /// Writes the next row of 3·width values of the type.
   void write(const StoredRows& row);
   void finish();
-  /// Call it instead of finish(): leaves no file. Returns the size that it would have had.
+  /// Discards the file instead of finish(). Returns the size that it would have had.
   std::uintmax_t discard();
 
   struct Output;

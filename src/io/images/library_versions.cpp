@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The versions of the libraries that `io` uses.
+// Versions of the libraries used by `io`.
 #include "io/images/library_versions.h"
 
 #include <OpenImageIO/oiioversion.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The versions of the libraries that `io` uses, for About and the report.
+// Versions of the libraries used by `io`, for the About box and the report.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace hogelscope {
 
 /// Returns the version of the loaded library, not of its headers, such as "4.6.0".
 std::string openCvVersion();
-/// Returns that of the headers: asking the library would load it. It has the same first two
-/// numbers.
+/// Returns the version of the headers, because querying the library would load it. The first two
+/// numbers are the same.
 std::string openImageIoVersion();
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of PGX files.
+// Rows of PGX files.
 #include "io/images/pgx_rows.h"
 
 #include <array>
@@ -19,7 +19,7 @@ std::string kind(const RawPlane& plane) {
          std::to_string(plane.bits) + " bits";
 }
 
-/// The header is one line: PG, the order of bytes, sign and bits, width, height.
+/// Parses the header, a line of PG, byte order, sign and bits, width, height.
 RawPlane headerOf(const RandomAccessFile& file) {
   static const std::regex line(
       R"(PG[ \t]+(ML|LM)[ \t]*([+-]?)[ \t]*(\d{1,2})[ \t]+(\d{1,9})[ \t]+(\d{1,9})[ \t]*\r?\n)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the rows of PGX, the pictures of one component that JPEG 2000 and JPEG Pleno use.
+// Reads the rows of PGX, single-component images of JPEG 2000 and JPEG Pleno.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace hogelscope {
 
 class PgxRows {
  public:
-  /// Whether the file begins as a PGX does, or is named like one.
+  /// Whether the file begins like a PGX, or is named like one.
   static bool isPgx(const std::filesystem::path& file);
 
-  /// Opens one component: a grey picture. If its folder is named 0 and the folders 1 and 2 beside
-  /// it have files of the same name, these are green and blue, as JPEG Pleno's reference software
-  /// writes them. Throws InputError: damaged, or the components differ in size or bits.
+  /// Opens a component as a grey image. If its folder is named 0 and the sibling folders 1 and 2
+  /// have files of the same name, these are green and blue, as JPEG Pleno's reference software
+  /// writes them. Throws InputError if damaged, or if the components differ in size or bits.
   explicit PgxRows(const std::filesystem::path& file);
 
   [[nodiscard]] std::size_t width() const { return m_components[0].plane.width; }
@@ -30,7 +30,7 @@ class PgxRows {
     return bits() > 8 ? StoredType::uint16 : StoredType::uint8;
   }
 
-  /// Return the next row from the top as 3·width values of type(), spread over all its bits. Valid
+  /// Returns the next row from the top as 3·width values of type(), scaled to its full range. Valid
   /// until the next call. Throws InputError that names a damaged sample.
   std::span<const std::uint8_t> next8() { return next(m_rgb8); }
   std::span<const std::uint16_t> next16() { return next(m_rgb16); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures and videos by codecs(), in this process or in a copy of it.
+// Images and videos read by codecs(), in this process or in a copy of it.
 #include "io/images/picture_input.h"
 
 #include <array>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The first bytes of a file; fewer if it is shorter.
+/// Returns the first bytes of a file; fewer if it is shorter.
 std::string beginOf(const fs::path& path) {
   constexpr std::size_t longest = 16;
   std::string begin(longest, '\0');
@@ -30,8 +30,8 @@ std::string beginOf(const fs::path& path) {
   return begin;
 }
 
-/// OpenImageIO's name of a format that this process reads; empty for all others. Raw pictures of
-/// cameras begin as TIFFs, but are none.
+/// Returns OpenImageIO's name of a format that this process reads; empty for all others. Cameras'
+/// raw formats are not TIFFs, although they begin like them.
 std::string_view trustedFormatOf(const fs::path& file) {
   using namespace std::string_view_literals;
   struct Signature {
@@ -88,7 +88,7 @@ class OwnInput : public ImageInput {
   std::unique_ptr<ImageInput> m_input;
 };
 
-/// What the copy is asked for; no rows: for PictureFacts and the format's name.
+/// A request to the copy; without rows it asks for PictureFacts and the format's name.
 struct PictureRequest {
   std::size_t frame = 0;
   std::size_t first = 0;
@@ -126,7 +126,7 @@ std::string rowsOf(ImageInput& input, const PictureRequest& request) {
 class IsolatedInput : public ImageInput {
  public:
   explicit IsolatedInput(const fs::path& file) : m_process(file, [file] { return serve(file); }) {
-    (void)codecs();  // loaded once, here, and not by each copy
+    (void)codecs();  // loaded once here, not by each copy
     const std::string answer = m_process.ask(messageOf(PictureRequest{}));
     const auto facts = valueOf<PictureFacts>(answer);
     m_tileRows = facts.tileRows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a PNG row by row through libspng.
+// PNG output row by row through libspng.
 #include "io/images/png_output.h"
 
 #include <spng.h>
@@ -15,7 +15,7 @@ PngOutput::PngOutput(std::string name, const ImageSpec& spec, Effort effort, Sin
     : m_name(std::move(name)),
       m_sink(std::move(sink)),
       m_context(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free) {
-  constexpr std::size_t longest = 1000000;  // libpng, which most programs read with, refuses more
+  constexpr std::size_t longest = 1000000;  // the limit of libpng, used by most programs
   if (spec.width > longest || spec.height > longest)
     throw InputError(m_name, "cannot be written", "PNG ends at 1000000 px; use TIFF");
   if (spec.type == StoredType::real)
@@ -50,13 +50,13 @@ void PngOutput::write(const StoredRows& values, std::size_t rows) {
         const auto* at = reinterpret_cast<const char*>(first);
         for (std::size_t row = 0; row < rows; ++row, at += m_rowBytes) {
           const int status = spng_encode_row(m_context.get(), at, m_rowBytes);
-          if (status != SPNG_EOI) check(status);  // which the last row answers
+          if (status != SPNG_EOI) check(status);  // the last row returns SPNG_EOI
         }
       },
       values);
 }
 
-/// The last row has ended the file.
+/// Does nothing; the last row has completed the file.
 void PngOutput::finish() {}
 
 void PngOutput::check(int status) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a PNG row by row through libspng, which reads them too.
+// PNG output row by row through libspng, which also reads them.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@ namespace hogelscope {
 
 class PngOutput : public ImageOutput {
  public:
-  /// Small files, or, for large ones, without filters and a quarter of the time.
+  /// Small files, or, for large ones, no filters and a quarter of the time.
   enum class Effort { small, quick };
-  /// Receives the bytes of the file from the first to the last.
+  /// Receives the bytes of the file in order.
   using Sink = std::function<void(const void* bytes, std::size_t size)>;
 
-  /// `name` is for errors. Throws InputError: floats, too large.
+  /// Creates an image; `name` is for errors. Throws InputError for floats and for too large sizes.
   PngOutput(std::string name, const ImageSpec& spec, Effort effort, Sink sink);
   void write(const StoredRows& values, std::size_t rows) override;
   void finish() override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a PNG through libspng.
+// Rows of a PNG through libspng.
 #include "io/images/png_rows.h"
 
 #include <spng.h>
@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bytes after these reveal a damaged transfer, which libpng would report on stderr.
+/// Further bytes reveal a damaged transfer, which libpng would print on stderr.
 constexpr std::array<unsigned char, 4> signature{0x89, 'P', 'N', 'G'};
 
-/// Deflate's limit: two bits, a length and a distance, stand for at most 258 bytes.
+/// Deflate's limit: two bits, a length and a distance, encode at most 258 bytes.
 constexpr double mostBytesPerByte = 1032;
 
 bool hasColourAndAlpha(const spng_ihdr& header) {
@@ -35,7 +35,7 @@ bool isGrey(const spng_ihdr& header) {
          header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
 }
 
-/// Multiplies colours by alpha: light over black.
+/// Multiplies colours by alpha, for a black background.
 template <class T>
 void blend(const T* rgba, std::vector<T>& rgb) {
   constexpr std::uint32_t opaque = std::numeric_limits<T>::max();
@@ -60,7 +60,7 @@ PngRows::PngRows(const fs::path& file)
       m_context(spng_ctx_new(0), &spng_ctx_free) {
   if (!m_input) throw InputError(file.string(), "cannot be read", std::strerror(errno));
   if (!m_context) throw std::bad_alloc();
-  constexpr std::size_t chunkBytes = std::size_t{16} << 20U;  // of texts and the like
+  constexpr std::size_t chunkBytes = std::size_t{16} << 20U;  // for texts and similar chunks
   check(spng_set_image_limits(m_context.get(), INT32_MAX, INT32_MAX));
   check(spng_set_chunk_limits(m_context.get(), chunkBytes, chunkBytes));
   check(spng_set_png_file(m_context.get(), m_input.get()), "cannot be read as a picture");
@@ -80,7 +80,7 @@ void PngRows::readHeader() {
   const bool is16 = m_type == StoredType::uint16;
   m_format = is16 ? SPNG_FMT_RGBA16 : m_hasAlpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
   m_rowBytes = m_width * (is16 ? 8 : m_hasAlpha ? 4 : 3);
-  // Before anything of this size is allocated.
+  // Checked before anything of this size is allocated.
   const double stored = double(m_width) * double(m_height) * header.bit_depth / 8;
   if (stored > mostBytesPerByte * double(RandomAccessFile(m_file).size()))
     throw InputError(

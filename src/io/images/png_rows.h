@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the rows of a PNG by libspng: light fields of 283 GB are such files, and OpenImageIO reads
-// them at 0.4 times the speed and lets libpng write to stderr.
+// Reads the rows of a PNG by libspng. Light fields of 283 GB are such files; OpenImageIO reads them
+// at 0.4 times the speed and lets libpng print on stderr.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ namespace hogelscope {
 
 class PngRows {
  public:
-  /// Whether the file begins as a PNG does.
+  /// Whether the file begins like a PNG.
   static bool isPng(const std::filesystem::path& file);
 
-  /// Throws InputError: it cannot be read, or its header is damaged.
+  /// Opens a file. Throws InputError if it cannot be read or its header is damaged.
   explicit PngRows(const std::filesystem::path& file);
 
   [[nodiscard]] std::size_t width() const { return m_width; }
@@ -32,7 +32,7 @@ class PngRows {
   /// Returns 16 bits, or 8 for all files with fewer.
   [[nodiscard]] StoredType type() const { return m_type; }
 
-  /// Return the next row from the top as 3·width values of type(); grey becomes RGB, alpha is
+  /// Returns the next row from the top as 3·width values of type(); grey becomes RGB, alpha is
   /// composited over black. Valid until the next call. Throws InputError that names a damaged row.
   std::span<const std::uint8_t> next8();
   std::span<const std::uint16_t> next16();
@@ -57,7 +57,7 @@ class PngRows {
   int m_format = 0;                  ///< a format of libspng
   std::size_t m_rowBytes = 0;        ///< in that format
   std::size_t m_row = 0;             ///< the next one
-  std::vector<std::byte> m_decoded;  ///< a row; of an interlaced file all of them
+  std::vector<std::byte> m_decoded;  ///< a row, or all rows of an interlaced file
   std::vector<std::uint8_t> m_rgb8;
   std::vector<std::uint16_t> m_rgb16;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples as they lie in a file that nobody compressed.
+// Uncompressed samples in a file.
 #include "io/images/raw_plane.h"
 
 #include <string>

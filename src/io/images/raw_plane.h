@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples as they lie in a file that nobody compressed.
+// Uncompressed samples in a file.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// Rows of samples of 1 to 16 bits, each in a byte or in two.
+/// Rows of samples of 1 to 16 bits, in one or two bytes each.
 struct RawPlane {
   std::uint64_t at = 0;  ///< file position of the first sample
   std::uint64_t width = 0;
@@ -23,13 +23,13 @@ struct RawPlane {
   [[nodiscard]] std::uint64_t end() const { return at + rowBytes() * height; }
 };
 
-/// Returns row y as values of 0 … 2^bits − 1. Throws InputError that names the pixel of a sample
-/// beyond them, or the file if it ends before.
+/// Returns row y as values of 0 … 2^bits − 1. Throws InputError that names the pixel of a larger
+/// sample, or the file if it is too short.
 std::vector<std::uint16_t> readRow(const RandomAccessFile& file, const RawPlane& plane,
                                    std::uint64_t y);
 
-/// Returns a value of so many bits over all of T's: the largest one becomes T's, others are
-/// rounded.
+/// Scales a value of `bits` bits to the full range of T: the largest becomes T's largest, others
+/// are rounded.
 template <class T>
 T spread(std::uint32_t value, int bits) {
   const std::uint64_t most = (std::uint64_t{1} << unsigned(bits)) - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of raw planar YUV.
+// Rows of raw planar YUV.
 #include "io/images/yuv_rows.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Y, Cb, Cr as integers of `bits` bits to red, green, blue of the same.
+/// Converts Y, Cb, Cr as integers of `bits` bits to red, green, blue of the same.
 class ToRgb {
  public:
   explicit ToRgb(const YuvParams& params)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads one picture of raw planar YUV as rows of RGB (docs/formulas.md, Raw YUV).
+// Reads an image of raw planar YUV as rows of RGB (docs/formulas.md, Raw YUV).
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@ namespace hogelscope {
 
 class YuvRows {
  public:
-  /// Whether the file is named as raw YUV is: nothing in it says so.
+  /// Whether the file is named like raw YUV, which has no header.
   static bool isYuv(const std::filesystem::path& file);
 
-  /// Throws InputError: no size is given, or the file is not as long as the parameters say.
+  /// Opens a file. Throws InputError if no size is given or the file's length does not match.
   YuvRows(const std::filesystem::path& file, const YuvParams& params);
 
   [[nodiscard]] std::size_t width() const { return m_planes[0].width; }
@@ -30,8 +30,8 @@ class YuvRows {
     return bits() > 8 ? StoredType::uint16 : StoredType::uint8;
   }
 
-  /// Return the next row from the top as 3·width values of type(): RGB rounded to bits(), spread
-  /// over all of the type's. Valid until the next call. Throws InputError that names a sample of
+  /// Returns the next row from the top as 3·width values of type(): RGB rounded to bits(), scaled
+  /// to the type's full range. Valid until the next call. Throws InputError that names a sample of
   /// more bits.
   std::span<const std::uint8_t> next8() { return next(m_rgb8); }
   std::span<const std::uint16_t> next16() { return next(m_rgb16); }
