@@ -12,7 +12,7 @@
 
 #include <vtkPolyDataAlgorithm.h>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkHogelDisplaySource : public vtkPolyDataAlgorithm

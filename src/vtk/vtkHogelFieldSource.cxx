@@ -106,9 +106,9 @@ private:
   hogelscope::Vec3 ToWorld(double s, double t) const
   {
     const auto [a, b] = this->Display.slopes(s * this->Size.du, t * this->Size.dv);
-    const double kept = 1 - this->Length * this->Display.convergence();
-    return this->WorldFromDisplay.point({ kept * this->Middle.x + this->Length * a,
-      kept * this->Middle.y + this->Length * b, this->Length });
+    const auto [turnX, turnY] = this->Display.turn(this->Middle);
+    return this->WorldFromDisplay.point({ this->Middle.x + this->Length * (a - turnX),
+      this->Middle.y + this->Length * (b - turnY), this->Length });
   }
   vtkIdType AtDirection(vtkPoints* points, double s, double t) const
   {

@@ -11,7 +11,7 @@
 
 #include <vtkPolyDataAlgorithm.h>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "hogelscope_vtkModule.h" // for export macro
 
 class HOGELSCOPE_VTK_EXPORT vtkScaleBarSource : public vtkPolyDataAlgorithm

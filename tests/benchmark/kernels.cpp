@@ -34,9 +34,9 @@ struct Rays {
     map.right = {0.8, 0, -0.6};  // an orthonormal frame
     map.down = {0, -1, 0};
     map.forward = {-0.6, 0, -0.8};
-    map.constant = {256, 256, 32, 32};
-    map.slope = {-120, 400, -20, 60};
-    map.count = {512, 512, 64, 64};
+    map.panel.constant = {256, 256, 32, 32};
+    map.panel.slope = {-120, 400, -20, 60};
+    map.panel.count = {512, 512, 64, 64};
     for (std::size_t k = 0; k < batchSize; ++k) {
       x[k] = 0.0013 * double(k) - 0.1;
       y[k] = 0.05 + 0.00001 * double(k);
@@ -45,7 +45,7 @@ struct Rays {
     for (auto& at : address) at = random() % 2048;
     for (auto& tap : taps)
       for (auto& at : tap) at = random() % 2048;
-    linearCells(map, x.data(), y.data(), batchSize, cells);
+    findCells(map, x.data(), y.data(), batchSize, cells);
   }
 };
 
@@ -79,7 +79,7 @@ void addKernels() {
              r.seen.data());
   });
   addKernel("kernel/cells and the places in them", 1,
-            [](Rays& r) { linearCells(r.map, r.x.data(), r.y.data(), batchSize, r.cells); });
+            [](Rays& r) { findCells(r.map, r.x.data(), r.y.data(), batchSize, r.cells); });
   addKernel("kernel/interpolation, an axis", 1, [](Rays& r) {
     bracketingCells(r.layout.u, 64, r.cells.cell[2].data(), r.cells.place[2].data(),
                     r.offset.data(), r.weight.data());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

@@ -33,7 +33,7 @@ std::vector<Vec2> raysOf(const LensKey& key) {
   std::array<double, width> y{};
   std::vector<Vec2> all;
   for (int row = 0; row < height; ++row) {
-    rays.row(row, 0, 0, 0, width, x.data(), y.data());
+    rays.row(row, {}, 0, width, x.data(), y.data());
     for (std::size_t k = 0; k < width; ++k) all.push_back({x[k], y[k]});
   }
   return all;

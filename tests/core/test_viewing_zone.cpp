@@ -2,7 +2,7 @@
 // The share of the panel that lights an eye: against counting its places ray by ray.
 #include <QtTest>
 
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "io/documents/camera_set_file.h"
 #include "tests/io/documents.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/optics/simulate.h"
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 #include "io/documents/session_file.h"
 #include "io/plugins/display_json.h"
 #include "io/store/store_header.h"

@@ -9,7 +9,7 @@
 
 #include <QtTest>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "vtk/atlas.h"
 #include "vtk/line_picker.h"
 #include "vtk/vtkCameraFrustumSource.h"

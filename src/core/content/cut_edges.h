@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "core/optics/display.h"
 #include "core/optics/session.h"
+#include "core/panel/display.h"
 #include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {

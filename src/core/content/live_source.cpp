@@ -148,7 +148,6 @@ void LiveSource::fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks
   const std::uint8_t* const mark = marks.empty() ? nullptr : marks.data();
   const double z = m_front;  // not the panel's plane, where content is met or not by chance
   const double reach = std::max(m_front - m_back, 0.0);  // below 0 where all content is cut
-  const double convergence = m_display.convergence();
   work.addresses.resize(most);
   work.rays.resize(most * m_samples.size());
   std::size_t waiting = 0;
@@ -169,8 +168,9 @@ void LiveSource::fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks
           for (const auto& [xs, ys, as, bs] : m_samples) {
             const double x = xs[std::size_t(i)];
             const double y = ys[std::size_t(j)];
-            const double a = as[std::size_t(u)] - convergence * x;
-            const double b = bs[std::size_t(v)] - convergence * y;
+            const Vec2 turn = m_display.turn({x, y});
+            const double a = as[std::size_t(u)] - turn.x;
+            const double b = bs[std::size_t(v)] - turn.y;
             *ray++ = {x + a * z, y + b * z, z, a, b, reach};
           }
           if (++waiting == most) trace();

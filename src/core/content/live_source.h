@@ -9,7 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/light_field/light_field.h"
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {

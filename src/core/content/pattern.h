@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 

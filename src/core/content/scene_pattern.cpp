@@ -151,10 +151,10 @@ Rgb ScenePattern::texel(const TexelIndex& at) const {
   for (int k = 0; k < points; ++k) {
     const auto offset = [k](std::size_t axis) { return latticeOffset(k, points, axis); };
     const Vec2 aside{offset(0) * m_hogelPitch.x, offset(1) * m_hogelPitch.y};
-    const PanelRay ray{
-        {middle.position.x + aside.x, middle.position.y + aside.y},
-        {middle.slopes.x + offset(2) * slopeStep.x - m_display.convergence() * aside.x,
-         middle.slopes.y + offset(3) * slopeStep.y - m_display.convergence() * aside.y}};
+    const Vec2 turn = m_display.turn(aside);
+    const PanelRay ray{{middle.position.x + aside.x, middle.position.y + aside.y},
+                       {middle.slopes.x + offset(2) * slopeStep.x - turn.x,
+                        middle.slopes.y + offset(3) * slopeStep.y - turn.y}};
     sum = sum + light(ray, -everywhere, everywhere)->light;
   }
   return (1.0 / points) * sum;

@@ -113,9 +113,8 @@ void SpherePattern::row(int y, std::uint8_t* rgb) const {
   std::fill_n(rgb, 3 * size.width(), std::uint8_t{0});
   for (int i = 0; i < size.nx; ++i, rgb += 3 * size.du) {
     const PanelRay ray = m_display.rayOf({i, y / size.dv, 0, y % size.dv});
-    const Hogel hogel{{ray.position.x, ray.position.y, 0},
-                      ray.slopes.y,
-                      m_display.convergence() * ray.position.x};
+    const Hogel hogel{
+        {ray.position.x, ray.position.y, 0}, ray.slopes.y, m_display.turn(ray.position).x};
     for (const auto& thing : m_things)
       std::visit([&](const auto& one) { draw(one, hogel, rgb); }, thing);
   }

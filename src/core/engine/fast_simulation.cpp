@@ -53,8 +53,9 @@ void FastSimulation::copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb,
 
 void FastSimulation::copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
   const LensTable& lens = *m_rays.lens();
-  copyRays(m_rays.map(), m_texels->layout(), byteTexels(), lens.x(y, 0, 0) + x0,
-           lens.y(y, 0, 0) + x0, x1 - x0, rgb, seen);
+  const RaySample& sample = m_rays.samples().front();
+  copyRays(m_rays.map(), m_texels->layout(), byteTexels(), lens.x(y, sample) + x0,
+           lens.y(y, sample) + x0, x1 - x0, rgb, seen);
 }
 
 const Texel<std::uint8_t>* FastSimulation::byteTexels() const {
@@ -80,8 +81,9 @@ bool fillUnseen(int count, CellBatch& batch) {
 }  // namespace
 
 /// Finds the cells of the rays of `count` pixels from x0 on. Returns false if none of them hits.
-bool FastSimulation::castRays(int y, int x0, int count, int sx, int sy, Scratch& scratch) const {
-  m_rays.cells(y, x0, count, sx, sy, scratch.cells);
+bool FastSimulation::castRays(int y, int x0, int count, const RaySample& sample,
+                              Scratch& scratch) const {
+  m_rays.cells(y, x0, count, sample, scratch.cells);
   return fillUnseen(count, scratch.cells);
 }
 
@@ -89,12 +91,11 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
   const auto [begin, end] =
       m_rays.plan().knowsOutline ? m_rays.seenPart(y, x0, x1) : std::array{x0, x1};
   const auto scratch = std::make_unique<Scratch>();
-  const int n = m_rays.job().sampling.samplesPerPixel;
-  const float share = 1 / static_cast<float>(n * n);
+  const float share = 1 / static_cast<float>(m_rays.samples().size());
   for (int first = begin; first < end; first += batchSize) {
     const int count = std::min(batchSize, end - first);
-    for (int s = 0; s < n * n; ++s) {
-      if (!castRays(y, first, count, s % n, s / n, *scratch)) continue;
+    for (const RaySample& sample : m_rays.samples()) {
+      if (!castRays(y, first, count, sample, *scratch)) continue;
       m_filter.sum(count, scratch->cells, scratch->taps, scratch->sum);
       for (int k = 0; k < count; ++k) {
         const auto ray = std::size_t(k);

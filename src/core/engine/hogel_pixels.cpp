@@ -16,7 +16,7 @@ void addRuns(const ViewRays& rays, int y, std::uint32_t i, std::uint32_t j,
   for (int x0 = 0; x0 < width; x0 += batchSize) {
     const int count = std::min(batchSize, width - x0);
     CellBatch batch;
-    rays.cells(y, x0, count, 0, 0, batch);
+    rays.cells(y, x0, count, {}, batch);
     for (int k = 0; k < count; ++k) {
       const auto at = static_cast<std::size_t>(k);
       if (batch.seen[at] == 0 || batch.cell[0][at] != i || batch.cell[1][at] != j) continue;

@@ -17,30 +17,26 @@ class IdealView {
  public:
   IdealView(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
             const Progress& progress)
-      : m_rays(job, tables, parallelRows, progress),
-        m_eye(Display(job.display).displayFromWorld().point(job.state.camera.eye)) {}
+      : m_rays(job, tables, parallelRows, progress) {}
 
   /// Renders pixels [x0, x1) of rows [y0, y1).
   void render(int x0, int x1, int y0, int y1, FloatImage& image) const;
 
  private:
-  /// The rays of sub-pixel s of the pixels that see the display, column after column.
+  /// One ray of each of the pixels that see the display, column after column.
   struct Rays {
     std::vector<std::size_t> pixels;
     std::vector<Vec2> slopes;
   };
-  [[nodiscard]] Rays raysOf(int x0, int x1, int y0, int y1, int s) const;
+  [[nodiscard]] Rays raysOf(int x0, int x1, int y0, int y1, const RaySample& sample) const;
 
   ViewRays m_rays;
-  Vec3 m_eye;  ///< in the display frame
 };
 
-IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, int s) const {
+IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, const RaySample& sample) const {
   const RenderJob& job = m_rays.job();
-  const int n = job.sampling.samplesPerPixel;
   std::array<LineBatch, stripHeight> rows;
-  for (int y = y0; y < y1; ++y)
-    m_rays.lines(y, x0, x1 - x0, s % n, s / n, rows[std::size_t(y - y0)]);
+  for (int y = y0; y < y1; ++y) m_rays.lines(y, x0, x1 - x0, sample, rows[std::size_t(y - y0)]);
   Rays rays;
   for (int x = x0; x < x1; ++x)
     for (int y = y0; y < y1; ++y) {
@@ -55,17 +51,16 @@ IdealView::Rays IdealView::raysOf(int x0, int x1, int y0, int y1, int s) const {
 void IdealView::render(int x0, int x1, int y0, int y1, FloatImage& image) const {
   const RenderJob& job = m_rays.job();
   const LightModel light = job.state.psf.light;
-  const int n = job.sampling.samplesPerPixel;
   std::vector<Rgb> sums(std::size_t(x1 - x0) * stripHeight);
   const auto sumOf = [&](std::size_t pixel) -> Rgb& {
     const auto width = std::size_t(image.width);
     return sums[(pixel / width - std::size_t(y0)) * std::size_t(x1 - x0) + pixel % width -
                 std::size_t(x0)];
   };
-  for (int s = 0; s < n * n; ++s) {
-    const Rays rays = raysOf(x0, x1, y0, y1, s);
+  for (const RaySample& sample : m_rays.samples()) {
+    const Rays rays = raysOf(x0, x1, y0, y1, sample);
     std::vector<Rgb> colours(rays.slopes.size());
-    job.lightField->trace(m_eye, rays.slopes, colours);
+    job.lightField->trace(m_rays.eye(), rays.slopes, colours);
     for (std::size_t k = 0; k < colours.size(); ++k) {
       Rgb& sum = sumOf(rays.pixels[k]);
       sum = sum + decoded(light, colours[k]);
@@ -76,7 +71,7 @@ void IdealView::render(int x0, int x1, int y0, int y1, FloatImage& image) const 
     for (int x = x0; x < x1; ++x) {
       const std::size_t pixel = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
       if (image.seen[pixel] == 0) continue;
-      const Rgb colour = encoded(light, (1.0 / (n * n)) * sumOf(pixel));
+      const Rgb colour = encoded(light, (1.0 / double(m_rays.samples().size())) * sumOf(pixel));
       image.rgb[3 * pixel] = float(colour.r);
       image.rgb[3 * pixel + 1] = float(colour.g);
       image.rgb[3 * pixel + 2] = float(colour.b);

@@ -22,9 +22,9 @@ struct RealMap {
       forward[c] = static_cast<Real>(m.forward[c]);
     }
     for (std::size_t axis = 0; axis < 4; ++axis) {
-      constant[axis] = static_cast<Real>(m.constant[axis]);
-      slope[axis] = static_cast<Real>(m.slope[axis]);
-      count[axis] = static_cast<Real>(m.count[axis]);
+      constant[axis] = static_cast<Real>(m.panel.constant[axis]);
+      slope[axis] = static_cast<Real>(m.panel.slope[axis]);
+      count[axis] = static_cast<Real>(m.panel.count[axis]);
     }
   }
 
@@ -94,7 +94,7 @@ enum class Rays { any, hits };
 /// Finds the cells of a strip; Rays::hits have one y. A loop for the indices and one for the cells
 /// of each axis: a processor overlaps the turns of short loops better than those of one long one.
 template <Rays rays, class Real>
-inline __attribute__((always_inline)) void findCells(const RealMap<Real>& m, const double* x,
+inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, const double* x,
                                                      const double* y, CellStrip& strip) {
   std::array<Strip<Real>, 4> index;
   for (std::size_t k = 0; k < stripSize; ++k) {
@@ -132,7 +132,7 @@ inline __attribute__((always_inline)) void findAddresses(
     y = paddedY.data();
   }
   CellStrip strip;
-  findCells<rays>(m, x, y, strip);
+  findStrip<rays>(m, x, y, strip);
   for (std::size_t k = 0; k < stripSize; ++k) {
     const std::uint32_t found = l.i.inBlocks(strip.cell[0][k]) + l.j.inBlocks(strip.cell[1][k]) +
                                 l.u.inBlocks(strip.cell[2][k]) + l.v.inBlocks(strip.cell[3][k]);
@@ -232,8 +232,6 @@ inline __attribute__((always_inline)) void cellsIn(const HitMap& map, const doub
   split(found, count, batch);
 }
 
-}  // namespace
-
 MULTIVERSIONED
 void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
   if (map.isSingle)
@@ -242,14 +240,12 @@ void linearCells(const HitMap& map, const double* x, const double* y, int count,
     cellsIn<double>(map, x, y, count, batch);
 }
 
-namespace {
-
 template <class Real>
-void curvedCellsIn(const HitMap& map, const HogelLens& across, const HogelLens& down,
-                   const double* x, const double* y, int count, CellBatch& batch) {
+void curvedCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
   const RealMap<Real> m(map);
-  const auto directionOf = [](const HogelLens& lens, Real slope) {
-    return static_cast<Real>(lens.directionOf(static_cast<double>(slope)));
+  const auto [across, down] = map.panel.lenses;
+  const auto directionOf = [](const HogelLens* lens, Real slope) {
+    return static_cast<Real>(lens->directionOf(static_cast<double>(slope)));
   };
   constexpr auto half = static_cast<Real>(0.5);
   IndexBatch<Real> found;
@@ -264,12 +260,13 @@ void curvedCellsIn(const HitMap& map, const HogelLens& across, const HogelLens& 
 
 }  // namespace
 
-void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
-                 const double* y, int count, CellBatch& batch) {
-  if (map.isSingle)
-    curvedCellsIn<float>(map, across, down, x, y, count, batch);
+void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
+  if (map.panel.lenses[0] == nullptr)
+    linearCells(map, x, y, count, batch);
+  else if (map.isSingle)
+    curvedCells<float>(map, x, y, count, batch);
   else
-    curvedCellsIn<double>(map, across, down, x, y, count, batch);
+    curvedCells<double>(map, x, y, count, batch);
 }
 
 }  // namespace hogelscope

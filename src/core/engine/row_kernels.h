@@ -9,7 +9,7 @@
 
 #include "core/light_field/block_layout.h"
 #include "core/light_field/light_field.h"
-#include "core/optics/hogel_lens.h"
+#include "core/panel/panel_map.h"
 
 namespace hogelscope {
 
@@ -17,16 +17,14 @@ namespace hogelscope {
 constexpr int batchSize = 128;
 
 /// Maps a point (x, y, 1) of the image plane to real-valued hogel and direction (docs/formulas.md,
-/// Hit): the direction in the display frame is x·right + y·down + forward, its slopes a = d.x/d.z
-/// and b = d.y/d.z, and every index is affine in them.
+/// Hit): the direction in the display frame is d = x·right + y·down + forward, its slopes are
+/// d.x/d.z and d.y/d.z.
 struct HitMap {
   std::array<double, 3> right{};
   std::array<double, 3> down{};
   std::array<double, 3> forward{};
-  std::array<double, 4> constant{};  ///< i, j, u, v at slope 0
-  std::array<double, 4> slope{};     ///< i and u along a, j and v along b
-  std::array<int, 4> count{};        ///< cells of each axis
-  bool isSingle = false;             ///< float arithmetic
+  PanelMap panel;         ///< from the slopes on
+  bool isSingle = false;  ///< float arithmetic
 };
 
 /// The cells of a batch, and for interpolation the position in them: 0 at the cell's beginning, 1
@@ -37,8 +35,9 @@ struct CellBatch {
   std::array<std::uint8_t, batchSize> seen;
 };
 
-/// Copies the texels of rays that are known to hit, from a light field that is all in memory: three
-/// bytes each. A coordinate that rounding has put on a border counts to the last cell.
+/// Copies the texels of rays that are known to hit, by a map of linear hogel lenses, from a light
+/// field that is all in memory: three bytes each. A coordinate that rounding has put on a border
+/// counts to the last cell.
 void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, double y, int count, std::uint8_t* rgb);
 
@@ -47,11 +46,7 @@ void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uin
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
 
-/// Fills a batch by a map whose hogel lens is linear; cell 0 where nothing is seen.
-void linearCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
-
-/// Fills a batch with hogel lenses that are not linear: the map's u and v are slopes.
-void curvedCells(const HitMap& map, const HogelLens& across, const HogelLens& down, const double* x,
-                 const double* y, int count, CellBatch& batch);
+/// Fills a batch; cell 0 where nothing is seen.
+void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch);
 
 }  // namespace hogelscope

@@ -11,33 +11,13 @@ namespace hogelscope {
 
 namespace {
 
-HitMap hitMapOf(const RenderJob& job, const Display& display, const Camera& camera) {
-  const RigidTransform displayFromCamera = display.displayFromWorld() * camera.worldFromCamera();
+HitMap hitMapOf(const RigidTransform& displayFromCamera, const Display& display) {
   const auto list = [](const Vec3& d) { return std::array{d.x, d.y, d.z}; };
-  const Vec3& eye = displayFromCamera.origin;
-  const auto& panel = job.display.size;
-  const auto [nx, ny, du, dv] = display.size();
   HitMap map;
   map.right = list(displayFromCamera.xAxis);
   map.down = list(displayFromCamera.yAxis);
   map.forward = list(displayFromCamera.zAxis);
-  map.count = {nx, ny, du, dv};
-  // A ray of slope a meets the panel at eye.x - eye.z·a, where its direction is that of the slope
-  // a + convergence·(eye.x - eye.z·a).
-  const double k = display.convergence();
-  const double turned = 1 - k * eye.z;
-  map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny, k * eye.x,
-                  k * eye.y};
-  map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};
-  if (display.lens(0).isLinear() && display.lens(1).isLinear()) {
-    const double across = du / display.lens(0).slopeOf(1);
-    const double down = dv / display.lens(1).slopeOf(1);
-    map.constant[2] = 0.5 * du + across * map.constant[2];
-    map.constant[3] = 0.5 * dv - down * map.constant[3];
-    map.slope[2] *= across;
-    map.slope[3] *= -down;
-  }
-  map.isSingle = job.method.isSingle;
+  map.panel = display.mapFrom(displayFromCamera.origin);
   return map;
 }
 
@@ -69,16 +49,21 @@ void widen(std::vector<CellRange>& ranges, int cell, int direction, const Reach&
 
 ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                    const Progress& progress)
-    : m_job(job), m_progress(forThreads(progress)), m_display(job.display) {
+    : m_job(job),
+      m_progress(forThreads(progress)),
+      m_display(job.display),
+      m_samples(samplesOf(job.sampling.samplesPerPixel)) {
   const Camera camera(job.state.camera, job.state.intrinsics);
   checkContent(job);
   m_plan = hogelscope::plan(job, m_display);
   m_lensKey = lensKeyOf(camera, job.state, job.sampling, job.method);
-  m_map = hitMapOf(job, m_display, camera);
-  m_seesNothing = !(m_display.displayFromWorld().point(job.state.camera.eye).z > 0);
+  const RigidTransform displayFromCamera = m_display.displayFromWorld() * camera.worldFromCamera();
+  m_eye = displayFromCamera.origin;
+  m_map = hitMapOf(displayFromCamera, m_display);
+  m_map.isSingle = job.method.isSingle;
   for (int x = 0; x < job.state.camera.res[0]; ++x)
     m_x.push_back((x - m_lensKey.centre.x) / m_lensKey.focalLength.x);
-  if (m_plan.isTableKept && !m_seesNothing)
+  if (m_plan.isTableKept && !seesNothing())
     m_lens = tables.get(m_lensKey, parallelRows, m_progress);
   if (!m_lens) m_rays.emplace(m_lensKey, m_progress);
 }
@@ -92,10 +77,11 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   clip(-at(2), -m_map.right[2], part);
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const std::size_t c = axis % 2;
-    for (const auto& [border, sign] : {std::pair{0, -1.0}, std::pair{m_map.count[axis], 1.0}}) {
-      const double constant = m_map.constant[axis] - border;
-      clip(sign * (constant * at(2) + m_map.slope[axis] * at(c)),
-           sign * (constant * m_map.right[2] + m_map.slope[axis] * m_map.right[c]), part);
+    for (const auto& [border, sign] :
+         {std::pair{0, -1.0}, std::pair{m_map.panel.count[axis], 1.0}}) {
+      const double constant = m_map.panel.constant[axis] - border;
+      clip(sign * (constant * at(2) + m_map.panel.slope[axis] * at(c)),
+           sign * (constant * m_map.right[2] + m_map.panel.slope[axis] * m_map.right[c]), part);
     }
   }
   if (!(part[0] <= part[1])) return {x0, x0};
@@ -105,7 +91,7 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
   // The ends are decided by the ray itself, not by the rounding of the division above.
   const auto isUnseen = [&](int x) {
     CellBatch batch;
-    linearCells(m_map, plainX(x), &py, 1, batch);
+    findCells(m_map, plainX(x), &py, 1, batch);
     return batch.seen[0] == 0;
   };
   while (first < last && isUnseen(first)) ++first;
@@ -115,9 +101,8 @@ std::array<int, 2> ViewRays::seenPart(int y, int x0, int x1) const {
 
 std::int64_t ViewRays::count() const {
   const auto [width, height] = m_job.state.camera.res;
-  const std::int64_t n = m_job.sampling.samplesPerPixel;
-  if (m_seesNothing) return 0;
-  if (!m_plan.knowsOutline) return n * n * width * height;
+  if (seesNothing()) return 0;
+  if (!m_plan.knowsOutline) return std::int64_t(m_samples.size()) * width * height;
   std::int64_t seen = 0;
   for (int y = 0; y < height; ++y) {
     const auto [first, last] = seenPart(y, 0, width);
@@ -126,40 +111,38 @@ std::int64_t ViewRays::count() const {
   return seen;
 }
 
-void ViewRays::points(int y, int x0, int count, int sx, int sy, Points& points) const {
+void ViewRays::points(int y, int x0, int count, const RaySample& sample, Points& points) const {
   hearStop(m_progress);
   points.x = points.madeX.data();
   points.y = points.madeY.data();
   if (m_lens) {
-    points.x = m_lens->x(y, sx, sy) + x0;
-    points.y = m_lens->y(y, sx, sy) + x0;
+    points.x = m_lens->x(y, sample) + x0;
+    points.y = m_lens->y(y, sample) + x0;
   } else if (!m_plan.hasLens && m_lensKey.samplesPerPixel == 1) {
     points.x = plainX(x0);
     points.madeY.fill(plainY(y));
   } else {
-    m_rays->row(y, sx, sy, x0, count, points.madeX.data(), points.madeY.data());
+    m_rays->row(y, sample, x0, count, points.madeX.data(), points.madeY.data());
   }
 }
 
 void ViewRays::cellsOf(const Points& points, int count, CellBatch& batch) const {
-  if (m_seesNothing)
+  if (seesNothing())
     std::fill_n(batch.seen.begin(), count, std::uint8_t{0});
-  else if (m_plan.hasLinearHogels)
-    linearCells(m_map, points.x, points.y, count, batch);
   else
-    curvedCells(m_map, m_display.lens(0), m_display.lens(1), points.x, points.y, count, batch);
+    findCells(m_map, points.x, points.y, count, batch);
 }
 
-void ViewRays::cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const {
+void ViewRays::cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const {
   Points made;
-  if (!m_seesNothing) points(y, x0, count, sx, sy, made);
+  if (!seesNothing()) points(y, x0, count, sample, made);
   cellsOf(made, count, batch);
 }
 
-void ViewRays::lines(int y, int x0, int count, int sx, int sy, LineBatch& batch) const {
+void ViewRays::lines(int y, int x0, int count, const RaySample& sample, LineBatch& batch) const {
   Points made;
   CellBatch found;
-  if (!m_seesNothing) points(y, x0, count, sx, sy, made);
+  if (!seesNothing()) points(y, x0, count, sample, made);
   cellsOf(made, count, found);
   batch.seen = found.seen;
   for (std::size_t k = 0; k < std::size_t(count); ++k) {
@@ -183,11 +166,10 @@ void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
   const Reach reach{reconstruction == Reconstruction::quadrilinear ? 1 : 0,
                     m_plan.psfReach + (reconstruction == Reconstruction::nearest ? 0 : 1)};
   CellBatch batch;
-  const int n = m_job.sampling.samplesPerPixel;
   for (int x = x0; x < x1; x += batchSize)
-    for (int s = 0; s < n * n; ++s) {
+    for (const RaySample& sample : m_samples) {
       const int count = std::min(batchSize, x1 - x);
-      cells(y, x, count, s % n, s / n, batch);
+      cells(y, x, count, sample, batch);
       for (std::size_t k = 0; k < std::size_t(count); ++k) {
         if (batch.seen[k] == 0) continue;
         widen(result.u, int(batch.cell[0][k]), int(batch.cell[2][k]), reach, du);
@@ -225,21 +207,20 @@ void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
 
 void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const {
   const int width = m_job.state.camera.res[0];
-  const int n = m_job.sampling.samplesPerPixel;
   const bool areDirections = m_job.sampling.reconstruction != Reconstruction::nearest;
   const bool areHogels = m_job.sampling.reconstruction == Reconstruction::quadrilinear;
   CellBatch batch;
   for (int x = 0; x < width; x += batchSize)
-    for (int s = 0; s < n * n; ++s) {
+    for (const RaySample& sample : m_samples) {
       const int count = std::min(batchSize, width - x);
-      cells(y, x, count, s % n, s / n, batch);
+      cells(y, x, count, sample, batch);
       for (std::size_t k = 0; k < std::size_t(count); ++k) {
         if (batch.seen[k] == 0) continue;
         std::array<CellRange, 4> box;
         for (std::size_t axis = 0; axis < 4; ++axis)
           box[axis] = cellsRead(batch.cell[axis][k], batch.place[axis][k],
                                 axis < 2 ? areHogels : areDirections,
-                                axis < 2 ? 0 : m_plan.psfReach, m_map.count[axis]);
+                                axis < 2 ? 0 : m_plan.psfReach, m_map.panel.count[axis]);
         markBox(box, layout, marks);
       }
     }

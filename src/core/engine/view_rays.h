@@ -14,8 +14,8 @@
 #include "core/engine/row_kernels.h"
 #include "core/lens/lens_table.h"
 #include "core/light_field/footprint.h"
-#include "core/optics/display.h"
 #include "core/optics/simulate.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 
@@ -37,8 +37,12 @@ class ViewRays {
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   [[nodiscard]] const Progress& progress() const { return m_progress; }
   /// Whether the eye is not in front of the panel.
-  [[nodiscard]] bool seesNothing() const { return m_seesNothing; }
-  /// Returns the map from ideal points to cells, if the hogel lens is linear.
+  [[nodiscard]] bool seesNothing() const { return m_plan.isBehind; }
+  /// Returns the eye in the display frame, metres.
+  [[nodiscard]] const Vec3& eye() const { return m_eye; }
+  /// Returns the rays of a pixel.
+  [[nodiscard]] const std::vector<RaySample>& samples() const { return m_samples; }
+  /// Returns the map from ideal points to cells.
   [[nodiscard]] const HitMap& map() const { return m_map; }
   /// Returns the lens table; null for a plain lens, or if it would be too large.
   [[nodiscard]] const LensTable* lens() const { return m_lens.get(); }
@@ -54,11 +58,11 @@ class ViewRays {
   /// Returns the columns [first, last) of [x0, x1) whose rays hit, if the outline is known.
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
 
-  /// Finds the cells that the rays of sub-pixel (sx, sy) of pixels [x0, x0 + count) of row y meet;
-  /// at most a batch. Thread-safe, as the next one.
-  void cells(int y, int x0, int count, int sx, int sy, CellBatch& batch) const;
+  /// Finds the cells that one ray of each of the pixels [x0, x0 + count) of row y meets; at most a
+  /// batch. Thread-safe, as the next one.
+  void cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const;
   /// Finds the slopes dx/dz, dy/dz in the display frame of the same rays.
-  void lines(int y, int x0, int count, int sx, int sy, LineBatch& batch) const;
+  void lines(int y, int x0, int count, const RaySample& sample, LineBatch& batch) const;
   /// Returns the texels that pixels [x0, x1) of row y may read, interpolation and leakage included.
   [[nodiscard]] Footprint footprint(int y, int x0, int x1) const;
   /// Returns the texels that the whole image may read.
@@ -74,7 +78,7 @@ class ViewRays {
     const double* x = nullptr;
     const double* y = nullptr;
   };
-  void points(int y, int x0, int count, int sx, int sy, Points& points) const;
+  void points(int y, int x0, int count, const RaySample& sample, Points& points) const;
   void cellsOf(const Points& points, int count, CellBatch& batch) const;
   void addFootprint(int y, int x0, int x1, Footprint& footprint) const;
   [[nodiscard]] bool isSeparable() const;
@@ -84,10 +88,11 @@ class ViewRays {
   RenderJob m_job;
   Progress m_progress;  ///< for threads
   Display m_display;
+  std::vector<RaySample> m_samples;
   Plan m_plan;
   LensKey m_lensKey;
   HitMap m_map;
-  bool m_seesNothing = false;
+  Vec3 m_eye;
   std::shared_ptr<const LensTable> m_lens;
   std::optional<LensRays> m_rays;  ///< if they are not kept in a table
   std::vector<double> m_x;         ///< ideal x of each pixel column, plain lens

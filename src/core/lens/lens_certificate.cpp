@@ -82,7 +82,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
     LensCertificate part;
     for (int row = begin; row < end; ++row) {
       hearStop(heard);
-      rays.row(row, 0, 0, 0, key.res[0], x.data(), y.data());
+      rays.row(row, {}, 0, key.res[0], x.data(), y.data());
       add(key, row, x.data(), y.data(), part);
     }
     const std::lock_guard lock(mutex);

@@ -18,11 +18,11 @@ Vec2 LensRays::onSensor(double px, double py) const {
   return {(px - m_key.centre.x) / m_key.focalLength.x, (py - m_key.centre.y) / m_key.focalLength.y};
 }
 
-void LensRays::row(int y, int sx, int sy, int x0, int count, double* idealX, double* idealY) const {
-  const int n = m_key.samplesPerPixel;
-  const double py = y + (sy + 0.5) / n - 0.5;
+void LensRays::row(int y, const RaySample& sample, int x0, int count, double* idealX,
+                   double* idealY) const {
+  const double py = y + sample.place.y - 0.5;
   for (int k = 0; k < count; ++k) {
-    const double px = x0 + k + (sx + 0.5) / n - 0.5;
+    const double px = x0 + k + sample.place.x - 0.5;
     const Vec2 point = m_nodeX.empty() ? onSensor(px, py) : betweenNodes(px, py);
     idealX[k] = point.x;
     idealY[k] = point.y;

@@ -29,9 +29,9 @@ class LensRays {
   /// `progress` is passed to BatchUndistort. Throws Cancelled.
   explicit LensRays(const LensKey& key, const Progress& progress = {});
 
-  /// Writes the ideal points of pixels [x0, x0 + count) of row y, sub-pixel (sx, sy) of
-  /// samplesPerPixel²; NaN where there is no ray. Throws Cancelled.
-  void row(int y, int sx, int sy, int x0, int count, double* idealX, double* idealY) const;
+  /// Writes the ideal points of one ray of each of the pixels [x0, x0 + count) of row y; NaN where
+  /// there is no ray. Throws Cancelled.
+  void row(int y, const RaySample& sample, int x0, int count, double* idealX, double* idealY) const;
 
  private:
   [[nodiscard]] Vec2 onSensor(double px, double py) const;

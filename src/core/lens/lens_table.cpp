@@ -15,19 +15,20 @@ LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const
     : m_key(key), m_x(bytes(key.res, key.samplesPerPixel) / (2 * sizeof(double))), m_y(m_x.size()) {
   const Progress heard = forThreads(progress);
   const LensRays rays(key, heard);
-  const int n = key.samplesPerPixel;
-  parallelRows(key.res[1] * n * n, [&](int begin, int end) {
+  const std::vector<RaySample> samples = samplesOf(key.samplesPerPixel);
+  const int n = int(samples.size());
+  parallelRows(key.res[1] * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       hearStop(heard);
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
-      rays.row(row / (n * n), row % n, row / n % n, 0, key.res[0], &m_x[first], &m_y[first]);
+      rays.row(row / n, samples[std::size_t(row % n)], 0, key.res[0], &m_x[first], &m_y[first]);
     }
   });
 }
 
-std::size_t LensTable::at(int y, int sx, int sy) const {
+std::size_t LensTable::at(int y, int sample) const {
   const auto n = std::size_t(m_key.samplesPerPixel);
-  return ((std::size_t(y) * n + std::size_t(sy)) * n + std::size_t(sx)) * std::size_t(m_key.res[0]);
+  return (std::size_t(y) * n * n + std::size_t(sample)) * std::size_t(m_key.res[0]);
 }
 
 std::shared_ptr<const LensTable> LensTables::get(const LensKey& key,

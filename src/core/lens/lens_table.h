@@ -18,15 +18,15 @@ class LensTable {
   /// Throws Cancelled.
   LensTable(const LensKey& key, const ParallelRows& parallelRows, const Progress& progress = {});
 
-  /// Return the ideal points of image row `y`, sub-pixel (sx, sy): res[0] x and as many y; NaN
+  /// Return the ideal points of one ray of each pixel of image row `y`: res[0] x and as many y; NaN
   /// where there is no ray.
-  [[nodiscard]] const double* x(int y, int sx, int sy) const { return &m_x[at(y, sx, sy)]; }
-  [[nodiscard]] const double* y(int y, int sx, int sy) const { return &m_y[at(y, sx, sy)]; }
+  [[nodiscard]] const double* x(int y, const RaySample& s) const { return &m_x[at(y, s.index)]; }
+  [[nodiscard]] const double* y(int y, const RaySample& s) const { return &m_y[at(y, s.index)]; }
   /// Returns the bytes that a table takes in memory.
   static std::size_t bytes(const std::array<int, 2>& res, int samplesPerPixel);
 
  private:
-  [[nodiscard]] std::size_t at(int y, int sx, int sy) const;
+  [[nodiscard]] std::size_t at(int y, int sample) const;
 
   LensKey m_key;
   std::vector<double> m_x;

@@ -135,7 +135,7 @@ void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRow
   resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {
     CellBatch batch;
-    rays.cells(y, x0, count, 0, 0, batch);
+    rays.cells(y, x0, count, {}, batch);
     const std::size_t at = product(y, reference.width) + std::size_t(x0);
     const std::uint8_t* seenA = &reference.seen[at];
     const std::uint8_t* seenB = &test.seen[at];

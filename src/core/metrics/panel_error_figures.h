@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/metrics/panel_error.h"
-#include "core/optics/display.h"
 #include "core/optics/image.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 

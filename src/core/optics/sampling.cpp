@@ -23,6 +23,12 @@ void describe(ParameterVisitor& v, SamplingParams& p) {
           "RMS error up to which a cheaper way to the picture is taken; 0: none.");
 }
 
+std::vector<RaySample> samplesOf(int n) {
+  std::vector<RaySample> samples;
+  for (int k = 0; k < n * n; ++k) samples.push_back({k, {(k % n + 0.5) / n, (k / n + 0.5) / n}});
+  return samples;
+}
+
 std::string_view nameOf(Reconstruction reconstruction) {
   return reconstructionNames[static_cast<std::size_t>(reconstruction)];
 }

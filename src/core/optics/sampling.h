@@ -2,6 +2,9 @@
 // The session's `sampling`: how rays pass through the lens and become pixels.
 #pragma once
 
+#include <vector>
+
+#include "core/base/geometry.h"
 #include "core/base/parameters.h"
 
 namespace hogelscope {
@@ -18,6 +21,15 @@ struct SamplingParams {
 };
 
 void describe(ParameterVisitor& v, SamplingParams& p);
+
+/// One of the rays of a pixel.
+struct RaySample {
+  int index = 0;         ///< among the pixel's rays
+  Vec2 place{0.5, 0.5};  ///< in the pixel, 0 … 1 from its upper left corner
+};
+
+/// Returns the n × n rays of a pixel, row after row.
+std::vector<RaySample> samplesOf(int n);
 
 /// Returns the name used in documents.
 std::string_view nameOf(Reconstruction reconstruction);

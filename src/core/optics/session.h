@@ -7,10 +7,10 @@
 
 #include "core/light_field/light_field.h"
 #include "core/optics/camera.h"
-#include "core/optics/display.h"
 #include "core/optics/distortion.h"
 #include "core/optics/psf.h"
 #include "core/optics/sampling.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 

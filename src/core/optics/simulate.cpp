@@ -46,6 +46,7 @@ Simulation::Simulation(RenderJob job)
       m_camera(m_job.state.camera, m_job.state.intrinsics),
       m_distortion(m_job.state.distortion),
       m_psf(m_job.state.psf),
+      m_samples(samplesOf(m_job.sampling.samplesPerPixel)),
       m_displayFromCamera(m_display.displayFromWorld() * m_camera.worldFromCamera()) {
   checkContent(m_job);
 }
@@ -88,18 +89,15 @@ std::optional<Rgb> Simulation::ray(double px, double py) const {
 }
 
 std::optional<Rgb> Simulation::pixel(int x, int y) const {
-  const int n = m_job.sampling.samplesPerPixel;
   bool seen = false;
   Rgb sum;
-  for (int sy = 0; sy < n; ++sy) {
-    for (int sx = 0; sx < n; ++sx) {
-      const std::optional<Rgb> sample = ray(x + (sx + 0.5) / n - 0.5, y + (sy + 0.5) / n - 0.5);
-      seen = seen || sample;
-      if (sample) sum = sum + *sample;
-    }
+  for (const RaySample& sample : m_samples) {
+    const std::optional<Rgb> light = ray(x + sample.place.x - 0.5, y + sample.place.y - 0.5);
+    seen = seen || light;
+    if (light) sum = sum + *light;
   }
   if (!seen) return std::nullopt;
-  const double rays = double(n) * n;
+  const auto rays = double(m_samples.size());
   return encoded(m_job.state.psf.light, {sum.r / rays, sum.g / rays, sum.b / rays});
 }
 

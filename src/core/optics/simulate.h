@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/optics/image.h"
 #include "core/optics/method.h"
@@ -56,6 +57,7 @@ class Simulation {
   Camera m_camera;
   Distortion m_distortion;
   Psf m_psf;
+  std::vector<RaySample> m_samples;
   RigidTransform m_displayFromCamera;
 };
 

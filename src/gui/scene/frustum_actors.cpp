@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 #include "gui/scene/scene_actor.h"
 #include "vtk/line_picker.h"
 #include "vtk/vtkCameraFrustumSource.h"

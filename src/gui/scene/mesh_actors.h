@@ -8,7 +8,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "sdk/hogelscope/plugin.h"
 
 class vtkRenderer;

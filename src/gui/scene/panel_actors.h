@@ -5,7 +5,7 @@
 
 #include <vtkNew.h>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 class vtkActor;
 class vtkAxesActor;

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 class vtkActor;
 class vtkHogelFieldSource;

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/engine/hogel_pixels.h"
 #include "core/optics/panel_view.h"
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_text.h"
 #include "gui/scene/vtk_image.h"

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/engine/renderer.h"
 #include "core/optics/panel_view.h"
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/scene/scene_export.h"

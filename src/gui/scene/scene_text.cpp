@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 
 namespace hogelscope {
 

@@ -7,7 +7,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 
 class vtkRenderer;
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "io/layouts/light_field_file.h"
 
 namespace hogelscope {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "core/optics/display.h"
 #include "core/optics/image.h"
+#include "core/panel/display.h"
 #include "io/order/order_document.h"
 
 namespace hogelscope {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "io/order/view_order.h"
 
 namespace hogelscope {

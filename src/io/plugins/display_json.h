@@ -2,7 +2,7 @@
 // The display in documents, whose lens may be a plugin's.
 #pragma once
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "io/json/json_parameters.h"
 
 namespace hogelscope {

@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/light_field/light_field.h"
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "core/light_field/light_field.h"
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "io/files/content_hash.h"
 
 namespace hogelscope {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/metrics/summary.h"
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 #include "page/plot.h"
 
 namespace hogelscope {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/metrics/report_rows.h"
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 

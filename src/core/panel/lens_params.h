@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/plugin_params.h"
-#include "core/optics/hogel_lens.h"
+#include "core/panel/hogel_lens.h"
 #include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {

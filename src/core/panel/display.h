@@ -8,8 +8,9 @@
 #include "core/base/geometry.h"
 #include "core/base/parameters.h"
 #include "core/light_field/texel.h"
-#include "core/optics/hogel_lens.h"
-#include "core/optics/lens_params.h"
+#include "core/panel/hogel_lens.h"
+#include "core/panel/lens_params.h"
+#include "core/panel/panel_map.h"
 
 namespace hogelscope {
 
@@ -75,12 +76,18 @@ class Display {
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
 
+  /// Returns the map of the rays from `eye` (display frame, metres), which is in front of the
+  /// panel.
+  [[nodiscard]] PanelMap mapFrom(const Vec3& eye) const;
+
   /// Returns the slopes dx/dz, dy/dz of a real-valued direction, u = 0 … du, v = 0 … dv, in the
   /// panel's centre.
   [[nodiscard]] Vec2 slopes(double u, double v) const;
-  /// The slopes of a direction at the point (x, y) of the panel are slopes() − convergence()·(x,
-  /// y): 1 / viewingDistance, or 0.
-  [[nodiscard]] double convergence() const { return m_convergence; }
+  /// Returns by how much the slopes of every direction are smaller at a point of the panel (metres)
+  /// than in its centre: the point / viewingDistance, or 0.
+  [[nodiscard]] Vec2 turn(const Vec2& place) const {
+    return {m_convergence * place.x, m_convergence * place.y};
+  }
   /// Returns a point of the panel's plane in metres: i = 0 … nx, j = 0 … ny.
   [[nodiscard]] Vec2 position(double i, double j) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens the lenses of plugins.
-#include "core/optics/lens_params.h"
+#include "core/panel/lens_params.h"
 
 #include <cmath>
 #include <mutex>

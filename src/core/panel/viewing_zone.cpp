@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The display's viewing zone.
-#include "core/optics/viewing_zone.h"
+#include "core/panel/viewing_zone.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 namespace hogelscope {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hogel lenses. A new one needs a class, a HogelLensModel and a row of two tables here.
-#include "core/optics/hogel_lens.h"
+#include "core/panel/hogel_lens.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The display: the intersection of a ray with the panel, and the directional pixel seen there.
-#include "core/optics/display.h"
+#include "core/panel/display.h"
 
 #include <cmath>
 
@@ -63,6 +63,30 @@ std::optional<Hit> Display::intersectPlane(const Vec3& eye, const Vec3& directio
   };
 }
 
+/// A ray of slope a meets the panel at eye.x - eye.z·a, where its direction is that of the slope
+/// a + convergence·(eye.x - eye.z·a).
+PanelMap Display::mapFrom(const Vec3& eye) const {
+  const auto [nx, ny, du, dv] = m_size;
+  const auto& panel = m_params.size;
+  const double turned = 1 - m_convergence * eye.z;
+  PanelMap map;
+  map.count = {nx, ny, du, dv};
+  map.constant = {(eye.x / panel[0] + 0.5) * nx, (0.5 - eye.y / panel[1]) * ny,
+                  m_convergence * eye.x, m_convergence * eye.y};
+  map.slope = {-eye.z / panel[0] * nx, eye.z / panel[1] * ny, turned, turned};
+  if (!lens(0).isLinear() || !lens(1).isLinear()) {
+    map.lenses = {m_lenses[0].get(), m_lenses[1].get()};
+    return map;
+  }
+  const double across = du / lens(0).slopeOf(1);
+  const double down = dv / lens(1).slopeOf(1);
+  map.constant[2] = 0.5 * du + across * map.constant[2];
+  map.constant[3] = 0.5 * dv - down * map.constant[3];
+  map.slope[2] *= across;
+  map.slope[3] *= -down;
+  return map;
+}
+
 bool Display::isOnPanel(const Hit& place) const {
   return inside(place.i, m_size.nx) && inside(place.j, m_size.ny);
 }
@@ -87,7 +111,8 @@ Vec2 Display::position(double i, double j) const {
 PanelRay Display::rayOf(const TexelIndex& at) const {
   const Vec2 place = position(at.i + 0.5, at.j + 0.5);
   const Vec2 middle = slopes(at.u + 0.5, at.v + 0.5);
-  return {place, {middle.x - m_convergence * place.x, middle.y - m_convergence * place.y}};
+  const Vec2 turned = turn(place);
+  return {place, {middle.x - turned.x, middle.y - turned.y}};
 }
 
 }  // namespace hogelscope

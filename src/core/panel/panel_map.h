@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The map from the slopes of an eye's rays to the cells of the panel.
+#pragma once
+
+#include <array>
+
+#include "core/panel/hogel_lens.h"
+
+namespace hogelscope {
+
+/// Gives the real-valued hogel (i, j) and direction (u, v) that a ray from one eye meets, from its
+/// slopes a = dx/dz and b = dy/dz in the display frame: `constant` + `slope`·a for i and u, ·b for
+/// j and v (docs/formulas.md, Hit). The display that made the map must outlive it.
+struct PanelMap {
+  std::array<double, 4> constant{};  ///< i, j, u, v at slope 0
+  std::array<double, 4> slope{};
+  std::array<int, 4> count{};  ///< cells of each axis
+  /// The hogels' lenses across and down, where they are not linear: u and v of the map are then the
+  /// slopes that the lenses take. Null where they are linear.
+  std::array<const HogelLens*, 2> lenses{};
+};
+
+}  // namespace hogelscope
