@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All codecs, for what links them. The program hogelscope loads them instead (loaded_codecs.cpp).
+// All codecs, for programs that link them. The program hogelscope loads them (loaded_codecs.cpp).
 #include "io/images/codecs.h"
 
 #include <opencv2/imgcodecs.hpp>

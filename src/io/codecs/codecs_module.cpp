@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The entry of the library that the program loads.
+// The entry point of the library that the program loads.
 #include "io/images/codecs.h"
 
 extern "C" const hogelscope::Codecs* hogelscopeCodecs() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What reading and writing by OpenImageIO share.
+// Common functions of input and output by OpenImageIO.
 #include "io/codecs/open_image_io.h"
 
 namespace hogelscope {
@@ -8,7 +8,7 @@ std::string asOneLine(std::string text, const std::filesystem::path& file) {
   for (const std::string& noise : {"\"" + file.string() + "\"", "'" + file.string() + "'"})
     if (const std::size_t at = text.find(noise); at != std::string::npos)
       text.replace(at, noise.size(), "it");
-  text = text.substr(0, text.find('\n'));  // the rest says it again
+  text = text.substr(0, text.find('\n'));  // the other lines repeat it
   if (text.ends_with(" (it)")) text.resize(text.size() - 5);
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   return text.empty() ? "unknown reason" : text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures and videos read and written by OpenImageIO.
+// Input and output of images and videos by OpenImageIO.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -12,7 +12,7 @@
 
 namespace hogelscope {
 
-/// Throw InputError that names the file.
+/// Opens a file; the next function creates one. Both throw InputError that names the file.
 std::unique_ptr<ImageInput> openByOpenImageIo(const std::filesystem::path& file,
                                               const std::string& format);
 std::unique_ptr<ImageOutput> createByOpenImageIo(const std::filesystem::path& file,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures and videos read by OpenImageIO.
+// Input of images and videos by OpenImageIO.
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Throws InputError if not even an image of one colour could be so small.
+/// Throws InputError if even a single-colour image could not be so small.
 void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
   constexpr double mostBytesPerByte = 1 << 17;
   std::error_code error;
@@ -41,7 +41,7 @@ StoredType typeOf(const OIIO::ImageSpec& spec) {
   }
 }
 
-/// The largest value of a PNM file, by its header: its third number. 0 where there is none.
+/// Returns the largest value of a PNM file: the third number of its header. 0 if there is none.
 int largestPnmValue(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   in.ignore(2);  // "P6"
@@ -54,8 +54,8 @@ int largestPnmValue(const fs::path& file) {
   return value;
 }
 
-/// The bits of 16-bit values: readers spread fewer bits over all 16, and OpenImageIO 2.4's of PNM
-/// does not say so.
+/// Returns the bits of 16-bit values. Readers scale fewer bits to all 16, and OpenImageIO 2.4's PNM
+/// reader does not report them.
 int bitsOf(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& file) {
   if (format != "pnm") return std::clamp(spec.get_int_attribute("oiio:BitsPerSample", 16), 8, 16);
   const int largest = largestPnmValue(file);
@@ -64,7 +64,7 @@ int bitsOf(const OIIO::ImageSpec& spec, const std::string& format, const fs::pat
   return 16;
 }
 
-/// A bare codestream, or one in boxes.
+/// Whether the file is JPEG XL: a bare codestream, or one in boxes.
 bool isJpegXl(const fs::path& file) {
   constexpr std::string_view codestream("\xff\x0a");
   constexpr std::string_view box("\0\0\0\x0cJXL \r\n\x87\n", 12);
@@ -84,8 +84,8 @@ bool isJpegXl(const fs::path& file) {
   throw InputError(file.string(), "cannot be read as a picture", why);
 }
 
-/// Whether a file begins as a video. Texts that name other files or addresses, which FFmpeg would
-/// read, do not: lists of files (ffconcat), HLS, DASH, SDP.
+/// Whether a file begins like a video. Excludes texts that name other files or addresses, which
+/// FFmpeg would read: lists of files (ffconcat), HLS, DASH, SDP.
 bool isVideo(const fs::path& file) {
   using namespace std::string_view_literals;
   constexpr std::size_t longest = 12;
@@ -101,7 +101,7 @@ bool isVideo(const fs::path& file) {
          (begins("RIFF") && all.substr(8, 4) == "AVI "sv);
 }
 
-/// Whether a file begins as an MPEG stream, which does not say how many frames it has.
+/// Whether a file begins like an MPEG stream, which does not contain its number of frames.
 bool isMpegStream(const fs::path& file) {
   using namespace std::string_view_literals;
   std::string begin(4, '\0');
@@ -109,7 +109,8 @@ bool isMpegStream(const fs::path& file) {
   return begin == "\0\0\1\xba"sv || begin == "\0\0\1\xb3"sv || begin.starts_with("\x47\x40"sv);
 }
 
-/// Opens a file as a format of OpenImageIO. Null, with the reason, where it is none.
+/// Opens a file as a format of OpenImageIO. Returns null, with the reason, if it has another
+/// format.
 std::unique_ptr<OIIO::ImageInput> openAs(const std::string& format, const fs::path& file,
                                          std::string& why) {
   std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::create(format);
@@ -119,12 +120,12 @@ std::unique_ptr<OIIO::ImageInput> openAs(const std::string& format, const fs::pa
   return nullptr;
 }
 
-/// Opens a file as the first format that accepts it, that of its ending before others. Only videos
-/// are shown to FFmpeg.
+/// Opens a file as the first format that accepts it, the one of its extension first. Only videos
+/// are passed to FFmpeg.
 std::unique_ptr<OIIO::ImageInput> openAny(const fs::path& file, std::string& why) {
   if (isVideo(file)) {
     std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::open(file.string());
-    if (!image) why = asOneLine(OIIO::geterror(), file);  // unless asked for, it is printed
+    if (!image) why = asOneLine(OIIO::geterror(), file);  // otherwise the error is printed
     return image;
   }
   if (isMpegStream(file)) {
@@ -133,7 +134,7 @@ std::unique_ptr<OIIO::ImageInput> openAny(const fs::path& file, std::string& why
         "ffmpeg -i NAME.mpg -c copy NAME.mp4";
     return nullptr;
   }
-  // An ending is a name of its format, too.
+  // The extension is also the format's name.
   std::string ending = lowerCase(file.extension().string());
   if (!ending.empty()) ending.erase(0, 1);
   const std::string list = OIIO::get_string_attribute("input_format_list");
@@ -199,8 +200,8 @@ class Input : public ImageInput {
 
 template <class T>
 void Input::readRows(int frame, std::size_t first, std::size_t rows, T* to) {
-  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader must be asked for
-  // alpha to do so with scanlines, and does it twice if it is asked with tiles.
+  // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader does so for scanlines only
+  // if alpha is requested, and twice for tiles if alpha is requested.
   const bool isAsked = m_spec.tile_width == 0;
   const bool hasAlpha = isAsked && (m_spec.alpha_channel == 1 || m_spec.alpha_channel == 3);
   const int used = hasAlpha ? m_spec.alpha_channel + 1 : m_spec.nchannels < 3 ? 1 : 3;

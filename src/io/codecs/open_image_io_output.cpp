@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures written by OpenImageIO.
+// Output of images by OpenImageIO.
 #include <OpenImageIO/filesystem.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Some writers do not notice that a disk is full, and libjpeg would end the process: so every
-/// write reports success, and ByteOutput keeps the error.
+/// Reports success of every write and keeps the error in ByteOutput, because some writers do not
+/// notice a full disk, and libjpeg would end the process.
 class Proxy : public OIIO::Filesystem::IOProxy {
  public:
   Proxy(const fs::path& file, ByteOutput& bytes)
@@ -47,14 +47,14 @@ class Output : public ImageOutput {
     OIIO::ImageSpec spec(int(wanted.width), int(wanted.height), int(wanted.channels.size()),
                          m_type);
     spec.channelnames = wanted.channels;
-    spec.attribute("DateTime", "");  // the same content is the same file: no clock in it
+    spec.attribute("DateTime", "");  // equal content gives equal files, without a date
     m_image = OIIO::ImageOutput::create(file.string());
     if (!m_image) {
-      (void)OIIO::geterror();  // unless asked for, it is printed
+      (void)OIIO::geterror();  // otherwise the error is printed
       throw InputError(file.string(), "cannot be written",
                        "no picture format has the extension \"" + file.extension().string() + "\"");
     }
-    constexpr std::size_t jpegLimit = 65500;  // beyond it libjpeg would end the process
+    constexpr std::size_t jpegLimit = 65500;  // beyond it libjpeg ends the process
     if (m_image->format_name() == std::string("jpeg") &&
         std::max(wanted.width, wanted.height) > jpegLimit)
       throw InputError(file.string(), "cannot be written",
@@ -70,7 +70,7 @@ class Output : public ImageOutput {
                                                                    : "16 bits; use .png or .tif"));
   }
   ~Output() override {
-    // Closing a file without all of its rows complains on stderr; a cancelled writer is leaked.
+    // Leaks a cancelled writer, because closing a file without all of its rows prints on stderr.
     if (!m_isFinished) (void)m_image.release();
   }
   Output(const Output&) = delete;
