@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display in documents, whose lens may be a plugin's.
+// The display in JSON documents, whose lens may be a plugin's.
 #pragma once
 
 #include "core/panel/display.h"
@@ -7,8 +7,8 @@
 
 namespace hogelscope {
 
-/// Returns the parameters of a plugin's lens, at their defaults. Throws InputError: there is no
-/// such plugin, or it cannot be used.
+/// Returns the parameters of a plugin's lens, at their defaults. Throws InputError if there is no
+/// such plugin or it cannot be used.
 LensParams lensParamsOf(const std::string& source);
 
 /// Reads the object `display`. Throws InputError with the path of the field.

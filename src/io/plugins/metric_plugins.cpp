@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metrics of plugins beside the standard ones.
+// Metrics of plugins.
 #include "io/plugins/metric_plugins.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// The values where an image has no others.
+/// Returns rounded values for an image without unrounded ones.
 std::vector<float> roundedValues(const Image& image) {
   if (!image.unrounded.empty()) return {};
   std::vector<double> values(image.rgb.size());
@@ -57,7 +57,7 @@ Metric metricOf(const std::string& name) {
       .readsUnrounded = true};
 }
 
-/// A table has each of its columns once.
+/// Throws if a plugin's column has the name of a standard one.
 void refuseStandard(const std::string& column, const std::string& plugin) {
   constexpr std::array<std::string_view, 4> others{"state", "test", "weight", "problem"};
   const MetricSet standard;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metrics of plugins beside the standard ones.
+// Metrics of plugins.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace hogelscope {
 
 /// Returns the standard metrics and those of the plugins with these names (Session::metrics). Each
-/// has one column, named as the plugin with "_" for "-", and one mean. Throws InputError.
+/// plugin has one column, with its name and "_" for "-", and one mean. Throws InputError.
 MetricSet metricsOf(const std::vector<std::string>& names);
 
 }  // namespace hogelscope

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The folders in which plugins are looked for. None is a path of the machine that built the
-// program.
+// The folders that are searched for plugins. None is a path of the machine that built the program.
 #include "io/plugins/plugin_folders.h"
 
 #include <algorithm>
@@ -40,11 +39,11 @@ std::vector<fs::path> pluginFolders() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    const fs::path prefix = program.parent_path().parent_path();  // it is in PREFIX/bin
+    const fs::path prefix = program.parent_path().parent_path();  // the program is in PREFIX/bin
     folders.push_back(prefix / HOGELSCOPE_LIBRARIES / "hogelscope" / ours);
     folders.push_back(prefix / ours);
   }
-  // What was built for an older program is refused by its number, with what to do about it.
+  // Plugins for older programs are rejected by their number, with advice.
   for (auto older = plugin::abi - 1; hasHome && older > 0; --older)
     if (const fs::path folder = own / ("plugins-" + std::to_string(older)); isFolder(folder))
       folders.push_back(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the program calls in the place of a plugin's objects.
+// Wrappers of plugins' objects that the program calls instead.
 #include "io/plugins/plugin_guard.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Remembers that the plugin was told to stop: what it throws then is no error.
+/// Remembers that the plugin was cancelled, after which its exceptions are not errors.
 class HeardProgress final : public plugin::Progress {
  public:
   explicit HeardProgress(const plugin::Progress& progress) : m_progress(progress) {}
@@ -29,7 +29,7 @@ class HeardProgress final : public plugin::Progress {
   mutable std::atomic<bool> m_wasStopped = false;
 };
 
-/// The 3-D scene reads these arrays by their indices.
+/// Checks the indices, because the 3-D scene uses them without checks.
 void checkTriangles(const std::string& name, const plugin::Triangles& triangles) {
   const auto& [points, corners, colours] = triangles;
   const std::size_t count = points.size() / 3;
@@ -40,13 +40,13 @@ void checkTriangles(const std::string& name, const plugin::Triangles& triangles)
                       "three points for each triangle");
 }
 
-/// The core, which opens lenses, does not know how much memory the program may use.
+/// Sets the memory limit, which core, where lenses are opened, does not know.
 plugin::Place allowed(plugin::Place place) {
   place.memory = allowedMemory();
   return place;
 }
 
-/// Of some hundred letters at most.
+/// Returns the text on one line of at most some hundred characters.
 std::string oneLine(std::string text) {
   constexpr std::size_t longest = 400;
   if (text.size() > longest) text = text.substr(0, longest) + "…";
@@ -150,7 +150,7 @@ class GuardedMetric final : public plugin::Metric {
   }
 
  private:
-  /// Tables show it.
+  /// Checks a text that tables show.
   [[nodiscard]] const char* present(const char* text, const char* what) const {
     const auto isControl = [](unsigned char c) { return c < 32 || c == 127; };
     const std::string_view view = text == nullptr ? "\n" : text;

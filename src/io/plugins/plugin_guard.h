@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs functions of plugins: whatever they throw becomes one line that names the plugin.
+// Runs functions of plugins and converts their exceptions to one line that names the plugin.
 #pragma once
 
 #include <exception>
@@ -12,11 +12,12 @@
 
 namespace hogelscope {
 
-/// Returns the error of a plugin: "plugin NAME: WHY", one line of some hundred letters at most.
+/// Returns the error of a plugin, "plugin NAME: WHY", on one line of at most some hundred
+/// characters.
 InputError pluginError(const std::string& name, std::string why);
 
-/// Returns what `call` returns. An InputError or Cancelled is the program's own, which the plugin
-/// has passed on from a visitor or a listener; anything else becomes an InputError.
+/// Returns the result of `call`. InputError and Cancelled come from the program's own visitors and
+/// listeners and are rethrown; any other exception becomes an InputError.
 template <class Call>
 decltype(auto) guarded(const std::string& name, Call call) {
   try {
@@ -34,8 +35,8 @@ decltype(auto) guarded(const std::string& name, Call call) {
   }
 }
 
-// Each returns the object with every function guarded, and with its results checked as far as the
-// program's memory depends on them. Destructors of plugins must not throw (C++ ends the process).
+// Each function returns the object with every function guarded, and with its results checked as far
+// as memory safety requires. Destructors of plugins must not throw (C++ ends the process).
 
 std::unique_ptr<plugin::ContentSource> guardedContent(
     std::string name, std::unique_ptr<plugin::ContentSource> content);

@@ -14,7 +14,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns the plugin of this name that listPlugins() has first. Throws InputError.
+/// Returns the first plugin of this name in listPlugins(). Throws InputError.
 FoundPlugin findPlugin(const std::string& name) {
   std::vector<FoundPlugin> plugins = listPlugins();
   std::vector<std::string_view> names;
@@ -42,7 +42,7 @@ const plugin::Entry& openLibrary(const FoundPlugin& found) {
   return *static_cast<const plugin::Entry*>(symbol);
 }
 
-/// The library may be another one than plugin.json was written for.
+/// Checks the library against plugin.json, which may have been written for another one.
 void checkEntry(const FoundPlugin& found, const plugin::Entry& entry) {
   const auto refuseOther = [&](bool isSame, const char* what) {
     if (!isSame)
@@ -57,7 +57,7 @@ void checkEntry(const FoundPlugin& found, const plugin::Entry& entry) {
   refuseOther(says(entry.name, found.name), "name");
 }
 
-/// Returns what the plugin's function makes; `what` is its kind.
+/// Returns the object that the plugin's function creates; `what` is its kind.
 template <class Object>
 std::unique_ptr<Object> made(const std::string& name, Object* (*function)(), PluginKind kind) {
   const std::string what = nameOf(kind);

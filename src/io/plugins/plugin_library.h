@@ -10,14 +10,14 @@
 
 namespace hogelscope {
 
-/// The library of a plugin. It stays loaded until the process ends, so copies, and what they make,
-/// may live as long as they like.
+/// The library of a plugin. It stays loaded until the process ends, so copies and created objects
+/// have no limited lifetime.
 class PluginLibrary {
  public:
   [[nodiscard]] const std::string& name() const { return m_name; }
 
-  // Each makes an object whose functions throw nothing but InputError ("plugin NAME: …") and
-  // Cancelled. Throws InputError, also where the plugin does not offer the kind.
+  // Each function creates an object whose functions throw only InputError ("plugin NAME: …") and
+  // Cancelled. Throws InputError, also if the plugin does not offer the kind.
 
   [[nodiscard]] std::unique_ptr<plugin::ContentSource> makeContent() const;
   [[nodiscard]] std::unique_ptr<plugin::HogelLens> makeLens() const;
@@ -32,8 +32,8 @@ class PluginLibrary {
   const plugin::Entry* m_entry;
 };
 
-/// Loads the plugin of this name, which must offer the kind. Throws InputError: there is none, or
-/// why it cannot be used.
+/// Loads the plugin of this name, which must offer the kind. Throws InputError if there is none or
+/// it cannot be used.
 PluginLibrary loadPlugin(const std::string& name, PluginKind kind);
 
 }  // namespace hogelscope

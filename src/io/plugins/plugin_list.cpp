@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What plugin.json says of each plugin that is installed.
+// The installed plugins, as described by plugin.json.
 #include "io/plugins/plugin_list.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* jsonName = "plugin.json";
 
-/// The document beside a library, as cmake/hogelscope_add_plugin.cmake writes it.
+/// The document beside a library, written by cmake/hogelscope_add_plugin.cmake.
 struct PluginDocument {
   std::string name;
   std::string version;
@@ -56,7 +56,7 @@ std::vector<PluginKind> readKinds(const Json* list) {
   return kinds;
 }
 
-/// The numbers come first: what another SDK has written may be of another form.
+/// Checks the numbers first, because another SDK's document may have another form.
 void checkNumbers(const Json& document) {
   if (!document.is_object()) throw InputError("", "is not an object: { \"name\": value, … }");
   if (const auto abi = document.find("abi"); abi == document.end() || *abi != plugin::abi)
@@ -69,8 +69,8 @@ void checkNumbers(const Json& document) {
                               ": build the plugin with the compiler that built this program");
 }
 
-/// Throws InputError for a library that is not a file of the size that plugin.json says, in the
-/// plugin's own folder.
+/// Throws InputError unless the library is a file of the size in plugin.json, in the plugin's own
+/// folder.
 void checkLibrary(const fs::path& folder, const PluginDocument& document) {
   const fs::path file = document.file;
   if (file.empty() || file != file.filename() || file == "." || file == "..")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What plugin.json says of each plugin that is installed. It is checked before any byte of a
-// library is loaded, since dlopen() of a truncated library ends the process.
+// The installed plugins, as described by plugin.json. Everything is checked before any byte of a
+// library is loaded, because dlopen() of a truncated library ends the process.
 #pragma once
 
 #include <array>
@@ -16,16 +16,16 @@ constexpr std::array<std::string_view, 3> pluginKindNames{"content", "lens", "me
 std::string nameOf(PluginKind kind);
 
 struct FoundPlugin {
-  std::string name;  ///< the folder's, where plugin.json does not say it
+  std::string name;  ///< that of the folder if missing in plugin.json
   std::string version;
   std::vector<PluginKind> kinds;
-  std::filesystem::path folder;   ///< the plugin's own
+  std::filesystem::path folder;   ///< the plugin's own folder
   std::filesystem::path library;  ///< in that folder
-  std::string refusal;            ///< one line that says why it cannot be used; empty if it can
+  std::string refusal;            ///< why it cannot be used, in one line; empty if it can
 };
 
-/// Returns the plugins in pluginFolders(), by folder, then by name. Of two with one name the later
-/// is refused. Loads nothing and throws nothing: what is wrong is a refusal.
+/// Returns the plugins in pluginFolders(), by folder, then by name. A later plugin of the same name
+/// is rejected. Loads nothing and throws nothing; errors become refusals.
 std::vector<FoundPlugin> listPlugins();
 
 }  // namespace hogelscope
