@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes a store's pages of a hogel image's rows.
+// Creates a store's pages from the rows of a hogel image.
 #include "io/store/band_packer.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ BandPacker::BandPacker(const StoreHeader& header, std::size_t rows, int threads,
   for (std::size_t k = rows; k-- > 0;) m_free.push_back(&m_memory[k * m_rowBytes]);
   try {
     for (int k = 0; k < threads; ++k) m_threads.emplace_back([this] { work(); });
-  } catch (const std::system_error&) {  // the machine allows no more: those that there are do all
+  } catch (const std::system_error&) {  // the machine allows no more threads; the existing ones do
+                                        // all the work
     if (m_threads.empty()) throw;
   }
 }
@@ -39,7 +40,7 @@ void BandPacker::stop() {
     m_isStopped = true;
   }
   m_changed.notify_all();
-  m_threads.clear();  // waits
+  m_threads.clear();  // joins the threads
 }
 
 std::byte* BandPacker::freeRow() {
@@ -102,7 +103,7 @@ void BandPacker::work() {
     while (const std::optional<Strip> strip = nextStrip()) {
       const TileBytes tiles = compressed(*strip, compressor);
       write(*strip, tiles);
-      release(*strip);  // only now: what waits for its turn is not more than the rows it is made of
+      release(*strip);  // last, so that waiting tiles never exceed the rows they came from
     }
   } catch (...) {
     const std::lock_guard lock(m_mutex);
@@ -111,7 +112,7 @@ void BandPacker::work() {
   }
 }
 
-/// The rows of each row of the strip's tiles; null beyond the light field's edge.
+/// Returns the rows of each row of the strip's tiles; null beyond the light field's edge.
 std::vector<std::byte*> BandPacker::rowsOf(const Strip& strip) const {
   const auto bv = std::size_t(m_header.block.v);
   const auto dv = std::size_t(m_header.size.dv);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes a store's pages from a hogel image's rows: while one band of hogels is read, threads gather
-// and compress the blocks of the last one. Memory is a fixed number of rows.
+// Creates a store's pages from the rows of a hogel image: while one band of hogels is read, threads
+// gather and compress the blocks of the previous one. Memory is a fixed number of rows.
 #pragma once
 
 #include <condition_variable>
@@ -18,7 +18,7 @@ namespace hogelscope {
 
 class BandPacker {
  public:
-  /// Keeps at most `rows` of the hogel image: a band (bandRows()) or more.
+  /// Keeps at most `rows` rows of the hogel image, at least a band (bandRows()).
   BandPacker(const StoreHeader& header, std::size_t rows, int threads, StoreOutput& output);
   ~BandPacker();
   BandPacker(const BandPacker&) = delete;
@@ -28,7 +28,7 @@ class BandPacker {
   static std::size_t bandRows(const StoreHeader& header);
 
   /// Takes directions v of hogel row j; hogel rows come in order. Waits for memory. Rethrows
-  /// exceptions of the threads. Pages that the output has already are skipped.
+  /// exceptions of the threads. Skips pages that the output already has.
   void take(int j, int v, const void* rgb);
   /// Waits until all pages are written. Rethrows likewise, or throws Cancelled.
   void finish(const Progress& progress);
@@ -38,7 +38,7 @@ class BandPacker {
     int page = 0;
     std::vector<std::byte*> rows;  ///< v of the first hogel row, of the second, …
     std::size_t taken = 0;
-    int strips = 0;  ///< rows of tiles that a thread has begun
+    int strips = 0;  ///< rows of tiles started by a thread
   };
   struct Strip {
     std::shared_ptr<Band> band;
@@ -58,10 +58,10 @@ class BandPacker {
   BlockIndex m_blocks;
   StoreOutput& m_output;
   std::size_t m_rowBytes;
-  int m_firstPage;  ///< those before it are written
+  int m_firstPage;  ///< earlier ones are already written
   std::unique_ptr<std::byte[]> m_memory;
   std::vector<std::byte*> m_free;
-  std::shared_ptr<Band> m_filling;  ///< known to the reading thread only
+  std::shared_ptr<Band> m_filling;  ///< used by the reading thread only
   std::deque<std::shared_ptr<Band>> m_full;
   long m_turn = 0;  ///< the row of tiles that is written next
   bool m_isAllTaken = false;

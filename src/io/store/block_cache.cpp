@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decoded blocks of a store, within a number of bytes.
+// A cache of a store's decoded blocks, limited in bytes.
 #include "io/store/block_cache.h"
 
 namespace hogelscope {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decoded blocks of a store, within a number of bytes; the least recently used ones go first.
+// A cache of a store's decoded blocks, limited in bytes, with least-recently-used eviction.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ using BlockTexels = std::shared_ptr<std::byte[]>;
 /// A thread-safe cache in parts with a lock each. Blocks that it returns must not be changed.
 class BlockCache {
  public:
-  /// Makes a cache of `bytes` for blocks of `blockBytes` each.
+  /// Creates a cache of `bytes` for blocks of `blockBytes` each.
   BlockCache(std::size_t bytes, std::size_t blockBytes)
       : m_partBlocks(bytes / blockBytes / parts) {}
 
@@ -33,7 +33,7 @@ class BlockCache {
   };
   struct Part {
     std::mutex mutex;
-    std::list<Entry> entries;  ///< the last used first
+    std::list<Entry> entries;  ///< most recently used first
     std::unordered_map<std::uint64_t, std::list<Entry>::iterator> places;
   };
   Part& partOf(std::uint64_t key) { return m_parts[key % parts]; }

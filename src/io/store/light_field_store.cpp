@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store: only the blocks that are wanted are read.
+// A store, of which only the requested blocks are read.
 #include "io/store/light_field_store.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The number of blocks that a thread takes at a time.
+/// Returns the number of blocks that a thread takes at a time.
 std::size_t pieceOf(std::size_t count, int threads) {
   constexpr std::size_t most = 256;
   return std::clamp<std::size_t>(count / (8 * std::size_t(threads)), 1, most);
@@ -25,13 +25,13 @@ std::size_t pieceOf(std::size_t count, int threads) {
 
 }  // namespace
 
-/// One thread's access to the tiles: its decoder, its row of the index, and the part of the file
-/// that it has read ahead.
+/// A thread's access to the tiles: its decoder, its row of the index, and the part of the file read
+/// ahead.
 class LightFieldStore::Reader {
  public:
   explicit Reader(const RandomAccessFile& file) : m_file(file) {}
 
-  BlockTexels own;  ///< the last block that it decoded
+  BlockTexels own;  ///< the block it decoded last
 
   /// Decodes the tile. Returns "" or the reason of a failure.
   std::string read(const TiffPage& page, std::uint32_t column, std::uint32_t row,
@@ -57,7 +57,8 @@ class LightFieldStore::Reader {
     m_row = row;
   }
 
-  /// Neighbouring tiles follow each other in the file, and most are a hundred bytes.
+  /// Returns bytes of the file and reads ahead, because neighbouring tiles are adjacent and most
+  /// have a hundred bytes.
   std::span<const std::byte> bytesAt(std::uint64_t at, std::uint32_t count) {
     constexpr std::size_t ahead = 4096;
     if (at < m_bytesAt || at + count > m_bytesAt + m_bytes.size()) {
@@ -65,7 +66,7 @@ class LightFieldStore::Reader {
       m_bytes.resize(m_file.readSome(at, m_bytes));
       m_bytesAt = at;
     }
-    // A file that became shorter meanwhile gives less, which does not decompress.
+    // A file that has become shorter gives fewer bytes, which fail to decompress.
     const std::size_t from = std::min<std::size_t>(at - m_bytesAt, m_bytes.size());
     return std::span(m_bytes).subspan(from, std::min<std::size_t>(count, m_bytes.size() - from));
   }
@@ -184,7 +185,7 @@ void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse&
   std::vector<Reader> readers;
   while (readers.size() < std::clamp<std::size_t>(pieces, 1, std::size_t(m_threads)))
     readers.emplace_back(m_file);
-  hearStop(progress);  // the other threads may leave nothing for this one
+  hearStop(progress);  // the other threads may have left no blocks for this one
   sideBySide(pieces, int(readers.size()), [&](std::size_t k, std::size_t worker) {
     if (worker == 0) reportProgress(progress, double(k) / double(pieces));
     const std::size_t end = std::min((k + 1) * piece, wanted.size());

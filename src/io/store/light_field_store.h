@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store (layout "pack"): a light field on the disk of which only the blocks that a view needs are
+// A store (layout "pack"): a light field on disk of which only the blocks needed for a view are
 // read. Its format is described in store_header.h.
 #pragma once
 
@@ -18,8 +18,9 @@ class BlockCache;
 
 class LightFieldStore : public LightFieldFile, public LightFieldSource {
  public:
-  /// Reads the pages' directories, not their indices. `cacheBytes` is the size of the cache of
-  /// decoded blocks; 0 `threads` means all. Throws InputError: not a store, not complete, damaged.
+  /// Opens a store and reads the pages' directories, not their indices. `cacheBytes` is the size of
+  /// the cache of decoded blocks; 0 `threads` means all. Throws InputError if it is not a store,
+  /// incomplete or damaged.
   explicit LightFieldStore(const std::filesystem::path& file, bool incoming = false,
                            std::size_t cacheBytes = 0, int threads = 0);
   ~LightFieldStore() override;
@@ -38,24 +39,25 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
 
   /// Reads the whole light field into memory.
   [[nodiscard]] LightField read(const Progress& progress) override;
-  /// Returns a store that fetches blocks, if the whole takes more than `use.memory` bytes.
+  /// Returns a store that fetches blocks if the whole exceeds `use.memory` bytes, else the whole.
   [[nodiscard]] std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
                                                                const Progress& progress) override;
-  /// Keeps a row of blocks of hogels in memory at a time, or a part of it if that is more than half
-  /// of allowedMemory(). isStream() is false, since views can read the blocks that they need.
+  /// Streams with a row of blocks of hogels in memory, or a part of it if that exceeds half of
+  /// allowedMemory(). isStream() is false, because views can read the blocks that they need.
   void stream(const HogelRow& row, const Progress& progress) override;
 
-  /// Keeps decoded blocks in the cache, and returns the last view's slice again if that covers the
-  /// footprint.
+  /// Returns a slice and keeps decoded blocks in the cache. The previous view's slice is returned
+  /// again if it covers the footprint.
   [[nodiscard]] std::shared_ptr<const LightField> slice(const ViewReads& reads,
                                                         const Progress& progress) const override;
 
-  /// Returns hogels and directions at even distances, read at the first call. Throws InputError.
+  /// Returns regularly spaced hogels and directions, read on first use. Throws InputError.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
 
-  /// Called with block k of `wanted`: 64×64 texels of three values of type(), see store_header.h.
-  /// On several threads, each block once. Fastest if wanted blocks follow each other along u, then
-  /// i, then v, then j. Throws InputError that names the block that is damaged, or Cancelled.
+  /// Receives block k of `wanted`: 64×64 texels of three values of type(), see store_header.h.
+  /// Called on several threads, once for each block. Fastest if wanted blocks follow each other
+  /// along u, then i, then v, then j. Reading throws InputError that names the damaged block, and
+  /// Cancelled.
   using BlockUse = std::function<void(std::size_t k, std::span<const std::byte> texels)>;
   void blocks(std::span<const BlockIndex> wanted, const BlockUse& use,
               const Progress& progress) const;
@@ -81,7 +83,7 @@ class LightFieldStore : public LightFieldFile, public LightFieldSource {
   int m_threads;
   StoreHeader m_header;
   std::string m_contentHash;
-  std::vector<TiffPage> m_pages;  ///< the overview's is the last
+  std::vector<TiffPage> m_pages;  ///< the last one is the overview
   std::unique_ptr<BlockCache> m_cache;
   mutable std::mutex m_sliceMutex;
   mutable std::shared_ptr<const LightField> m_lastSlice;

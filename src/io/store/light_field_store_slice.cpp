@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the slice of a view from a store: the blocks that its footprint touches.
+// Reads a view's slice of a store: the blocks in its footprint.
 #include <algorithm>
 #include <stdexcept>
 
@@ -94,7 +94,7 @@ std::shared_ptr<const LightField> LightFieldStore::slice(const ViewReads& reads,
         placeSlice(wanted[k], texels, inFile, *target);
       },
       progress);
-  // The slice of a single texel does not replace that of a view.
+  // A single texel's slice does not replace that of a view.
   constexpr std::size_t leastOfView = std::size_t{1} << 20;
   if (footprint.texels() >= leastOfView) {
     const std::lock_guard lock(m_sliceMutex);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store's blocks put in their places: in a light field in memory, in the rows of a hogel image.
+// Copies a store's blocks to a light field in memory or to rows of a hogel image.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -13,8 +13,8 @@ namespace hogelscope {
 
 namespace {
 
-/// Calls use(texel's index, its values' place in the tile) for the part of a block that lies in the
-/// light field, of its hogel rows [begin, end).
+/// Calls use(texel's index, position of its values in the tile) for the part of a block inside the
+/// light field, in its hogel rows [begin, end).
 template <class Use>
 void forEachTexel(const StoreHeader& header, const BlockIndex& block, int begin, int end, Use use) {
   const auto& [nx, ny, du, dv] = header.size;
@@ -104,7 +104,7 @@ void LightFieldStore::stream(const HogelRow& row, const Progress& progress) {
   });
 }
 
-/// Hogel rows [begin, end) of a row of blocks.
+/// Reads hogel rows [begin, end) of a row of blocks.
 template <class T>
 void LightFieldStore::readBand(int begin, int end, std::vector<T>& band,
                                const Progress& progress) const {

@@ -25,7 +25,7 @@ int blocksAlong(int cells, int block) {
   return (cells + block - 1) / block;
 }
 
-/// Returns the least power of two that holds `cells`, at most `most`.
+/// Returns the least power of two that is at least `cells`, limited to `most`.
 int powerOfTwo(int cells, int most) {
   return std::min(most, int(std::bit_ceil(unsigned(cells))));
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The metadata of a store: the shape of light field and blocks, the display. It is JSON in the
+// The metadata of a store: the shape of light field and blocks, and the display. It is JSON in the
 // description of the file's first page.
 //
 // A store is a BigTIFF with one page for each row of blocks of hogels, and one more for the
-// overview. A tile is a block of hogels × directions, 64×64 pixels: texel (i, j, u, v) of block
-// (I, J, U, V) is at column i·block.u + u, row j·block.v + v of tile column I·blocks.u + U, tile
-// row V of page J. Cells beyond the light field's edges are black. A page's name is the hash of its
-// compressed tiles that are not black and then of all tiles' sizes, 32 bits each, 0 of black ones,
-// so that a store need not be read to tell what it holds; a store whose pages have no names is
-// read.
+// overview. A tile is a block of hogels × directions, 64×64 pixels: texel (i, j, u, v) of block (I,
+// J, U, V) is at column i·block.u + u, row j·block.v + v of tile column I·blocks.u + U, tile row V
+// of page J. Cells beyond the light field's edges are black. A page's name is the hash of its
+// compressed non-black tiles, followed by the sizes of all tiles, 32 bits each, 0 for black ones;
+// it identifies the content without reading the store. A store whose pages have no names is read
+// for that.
 #pragma once
 
 #include <array>
@@ -55,11 +55,12 @@ constexpr int overviewCell(int k, int shown, int cells) {
 
 std::string textOf(const StoreHeader& header);
 
-/// "XXH3-128 " and 32 digits.
+/// Returns "XXH3-128 " and 32 digits.
 std::string pageNameOf(const ContentHash& tiles);
 bool isPageName(const std::string& name);
 
-/// Returns none if the text is not a store's. Throws InputError if it is a store's, but wrong.
+/// Parses a header. Returns none if the text is not a store's. Throws InputError if it is an
+/// invalid one.
 std::optional<StoreHeader> parseStoreHeader(const std::string& text);
 
 }  // namespace hogelscope

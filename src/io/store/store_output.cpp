@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store on its way to the disk.
+// Output of a store to disk.
 #include "io/store/store_output.h"
 
 #include <fcntl.h>
@@ -34,7 +34,7 @@ Descriptor lockedPart(const fs::path& part, const fs::path& file) {
   return std::move(*descriptor);
 }
 
-/// Any BigTIFF begins as a store does; a store's first page says that it is one.
+/// Throws unless the file is a store; any BigTIFF begins like one, so its first page is checked.
 void requireStore(const RandomAccessFile& part) {
   try {
     const std::uint64_t first = firstLink(part).next;
@@ -56,7 +56,7 @@ StoreOutput::StoreOutput(const fs::path& file, const StoreHeader& header)
   requireStore(part);
   try {
     goOn(part);
-  } catch (const InputError&) {  // an unreadable file is begun anew
+  } catch (const InputError&) {  // an unreadable file is restarted
     m_pages = 0;
   }
   if (m_pages == 0) {
@@ -136,7 +136,7 @@ void StoreOutput::finishPage(const TiffPage& page) {
   ++m_pages;
 }
 
-/// Black tiles count as of no bytes: where they are is part of the content.
+/// Returns the hash of the page. Black tiles count with size 0, because their places are content.
 std::string StoreOutput::pageName() {
   std::vector<std::uint32_t> sizes = m_counts;
   for (std::size_t k = 0; k < sizes.size(); ++k)
@@ -153,7 +153,7 @@ void StoreOutput::commit() {
   fs::path folder = m_file.parent_path();
   if (folder.empty()) folder = ".";
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.get() >= 0) (void)::fsync(opened.get());  // the name too; not all disks can
+  if (opened.get() >= 0) (void)::fsync(opened.get());  // syncs the name, where supported
 }
 
 }  // namespace hogelscope

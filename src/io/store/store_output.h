@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a store as FILE.part. A page enters the file's chain only when all of it is on the disk,
-// so that, however the program ends, the next run continues after the last page.
+// Writes a store as FILE.part. A page is linked only when it is completely on disk; however the
+// program ends, the next run continues after the last page.
 #pragma once
 
 #include <filesystem>
@@ -15,26 +15,26 @@ namespace hogelscope {
 /// Compressed tiles, in order.
 struct TileBytes {
   std::vector<std::byte> bytes;
-  std::vector<std::uint32_t> counts;  ///< bytes of each tile; 0 = it is black
-  std::vector<std::byte> black;       ///< a compressed black tile, if there is any
+  std::vector<std::uint32_t> counts;  ///< bytes of each tile; 0: black
+  std::vector<std::byte> black;       ///< a compressed black tile, if any
 };
 
 class StoreOutput {
  public:
-  /// Resumes FILE.part if it has the same header, else begins it anew. Throws InputError: it is
-  /// another file, another run writes it, it cannot be written.
+  /// Resumes FILE.part if it has the same header, else restarts it. Throws InputError if it is
+  /// another file, another run is writing it, or it cannot be written.
   StoreOutput(const std::filesystem::path& file, const StoreHeader& header);
 
   /// Returns the number of finished pages.
   [[nodiscard]] int pages() const { return m_pages; }
-  /// Returns the bytes so far.
+  /// Returns the bytes written so far.
   [[nodiscard]] std::uint64_t size() const { return m_end; }
 
   /// Adds tiles to the current page, in the order of its rows. Throws InputError.
   void add(const TileBytes& tiles);
-  /// Finishes a page after `page.tiles()` were added. Waits until it is on the disk.
+  /// Finishes a page after `page.tiles()` tiles were added. Waits until it is on the disk.
   void finishPage(const TiffPage& page);
-  /// Gives the file its name, after all pages are finished.
+  /// Renames the file to its final name, after all pages are finished.
   void commit();
 
  private:

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Fowler–Noll–Vo 1a, 64 bits.
+/// Computes Fowler–Noll–Vo 1a, 64 bits.
 std::uint64_t hashOf(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
 }
 
-/// Returns a key that differs for another file, time of writing, or way to read it.
+/// Returns a key that depends on the file, its time of writing and the way it is read.
 std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   Json object = Json::object();
   JsonWriter writer(object);
@@ -47,8 +47,7 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
   return (isLive ? params.source : fs::path(params.file).filename().string()) + " " + hash.data();
 }
 
-/// Estimates the store's size: that of its source, unless the source is coded with loss or not of
-/// pixels.
+/// Estimates the store's size: that of its source, unless the source is lossy or has no pixels.
 std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& file, bool isLive) {
   std::error_code none;
   std::uint64_t ofSource = 0;
@@ -65,7 +64,7 @@ std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& fil
              : ofSource;
 }
 
-/// Checks the room on the disk; the bytes of an unfinished store count as there.
+/// Checks the space on disk; the bytes of an unfinished store count as available.
 void checkRoom(const fs::path& output, std::uint64_t storeBytes) {
   fs::path part = output;
   part += ".part";
@@ -113,7 +112,7 @@ class OverviewTaker {
   }
 
  private:
-  /// Returns the index in the overview of each cell; -1 if it is not there.
+  /// Returns the index in the overview of each cell; -1 if it is omitted.
   static std::vector<int> placesOf(int shown, int cells) {
     std::vector<int> places(std::size_t(cells), -1);
     for (int k = 0; k < shown; ++k) places[std::size_t(overviewCell(k, shown, cells))] = k;
@@ -161,7 +160,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
     throw InputError(params.file, "size",
                      "one row of hogels needs " + bytesText(hogelRowBytes) + " of memory, " +
                          bytesText(memory) + " are allowed");
-  // One row of hogels more than a block's, so that reading goes on while the last band is packed.
+  // One row of hogels more than a block's, so that reading continues while the last band is packed.
   header.block = blockFor(header.size, int(std::min<std::size_t>(fitting - 1, tileSide)));
   const std::size_t band = BandPacker::bandRows(header);
   plan.rows = std::clamp(memory / rowBytes, band, band + std::size_t(header.size.dv));

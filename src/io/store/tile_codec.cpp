@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store's tiles.
+// Gathering and compression of a store's tiles.
 #include "io/store/tile_codec.h"
 
 #include <zstd.h>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr int level = 1;
 
-/// One hogel's directions after the other. `piece` is what the usual block has, as a constant: it
-/// is copied without a call.
+/// Copies the directions of each hogel. `piece` is the usual block's size as a constant, which
+/// avoids a call for copying.
 template <std::size_t piece>
 void copyHogels(const std::byte* from, std::size_t stride, int hogels, std::byte* to) {
   for (int k = 0; k < hogels; ++k)
@@ -62,7 +62,7 @@ TileCompressor::TileCompressor(StoredType type)
     : m_pixelBytes(pixelBytes(type)), m_context(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
   if (!m_context) throw std::bad_alloc();
   ZSTD_CCtx_setParameter(m_context.get(), ZSTD_c_compressionLevel, level);
-  ZSTD_CCtx_setParameter(m_context.get(), ZSTD_c_checksumFlag, 1);  // damage is found
+  ZSTD_CCtx_setParameter(m_context.get(), ZSTD_c_checksumFlag, 1);  // to detect damage
 }
 
 void TileCompressor::compress(std::span<const std::byte> tile) {

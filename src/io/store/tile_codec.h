@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store's tiles: gathered from the rows of a hogel image, compressed, decompressed.
+// Gathering, compression and decompression of a store's tiles.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@ struct ZSTD_DCtx_s;
 
 namespace hogelscope {
 
-/// The hogels from `i` on and the directions from `u` on that a block has; fewer than the block's
-/// cells at the light field's edges.
+/// The hogels of a block, starting at `i`, and its directions, starting at `u`; fewer than the
+/// block's cells at the light field's edges.
 struct BlockCut {
   int i = 0;
   int hogels = 0;
@@ -22,12 +22,12 @@ struct BlockCut {
   int directions = 0;
 };
 
-/// Fills a tile with block `cut`. `rows` are the hogel image's, for each row of the tile: null
+/// Fills a tile with block `cut`. `rows` are the hogel image's rows for each row of the tile; null
 /// beyond the light field's edge.
 void gatherBlock(const StoreHeader& header, const BlockCut& cut,
                  std::span<const std::byte* const> rows, std::span<std::byte> tile);
 
-/// Compresses at zstd's fastest level, see docs/measurements.md for others. Not thread-safe.
+/// Compresses at zstd's fastest level; docs/measurements.md compares others. Not thread-safe.
 class TileCompressor {
  public:
   explicit TileCompressor(StoredType type);
@@ -41,7 +41,7 @@ class TileCompressor {
   std::size_t m_pixelBytes;
   Context m_context;
   std::vector<std::byte> m_compressed;
-  std::vector<std::byte> m_uniform;  ///< the colour that `m_ofUniform` is a tile of
+  std::vector<std::byte> m_uniform;  ///< the colour of the tile `m_ofUniform`
   std::vector<std::byte> m_ofUniform;
 };
 
