@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest plugin that shows something: a plane with a grating, parallel to the panel.
+// A minimal plugin: a plane with a grating, parallel to the panel.
 #include <hogelscope/plugin.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class Grating final : public plugin::ContentSource {
   }
 
   void open(const plugin::Panel& panel, const plugin::Place&, const plugin::Progress&) override {
-    // A pair of bars narrower than two hogels would show something else: aliasing.
+    // A pair of bars narrower than two hogels would alias.
     if (m_depth == 0 && m_frequency * 2 * panel.size[0] > panel.hogels[0])
       throw std::runtime_error("frequency: is above what the panel's hogels can show");
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A hogel lens that was measured: a table of the angles into which places of the angular field send
-// their light, interpolated by the monotone cubics of Fritsch and Butland, "A method for
-// constructing local monotone piecewise cubic interpolants", SIAM J. Sci. Stat. Comput. 5 (1984).
+// A measured hogel lens: a table of positions in the angular field and the angles of their light,
+// interpolated by the monotone cubics of Fritsch and Butland, "A method for constructing local
+// monotone piecewise cubic interpolants", SIAM J. Sci. Stat. Comput. 5 (1984).
 #include <hogelscope/plugin.h>
 
 #include <algorithm>
@@ -33,13 +33,13 @@ std::string text(double number) {
   return digits.data();
 }
 
-/// A place in the angular field, −1/2 … 1/2, and the angle of its light in degrees.
+/// A position in the angular field, −1/2 … 1/2, and the angle of its light in degrees.
 struct Row {
   double direction = 0;
   double angle = 0;
 };
 
-/// Reads "DIRECTION,ANGLE"; returns whether it is two numbers.
+/// Parses "DIRECTION,ANGLE". Returns whether these are two numbers.
 bool read(std::string_view line, Row& row) {
   const auto number = [](std::string_view digits, double& value) {
     const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };
@@ -92,7 +92,7 @@ std::vector<Row> readTable(const std::string& file) {
   return rows;
 }
 
-/// The field as a function of the angle: growing cubics between the rows, lines beyond them.
+/// The field as a function of the angle: increasing cubics between the rows, lines beyond them.
 class Curve {
  public:
   Curve() = default;
@@ -126,7 +126,7 @@ class Curve {
     double low = m_rows[k].angle;
     double high = m_rows[k + 1].angle;
     double middle = low + (direction - m_rows[k].direction) / chord(k);
-    // The rule of false position finds most of it; halving makes it certain to end.
+    // Alternates false position, which converges fast, with bisection, which guarantees the end.
     for (int step = 0; step < 200 && low < middle && middle < high; ++step) {
       const double there = cubic(k, middle);
       (there < direction ? low : high) = middle;
@@ -151,7 +151,7 @@ class Curve {
   [[nodiscard]] double chord(std::size_t k) const {
     return (m_rows[k + 1].direction - m_rows[k].direction) / width(k);
   }
-  /// The parabola's rate through the end's three points, kept within what still grows.
+  /// Returns the rate of the parabola through the end's three points, limited to increasing curves.
   [[nodiscard]] double endRate(std::size_t piece, std::size_t next) const {
     const double rate =
         ((2 * width(piece) + width(next)) * chord(piece) - width(piece) * chord(next)) /

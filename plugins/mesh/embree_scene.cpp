@@ -14,11 +14,11 @@ namespace hogelscope::mesh {
 
 namespace {
 
-/// Twice eight units in the last place of the coordinates: rounding, with a margin.
+/// Twice eight units in the last place of the coordinates: the rounding error with a margin.
 constexpr float roundings = 16 * std::numeric_limits<float>::epsilon();
 
-/// How long a triangle's longest side may be when the ray is to pass its edges farther away than
-/// rounding goes. A weight times the doubled area across the ray is a side times its distance.
+/// Computes the longest side up to which a triangle's edges are farther from the ray than rounding
+/// errors. A weight times the doubled area across the ray is a side times its distance.
 MULTIVERSIONED void findCertain(const RTCRayHit16& p, float extent, float* __restrict certain) {
   for (std::size_t i = 0; i < Hits::most; ++i) {
     const float x = p.ray.dir_x[i], y = p.ray.dir_y[i];
@@ -26,24 +26,24 @@ MULTIVERSIONED void findCertain(const RTCRayHit16& p, float extent, float* __res
     const float area = std::abs(p.hit.Ng_x[i] * x + p.hit.Ng_y[i] * y - p.hit.Ng_z[i]);
     const float margin = roundings * (extent + std::abs(p.ray.org_x[i]) + std::abs(p.ray.org_y[i]) +
                                       std::abs(p.ray.org_z[i]));
-    const float stretch = 1 + std::abs(x) + std::abs(y);  // of sides, as the ray sees them
+    const float stretch = 1 + std::abs(x) + std::abs(y);  // of sides as seen by the ray
     certain[i] = least * area / (margin * stretch);
   }
 }
 
-/// Above so many triangles the watch for ties costs more than its share of a view's time.
+/// The limit for detecting ties; beyond it detection would take too much of a view's time.
 constexpr std::size_t mostWatched = std::size_t{1} << 18U;
 
-/// What Embree hands on from a packet's call to watchTies().
+/// The data that Embree passes from a packet's call to watchTies().
 struct Watch {
   QueryContext context;
   Hits::Row<float> depths;  ///< of the nearest triangles so far
   std::uint32_t ties = 0;
 };
 
-/// Embree calls this for each triangle that may be the nearest to some of a packet's rays. Which of
-/// two at one depth it comes to first, where surfaces lie in one plane or cross, depends on the
-/// packet: so it is made to look a little farther than the nearest, and both are seen.
+/// Embree calls this for each triangle that may be the nearest to some of a packet's rays. Of two
+/// at one depth, where surfaces are coplanar or intersect, the first one depends on the packet. The
+/// search therefore extends slightly beyond the nearest, so that both are found.
 void watchTies(const RTCFilterFunctionNArguments* arguments) {
   if (arguments->N != Hits::most) return;  // a single ray
   constexpr float margin = 1 + 4 * std::numeric_limits<float>::epsilon();
@@ -154,8 +154,8 @@ void EmbreeScene::meet(std::span<const plugin::Ray> rays, Packet& packet) const 
     if (triangle != Hit::none) __builtin_prefetch(m_traits.data() + triangle);
 }
 
-/// A packet may hand a ray that passes an edge to the neighbour on its other side, or to what lies
-/// behind; a single ray's way depends on the ray alone.
+/// Traces uncertain rays again as single rays. A packet may assign a ray through an edge to the
+/// neighbouring triangle or to what lies behind; a single ray's result depends on the ray only.
 void EmbreeScene::settle(std::span<const plugin::Ray> rays, const Packet& packet,
                          Hits& hits) const {
   hits.triangles = packet.triangles;
@@ -187,8 +187,8 @@ std::uint32_t EmbreeScene::meetAlone(const plugin::Ray& ray) const {
   return single.hit.primID;
 }
 
-/// Along the ray a triangle is a flat one: corner − ray at the corner's depth. The weights are the
-/// areas that its edges span with the ray, which stands at 0.
+/// Projects the triangle along the ray: corner − ray at the corner's depth. The weights are the
+/// areas spanned by its edges and the ray, which is at 0.
 Hit EmbreeScene::hit(const plugin::Ray& ray, std::uint32_t triangle) const {
   const Corners& corners = m_triangles[triangle];
   std::array<Vec2, 3> flat;
@@ -202,9 +202,9 @@ Hit EmbreeScene::hit(const plugin::Ray& ray, std::uint32_t triangle) const {
   Hit hit{triangle, {area(1, 2), area(2, 0), area(0, 1)}, 0};
   auto& weights = hit.weights;
   const double whole = weights[0] + weights[1] + weights[2];
-  for (double& weight : weights) weight = std::max(0.0, weight / whole);  // 0 of NaN
+  for (double& weight : weights) weight = std::max(0.0, weight / whole);  // 0 for NaN
   const double sum = weights[0] + weights[1] + weights[2];
-  if (!(sum > 0)) weights = {1, 0, 0};  // a triangle that the ray sees from its edge
+  if (!(sum > 0)) weights = {1, 0, 0};  // a triangle seen from its edge
   for (std::size_t k = 0; k < 3; ++k) {
     if (sum > 0) weights[k] /= sum;
     hit.z += weights[k] * point(corners[k]).z;
@@ -223,7 +223,7 @@ bool EmbreeScene::isBlocked(const Vec3& from, const Vec3& way, bool isDirection)
   ray.tfar = isDirection ? std::numeric_limits<float>::infinity() : 1;
   ray.mask = UINT32_MAX;
   occluded1(static_cast<RTCScene>(m_scene.get()), ray);
-  return ray.tfar < 0;  // Embree's sign of a hit
+  return ray.tfar < 0;  // Embree's mark of a hit
 }
 
 }  // namespace hogelscope::mesh

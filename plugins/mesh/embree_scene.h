@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles in the display frame, and what rays meet of them.
+// Triangles in the display frame, and their intersections with rays.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace hogelscope::mesh {
 
-/// The point where a ray first meets a triangle: the sum of its corners with these weights, which
-/// are not negative and add up to 1.
+/// The first intersection of a ray with a triangle: the sum of the triangle's corners with these
+/// weights, which are not negative and sum to 1.
 struct Hit {
   static constexpr std::uint32_t none = UINT32_MAX;
   std::uint32_t triangle = none;
@@ -22,27 +22,27 @@ struct Hit {
   double z = 0;
 };
 
-/// What the rays of one packet meet.
+/// The hits of the rays of a packet.
 struct Hits {
   static constexpr std::size_t most = 16;
   template <class T>
   using Row = std::array<T, most>;
 
-  Row<std::uint32_t> triangles;  ///< Hit::none where a ray meets nothing
+  Row<std::uint32_t> triangles;  ///< Hit::none for a ray that meets nothing
   Row<std::uint32_t> materials;  ///< of the triangles
 };
 
-/// All but building may be called from several threads.
+/// A scene of triangles. After construction all functions may be called from several threads.
 class EmbreeScene {
  public:
-  /// Takes x, y, z of each point in metres, three points and a material's number for each triangle.
-  /// Throws std::runtime_error when there is not enough memory or the listener stops.
+  /// Takes x, y, z of each point in metres, three points and a material index for each triangle.
+  /// Throws std::runtime_error if memory is insufficient or the listener cancels.
   EmbreeScene(std::vector<float> points, std::vector<Corners> triangles,
               const std::vector<std::uint32_t>& materials, int threads,
               const plugin::Progress& progress);
 
-  /// Calls `take` with the hits of each packet of rays and the number of its first ray. To the last
-  /// bit a hit depends on its ray alone, not on the others (README.md, Tracing).
+  /// Calls `take` with the hits of each packet of rays and the index of its first ray. A hit
+  /// depends on its ray only, bit for bit, not on the others (README.md, Tracing).
   template <class Take>
   void trace(std::span<const plugin::Ray> rays, const Take& take) const {
     Packet packets[2];
@@ -50,7 +50,7 @@ class EmbreeScene {
     const auto packetAt = [&](std::size_t first) {
       return rays.subspan(first, std::min(Hits::most, rays.size() - first));
     };
-    // A packet's triangles come from memory while the next one is on its way.
+    // A packet's triangles are prefetched while the next one is traced.
     for (std::size_t first = 0, n = 0; first < rays.size() + Hits::most; first += Hits::most, ++n) {
       if (first < rays.size()) meet(packetAt(first), packets[n % 2]);
       if (first == 0) continue;
@@ -59,11 +59,11 @@ class EmbreeScene {
     }
   }
 
-  /// Where a ray meets a triangle that it does meet, in double precision.
+  /// Returns the intersection of a ray with a triangle that it meets, in double precision.
   [[nodiscard]] Hit hit(const plugin::Ray& ray, std::uint32_t triangle) const;
 
-  /// True if a triangle lies between a point and the point `way` farther on; `way` may be a
-  /// direction, for all of it.
+  /// Whether a triangle lies between a point and the point `way` farther on; with `isDirection`,
+  /// along the whole direction.
   [[nodiscard]] bool isBlocked(const Vec3& from, const Vec3& way, bool isDirection) const;
 
   [[nodiscard]] Vec3 point(std::uint32_t index) const {
@@ -74,21 +74,21 @@ class EmbreeScene {
     return m_triangles[triangle];
   }
   [[nodiscard]] const std::vector<Corners>& triangles() const { return m_triangles; }
-  /// x, y, z of each point.
+  /// Returns x, y, z of each point.
   [[nodiscard]] std::span<const float> points() const {
     return std::span(m_points).first(m_points.size() - 1);
   }
-  /// The greatest |x|, |y| or |z| of a point.
+  /// Returns the largest |x|, |y| or |z| of a point.
   [[nodiscard]] double extent() const { return m_extent; }
 
  private:
-  /// What the rays of a packet meet in Embree's opinion.
+  /// Embree's hits of the rays of a packet.
   struct Packet {
     Hits::Row<std::uint32_t> triangles;
-    /// A triangle whose longest side is shorter than this is passed farther from its edges than
-    /// rounding goes.
+    /// The longest side up to which a triangle's edges are farther from the ray than rounding
+    /// errors.
     Hits::Row<float> certain;
-    std::uint32_t ties = 0;  ///< a bit for each ray that met two triangles at one depth
+    std::uint32_t ties = 0;  ///< a bit for each ray with two triangles at one depth
   };
   struct Traits {
     float longestSide;
@@ -103,7 +103,7 @@ class EmbreeScene {
   void settle(std::span<const plugin::Ray> rays, const Packet& packet, Hits& hits) const;
   [[nodiscard]] std::uint32_t meetAlone(const plugin::Ray& ray) const;
 
-  std::vector<float> m_points;  ///< and one float more: Embree reads four at a time
+  std::vector<float> m_points;  ///< with an additional float, because Embree reads four at a time
   std::vector<Corners> m_triangles;
   std::vector<Traits> m_traits;
   double m_extent = 0;

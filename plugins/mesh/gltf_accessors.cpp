@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lists of numbers of a glTF file.
+// The accessors of a glTF file.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -65,7 +65,7 @@ std::size_t componentsOf(const std::string& type) {
   if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   if (type == "VEC4") return 4;
-  return 0;  // matrices are for animations
+  return 0;  // matrices are used by animations only
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ GltfData::Layout GltfData::layout(std::size_t accessor) const {
   return layout;
 }
 
-/// Copies as many rows as there are values for.
+/// Copies as many rows as fit `values`.
 template <class T>
 void GltfData::copyRows(std::vector<T>& values, std::string_view bytes, std::size_t stride,
                         const Layout& layout) const {
@@ -117,7 +117,7 @@ void GltfData::copyRows(std::vector<T>& values, std::string_view bytes, std::siz
     if constexpr (std::is_same_v<T, float>)
       values[k] = float(layout.divisor == 1 ? value : std::max(value, -1.0));
     else
-      values[k] = T(value > 0 ? std::min(value, 4294967295.0) : 0);  // NaN is 0
+      values[k] = T(value > 0 ? std::min(value, 4294967295.0) : 0);  // NaN becomes 0
   }
 }
 

@@ -41,7 +41,7 @@ std::string decodeBase64(std::string_view text) {
   return bytes;
 }
 
-/// Turns %20 and the like into letters.
+/// Decodes percent-encoded characters such as %20.
 std::string decodePercents(const std::string& uri) {
   std::string text;
   for (std::size_t k = 0; k < uri.size(); ++k) {
@@ -94,10 +94,10 @@ std::string_view GltfData::readContainer() {
   return binary;
 }
 
-/// What is nested deeply would be destroyed and copied by calls in calls.
+/// Limits the depth, because deep values are destroyed and copied recursively.
 void GltfData::parse(std::string_view json) {
   constexpr int deepest = 100;
-  constexpr double bytesOfValue = 64;  // a member of an object has a key beside its value
+  constexpr double bytesOfValue = 64;  // an object's member has a key in addition to its value
   m_reading.take(double(json.size()));
   std::size_t count = 0;
   const auto look = [&](int depth, Json::parse_event_t, Json&) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A glTF file taken apart: its JSON, its buffers, its lists of numbers. Everything is checked
-// against the sizes of what is there.
+// A parsed glTF file: its JSON, its buffers, its accessors. Everything is checked against the
+// existing sizes.
 #pragma once
 
 #include <array>
@@ -30,14 +30,15 @@ struct Numbers {
   [[nodiscard]] std::size_t rows() const { return values.size() / components; }
 };
 
-/// The extensions that are read.
+/// The supported extensions.
 constexpr std::array<std::string_view, 5> knownExtensions{
     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
     "KHR_mesh_quantization", "KHR_texture_transform"};
 
 class GltfData {
  public:
-  /// Reads the file and all that it names but pictures; refuses required extensions by name.
+  /// Reads the file and all files that it names except images; throws for unsupported required
+  /// extensions.
   explicit GltfData(Reading& reading);
 
   [[nodiscard]] const Json& root() const { return m_root; }
@@ -46,16 +47,16 @@ class GltfData {
   /// All files that were read.
   [[nodiscard]] std::vector<std::string>& files() { return m_files; }
 
-  /// Returns the object that a member holds; an empty one if there is none.
+  /// Returns the object of a member; an empty one if there is none.
   [[nodiscard]] static const Json& part(const Json& object, const char* member);
   /// Returns a list at the root; an empty one if there is none.
   [[nodiscard]] const Json& listAt(const char* member) const;
   /// Returns entry `index` of a list at the root, or throws.
   [[nodiscard]] const Json& entry(const char* list, std::size_t index) const;
-  /// Returns an index that a member holds, or `none`.
+  /// Returns the index in a member, or `none`.
   [[nodiscard]] std::size_t index(const Json& object, const char* member) const;
   static constexpr std::size_t none = std::size_t(-1);
-  /// Returns a member's number, or what stands for it. Throws if it is not finite.
+  /// Returns a member's number, or `otherwise`. Throws if it is not finite.
   [[nodiscard]] double number(const Json& object, const char* member, double otherwise) const;
   /// Returns a member's list of `count` numbers, or an empty one if there is no such member.
   [[nodiscard]] std::vector<double> list(const Json& object, const char* member,
@@ -63,16 +64,16 @@ class GltfData {
 
   /// Returns how many rows an accessor has.
   [[nodiscard]] std::size_t rows(std::size_t accessor) const;
-  /// Returns how much memory its numbers take while they are read.
+  /// Returns the memory of its numbers while they are read.
   [[nodiscard]] double bytes(std::size_t accessor) const;
   /// Returns the numbers of an accessor; normalised integers become 0 … 1 or −1 … 1.
   [[nodiscard]] Numbers numbers(std::size_t accessor) const;
-  /// Returns the whole numbers of an accessor.
+  /// Returns the integers of an accessor.
   [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor) const;
   [[nodiscard]] std::string_view bufferView(std::size_t index) const;
-  /// Returns the path of the file beside this one that a URI means, which is there.
+  /// Returns the path of the existing file beside this one that a URI refers to.
   [[nodiscard]] std::string fileOf(const std::string& uri, const std::string& what) const;
-  /// Returns the bytes in a URI, taking their size.
+  /// Returns the bytes in a data URI and counts their memory.
   [[nodiscard]] std::string dataOf(const std::string& uri, const std::string& what) const;
   [[nodiscard]] static bool isData(const std::string& uri) { return uri.starts_with("data:"); }
 
@@ -100,7 +101,7 @@ class GltfData {
   Json m_root;
   std::vector<std::string> m_files;
   std::map<std::string, std::string> m_contents;  ///< of the buffers' files, by sameName()
-  std::deque<std::string> m_data;                 ///< of the buffers that are in the JSON
+  std::deque<std::string> m_data;                 ///< of the buffers in the JSON
   std::vector<std::string_view> m_buffers;
 };
 

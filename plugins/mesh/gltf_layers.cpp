@@ -12,8 +12,8 @@ Wrap wrapOf(double code) {
   return code == 33648 ? Wrap::mirror : Wrap::repeat;
 }
 
-/// KHR_texture_transform: T·R·S of texture coordinates. The rotation is counter-clockwise where v
-/// runs down (KhronosGroup/glTF issue 1563: the matrix in the first text of the extension is
+/// Applies KHR_texture_transform: T·R·S of texture coordinates. The rotation is counter-clockwise
+/// for v pointing down (KhronosGroup/glTF issue 1563: the matrix in the extension's first text is
 /// wrong).
 void transform(const GltfData& data, const Json& extension, Layer& layer) {
   const std::vector<double> offset = data.list(extension, "offset", 2);
@@ -63,7 +63,7 @@ int GltfLayers::pictureOf(std::size_t image) {
     m_data.fail(name, "has neither a bufferView nor a uri");
   const auto& uri = found->get_ref<const std::string&>();
   if (!GltfData::isData(uri)) return m_textures.add(m_data.fileOf(uri, name));
-  // Its bytes are taken from the JSON at the first time alone.
+  // Its bytes are taken from the JSON only the first time.
   const auto known = m_ofData.find(image);
   if (known != m_ofData.end()) return known->second;
   const int number =

@@ -23,7 +23,7 @@ class GltfLayers {
 
   GltfData& m_data;
   Textures m_textures;
-  std::map<std::size_t, int> m_ofData;  ///< numbers of the images that are in the JSON
+  std::map<std::size_t, int> m_ofData;  ///< texture indices of the images in the JSON
 };
 
 }  // namespace hogelscope::mesh

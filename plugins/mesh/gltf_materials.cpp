@@ -57,7 +57,7 @@ Material MaterialReader::material(std::size_t index) {
   clamped(m_data.list(surface, "baseColorFactor", 4), material.colour, 1);
   material.layer = m_layers.layerOf(GltfData::part(surface, "baseColorTexture"));
   material.isUnlit = extensions.contains("KHR_materials_unlit");
-  if (!material.isUnlit) {  // which emits nothing
+  if (!material.isUnlit) {  // unlit materials emit nothing
     clamped(m_data.list(object, "emissiveFactor", 3), material.emission, 1);
     const double strength = m_data.number(
         GltfData::part(extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1);

@@ -15,10 +15,10 @@ class MaterialReader {
  public:
   explicit MaterialReader(GltfData& data) : m_data(data), m_layers(data) {}
 
-  /// Returns the file's materials after the one that primitives without a material have. Their
-  /// textures have numbers then, and are known to fit into the memory.
+  /// Returns the file's materials, after the one of primitives without a material. Their textures
+  /// then have indices and are known to fit the memory.
   [[nodiscard]] std::vector<Material> read();
-  /// Adds the textures, their files, and notes on what is not shown of the materials.
+  /// Adds the textures, their files, and notes on properties of the materials that are not shown.
   void finish(Mesh& mesh) const;
 
  private:
@@ -27,10 +27,10 @@ class MaterialReader {
 
   GltfData& m_data;
   GltfLayers m_layers;
-  std::set<std::string> m_others;  ///< what is not shown
+  std::set<std::string> m_others;  ///< properties that are not shown
 };
 
-/// Returns the lights that nodes name, at their own origin.
+/// Returns the lights of nodes, at their own origin.
 std::vector<Light> readLights(const GltfData& data);
 
 }  // namespace hogelscope::mesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // glTF 2.0: the scene's nodes with their meshes and lights. Animations, skins and morph targets
-// stay at rest, which is noted.
+// stay at rest, with a note.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace hogelscope::mesh {
 
 namespace {
 
-/// A quaternion's rotation; any length but 0 will do.
+/// Returns a quaternion's rotation; its length must not be 0.
 std::array<Vec3, 3> rotation(double x, double y, double z, double w) {
   const double n = x * x + y * y + z * z + w * w;
   const double s = n > 0 ? 2 / n : 0;
@@ -25,17 +25,17 @@ std::array<Vec3, 3> rotation(double x, double y, double z, double w) {
           Vec3{s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y)}};
 }
 
-/// A primitive of a node, and where the node stands.
+/// A primitive of a node, and the node's frame.
 struct Placed {
   const Json* primitive = nullptr;
   Affine frame;
 };
 
-/// What a primitive, or all of them, take.
+/// The sizes of a primitive or of all of them.
 struct Sizes {
   double points = 0;
   double triangles = 0;
-  double numbers = 0;  ///< bytes, while they are read
+  double numbers = 0;  ///< bytes used while they are read
 };
 
 class GltfReader {
@@ -74,7 +74,7 @@ class GltfReader {
     return list;
   }
 
-  /// The scene's, or without scenes all nodes that are nobody's children.
+  /// Returns the scene's nodes; without scenes, all nodes that are not children.
   [[nodiscard]] std::vector<std::size_t> rootNodes() const {
     const Json& root = m_data.root();
     if (root.contains("scenes")) {
@@ -92,7 +92,7 @@ class GltfReader {
     return nodes;
   }
 
-  /// In the file's order: a node, then its children.
+  /// Visits a node, then its children, in the file's order.
   void walk(const std::vector<std::size_t>& roots) {
     Places open;
     const auto push = [&](const std::vector<std::size_t>& nodes, const Affine& parent) {
@@ -181,7 +181,7 @@ class GltfReader {
     return sizes;
   }
 
-  /// What a point has where any primitive has it for its own.
+  /// Returns the bytes of a point with all attributes that any primitive has.
   [[nodiscard]] double bytesOfPoint() const {
     double sum = sizeof(Vec3) + sceneBytesOfPoint;
     for (const auto& [name, bytes] : attributeBytes)
@@ -192,7 +192,7 @@ class GltfReader {
     return sum;
   }
 
-  /// Takes the memory for all of the scene before any of it is allocated.
+  /// Counts the memory of the whole scene before any of it is allocated.
   void measure() {
     Sizes whole;
     for (std::size_t k = 0; k < m_primitives.size(); ++k) {
@@ -228,7 +228,7 @@ class GltfReader {
     m_mesh.materialOf.resize(m_mesh.triangles.size(), std::uint32_t(material));
   }
 
-  /// Returns an attribute of as many rows as there are points; no values if it is not there.
+  /// Returns an attribute with one row per point; no values if it is missing.
   [[nodiscard]] Numbers attribute(const Json& attributes, const char* name, std::size_t least,
                                   std::size_t rows) const {
     const std::size_t accessor = m_data.index(attributes, name);
@@ -268,7 +268,7 @@ class GltfReader {
     m_mesh.fillAttributes();
   }
 
-  /// Modes of glTF: 4 triangles, 5 a strip, 6 a fan.
+  /// Appends triangles of glTF's modes: 4 triangles, 5 a strip, 6 a fan.
   void appendTriangles(const std::vector<std::uint32_t>& corners, int mode, std::uint32_t first) {
     const std::size_t step = mode == 4 ? 3 : 1;
     for (std::size_t k = 0; k + 2 < corners.size(); k += step)

@@ -9,14 +9,15 @@ namespace hogelscope::mesh {
 
 namespace {
 
-/// The share of a spot's light in a direction (KHR_lights_punctual, "Inner and Outer Cone Angles").
+/// Returns the share of a spot's light in a direction (KHR_lights_punctual, "Inner and Outer Cone
+/// Angles").
 double coneShare(const Light& light, double cosine) {
   const double width = std::max(0.001, light.cosInner - light.cosOuter);
   const double share = std::clamp((cosine - light.cosOuter) / width, 0.0, 1.0);
   return share * share;
 }
 
-/// The share of light within a lamp's range (KHR_lights_punctual, "Range Property").
+/// Returns the attenuation within a lamp's range (KHR_lights_punctual, "Range Property").
 double rangeShare(const Light& light, double distance) {
   if (light.range <= 0) return 1;
   const double part = distance / light.range;

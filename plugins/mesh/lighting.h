@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light that falls on a point.
+// The light incident on a point.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,16 @@
 
 namespace hogelscope::mesh {
 
-/// Light that arrives at a point: as strong as a white surface that faces it would look; 1 is
-/// white.
+/// Light incident on a point, as the brightness of a white surface facing it; 1 is white.
 struct Arriving {
   Linear strength{};
-  Vec3 way;                  ///< to the lamp, or its direction
-  bool isDirection = false;  ///< the lamp is at no place
+  Vec3 way;                  ///< to the lamp, or towards it if isDirection
+  bool isDirection = false;  ///< the lamp has no position
 };
 
-/// Returns the light of one lamp at a point, both in the display frame, or nothing outside of its
-/// cone or range. A surface under E lux looks as strong as E/π; distances count in the file's
-/// units, which are `unit` metres long, so that a scaled scene looks the same.
+/// Returns the light of one lamp at a point, both in the display frame; none outside its cone or
+/// range. A surface with an illuminance of E lux has the brightness E/π. Distances are in the
+/// file's units, which are `unit` metres long, so that a scaled scene looks the same.
 std::optional<Arriving> lightAt(const Light& light, const Vec3& point, double unit);
 
 }  // namespace hogelscope::mesh

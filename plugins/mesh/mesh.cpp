@@ -4,7 +4,7 @@
 namespace hogelscope::mesh {
 
 Vec3 Affine::normal(const Vec3& n) const {
-  // The cofactors: the inverse's transpose times the determinant, whose sign does not matter here.
+  // The cofactors: the inverse's transpose times the determinant, whose sign is irrelevant here.
   return n.x * cross(axes[1], axes[2]) + n.y * cross(axes[2], axes[0]) +
          n.z * cross(axes[0], axes[1]);
 }

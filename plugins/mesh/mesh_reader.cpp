@@ -30,7 +30,7 @@ bool isFinite(const Vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// Throws if one of a list's entries, an attribute of a point, is NaN or infinite.
+/// Throws if an entry of a list of point attributes is NaN or infinite.
 template <class List>
 void checkFinite(const List& list, const char* what, const std::string& file) {
   const auto wrong = std::find_if_not(list.begin(), list.end(), [](const auto& entry) {

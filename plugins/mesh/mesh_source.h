@@ -27,8 +27,8 @@ void describe(ParameterVisitor& v, MeshParams& p);
 class MeshSource : public plugin::ContentSource {
  public:
   void describe(ParameterVisitor& v) override;
-  /// Reads the file if it is another one than before or has changed, and builds the scene if the
-  /// pose has. Where it throws, the source goes on showing what it did.
+  /// Reads the file if it is another one or has changed, and builds the scene if the pose has
+  /// changed. If it throws, the source keeps showing its previous content.
   void open(const plugin::Panel& panel, const plugin::Place& place,
             const plugin::Progress& progress) override;
   [[nodiscard]] std::vector<std::string> files() const override { return m_mesh->files; }
@@ -52,7 +52,7 @@ class MeshSource : public plugin::ContentSource {
 
   MeshParams m_params;
   std::shared_ptr<const Mesh> m_mesh;
-  std::vector<Version> m_versions;  ///< of m_mesh's files when they were read
+  std::vector<Version> m_versions;  ///< of m_mesh's files at the time of reading
   Pose m_pose;                      ///< of m_shown
   std::unique_ptr<ShadedMesh> m_shown;
 };

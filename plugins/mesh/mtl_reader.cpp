@@ -70,12 +70,12 @@ void MtlReader::readLine(Words words) {
   } else if (double opacity = 1; command == "d" || command == "Tr") {
     if (words.number(opacity) && opacity != (command == "d" ? 1 : 0)) m_skipped.emplace(command);
   } else if (std::ranges::find(others, command) != others.end()) {
-    double strength = 0;  // Ks 0 0 0 stands in most files
+    double strength = 0;  // most files have Ks 0 0 0
     if (command != "Ks" || (words.number(strength) && strength > 0)) m_skipped.emplace(command);
   }
 }
 
-/// In one library a later material of the same name takes the place of the earlier one.
+/// Starts a material. In one library, a later material of the same name replaces the earlier one.
 void MtlReader::beginMaterial(const std::string& name) {
   const auto [found, isNew] =
       m_libraries.back().materials.try_emplace(name, std::uint32_t(m_mesh.materials.size()));
@@ -84,7 +84,7 @@ void MtlReader::beginMaterial(const std::string& name) {
     m_mesh.materials[*m_current] = {};
     return;
   }
-  m_reading.take(2 * sizeof(Material) + 96 + double(name.size()));  // and a node of the map
+  m_reading.take(2 * sizeof(Material) + 96 + double(name.size()));  // with a node of the map
   m_mesh.materials.emplace_back();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wavefront MTL, the materials of OBJ files: newmtl, Kd, map_Kd, Ke, map_Ke. All other lines are
-// skipped; what they would show is noted.
+// skipped; those with a visible effect are noted.
 #pragma once
 
 #include <map>
@@ -18,13 +18,13 @@ namespace hogelscope::mesh {
 
 class MtlReader {
  public:
-  /// Adds what it reads to the mesh, after a material for faces without one.
+  /// Adds a material for faces without one to the mesh, followed by those that it reads.
   MtlReader(Reading& reading, Mesh& mesh);
 
-  /// Reads the file that an OBJ names; once, by whatever names. Of two materials of one name that
-  /// of the library that was named last counts. Returns what is wrong with the name.
+  /// Reads a file named by an OBJ, once, under any name. Of two materials of one name, that of the
+  /// library named last counts. Returns the problem with the name, or "".
   [[nodiscard]] std::string read(const std::string& name);
-  /// Returns the number of a material.
+  /// Returns the index of a material.
   [[nodiscard]] std::optional<std::uint32_t> find(const std::string& name) const;
   /// Decodes the textures, and adds the notes.
   void finish();
@@ -44,9 +44,9 @@ class MtlReader {
   Reading& m_reading;
   Mesh& m_mesh;
   Textures m_textures;
-  std::vector<Library> m_libraries;  ///< in the order in which they were named last
-  std::set<std::string> m_skipped;   ///< commands that would show something
-  std::string m_file;                ///< that is being read
+  std::vector<Library> m_libraries;  ///< in the order of their latest naming
+  std::set<std::string> m_skipped;   ///< commands with a visible effect
+  std::string m_file;                ///< the file being read
   std::size_t m_line = 0;
   std::optional<std::uint32_t> m_current;
 };

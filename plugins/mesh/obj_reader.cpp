@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wavefront OBJ: v (with colours after the place), vt, vn, f, usemtl, mtllib. All other lines are
-// skipped; what they would show is noted. Colours are taken for sRGB.
+// Wavefront OBJ: v (with optional colours), vt, vn, f, usemtl, mtllib. All other lines are skipped;
+// those with a visible effect are noted. Colours are interpreted as sRGB.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace hogelscope::mesh {
 
 namespace {
 
-/// A list that grows entry by entry has room for up to as many again.
+/// The capacity of a growing list relative to its size, at most.
 constexpr double growing = 2;
 
 class ObjReader {
@@ -27,7 +27,7 @@ class ObjReader {
   Mesh read() {
     std::string text = m_reading.bytesOf(m_file);
     m_mesh.files.push_back(m_file);
-    // A backslash carries a line on.
+    // A backslash continues a line.
     for (std::size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n", at))
       text[at] = text[at + 1] = ' ';
     forLines(text, [&](std::string_view line, std::size_t number) {
@@ -43,7 +43,7 @@ class ObjReader {
   }
 
  private:
-  /// A corner of a face: numbers of its place, texture coordinates and normal, from 1; 0: none.
+  /// A corner of a face: indices of position, texture coordinates and normal, from 1; 0: none.
   using Corner = std::array<std::uint32_t, 3>;
   struct CornerHash {
     std::size_t operator()(const Corner& c) const {
@@ -117,7 +117,7 @@ class ObjReader {
                                      : Linear{1, 1, 1});
   }
 
-  /// Reads "7", "7/2", "7//3" or "7/2/3"; negative numbers count back from the newest.
+  /// Parses "7", "7/2", "7//3" or "7/2/3"; negative numbers count back from the newest.
   [[nodiscard]] Corner readCorner(std::string_view word) const {
     const std::array<std::size_t, 3> counts{m_places.size(), m_uv.size(), m_normals.size()};
     Corner corner{};
@@ -159,13 +159,13 @@ class ObjReader {
                   (corner[2] != 0 ? sizeof(m_normals[0]) : 0));
   }
 
-  /// The mesh's point for a corner: a new one for a new combination.
+  /// Returns the mesh's point for a corner, a new one for a new combination.
   std::uint32_t pointOf(const Corner& corner) {
     const auto [found, isNew] = m_points.try_emplace(corner, std::uint32_t(m_mesh.points.size()));
     if (!isNew) return found->second;
     const std::size_t count = m_mesh.points.size();
     const std::size_t place = corner[0] - 1;
-    // The list of known corners has a node, and a place in its table.
+    // The map of known corners has a node and a table entry.
     m_reading.take(sceneBytesOfPoint + sizeof(Corner) + 48 + growing * bytesOfPoint(corner));
     m_mesh.points.push_back(m_places[place]);
     if (!m_colours.empty()) {
@@ -192,7 +192,7 @@ class ObjReader {
   std::vector<std::array<float, 2>> m_uv;
   std::vector<std::array<float, 3>> m_normals;
   std::unordered_map<Corner, std::uint32_t, CornerHash> m_points;
-  std::vector<std::string> m_skipped;  ///< commands whose lines would show something
+  std::vector<std::string> m_skipped;  ///< skipped commands with a visible effect
   bool m_hasColours = false;
   std::uint32_t m_material = 0;
   std::size_t m_line = 0;

@@ -16,7 +16,7 @@ namespace hogelscope::mesh {
 namespace {
 
 constexpr double mostPixels = 1 << 26;
-/// Rows between two questions to the listener.
+/// The number of rows between calls of the listener.
 constexpr int someRows = 64;
 
 [[noreturn]] void damaged(const EncodedPicture& source, const std::string& why) {
@@ -32,7 +32,7 @@ Picture blank(int width, int height) {
   return {width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 3)};
 }
 
-/// libpng and with it OpenImageIO report damage on stderr, libspng does not.
+/// Decodes PNG by libspng, because libpng, and OpenImageIO with it, prints errors on stderr.
 class Png {
  public:
   explicit Png(const EncodedPicture& source) : m_source(source) {
@@ -78,7 +78,7 @@ class Jpeg {
  public:
   explicit Jpeg(const EncodedPicture& source)
       : m_source(source),
-        m_memory(const_cast<char*>(source.bytes.data()), source.bytes.size()),  // only read
+        m_memory(const_cast<char*>(source.bytes.data()), source.bytes.size()),  // read only
         m_input(OIIO::ImageInput::create("jpg")) {
     OIIO::ImageSpec asked;
     void* proxy = &m_memory;
@@ -116,7 +116,7 @@ class Jpeg {
   OIIO::ImageSpec m_spec;
 };
 
-/// Calls `use` with the decoder that the first bytes ask for.
+/// Calls `use` with the decoder for the file's first bytes.
 template <class Use>
 auto withDecoder(const EncodedPicture& picture, const Use& use) {
   if (picture.bytes.starts_with("\x89PNG")) return use(Png(picture));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of textures: PNG and JPEG, out of memory.
+// Decoding of texture images: PNG and JPEG, from memory.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace hogelscope::mesh {
 
-/// 8-bit RGB from the top left, row by row.
+/// 8-bit RGB, row by row from the top left.
 struct Picture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgb;
 };
 
-/// A PNG or JPEG, and the names for messages: of the file that it is in, and its own there.
+/// A PNG or JPEG, and the names for messages: of its file, and its own in that file.
 struct EncodedPicture {
   std::string_view bytes;
   std::string file;
   std::string name;
 };
 
-/// Returns the number of pixels that its header says. Throws on anything but a PNG or JPEG of 1 to
-/// 2^26 pixels.
+/// Returns the number of pixels in its header. Throws unless it is a PNG or JPEG of 1 to 2^26
+/// pixels.
 double pixelsOf(const EncodedPicture& picture);
 
-/// Decodes it; alpha is left out. Throws on damaged bytes, and where the listener stops.
+/// Decodes an image without alpha. Throws for damaged bytes, and if the listener cancels.
 Picture decoded(const EncodedPicture& picture, const Reading& reading);
 
 }  // namespace hogelscope::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The symbol that the program looks for.
+// The exported symbol of the plugin.
 #include "mesh_source.h"
 
 namespace {

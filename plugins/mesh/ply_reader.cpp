@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stanford's PLY, as text and in binary: points with normals and colours, faces, strips of
-// triangles. Colours are taken for sRGB. Other elements and properties are skipped, with a note.
+// Stanford's PLY, text and binary: points with normals and colours, faces, triangle strips. Colours
+// are interpreted as sRGB. Other elements and properties are skipped, with a note.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -40,7 +40,7 @@ Type typeOf(std::string_view name) {
   return Type::unknown;
 }
 
-/// Of a point's properties, as PlyReader::m_values has them.
+/// The names of a point's properties, in the order of PlyReader::m_values.
 constexpr std::array<std::string_view, 9> pointNames{"x",  "y",   "z",     "nx",  "ny",
                                                      "nz", "red", "green", "blue"};
 
@@ -49,7 +49,7 @@ constexpr std::array<std::size_t, 8> typeBytes{1, 1, 2, 2, 4, 4, 4, 8};
 struct Property {
   std::string name;
   Type type = Type::unknown;
-  Type countType = Type::unknown;  ///< of a list's length; unknown: no list
+  Type countType = Type::unknown;  ///< of a list's length; unknown: not a list
 };
 
 struct Element {
@@ -69,7 +69,7 @@ class PlyReader {
     m_mesh.files.push_back(m_file);
     m_mesh.materials.emplace_back();
     for (const Element& element : m_elements) {
-      // Each row has at least a byte for each property.
+      // Each row has at least one byte per property.
       if (element.count * double(element.properties.size()) > double(m_rest.size())) endsEarly();
       if (element.name == "vertex") preparePoints(element);
       for (std::size_t row = 0; row < std::size_t(element.count); ++row) {
@@ -270,12 +270,12 @@ class PlyReader {
     return element.name == "face" ? Shape::polygon : Shape::none;
   }
 
-  /// A polygon becomes a fan of triangles. In a list of strips -1 ends one.
+  /// Converts a polygon to a fan of triangles. In a list of strips, -1 ends a strip.
   void readList(const Property& property, Shape shape) {
     const double count = readValue(property.countType);
     if (!(count >= 0 && count <= double(m_rest.size()))) endsEarly();
     Corners corners{};
-    std::size_t known = 0;  // corners of the triangle to come
+    std::size_t known = 0;  // corners of the next triangle so far
     for (std::size_t k = 0; k < std::size_t(count); ++k) {
       if (k % 65536 == 65535) m_reading.poll();
       const double index = readValue(property.type);
@@ -321,10 +321,10 @@ class PlyReader {
   std::string m_file;
   Reading& m_reading;
   std::string m_bytes;
-  std::string_view m_rest;  ///< what has not been read yet
+  std::string_view m_rest;  ///< the unread rest
   Mesh m_mesh;
   std::vector<Element> m_elements;
-  std::array<double, 9> m_values{};  ///< of one point
+  std::array<double, 9> m_values{};  ///< of a single point
   Format m_format = Format::text;
   bool m_hasNormals = false;
   bool m_hasColours = false;

@@ -39,7 +39,7 @@ void Reading::take(double bytes) {
 }
 
 std::string Reading::bytesOf(const std::string& file) {
-  // A pipe or a device would never end.
+  // Pipes and devices would never end.
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) fail(file, "cannot be read", std::strerror(ENOENT));
@@ -62,7 +62,7 @@ std::string Reading::bytesOf(const std::string& file) {
 }
 
 void Reading::report(std::size_t read, std::size_t bytes) {
-  constexpr double share = 0.5;  // of opening
+  constexpr double share = 0.5;  // of the time of opening
   m_done = std::max(m_done, share * double(read) / double(bytes));
   poll();
 }

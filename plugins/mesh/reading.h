@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The memory that one mesh may take, and the listener of its reading; all its readers share them.
+// The memory limit and the progress listener of reading a mesh, shared by all its readers.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@ namespace hogelscope::mesh {
 
 class Reading {
  public:
-  /// `file` is the mesh's own, for messages; `memory` are the bytes for all that is made of it.
+  /// `file` is the mesh's own, for messages; `memory` is the limit in bytes for everything made of
+  /// it.
   Reading(std::string file, std::uint64_t memory, const plugin::Progress& progress);
 
   [[nodiscard]] const std::string& file() const { return m_file; }
 
-  /// Counts bytes before they are allocated and kept. Throws if the mesh has then too many.
+  /// Counts bytes before they are allocated and kept. Throws if the mesh then exceeds the limit.
   void take(double bytes);
-  /// Returns what a file holds, taking its size, or throws.
+  /// Returns the content of a file and counts its size, or throws.
   [[nodiscard]] std::string bytesOf(const std::string& file);
-  /// Tells the listener how much of a file has been read. Throws "stopped" if it stops.
+  /// Reports the share of a file that has been read. Throws "stopped" if the listener cancels.
   void report(std::size_t read, std::size_t bytes);
-  /// Asks the listener alone.
+  /// Calls the listener without progress.
   void poll() const;
 
  private:
@@ -33,11 +34,11 @@ class Reading {
   const plugin::Progress& m_progress;
 };
 
-// The bytes that the scene keeps of each point and triangle besides the mesh.
+// The scene's bytes for each point and triangle, in addition to the mesh.
 
 constexpr double sceneBytesOfPoint = 3 * sizeof(float);
-/// Corners, material and longest side; the list that finds repeated triangles; Embree's tree while
-/// it is built, 87 to 133 in its own account.
+/// Corners, material and longest side; the list for finding repeated triangles; Embree's tree
+/// during its construction, 87 to 133 bytes by its own report.
 constexpr double sceneBytesOfTriangle = 24 + 16 + 140;
 
 }  // namespace hogelscope::mesh

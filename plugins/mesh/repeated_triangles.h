@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles that stand in a file twice.
+// Triangles that occur twice in a file.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace hogelscope::mesh {
 
-/// Returns the triangles without those whose three places (x, y, z of each point), in any order,
-/// are an earlier one's: which of two such is met first would depend on the way through the scene.
-/// `materialOf` loses the same entries.
+/// Returns the triangles without those whose three positions (x, y, z of each point), in any order,
+/// are those of an earlier one; otherwise the first hit of two would depend on the traversal of the
+/// scene. `materialOf` loses the same entries.
 std::vector<Corners> withoutRepeated(const std::vector<Corners>& triangles,
                                      const std::vector<float>& points,
                                      std::vector<std::uint32_t>& materialOf);

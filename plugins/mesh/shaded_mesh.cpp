@@ -16,7 +16,7 @@ namespace hogelscope::mesh {
 
 namespace {
 
-/// Light from everywhere, where the file has lamps: else what they do not reach would be black.
+/// The ambient light in files with lamps, so that unlit parts are not black.
 constexpr float ambientLight = 0.1F;
 
 Affine displayFromFile(const Pose& pose) {
@@ -28,7 +28,7 @@ std::vector<float> placedPoints(const Mesh& mesh, const Affine& frame, double sc
   std::vector<float> points;
   points.reserve(mesh.points.size() * 3 + 1);
   constexpr double farthest = 1e6;
-  constexpr double leastScale = 1e-5;  // of which little is left
+  constexpr double leastScale = 1e-5;  // a smaller scale leaves almost nothing
   for (const Vec3& point : mesh.points) {
     const Vec3 p = frame.point(point);
     if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest))
@@ -51,7 +51,7 @@ Linear sum(const Linear& a, const Linear& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// The mean of a triangle's three corners, weighted.
+/// Returns the weighted mean of a triangle's three corners.
 template <class List>
 auto blended(const List& list, const Corners& corners, const std::array<double, 3>& weights) {
   typename List::value_type mean{};
@@ -94,7 +94,7 @@ void ShadedMesh::placeLights(const Affine& frame) {
   m_ambient = m_lights.empty() ? 0 : ambientLight;
   if (!m_lights.empty()) return;
   constexpr auto white = float(std::numbers::pi);
-  m_lights.push_back({});  // a headlight: along −z
+  m_lights.push_back({});  // a headlight along −z
   m_lights.back().intensity = {white, white, white};
 }
 
@@ -158,7 +158,8 @@ Linear ShadedMesh::emission(const Hit& hit, const Material& material) const {
   return product(material.emission, textureColour(hit, material.glow));
 }
 
-/// The level whose texels are as wide as a directional pixel's light at the hit's depth.
+/// Returns a texture's colour at the level whose texels are as wide as a directional pixel's light
+/// at the hit's depth.
 Linear ShadedMesh::textureColour(const Hit& hit, const Layer& layer) const {
   if (layer.texture < 0 || m_mesh->uv.empty()) return {1, 1, 1};
   const Texture& texture = m_mesh->textures[std::size_t(layer.texture)];
@@ -186,7 +187,7 @@ Vec3 ShadedMesh::shadingNormal(const Hit& hit, const Vec3& geometric) const {
   return dot(n, geometric) < 0 ? -1.0 * n : n;
 }
 
-/// A surface shows light to the side that it is lit from; of both sides the ray sees one.
+/// Returns the light on the side of the surface that the ray sees.
 Linear ShadedMesh::lightOn(const Hit& hit, const plugin::Ray& ray) const {
   const Corners& corners = m_scene->corners(hit.triangle);
   const Vec3 p0 = m_scene->point(corners[0]);

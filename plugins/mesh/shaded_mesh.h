@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh that stands in the display frame, with its lights: the colour of what a ray meets.
+// A mesh in the display frame with its lights, and the colours that rays meet.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace hogelscope::mesh {
 
 enum class Shading : std::uint8_t { unlit, lambert };
 
-/// Where a mesh stands: displayFromFile is a turn, a scale of all three axes alike, a shift.
+/// The pose of a mesh: displayFromFile is a rotation, a uniform scale and a translation.
 struct Pose {
   Vec3 position;
   Vec3 orientation;  ///< degrees
@@ -23,17 +23,17 @@ struct Pose {
 
 class ShadedMesh {
  public:
-  /// Triangles with the same three points are kept once. Throws if the pose takes a point farther
-  /// than 10⁶ m.
+  /// Keeps triangles with the same three points once. Throws if the pose moves a point farther than
+  /// 10⁶ m.
   ShadedMesh(std::shared_ptr<const Mesh> mesh, const Pose& pose, int threads,
              const plugin::Progress& progress);
 
-  /// How surfaces look; the panel tells how much of a texture a ray sees.
+  /// Sets the shading of surfaces. The panel determines how much of a texture a ray covers.
   void setLook(Shading shading, const plugin::Panel& panel, const plugin::Colour& background);
 
-  /// As ContentSource::trace().
+  /// Implements ContentSource::trace().
   void trace(std::span<const plugin::Ray> rays, std::span<plugin::Colour> colours) const;
-  /// As ContentSource::traceDepths().
+  /// Implements ContentSource::traceDepths().
   void traceDepths(std::span<const plugin::Ray> rays, std::span<double> depths) const;
   [[nodiscard]] plugin::Triangles triangles() const;
   [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return m_mesh; }
@@ -51,10 +51,10 @@ class ShadedMesh {
   [[nodiscard]] Vec3 shadingNormal(const Hit& hit, const Vec3& geometric) const;
 
   std::shared_ptr<const Mesh> m_mesh;
-  std::vector<std::uint32_t> m_materialOf;  ///< of the triangles that are left
+  std::vector<std::uint32_t> m_materialOf;  ///< of the remaining triangles
   std::unique_ptr<EmbreeScene> m_scene;
   Affine m_displayFromFile;
-  double m_unit = 1;  ///< metres that the file's unit is long
+  double m_unit = 1;  ///< the file's unit in metres
   double m_back = 0;
   double m_front = 0;
   std::vector<Light> m_lights;  ///< in the display frame
@@ -63,7 +63,7 @@ class ShadedMesh {
   plugin::Colour m_background;
   double m_pitch = 0;
   double m_slopeStep = 0;
-  /// Of each material that is one colour all over.
+  /// The colour of each material that has a single colour.
   std::vector<std::optional<plugin::Colour>> m_plain;
 };
 

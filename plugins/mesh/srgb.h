@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// sRGB code values and the linear light that they stand for (IEC 61966-2-1).
+// sRGB code values and linear light (IEC 61966-2-1).
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ using Linear = std::array<float, 3>;
 /// Returns the linear light of an encoded value, 0 … 1.
 double linearOf(double encoded);
 
-/// Returns the code value, 0 … 255, of linear light, which is clipped to 0 … 1. From a table:
-/// within 0.005 of the formula.
+/// Returns the code value, 0 … 255, of linear light, clipped to 0 … 1. Uses a table, within 0.005
+/// of the formula.
 float codeOf(float linear);
 
 }  // namespace hogelscope::mesh

@@ -10,7 +10,7 @@ namespace hogelscope::mesh {
 
 namespace {
 
-/// Returns the texel of 0 … n − 1 that stands at place k.
+/// Returns the texel of 0 … n − 1 at position k.
 std::size_t wrapped(double k, int n, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::size_t(std::clamp(k, 0.0, double(n - 1)));
   const double period = wrap == Wrap::repeat ? n : 2.0 * n;
@@ -18,13 +18,14 @@ std::size_t wrapped(double k, int n, Wrap wrap) {
   return std::size_t(place < n ? place : period - 1 - place);
 }
 
-/// The places of a coarser row's texel in a finer row, with their weights.
+/// The positions of a coarser row's texel in a finer row, with their weights.
 struct Box {
   int first = 0;
   std::array<double, 3> weights{};
 };
 
-/// Texel k of `to` covers from/to texels of `from`: two, or up to three parts where `from` is odd.
+/// Returns the box of texel k of `to`, which covers from/to texels of `from`: two, or parts of up
+/// to three if `from` is odd.
 Box boxOf(int k, int from, int to) {
   const double width = double(from) / to;
   Box box{int(std::floor(k * width)), {}};

@@ -15,7 +15,7 @@ int Textures::add(const std::string& path) {
 int Textures::add(const std::string& key, const EncodedPicture& picture) {
   const auto [found, isNew] = m_numbers.try_emplace(key, int(m_pictures.size()));
   if (!isNew) return found->second;
-  constexpr double bytesOfPixel = 3 + 4.0 / 3 * 3 * sizeof(std::uint16_t);  // and the mip chain
+  constexpr double bytesOfPixel = 3 + 4.0 / 3 * 3 * sizeof(std::uint16_t);  // with the mip chain
   m_reading.take(bytesOfPixel * pixelsOf(picture));
   m_pictures.push_back(picture);
   return found->second;

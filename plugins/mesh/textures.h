@@ -13,22 +13,22 @@
 
 namespace hogelscope::mesh {
 
-/// Gives each picture one number, by whatever names a file has it, and decodes none before the
-/// memory for all of them is known to be there.
+/// Gives each image one index, under any of its names in a file, and decodes none before the memory
+/// for all of them is reserved.
 class Textures {
  public:
   explicit Textures(Reading& reading) : m_reading(reading) {}
 
-  /// Returns the number of a picture file's texture.
+  /// Returns the texture index of an image file.
   int add(const std::string& path);
-  /// Returns that of a picture in memory, which must stay there. `key` tells it from others.
+  /// Returns the texture index of an image in memory, which must stay there. `key` identifies it.
   int add(const std::string& key, const EncodedPicture& picture);
-  /// Takes the bytes of a picture over, to stay as long as this.
+  /// Takes ownership of an image's bytes and returns a view of them.
   std::string_view keep(std::string bytes) { return m_bytes.emplace_back(std::move(bytes)); }
 
-  /// Decodes all, in the order of their numbers.
+  /// Decodes all images, in the order of their indices.
   [[nodiscard]] std::vector<Texture> decode() const;
-  /// The picture files that were read.
+  /// Returns the image files that were read.
   [[nodiscard]] const std::vector<std::string>& files() const { return m_files; }
 
  private:

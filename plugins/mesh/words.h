@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines of OBJ and MTL files, and their words.
+// Lines and words of OBJ and MTL files.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +23,13 @@ class Words {
     return word;
   }
 
-  /// Returns all that is left, without blanks at its ends.
+  /// Returns the rest of the line, without blanks at its ends.
   std::string_view rest() {
     m_rest.remove_prefix(std::min(m_rest.find_first_not_of(" \t\r"), m_rest.size()));
     return m_rest.substr(0, m_rest.find_last_not_of(" \t\r") + 1);
   }
 
-  /// Reads the next word as a number. Returns false if it is none.
+  /// Parses the next word as a number. Returns false if it is not one.
   bool number(double& value) {
     std::string_view word = next();
     if (word.starts_with('+')) word.remove_prefix(1);
@@ -51,7 +51,7 @@ void forLines(std::string_view text, const Read& read) {
   }
 }
 
-/// Colours of these files are sRGB.
+/// Returns the linear light of a colour, which in these files is sRGB.
 inline float linearFloat(double encoded) {
   return float(linearOf(std::clamp(encoded, 0.0, 1.0)));
 }

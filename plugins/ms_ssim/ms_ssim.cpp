@@ -4,9 +4,9 @@
 //
 //   MS-SSIM = (mean of l·cs at scale 5)^w5 · Π over scales 1 to 4 of (mean of cs)^w
 //
-// with l and cs of SSIM, as the authors' own program has it. Of the 8-bit picture's luma (BT.601),
-// not rounded. A mean below 0, of pictures with opposite structure, has no such power: it counts as
-// 0, and so does the figure.
+// with l and cs of SSIM, as in the authors' own program, on the unrounded luma (BT.601) of the
+// 8-bit image. A mean below 0, for images with opposite structure, has no such power: it counts
+// as 0, and so does the result.
 #include <hogelscope/plugin.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Plane lumaOf(const plugin::View& view) {
   return luma;
 }
 
-/// Means of 2×2 pixels; the last column and row of an odd size stand twice.
+/// Returns means of 2×2 pixels; the last column and row of an odd size are repeated.
 Plane halved(const Plane& from) {
   Plane half((from.width + 1) / 2, (from.height + 1) / 2);
   for (std::size_t y = 0; y < half.height; ++y) {
@@ -70,7 +70,7 @@ std::array<double, windowSize> gaussian() {
   return window;
 }
 
-/// Gaussian means over the places where the whole window lies inside: along rows, then columns.
+/// Returns Gaussian means over the places whose whole window lies inside: along rows, then columns.
 Plane blurred(const Plane& from) {
   static const std::array<double, windowSize> window = gaussian();
   Plane along(from.width - windowSize + 1, from.height);
@@ -94,13 +94,13 @@ Plane combined(const Plane& a, const Plane& b, Function function) {
   return result;
 }
 
-/// Means over a scale's places.
+/// Means over the places of a scale.
 struct Similarity {
   double cs = 0;   ///< contrast and structure
   double lcs = 0;  ///< luminance too: SSIM
 };
 
-/// The variances are only needed as their sum.
+/// Returns the means; only the sum of the variances is needed.
 Similarity similarityOf(const Plane& a, const Plane& b) {
   const Plane meansA = blurred(a);
   const Plane meansB = blurred(b);
@@ -125,7 +125,7 @@ class MsSsim final : public plugin::Metric {
   [[nodiscard]] const char* title() const override { return "MS\u2011SSIM"; }
   [[nodiscard]] std::int32_t decimals() const override { return 4; }
 
-  /// NaN where the last scale is smaller than the window: below 161 pixels.
+  /// Returns NaN if the last scale is smaller than the window: below 161 pixels.
   [[nodiscard]] double compare(const plugin::View& reference, const plugin::View& test,
                                const plugin::Viewing& /*viewing*/) const override {
     constexpr auto reduction = std::int32_t{1} << (weights.size() - 1);

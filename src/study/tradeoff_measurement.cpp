@@ -123,7 +123,7 @@ class Measurement {
   static constexpr double lookPart = 0.1;
   static constexpr double errorPart = 0.4;
   static constexpr double errorLimit = 0.5;
-  static constexpr double planned = 0.8;  // of the runs' time, for errors of the trial
+  static constexpr double planned = 0.8;  // of the time for runs: the trial is imprecise
 
   [[nodiscard]] double elapsed() const { return m_budget.clock() - m_start; }
   [[nodiscard]] double left(double part) const { return part * m_budget.seconds - elapsed(); }
