@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene of the benchmarks: the paper's display and camera with noise on the display, and 64
-// poses in turn, so that nothing is cached from view to view.
+// alternating poses, so that nothing is cached between views.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -12,23 +12,23 @@
 namespace benchmarks {
 
 constexpr int poses = 64;
-inline int hogels = 512;     ///< across and down: --hogels
-inline int directions = 64;  ///< --directions
+inline int hogels = 512;     ///< across and down, set by --hogels
+inline int directions = 64;  ///< set by --directions
 
 using Block = std::array<std::uint32_t, 4>;
 constexpr Block standardBlock = hogelscope::LightField::standardBlock;
 
-/// Only the latest one is kept.
+/// Returns the light field; only the latest one is kept.
 std::shared_ptr<const hogelscope::LightField> lightField(const Block& block = standardBlock);
 
-/// Nearest, no leakage, plain lens.
+/// Returns a view with nearest reconstruction, no leakage and an undistorted lens.
 hogelscope::RenderJob viewOf(int pose, const Block& block = standardBlock);
 
-/// Whole pictures by the fast engine; each iteration is another pose. `threads` 0: all cores.
+/// Times whole images of the fast engine; each iteration has another pose. `threads` 0: all cores.
 void timeViews(benchmark::State& state, const std::function<hogelscope::RenderJob(int)>& make,
                int threads);
 
-/// Rays/s and views/s.
+/// Reports rays/s and views/s.
 void countViews(benchmark::State& state);
 
 template <class Function, class... Arguments>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Made-up rows of a trade-off, as a session of a megapixel might give them.
+// Invented rows of a trade-off, like those of a session of a megapixel.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ struct SampleRow {
   double rmse;
 };
 
-/// By the definition, in the simplest way.
+/// Applies the definition directly.
 inline void markPareto(std::vector<hogelscope::TradeoffRow>& rows) {
   for (hogelscope::TradeoffRow& row : rows) {
     row.isPareto = true;
@@ -40,7 +40,7 @@ inline std::vector<hogelscope::TradeoffRow> rowsOf(const std::vector<SampleRow>&
   return rows;
 }
 
-/// The default is the first.
+/// Returns rows of which the first is the default.
 inline std::vector<hogelscope::TradeoffRow> sampleRows() {
   std::vector<hogelscope::TradeoffRow> rows = rowsOf({{"exact", 24.1, 0},
                                                       {"exact, float", 21.0, 0.0021},
@@ -75,7 +75,7 @@ inline std::vector<hogelscope::TradeoffRow> sampleRows() {
   return rows;
 }
 
-/// A fast scene without an approximation that shows: most methods agree with the reference.
+/// Returns rows of a fast scene without visible approximations: most methods equal the reference.
 inline std::vector<hogelscope::TradeoffRow> agreeingRows() {
   std::vector<hogelscope::TradeoffRow> rows = sampleRows();
   for (hogelscope::TradeoffRow& row : rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads report.csv, and compares its numbers with those that they should be.
+// Reads report.csv and compares its numbers with the expected ones.
 #pragma once
 
 #include <QFile>
@@ -11,7 +11,7 @@
 #include "core/base/geometry.h"
 #include "core/metrics/metric.h"
 
-/// A line of RFC 4180 as its cells.
+/// Returns the cells of a line (RFC 4180).
 inline QStringList cellsOf(const QByteArray& line) {
   QStringList cells{""};
   bool isQuoted = false;
@@ -28,7 +28,7 @@ inline QStringList cellsOf(const QByteArray& line) {
   return cells;
 }
 
-/// All lines of a file.
+/// Returns all lines of a file.
 inline QList<QStringList> tableOf(const QString& name) {
   QList<QStringList> table;
   QFile file(name);
@@ -38,7 +38,7 @@ inline QList<QStringList> tableOf(const QString& name) {
   return table;
 }
 
-/// Reads back as `number`, in 17 significant digits or fewer.
+/// Whether the cell reads back as `number` and has at most 17 significant digits.
 inline bool says(const QString& cell, double number) {
   if (std::isnan(number)) return cell == "nan";
   if (std::isinf(number)) return cell == "inf";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report that takes long enough for being stopped, and what is in its folder.
+// A report that runs long enough to be stopped, and the contents of its folder.
 #pragma once
 
 #include <QDir>
@@ -18,7 +18,7 @@ inline float noisy(int x, int y, int channel) {
   return content(x, y, channel) + float((x * 7919 + y * 104729 + channel) % 16) / 255;
 }
 
-/// Slow enough for being killed: 4 rays a pixel with 25 taps each.
+/// Returns a session slow enough to be killed: 4 rays per pixel with 25 taps each.
 inline QByteArray longSession() {
   QByteArray cameras;
   for (int k = 0; k < stateCount; ++k)
@@ -38,13 +38,14 @@ inline QStringList report(const QString& output, const QStringList& more = {}) {
          more;
 }
 
-/// How many rows the journal holds.
+/// Returns the number of rows in the journal.
 inline int rowsIn(const QString& folder, const QString& ending = {}) {
   QFile journal(folder + "/report.journal" + ending);
   return journal.open(QIODevice::ReadOnly) ? int(journal.readAll().count('\n')) - 1 : 0;
 }
 
-/// Where something in a folder differs from another; report.html says when it was made.
+/// Returns the first difference between two folders, or ""; ignores report.html, which contains a
+/// time.
 inline QString difference(const QString& a, const QString& b) {
   if (namesIn(a) != namesIn(b)) return namesIn(a).join(' ') + " | " + namesIn(b).join(' ');
   for (const QString& name : namesIn(a)) {
@@ -59,7 +60,7 @@ inline QString difference(const QString& a, const QString& b) {
   return {};
 }
 
-/// s.json over a.png, and two tests, b.png and c.png.
+/// Writes s.json for a.png, and two tests, b.png and c.png.
 inline void writeLongSession() {
   writeImageFile("a.png", 128, 128, content);
   writeImageFile("b.png", 128, 128, noisy);

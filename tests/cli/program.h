@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the real program as a user would, without a display server.
+// Runs the real program like a user, without a display server.
 #pragma once
 
 #include <unistd.h>
@@ -16,7 +16,7 @@ struct Outcome {
   QByteArray err;
 };
 
-/// The environment of a batch machine: no display server, and no platform chosen for Qt.
+/// Returns the environment of a batch machine: no display server, and no Qt platform.
 inline QProcessEnvironment withoutDisplay() {
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
@@ -30,7 +30,7 @@ inline void start(QProcess& process, const QStringList& arguments, const QString
   process.start(HOGELSCOPE_PROGRAM, arguments);
 }
 
-/// However long that takes: a hang is ended by ctest.
+/// Waits without a limit, because ctest ends hanging tests.
 inline void waitForEnd(QProcess& process) {
   if (process.state() != QProcess::NotRunning) process.waitForFinished(-1);
 }
@@ -43,14 +43,14 @@ inline Outcome ended(QProcess& process) {
           process.readAllStandardError()};
 }
 
-/// Runs it in `folder` and waits.
+/// Runs the program in `folder` and waits for its end.
 inline Outcome run(const QStringList& arguments, const QString& folder) {
   QProcess process;
   start(process, arguments, folder);
   return ended(process);
 }
 
-/// Waits until `isThere()`; false if the process has ended before.
+/// Waits until `isThere()`. Returns false if the process has ended before.
 template <class Condition>
 bool waitUntil(QProcess& process, Condition isThere) {
   while (!isThere()) {
@@ -59,12 +59,13 @@ bool waitUntil(QProcess& process, Condition isThere) {
   return true;
 }
 
-/// Not to a process that has ended: its number is 0 then, which means the whole group of ours.
+/// Sends a signal unless the process has ended: its number is then 0, which means this whole
+/// process group.
 inline void send(const QProcess& process, int signal) {
   if (process.processId() > 0) ::kill(pid_t(process.processId()), signal);
 }
 
-/// Seconds of all its cores: how far it has come, however busy the machine is.
+/// Returns seconds on all cores, which measure the progress even on a busy machine.
 inline double cpuSeconds(const QProcess& process) {
   QFile file(QString("/proc/%1/stat").arg(process.processId()));
   if (!file.open(QIODevice::ReadOnly)) return 0;
@@ -74,6 +75,6 @@ inline double cpuSeconds(const QProcess& process) {
          double(::sysconf(_SC_CLK_TCK));
 }
 
-/// The paper's six states, on a light field like the sample's with a sixteenth of its hogels.
+/// The paper's six states, with a light field like the sample's but a sixteenth of its hogels.
 inline const QString sampleSession =
     QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures that the program should make, by the reference engine.
+// The expected images, computed by the reference engine.
 #pragma once
 
 #include "io/documents/session_file.h"
 #include "io/scene/scene.h"
 
-/// One for each state.
+/// Returns an image for each state.
 inline std::vector<hogelscope::Image> simulated(const hogelscope::Session& session) {
   const hogelscope::Scene scene = hogelscope::loadScene(session, {});
   std::vector<hogelscope::Image> images;

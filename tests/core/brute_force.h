@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A second simulator for tests, written from docs/formulas.md alone and sharing no arithmetic with
-// core.
+// An independent simulator for tests, written from docs/formulas.md only and sharing no arithmetic
+// with core.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ inline Matrix transposed(const Matrix& m) {
   return t;
 }
 
-/// worldFromDisplay, Rz·Rx·Ry.
+/// Returns worldFromDisplay, Rz·Rx·Ry.
 inline Matrix rotation(const hogelscope::Vec3& degrees) {
   const auto c = [](double angle) { return std::cos(angle * degree); };
   const auto s = [](double angle) { return std::sin(angle * degree); };
@@ -79,7 +79,7 @@ struct Content {
   }
 };
 
-/// What a ray meets; `unclear` where rounding decides.
+/// The result of a ray; `unclear` if rounding decides.
 struct Ray {
   enum class Meets { nothing, display, unclear } meets;
   std::array<double, 4> hit{};  ///< i, j, u, v
@@ -87,7 +87,8 @@ struct Ray {
 
 class Simulator {
  public:
-  /// `margin`: how near to a border rounding may decide, in cells along i, j, u, v.
+  /// `margin` is the distance from a border within which rounding may decide, in cells along i, j,
+  /// u, v.
   Simulator(const hogelscope::RenderJob& job, const Content& content,
             const std::array<double, 4>& margin = {1e-4, 1e-4, 1e-4, 1e-4})
       : m_job(job),
@@ -123,7 +124,7 @@ class Simulator {
     return along(lens.refined(walk.point, q));
   }
 
-  /// Is one of a pixel's rays so near to a border, or to a fold, that rounding decides?
+  /// Whether one of a pixel's rays is so near to a border, or to a fold, that rounding decides.
   [[nodiscard]] bool isUnclear(int x, int y) const {
     const int n = m_job.sampling.samplesPerPixel;
     for (int s = 0; s < n * n; ++s)
@@ -133,7 +134,7 @@ class Simulator {
     return false;
   }
 
-  /// P'(u, v) of a directional pixel, in the light that is summed.
+  /// Returns P'(u, v) of a directional pixel, in the light that is summed.
   [[nodiscard]] Vector leaked(int i, int j, int u, int v) const {
     const auto& psf = m_job.state.psf;
     const int n = psf.windowSize / 2;
@@ -157,7 +158,7 @@ class Simulator {
     return sum;
   }
 
-  /// Summed light to code values.
+  /// Converts summed light to code values.
   [[nodiscard]] double encoded(double light) const {
     if (m_job.state.psf.light == hogelscope::LightModel::encoded) return light;
     return 255 * (light > 0.0031308 ? 1.055 * std::pow(light, 1 / 2.4) - 0.055 : 12.92 * light);
@@ -169,9 +170,9 @@ class Simulator {
     return code / 255 > 0.04045 ? std::pow((code / 255 + 0.055) / 1.055, 2.4) : code / 255 / 12.92;
   }
 
-  /// `slope` is that of the light that leaves the panel at `place`; 0 … 1 over the angular field.
-  /// With a viewing distance the field is that of the centre's rays to the points of a second
-  /// plane.
+  /// Returns the position, 0 … 1, in the angular field for light of `slope` that leaves the panel
+  /// at `place`. With a viewing distance, the field is that of the centre's rays to the points of a
+  /// second plane.
   [[nodiscard]] double acrossField(double slope, double place, double fov) const {
     if (const double distance = m_job.display.viewingDistance; distance > 0)
       slope = (place + distance * slope) / distance;
@@ -180,7 +181,7 @@ class Simulator {
     return 0.5 + slope / (2 * std::tan(fov * degree / 2));
   }
 
-  /// The ray through (x, y, 1) of the camera frame.
+  /// Returns the ray through (x, y, 1) of the camera frame.
   [[nodiscard]] Ray along(LensOracle::Point p) const {
     Vector world{};
     for (std::size_t k = 0; k < 3; ++k)

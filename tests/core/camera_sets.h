@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets before one panel, for the tests of regions and of the states that are made of them.
+// Camera sets in front of one panel, for tests of regions and of the states made from them.
 #pragma once
 
 #include "core/cameras/camera_set.h"

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random scenes at the ends of what parameters allow, and how far rounding may move their rays.
+// Random scenes at the limits of the parameters, and the effect of rounding on their rays.
 #pragma once
 
 #include "tests/core/random_scene.h"
 
 namespace extreme {
 
-/// Where the eye is, and how it looks at the panel.
+/// The position of the eye and its view of the panel.
 enum class Eye { usual, close, distant, inPlane, behind, grazing, parallel, away };
 
-/// From min to max, evenly in the logarithm.
+/// Returns a random number of [min, max], uniform in its logarithm.
 inline double anyScale(Random& random, double min, double max) {
   return min * std::pow(max / min, random.uniform(0, 1));
 }
 
-/// An end of a range as often as something inside it.
+/// Returns an end of a range or a usual value with equal probability.
 inline double pick(Random& random, double usual, double low, double high) {
   return random.flip() ? usual : random.flip() ? low : high;
 }
@@ -77,7 +77,7 @@ inline bool isInverted(const hogelscope::RenderJob& job) {
          job.state.distortion != hogelscope::DistortionParams{};
 }
 
-/// The reference's work for one pixel: taps, and for a lens' inverse as much as 300 of them.
+/// Returns the reference's work for one pixel: taps, and for a lens' inverse the equivalent of 300.
 inline int workOf(const hogelscope::RenderJob& job) {
   const auto& [mapping, reconstruction, samples, tolerance] = job.sampling;
   const int corners = 1 << 2 * static_cast<int>(reconstruction);
@@ -86,7 +86,8 @@ inline int workOf(const hogelscope::RenderJob& job) {
   return samples * samples * (corners * window * window * decoding + (isInverted(job) ? 300 : 0));
 }
 
-/// An image of up to 24 × 24 pixels, or one row longer than a batch, that the reference has soon.
+/// Limits the image to 24 × 24 pixels, or one row longer than a batch, so that the reference is
+/// fast.
 inline void limitWork(Random& random, hogelscope::RenderJob& job) {
   constexpr int most = 20000;
   auto& window = job.state.psf.windowSize;
@@ -98,7 +99,7 @@ inline void limitWork(Random& random, hogelscope::RenderJob& job) {
   job.state.camera.res[1] = std::clamp(pixels / width, 1, height);
 }
 
-/// An eye and what it looks at in the display frame; how large the panel is from there, as a slope.
+/// An eye and its look-at point in the display frame; the panel's size from there, as a slope.
 struct Look {
   brute::Vector eye, lookat;
   double extent;
@@ -113,13 +114,13 @@ inline double distanceOf(Random& random, const hogelscope::DisplayParams& displa
   return random.uniform(0.3, 3) * std::max(width, height);
 }
 
-/// Where a grazing eye looks, from the eye: along the panel, and a little toward it or not at all.
+/// Returns a grazing eye's direction: along the panel, and slightly or not at all towards it.
 inline brute::Vector along(Random& random, double descent) {
   const double turn = random.uniform(0, 360) * brute::degree;
   return {std::cos(turn), std::sin(turn), -descent};
 }
 
-/// At a point of the panel, from within its angular field.
+/// Returns a look at a point of the panel, from within its angular field.
 inline Look look(Random& random, const hogelscope::DisplayParams& display, Eye kind) {
   const bool isSteep = kind == Eye::grazing;
   const auto slope = [&](double fov) {
@@ -146,7 +147,7 @@ inline Look look(Random& random, const hogelscope::DisplayParams& display, Eye k
           kind == Eye::parallel ? 10 : extent / (1 + a * a + b * b)};
 }
 
-/// From the display frame to the world, and not out of what documents allow.
+/// Transforms a point from the display frame to the world, limited to the range of documents.
 inline hogelscope::Vec3 inWorld(const hogelscope::DisplayParams& display, const brute::Vector& p) {
   const brute::Vector turned = brute::times(brute::rotation(display.orientation), p);
   const auto limited = [](double metres) { return std::clamp(metres, -1e6, 1e6); };
@@ -154,14 +155,14 @@ inline hogelscope::Vec3 inWorld(const hogelscope::DisplayParams& display, const 
           limited(turned[2] + display.position.z)};
 }
 
-/// Vertical field of view: any, or about as wide as what is seen of the panel.
+/// Returns a vertical field of view: any, or about as wide as the visible part of the panel.
 inline double fieldOf(Random& random, const Look& at) {
   const double any = pick(random, random.uniform(10, 70), 0.01, 179.9);
   const double fitting = 2 * std::atan(at.extent * random.uniform(0.1, 1)) / brute::degree;
   return random.integer(0, 3) == 0 ? any : std::clamp(fitting, 0.01, 179.9);
 }
 
-/// None, or about what the field of view gives; a camera shifted a little or very far.
+/// Returns no intrinsics, or about those of the field of view, with a small or very large shift.
 inline hogelscope::IntrinsicsParams intrinsics(Random& random,
                                                const hogelscope::CameraParams& camera) {
   if (random.integer(0, 2) > 0) return {};
@@ -178,16 +179,16 @@ inline hogelscope::IntrinsicsParams intrinsics(Random& random,
   return given;
 }
 
-/// All but the light field.
+/// Returns a scene without its light field.
 inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   RandomScene scene;
   auto& [lightField, panel, sampled, state, method, isIdeal, bits, keepsUnrounded] = scene.job;
   panel = display(random);
-  // An eye is exactly in the plane, or a ray exactly parallel to it, where nothing is turned.
+  // Without rotation, an eye is exactly in the plane, or a ray exactly parallel to it.
   if (kind == Eye::inPlane || kind == Eye::parallel) panel.orientation = {};
   if (kind == Eye::grazing || (kind == Eye::parallel && random.flip())) panel.fov = {179.9, 179.9};
   const Look at = look(random, panel, kind);
-  // Not with the others: so far from the origin rounding decides what is behind the panel.
+  // Only here, because so far from the origin rounding decides what is behind the panel.
   if (kind == Eye::distant && random.flip()) panel.position.x = random.uniform(-1e5, 1e5);
   state.camera.name = "extreme";
   state.camera.eye = inWorld(panel, at.eye);
@@ -203,7 +204,8 @@ inline RandomScene sceneWithoutLight(Random& random, Eye kind) {
   return scene;
 }
 
-/// `codeValue()` for each channel of each texel, stored as T, of which a code value has `steps`.
+/// Stores `codeValue()` for each channel of each texel as T; `steps` is the T value of one code
+/// value.
 template <class T, class CodeValue>
 void store(RandomScene& scene, double steps, CodeValue codeValue) {
   const auto& size = scene.content.size;
@@ -212,7 +214,7 @@ void store(RandomScene& scene, double steps, CodeValue codeValue) {
   scene.job.lightField = std::make_shared<hogelscope::LightField>(size, std::move(values));
 }
 
-/// In any of the stored types.
+/// Stores the values in a random one of the stored types.
 template <class CodeValue>
 void fill(Random& random, RandomScene& scene, CodeValue codeValue) {
   const int type = random.integer(0, 2);
@@ -221,7 +223,7 @@ void fill(Random& random, RandomScene& scene, CodeValue codeValue) {
   store<float>(scene, 1 / 255.0, codeValue);
 }
 
-/// Noise, or a few bright texels in the dark: the most that can leak.
+/// Returns a scene of noise, or of a few bright texels in the dark, which leak the most.
 inline RandomScene scene(Random& random, Eye kind) {
   RandomScene made = sceneWithoutLight(random, kind);
   if (random.flip())
@@ -231,14 +233,15 @@ inline RandomScene scene(Random& random, Eye kind) {
   return made;
 }
 
-/// How far rounding may move the real-valued i, j, u, v of a ray within the angular field.
+/// Returns the largest effect of rounding on the real-valued i, j, u, v of a ray within the angular
+/// field.
 inline std::array<double, 4> rounding(const hogelscope::RenderJob& job) {
   constexpr double epsilon = 0x1p-52;
   const auto& display = job.display;
   const auto norm = [](const hogelscope::Vec3& a) { return std::hypot(a.x, a.y, a.z); };
   const double field = std::max(display.fov[0], display.fov[1]);
   const double steepest = 1 + std::tan(field / 2 * brute::degree);
-  // A root of the lens model is worse by 1 / det J; below 1e-3 the oracle calls it unclear.
+  // A root of the lens model has an error of 1 / det J; below 1e-3 the oracle calls it unclear.
   const double slope = 4 * epsilon * steepest * steepest * (isInverted(job) ? 1e3 : 1);
   const hogelscope::Vec3& eye = job.state.camera.eye;
   const double place = norm(eye - display.position) * slope +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A second lens model for tests, written from docs/formulas.md, Distortion, alone: it finds the
-// inverse by walking.
+// An independent lens model for tests, written from docs/formulas.md, Distortion, only. It finds
+// the inverse by walking.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 #include <complex>
 #include <optional>
 
-/// Points of the plane z = 1 are complex numbers, x + iy.
+/// The lens model; points of the plane z = 1 are complex numbers, x + iy.
 class LensOracle {
  public:
   using Point = std::complex<double>;
 
-  /// In OpenCV's order.
+  /// Takes the coefficients in OpenCV's order.
   LensOracle(double k1, double k2, double p1, double p2, double k3)
       : m_k1(k1), m_k2(k2), m_p1(p1), m_p2(p2), m_k3(k3) {}
 
@@ -59,41 +59,41 @@ class LensOracle {
       t = step == 1 - t ? 1 : t + step;
       at.smallestDet = std::min(at.smallestDet, here);
       if (here < onFold) {
-        // The walk meets the fold at about t + 1e-10; both answers are right where that is 1.
+        // The walk meets the fold at about t + 1e-10; both answers are valid if that is 1.
         at.end = t < 1 - 1e-6 ? Walk::End::fold : Walk::End::unclear;
         return at;
       }
     }
-    // It passed so near a fold that the steps' error decides on which side.
+    // The walk passed so near a fold that the steps' error decides on which side.
     if (at.smallestDet < change / 10) at.end = Walk::End::unclear;
     return at;
   }
 
-  /// The root of distort(p) = q that is near `p`.
+  /// Returns the root of distort(p) = q near `p`.
   [[nodiscard]] Point refined(Point p, Point q) const {
     for (int k = 0; k < 5; ++k) p += solved(p, q - distort(p));
     return p;
   }
 
  private:
-  /// xx, xy = yx, yy.
+  /// Returns xx, xy = yx, yy.
   [[nodiscard]] std::array<double, 3> jacobian(Point p) const {
     const double x = p.real();
     const double y = p.imag();
     const double s = std::norm(p);
     const double radial = 1 + s * (m_k1 + s * (m_k2 + s * m_k3));
-    const double dRadial = m_k1 + s * (2 * m_k2 + s * 3 * m_k3);  // by s
+    const double dRadial = m_k1 + s * (2 * m_k2 + s * 3 * m_k3);  // derivative by s
     return {radial + 2 * x * x * dRadial + 2 * m_p1 * y + 6 * m_p2 * x,
             2 * x * y * dRadial + 2 * m_p1 * x + 2 * m_p2 * y,
             radial + 2 * y * y * dRadial + 6 * m_p1 * y + 2 * m_p2 * x};
   }
-  /// J⁻¹ r at p.
+  /// Returns J⁻¹ r at p.
   [[nodiscard]] Point solved(Point p, Point r) const {
     const auto [xx, xy, yy] = jacobian(p);
     const double d = xx * yy - xy * xy;
     return {(yy * r.real() - xy * r.imag()) / d, (xx * r.imag() - xy * r.real()) / d};
   }
-  /// One step of the classical Runge-Kutta method.
+  /// Performs a step of the classical Runge-Kutta method.
   [[nodiscard]] Point stepped(Point p, Point q, double h) const {
     const Point a = solved(p, q);
     const Point b = solved(p + h / 2 * a, q);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images before they are rounded, by either engine, and where they differ more than they may.
+// Unrounded images of either engine, and their comparison.
 #pragma once
 
 #include <QString>
@@ -45,7 +45,7 @@ inline Light fastLight(const hogelscope::RenderJob& job) {
   return light;
 }
 
-/// Where in an image something does not hold, or "".
+/// The place and kind of a problem in an image, or "".
 using Problem = QString;
 
 inline Problem problemAt(const char* what, std::size_t pixel, const hogelscope::RenderJob& job,
@@ -58,7 +58,7 @@ inline Problem problemAt(const char* what, std::size_t pixel, const hogelscope::
       .arg(value, 0, 'g', 17);
 }
 
-/// The same light and mask, but for the pixels with a ray so near to a cell's border that rounding
+/// Compares light and mask, except for pixels with a ray so near to a cell's border that rounding
 /// decides; these are counted.
 inline Problem difference(const RandomScene& scene, const Light& expected, const Light& found,
                           int& unclear) {

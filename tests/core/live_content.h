@@ -10,13 +10,13 @@
 
 struct LivePlane {
   double z = 0;
-  /// The light at (x, y), in code values; below 0: there is nothing.
+  /// The light at (x, y), in code values; below 0: transparent.
   std::function<double(double x, double y)> light;
 };
 
 class LivePlanes : public hogelscope::plugin::ContentSource {
  public:
-  /// From the front to the back.
+  /// Takes the planes from front to back.
   explicit LivePlanes(std::vector<LivePlane> planes) : m_planes(std::move(planes)) {}
 
   void describe(hogelscope::ParameterVisitor& v) override { v.group("planes", "Planes."); }

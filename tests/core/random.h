@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random numbers for tests: seeded, and the same with every standard library.
+// Seeded random numbers for tests, identical with every standard library.
 #pragma once
 
 #include <cstdint>
 #include <random>
 
-/// std::uniform_real_distribution is not used because each library is free to draw differently.
+/// A generator. std::uniform_real_distribution is avoided because libraries may draw differently.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : m_engine(seed) {}
-  /// In [min, max).
+  /// Returns a number of [min, max).
   double uniform(double min, double max) {
     return min + (max - min) * static_cast<double>(m_engine() >> 11) * 0x1p-53;
   }
-  /// In [min, max], both included.
+  /// Returns an integer of [min, max], both included.
   int integer(int min, int max) {
     const std::int64_t count = std::int64_t{max} - min + 1;
     return static_cast<int>(

@@ -12,7 +12,7 @@ struct RandomScene {
   brute::Content content;
 };
 
-/// Noise, stored as T; `codeValue` is what one step of T is worth.
+/// Fills with noise stored as T; `codeValue` is the code value of one step of T.
 template <class T>
 void fillWithNoise(Random& random, RandomScene& scene, double min, double max, double codeValue) {
   const auto& size = scene.content.size;
@@ -28,13 +28,13 @@ inline void fillWithNoise(Random& random, RandomScene& scene) {
       return fillWithNoise<std::uint8_t>(random, scene, 0, 256, 1);
     case 1:
       return fillWithNoise<std::uint16_t>(random, scene, 0, 65536, 1 / 257.0);
-    // Floating content may leave the range of an image.
+    // Floating content may exceed the range of an image.
     default:
       return fillWithNoise<float>(random, scene, -0.1, 1.2, 255);
   }
 }
 
-/// As many hogels and directions of noise as the display has, in place of what was there.
+/// Replaces the content by noise for the display's hogels and directions.
 inline void fillDisplay(Random& random, RandomScene& scene) {
   const auto& [hogels, directions] =
       std::pair(scene.job.display.hogels, scene.job.display.directions);
@@ -57,7 +57,7 @@ inline hogelscope::DisplayParams randomDisplay(Random& random) {
   return display;
 }
 
-/// Looks at a point of the panel from somewhere inside that point's angular field.
+/// Returns a camera that looks at a point of the panel from inside that point's angular field.
 inline hogelscope::CameraParams randomCamera(Random& random,
                                              const hogelscope::DisplayParams& display) {
   const auto& [width, height] = display.size;
@@ -85,7 +85,7 @@ inline hogelscope::CameraParams randomCamera(Random& random,
   return camera;
 }
 
-/// None, or near what the field of view gives; all of them or only some.
+/// Returns no intrinsics, or some near those of the field of view.
 inline hogelscope::IntrinsicsParams randomIntrinsics(Random& random,
                                                      const hogelscope::CameraParams& camera) {
   if (random.integer(0, 2) > 0) return {};
@@ -121,7 +121,7 @@ inline RandomScene randomScene(Random& random) {
   return scene;
 }
 
-/// With any reconstruction too, and in one of four scenes with several rays a pixel.
+/// Returns a scene with any reconstruction, in a quarter of cases with several rays per pixel.
 inline RandomScene randomSampledScene(Random& random) {
   RandomScene scene = randomScene(random);
   scene.job.sampling.reconstruction = static_cast<hogelscope::Reconstruction>(random.integer(0, 2));

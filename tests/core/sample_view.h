@@ -9,7 +9,7 @@
 #include "core/optics/simulate.h"
 #include "tests/core/random.h"
 
-/// 16×12 hogels of 11×9 directions with noise on them, seen from the front.
+/// Returns 16×12 hogels of 11×9 directions with noise, seen from the front.
 inline hogelscope::RenderJob sampleView() {
   using namespace hogelscope;
   Random random(3);

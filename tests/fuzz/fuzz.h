@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all fuzzers share: a folder of their own for the files that readers want, and the one
-// exception that bad input may end in.
+// Common parts of all fuzzers: a folder for the files that readers need, and the only exception
+// that bad input may cause.
 #pragma once
 
 #include <unistd.h>
@@ -16,12 +16,11 @@
 
 #include "core/base/error.h"
 
-/// Each fuzzer defines it: reads `input` and stops the program (require) where the outcome is
-/// wrong.
+/// Defined by each fuzzer: reads `input` and stops the program (require) if the outcome is wrong.
 void fuzz(std::string_view input);
 
-/// In memory: ext4 takes 3 ms to write a file anew. Gone at the end, unless a finding ends the
-/// program.
+/// Returns a folder in memory, because ext4 takes 3 ms to rewrite a file. It is removed at the end,
+/// unless a finding ends the program.
 inline const std::filesystem::path& folder() {
   static const struct Folder {
     std::filesystem::path path = "/dev/shm/hogelscope-fuzz-" + std::to_string(::getpid());
@@ -45,7 +44,7 @@ inline void require(bool isTrue) {
   if (!isTrue) __builtin_trap();
 }
 
-/// InputError, of one line that leaves the terminal as it is, is the only exception allowed.
+/// Allows only InputError with a message of one line without control characters.
 template <class Action>
 void mayRefuse(const Action& action) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of the docks share: the sample session with small images, and its list of states.
+// Common parts of the docks' tests: the sample session with small images, and its list of states.
 #pragma once
 
 #include <QListWidget>
@@ -13,7 +13,7 @@ inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/data/ta
 
 class DocksTest : public WindowTest {
  protected:
-  /// With few directions and small images: read and rendered quickly.
+  /// Opens the session with few directions and small images, for fast reading and rendering.
   void openSmall() {
     const QString file = m_folder.filePath("small.json");
     hogelscope::Session session = hogelscope::loadSession(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of the window's habits share: a window that starts as the program does, with settings
-// and a session file of its own, answers to boxes that block, and drops.
+// Common parts of the tests of files and settings: a window that starts like the program, with its
+// own settings and session file, answers to modal boxes, and drops.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -25,7 +25,7 @@
 
 inline const QString sampleFile = QStringLiteral(HOGELSCOPE_SOURCE_DIR "/tests/data/table1.json");
 
-/// Presses a key in the next box, and keeps what the box says.
+/// Presses a key in the next box, and keeps the box's text.
 class BoxAnswer : public QObject {
  public:
   BoxAnswer(const char* name, Qt::Key key) {
@@ -34,18 +34,18 @@ class BoxAnswer : public QObject {
       if (box == nullptr || box->objectName() != name || !box->isVisible()) return;
       m_timer.stop();
       text = box->text() + box->informativeText();
-      QTimer::singleShot(patience, box, &QDialog::reject);  // rather than for ever
+      QTimer::singleShot(patience, box, &QDialog::reject);  // limits the wait
       QTest::keyClick(box, key);
     });
     m_timer.start(20);
   }
-  QString text;  ///< empty while no box came
+  QString text;  ///< empty without a box
 
  private:
   QTimer m_timer;
 };
 
-/// Looks at the next file dialog, then types its choice.
+/// Reads the next file dialog, then types a choice.
 class DialogAnswer : public QObject {
  public:
   explicit DialogAnswer(const QString& choice) {
@@ -53,20 +53,20 @@ class DialogAnswer : public QObject {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (dialog == nullptr || !dialog->isVisible()) return;
       auto* edit = dialog->findChild<QLineEdit*>("fileNameEdit");
-      if (!edit->hasFocus()) return;  // else a file that is proposed would stay selected
+      if (!edit->hasFocus()) return;  // otherwise a proposed file would stay selected
       m_timer.stop();
-      QTimer::singleShot(patience, dialog, &QDialog::reject);  // rather than for ever
+      QTimer::singleShot(patience, dialog, &QDialog::reject);  // limits the wait
       folder = dialog->directory().absolutePath();
       name = edit->text();
       if (choice.isEmpty()) return dialog->reject();
-      // Typed: what the dialog's list has not read yet could not be chosen there.
+      // Typed, because the dialog's list may not contain it yet.
       edit->setText(choice);
       static_cast<QDialog*>(dialog)->accept();
     });
     m_timer.start(20);
   }
-  QString folder;  ///< empty while no dialog came
-  QString name;    ///< that it proposed
+  QString folder;  ///< empty without a dialog
+  QString name;    ///< the proposed name
 
  private:
   QTimer m_timer;
@@ -74,7 +74,7 @@ class DialogAnswer : public QObject {
 
 class HabitsTest : public QObject {
  protected:
-  /// With the test's session open.
+  /// Starts with the test's session open.
   void start() {
     m_folder = std::make_unique<QTemporaryDir>();
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder->path());
@@ -122,11 +122,11 @@ class HabitsTest : public QObject {
 
   std::unique_ptr<hogelscope::MainWindow> m_window;
   std::unique_ptr<QTemporaryDir> m_folder;
-  QString m_session;  ///< small, and the tests' own
+  QString m_session;  ///< small, owned by the tests
 };
 
-/// Qt's own dialogs, which a test can answer. The users' own files stay as they are, and each test
-/// program's autosaves are in a folder with its name.
+/// Uses Qt's own dialogs, which a test can answer. Keeps the users' files unchanged: each test
+/// program has its own autosave folder.
 inline void setUpProgram() {
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QCoreApplication::setOrganizationName("Hogelscope");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Waiting in tests of the window. No test passes by being quick, and a machine may have much other
-// work: what must come may take its time.
+// Waiting in tests of the window. No test depends on speed, because a machine may be busy.
 #pragma once
 
 #include <QApplication>
@@ -9,14 +8,14 @@
 
 inline constexpr int patience = 120000;  ///< milliseconds
 
-/// Makes `window` the active one. X has no window manager in the tests, so the window asks for the
-/// keyboard itself.
+/// Activates `window`. The tests' X server has no window manager, so the window requests the
+/// keyboard focus itself.
 inline void activate(QWidget* window) {
   window->activateWindow();
   QTRY_COMPARE_WITH_TIMEOUT(QApplication::activeWindow(), window, patience);
 }
 
-/// Handles no event meanwhile, as a busy window; false where it waited in vain.
+/// Sleeps without handling events, like a busy window. Returns false after a timeout.
 template <class Condition>
 bool sleepUntil(Condition condition) {
   const QDeadlineTimer deadline(patience);

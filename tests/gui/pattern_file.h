@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An image file of a light field in closed form.
+// An image file of a light field with a closed form.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 #include "core/content/pattern_list.h"
 #include "io/images/image_writer.h"
 
-/// All hogels of a display as one image, as `--generate` makes it.
+/// Writes all hogels of a display as one image, as `--generate` does.
 inline void writePattern(const std::string& pattern, const hogelscope::DisplayParams& display,
                          const std::string& file) {
   const auto made = hogelscope::makePattern(pattern, display, {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of the 3-D scene share: the sample session in a large window, with some states side by
-// side, and where things are drawn.
+// Common parts of the 3-D scene's tests: the sample session in a large window, with some states
+// side by side, and screen positions of objects.
 #pragma once
 
 #include <vtkRenderer.h>
@@ -26,7 +26,7 @@ class SceneTest : public WindowTest {
   static constexpr const char* sampleFile = HOGELSCOPE_SOURCE_DIR "/data/table1.json";
 
   void start() { startWith({"display.directions=[6,6]"}); }
-  /// With small images, which are quick.
+  /// Starts with small images, which are fast.
   void startSmall() { startWith({"display.directions=[6,6]", "camera.res=[120,120]"}); }
   void startWith(const std::vector<std::string>& overrides) {
     hogelscope::Session session = hogelscope::loadSession(sampleFile, overrides);
@@ -37,7 +37,7 @@ class SceneTest : public WindowTest {
   }
   void start(hogelscope::Session session) {
     showWindow({1400, 800});
-    // Some side by side; the others are at one place with the first.
+    // Moves some side by side; the others stay at the first one's place.
     for (std::size_t k = 1; k < 4; ++k) session.cameras[k].camera.eye.x = 0.25 * double(k) - 0.3;
     open(session);
   }
@@ -73,7 +73,7 @@ class SceneTest : public WindowTest {
     QTest::qWait(50);
   }
 
-  /// Where a point of the world is drawn in the widget.
+  /// Returns where a point of the world is drawn in the widget.
   QPoint onScreen(const hogelscope::Vec3& p) const {
     vtkRenderer* renderer = scene().renderer();
     renderer->SetWorldPoint(p.x, p.y, p.z, 1);
@@ -85,7 +85,7 @@ class SceneTest : public WindowTest {
     QTest::mouseClick(widget(), Qt::LeftButton, {}, at);
     QTest::qWait(20);
   }
-  /// The lower right corner of a state's near plane.
+  /// Returns the lower right corner of a state's near plane.
   static hogelscope::Vec3 cornerOf(const hogelscope::CameraState& state) {
     const hogelscope::Camera camera(state.camera, state.intrinsics);
     const double depth = 0.25 * length(state.camera.lookat - state.camera.eye);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is in an image that the window shows: the simulated one, or so much of a colour?
+// Comparison of images shown by the window with expected images and colours.
 #pragma once
 
 #include <QColor>
@@ -8,7 +8,7 @@
 
 #include "core/optics/image.h"
 
-/// In all pixels.
+/// Whether all pixels are equal.
 inline bool equals(const QImage& shown, const hogelscope::Image& expected) {
   if (shown.width() != expected.width || shown.height() != expected.height) return false;
   const QImage rgb = shown.convertToFormat(QImage::Format_RGB888);
@@ -19,13 +19,13 @@ inline bool equals(const QImage& shown, const hogelscope::Image& expected) {
   return true;
 }
 
-/// Of 8-bit colours, over all channels.
+/// Returns the distance of 8-bit colours, summed over all channels.
 inline int distance(const QColor& a, const QColor& b) {
   return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
          std::abs(a.blue() - b.blue());
 }
 
-/// How many pixels are nearly of this colour.
+/// Returns the number of pixels with nearly this colour.
 inline int count(const QImage& image, const QColor& colour, int tolerance = 30) {
   int found = 0;
   for (int y = 0; y < image.height(); ++y)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of the real window share: a small session in it, quick to read and render, and keys.
+// Common parts of tests of the real window: a small session, fast to read and render, and keys.
 #pragma once
 
 #include <QScrollArea>
@@ -15,7 +15,7 @@
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
 
-/// s.json: three states, a (with lens and leakage), b and c, over a.png.
+/// Writes s.json: three states, a (with lens and leakage), b and c, for a.png.
 inline void writeSmallSession() {
   writeImageFile("a.png", 64, 64, [](int x, int y, int channel) {
     return float((x * 5 + y * 3 + channel * 40) % 200 + 20) / 255;
@@ -34,14 +34,14 @@ inline void writeSmallSession() {
 
 class WindowTest : public QObject {
  protected:
-  /// With s.json open.
+  /// Starts with s.json open.
   void start() {
     QVERIFY(QDir::setCurrent(m_folder.path()));
     writeSmallSession();
     showWindow();
     QVERIFY(files(*m_window).open("s.json"));
   }
-  /// Without a session.
+  /// Shows the window without a session.
   void showWindow(const QSize& size = {}) {
     m_window = std::make_unique<hogelscope::MainWindow>();
     if (size.isValid()) m_window->resize(size);
@@ -50,7 +50,7 @@ class WindowTest : public QObject {
     activate(m_window.get());
     m_model = m_window->findChild<hogelscope::SessionModel*>();
   }
-  /// Until its image is shown.
+  /// Opens a file and waits until its image is shown.
   void open(const QString& file) {
     QVERIFY(files(*m_window).open(file));
     QTRY_VERIFY_WITH_TIMEOUT(message().contains(" ms"), patience);
@@ -74,7 +74,7 @@ class WindowTest : public QObject {
   hogelscope::SessionModel* m_model = nullptr;
 };
 
-/// The users' own files stay as they are.
+/// Runs a test program without changing the users' files.
 template <class Test>
 int runWindowTest(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picture files of any kind, written and read by OpenImageIO alone.
+// Image files of any kind, written and read by OpenImageIO only.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -9,18 +9,18 @@
 struct PictureKind {
   OIIO::TypeDesc::BASETYPE type = OIIO::TypeDesc::UINT8;
   int channels = 3;
-  int tile = 0;  ///< side of a tile, 0 = rows
+  int tile = 0;  ///< side of a tile; 0: rows
 };
 
-/// Makes the file's folder too.
+/// Writes an image file, and creates its folder.
 inline void writeImageFile(const QString& file, int width, int height, const PictureValue& value,
                            const PictureKind& kind) {
   QDir().mkpath(QFileInfo(file).path());
   OIIO::ImageSpec spec(width, height, kind.channels, kind.type);
   spec.tile_width = spec.tile_height = kind.tile;
-  spec.attribute("oiio:UnassociatedAlpha", 1);  // colours are written as they are given
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // writes colours unchanged
   spec.attribute("png:compressionLevel", 1);
-  spec.attribute("pnm:pfmflip", 0);  // OpenImageIO 2.5 turns PPMs, too, upside down
+  spec.attribute("pnm:pfmflip", 0);  // OpenImageIO 2.5 would flip PPMs too
   std::vector<float> values;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
@@ -36,7 +36,8 @@ inline OIIO::ImageSpec specOf(const QString& file) {
   return in ? in->spec() : OIIO::ImageSpec();
 }
 
-/// All channels of all pixels, as T: unsigned char, unsigned short or float; none if unreadable.
+/// Returns all channels of all pixels as T (unsigned char, unsigned short or float); empty if
+/// unreadable.
 template <class T>
 std::vector<T> valuesOf(const QString& file) {
   const auto in = OIIO::ImageInput::open(file.toStdString());

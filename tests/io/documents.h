@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Session documents and files for the tests of reading and writing.
+// Session documents and files for tests of reading and writing.
 #pragma once
 
 #include <QByteArray>
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-/// A document by its sections; each is JSON.
+/// The sections of a document as JSON.
 struct Sections {
   QByteArray display = R"({"hogels": [4, 3], "directions": [5, 6]})";
   QByteArray lightField = R"({"file": "scene.png"})";
@@ -23,7 +23,7 @@ inline QByteArray text(const Sections& sections = {}) {
          sections.cameras + "}";
 }
 
-/// What `action` throws, as main() prints it; "" if nothing.
+/// Returns the exception of `action` as main() prints it; "" if there is none.
 inline QString errorOf(const std::function<void()>& action) {
   try {
     action();
@@ -35,7 +35,7 @@ inline QString errorOf(const std::function<void()>& action) {
   return {};
 }
 
-/// An `expected` line that ends with "…" is the beginning of one: a library's words follow.
+/// Compares lines. An `expected` line that ends with "…" is a prefix, followed by a library's text.
 inline void compareLine(const QByteArray& line, const QByteArray& expected) {
   const QByteArray more = "…";
   const bool isBegin = expected.endsWith(more);
@@ -44,7 +44,7 @@ inline void compareLine(const QByteArray& line, const QByteArray& expected) {
   QVERIFY(!isBegin || (line.size() > begin.size() && !line.contains('\n')));
 }
 
-/// Makes the file's folder too.
+/// Writes a file, and creates its folder.
 inline void writeFile(const QString& file, const QByteArray& content) {
   QDir().mkpath(QFileInfo(file).path());
   QFile out(file);
@@ -57,7 +57,7 @@ inline QByteArray contentOf(const QString& file) {
   return in.open(QIODevice::ReadOnly) ? in.readAll() : "cannot be read: " + file.toUtf8();
 }
 
-/// All that a folder holds, hidden files and broken links too.
+/// Returns all entries of a folder, including hidden files and broken links.
 inline QStringList namesIn(const QString& folder) {
   return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System |
                                 QDir::NoDotAndDotDot);

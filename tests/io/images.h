@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNGs, JPEGs and PPMs of 8 bit, written and read by Qt alone; any_images.h has all kinds, and
-// takes 230 libraries to load.
+// PNGs, JPEGs and PPMs of 8 bit, written and read by Qt only. any_images.h has all formats, but
+// loads 230 libraries.
 #pragma once
 
 #include <QDir>
@@ -14,10 +14,10 @@
 #include <functional>
 #include <vector>
 
-/// 0 … 1 is the range of an integer type.
+/// Returns a value; 0 … 1 is the range of an integer type.
 using PictureValue = std::function<float(int x, int y, int channel)>;
 
-/// RGB. Makes the file's folder too.
+/// Writes RGB, and creates the file's folder.
 inline void writeImageFile(const QString& file, int width, int height, const PictureValue& value) {
   QDir().mkpath(QFileInfo(file).path());
   QImage image(width, height, QImage::Format_RGB888);
@@ -27,7 +27,7 @@ inline void writeImageFile(const QString& file, int width, int height, const Pic
       for (int c = 0; c < 3; ++c)
         row[3 * x + c] = uchar(std::lround(255 * std::clamp(value(x, y, c), 0.0F, 1.0F)));
   }
-  // For a PNG it is the effort of zlib: the least.
+  // For PNG this is zlib's effort, the least.
   if (const int quality = file.endsWith(".png") ? 80 : 95; !image.save(file, nullptr, quality))
     qFatal("cannot write %s", qPrintable(file));
 }
@@ -40,7 +40,7 @@ inline QSize sizeOf(const QString& file) {
   return QImageReader(file).size();
 }
 
-/// RGB of all pixels; one channel of a picture without colours; none if unreadable.
+/// Returns RGB of all pixels, one channel for a grey image; empty if unreadable.
 inline std::vector<std::uint8_t> bytesOf(const QString& file) {
   const QImage stored(file);
   if (stored.isNull()) return {};

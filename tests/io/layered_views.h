@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views of layers at known depths, for tests of the order of views: the answer is known.
+// Views of layers at known depths, for tests of the order of views with a known answer.
 #pragma once
 
 #include <algorithm>
@@ -9,24 +9,24 @@
 
 #include "io/order/view_order.h"
 
-/// A patch of the scene that moves as one: an ellipse, or everything.
+/// A part of the scene with one parallax: an ellipse, or everything.
 struct ViewLayer {
-  double parallax = 0;  ///< pixels to the left (up) for one view to the right (down)
-  double x = 0;         ///< middle of the ellipse in the middle view
+  double parallax = 0;  ///< pixels to the left (up) for each view to the right (down)
+  double x = 0;         ///< the ellipse's centre in the middle view
   double y = 0;
   double width = 1e9;  ///< half axes
   double height = 1e9;
   int texture = 0;
   double opacity = 1;
   double period = 0;  ///< pixels; 0: the texture does not repeat
-  double slope = 0;   ///< of the parallax, for one picture height further down
+  double slope = 0;   ///< of the parallax, per image height downwards
 };
 
 struct ViewScene {
-  std::vector<ViewLayer> layers;  ///< from the back to the front
+  std::vector<ViewLayer> layers;  ///< from back to front
   double contrast = 1;
-  double noise = 0;    ///< code values, another for each view
-  double flicker = 0;  ///< part of the brightness, another for each view
+  double noise = 0;    ///< code values, different for each view
+  double flicker = 0;  ///< share of the brightness, different for each view
   int width = 240;
   int height = 180;
 };
@@ -39,7 +39,7 @@ inline double hashOf(int a, int b, int c) {
   return double(h ^ h >> 15U) / 4294967295.0;
 }
 
-/// Value noise of one size, 0 … 1.
+/// Returns value noise of one size, 0 … 1.
 inline double noiseAt(double x, double y, int seed) {
   const double fx = std::floor(x);
   const double fy = std::floor(y);
@@ -63,7 +63,7 @@ inline double textureAt(double x, double y, const ViewLayer& layer) {
   return sum;
 }
 
-/// The view of a camera `u` views to the right and `v` views below the middle.
+/// Returns the view of a camera `u` views to the right and `v` views below the middle.
 inline hogelscope::GreyPicture viewOf(const ViewScene& scene, double u, double v, int seed = 0) {
   hogelscope::GreyPicture picture{scene.width, scene.height, {}};
   std::mt19937 random{std::uint32_t(seed)};
@@ -72,7 +72,7 @@ inline hogelscope::GreyPicture viewOf(const ViewScene& scene, double u, double v
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) {
       double value = 0;
-      double light = 1;  // that comes through what is before a layer
+      double light = 1;  // transmitted by the layers in front
       for (auto layer = scene.layers.rbegin(); layer != scene.layers.rend() && light > 0; ++layer) {
         const double parallax = layer->parallax + layer->slope * (double(y) / scene.height - 0.5);
         const double px = x + parallax * u;
@@ -90,14 +90,14 @@ inline hogelscope::GreyPicture viewOf(const ViewScene& scene, double u, double v
   return picture;
 }
 
-/// A symmetry of a grid: what its files have reversed, or exchanged.
+/// A symmetry of a grid: its axes reversed or exchanged in the files.
 struct GridSymmetry {
   bool isUp = false;
   bool isLeft = false;
   bool isTransposed = false;
 };
 
-/// rows × columns of cameras, whose files lie in another order.
+/// Returns rows × columns of cameras whose files are in another order.
 inline hogelscope::GreyGrid gridOf(const ViewScene& scene, int rows, int columns,
                                    const GridSymmetry& symmetry = {}) {
   hogelscope::GreyGrid grid{
@@ -112,7 +112,7 @@ inline hogelscope::GreyGrid gridOf(const ViewScene& scene, int rows, int columns
   return grid;
 }
 
-/// Blobs before a background, parallaxes from `far` to `near`.
+/// Returns blobs in front of a background, with parallaxes from `far` to `near`.
 inline ViewScene randomScene(std::uint32_t seed, double far, double near) {
   std::mt19937 random{seed};
   const auto between = [&](double a, double b) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A plenoptic camera, traced ray by ray: a thin main lens, an array of pinholes in its image plane
-// and a sensor behind. It knows nothing of the program.
+// and a sensor behind. Independent of the program.
 #pragma once
 
 #include <algorithm>
@@ -10,42 +10,42 @@
 #include <numbers>
 #include <vector>
 
-/// Lengths are in pixels of the sensor. The axis goes through the picture's middle.
+/// The camera. Lengths are in pixels of the sensor. The axis passes through the image's middle.
 struct LensletCamera {
   int width = 250;
   int height = 220;
   double pitch = 15.3846;  ///< of the lenslets' images on the sensor
-  double degrees = 0.7;    ///< clockwise in the picture
+  double degrees = 0.7;    ///< clockwise in the image
   bool isHexagonal = false;
-  double phaseX = 3.3;  ///< of the lenslets against the axis
+  double phaseX = 3.3;  ///< of the lenslets relative to the axis
   double phaseY = -2.6;
 
   double toSensor = 100;      ///< from the lenslets
   double toMainLens = 4000;   ///< from the lenslets
   double toObject = 8000;     ///< from the main lens to the plane in focus
-  double nearFraction = 0.7;  ///< of that way, to a plane nearer to the camera
+  double nearFraction = 0.7;  ///< of that distance, to a plane nearer to the camera
 
   struct Point {
     double x = 0;
     double y = 0;
   };
 
-  /// Light of the scene: at the plane in focus, and whether the near plane hides it; x to the right
-  /// and y downwards for who looks into the scene, in images of lenslets.
+  /// The light of the scene at the plane in focus, and whether the near plane hides it; x to the
+  /// right and y downwards as seen looking into the scene, in images of lenslets.
   std::function<double(double x, double y)> farLight = [](double, double) { return 1.0; };
   std::function<bool(double x, double y)> isHidden = [](double, double) { return false; };
-  /// Light that the main lens lets through at a point of its aperture; 1 is its edge.
+  /// The transmission of the main lens at a point of its aperture; 1 is its edge.
   std::function<double(double x, double y)> aperture = [](double x, double y) {
     return x * x + y * y < 1 ? 1 - 0.4 * (x * x + y * y) : 0.005;
   };
 
-  /// Where picture() has a pixel.
+  /// Returns the index of a pixel in picture().
   [[nodiscard]] std::size_t indexOf(int x, int y) const {
     return std::size_t(y) * std::size_t(width) + std::size_t(x);
   }
   [[nodiscard]] Point middleOfPicture() const { return {(width - 1) / 2.0, (height - 1) / 2.0}; }
 
-  /// The images' middles of lenslets, in pixels of the picture.
+  /// Returns the centre of a lenslet's image, in pixels of the image.
   [[nodiscard]] Point image(int n, int j) const {
     const double angle = degrees * std::numbers::pi / 180;
     const double across = (n + (isHexagonal && j % 2 != 0 ? 0.5 : 0)) * pitch;
@@ -55,20 +55,20 @@ struct LensletCamera {
             y0 + phaseY + across * std::sin(angle) + down * std::cos(angle)};
   }
 
-  /// Light at a point of the picture, which comes through the lenslet whose image has that middle.
+  /// Returns the light at a point of the image, through the lenslet whose image has that centre.
   [[nodiscard]] double light(const Point& at, const Point& lensletImage) const {
-    // The camera turns the picture of its sensor upright. An image's middle is where light from the
+    // The camera turns its sensor's image upright. A lenslet image's centre is where light from the
     // middle of the main lens falls.
     const double closer = toMainLens / (toMainLens + toSensor);
     const auto [x0, y0] = middleOfPicture();
     const Point sensor{x0 - at.x, y0 - at.y};
     const Point lenslet{(x0 - lensletImage.x) * closer, (y0 - lensletImage.y) * closer};
-    // Backwards along the light: from the sensor through the lenslet to the main lens, ...
+    // Backwards along the light: from the sensor through the lenslet to the main lens, …
     const Point lens{lenslet.x + (lenslet.x - sensor.x) * toMainLens / toSensor,
                      lenslet.y + (lenslet.y - sensor.y) * toMainLens / toSensor};
     const double edge = 0.47 * pitch * toMainLens / toSensor;
     const double through = aperture(lens.x / edge, lens.y / edge);
-    // ... and, from there, to the lenslet's image in the scene, which stands on its head.
+    // … and from there to the lenslet's image in the scene, which is upside down.
     const double larger = toObject / toMainLens;
     const Point object{-lenslet.x * larger, -lenslet.y * larger};
     const Point near{lens.x + (object.x - lens.x) * nearFraction,
@@ -78,7 +78,7 @@ struct LensletCamera {
     return through * farLight(object.x / unit, object.y / unit);
   }
 
-  /// The picture: the mean of 4×4 rays a pixel, each through the nearest of all lenslets.
+  /// Returns the image: the mean of 4×4 rays per pixel, each through the nearest of all lenslets.
   [[nodiscard]] std::vector<double> picture() const {
     std::vector<Point> images;
     const int most = int(std::max(width, height) / pitch);
@@ -116,9 +116,9 @@ struct LensletCamera {
     }
     return best;
   }
-  /// The points of which one is nearest to each ray of a pixel.
+  /// Returns the points that are nearest to any ray of a pixel.
   static std::vector<Point> nearTo(const std::vector<Point>& points, const Point& pixel) {
-    constexpr double mostOff = 0.54;  // a ray, from the pixel's middle
+    constexpr double mostOff = 0.54;  // distance of a ray from the pixel's middle
     const double most = std::sqrt(squaredDistance(nearest(points, pixel), pixel)) + 2 * mostOff;
     std::vector<Point> close;
     for (const Point& point : points)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests of stores and streams share: content that is known, and how it is asked for.
+// Known content for tests of stores and streams, and its parameters.
 #pragma once
 
 #include <QTest>
@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// Differs in each index and channel; black in some blocks, of one colour in others.
+/// Returns values that differ in each index and channel; black in some blocks, uniform in others.
 inline float valueAt(const TexelIndex& at, int channel) {
   if (at.i < 8 && at.u < 8) return 0;
   if (at.i < 8) return 0.5F;
@@ -46,7 +46,7 @@ inline QString firstDifference(const LightField& is, const LightField& should) {
   return firstWrong(is, [&](const TexelIndex& at) { return should.texel(at); });
 }
 
-/// What streaming hands out, as a light field.
+/// Returns the streamed rows as a light field.
 inline LightField streamed(LightFieldFile& file) {
   LightField result(file.size(), file.type());
   const int du = file.size().du;

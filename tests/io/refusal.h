@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every document that the program cannot use must meet with: one line, status 2, no picture.
+// Tests of invalid documents: one line, status 2, no image.
 #pragma once
 
 #include <QTest>
@@ -8,18 +8,18 @@
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 
-/// Columns of a table of such documents.
+/// Adds the columns of a table of such documents.
 inline void refusalColumns() {
   QTest::addColumn<QByteArray>("document");
   QTest::addColumn<QByteArray>("line");
 }
 
-/// A row: the document, and the line on stderr after "hogelscope: ", as compareLine() takes it.
+/// Adds a row: the document, and the line on stderr after "hogelscope: ", as for compareLine().
 inline void refused(const char* name, const QByteArray& document, const QByteArray& line) {
   QTest::newRow(name) << document << line;
 }
 
-/// The row's document, as s.json in `folder`, given to the real program.
+/// Runs the real program with the row's document as s.json in `folder`.
 inline void checkProgram(const QString& folder) {
   QFETCH(QByteArray, document);
   QFETCH(QByteArray, line);
@@ -35,7 +35,7 @@ inline void checkProgram(const QString& folder) {
   QCOMPARE(namesIn(output), QStringList());
 }
 
-/// The row's document, loaded here: the program prints such errors as they are.
+/// Loads the row's document in this process; the program prints such errors unchanged.
 inline void checkLoading(const QString& folder) {
   QFETCH(QByteArray, document);
   QFETCH(QByteArray, line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares each directional pixel of a light field with what it should be.
+// Compares each directional pixel of a light field with its expected value.
 #pragma once
 
 #include <QString>
@@ -15,7 +15,7 @@ inline bool isNear(const hogelscope::Rgb& a, const hogelscope::Rgb& b, double to
          std::abs(a.b - b.b) <= tolerance;
 }
 
-/// "" if all are right, else the first that is not.
+/// Returns the first wrong texel, or "".
 inline QString firstWrong(const hogelscope::LightField& lightField, const ExpectedTexel& expected,
                           double tolerance = 0) {
   const auto& [nx, ny, du, dv] = lightField.size();

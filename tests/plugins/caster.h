@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The oracle of the mesh plugin's tracing: every triangle against every ray, in double precision.
+// The oracle of the mesh plugin's tracing: all triangles against all rays, in double precision.
 #pragma once
 
 #include <cmath>
@@ -14,10 +14,10 @@ namespace hogelscope::test {
 struct Met {
   std::size_t triangle = 0;
   double z = 0;
-  double gap = 0;  ///< how far behind it the next triangle is
+  double gap = 0;  ///< the distance to the next triangle behind it
 };
 
-/// Möller and Trumbore's intersection of a ray with one triangle.
+/// Returns Möller and Trumbore's intersection of a ray with one triangle.
 inline std::optional<Met> meet(const plugin::Triangles& mesh, std::size_t triangle,
                                const plugin::Ray& ray) {
   const auto corner = [&](std::size_t k) {
@@ -39,7 +39,7 @@ inline std::optional<Met> meet(const plugin::Triangles& mesh, std::size_t triang
   return Met{triangle, ray.z - t, 0};
 }
 
-/// Returns what the ray meets first.
+/// Returns the first hit of the ray.
 inline std::optional<Met> cast(const plugin::Triangles& mesh, const plugin::Ray& ray) {
   std::optional<Met> first;
   double second = -std::numeric_limits<double>::infinity();
@@ -54,8 +54,8 @@ inline std::optional<Met> cast(const plugin::Triangles& mesh, const plugin::Ray&
   return first;
 }
 
-/// True if the ray, moved by a distance, would meet another triangle: there, in single precision,
-/// it may.
+/// Whether the ray, moved by a distance, would meet another triangle, which can then happen in
+/// single precision.
 inline bool passesEdge(const plugin::Triangles& mesh, const plugin::Ray& ray, double distance) {
   const auto moved = [&](double dx, double dy) {
     plugin::Ray other = ray;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small scenes for tests of the mesh plugin: glTF documents made part by part, PNGs, and a
-// MeshSource that is opened as the program does it.
+// Small scenes for tests of the mesh plugin: glTF documents built in parts, PNGs, and a MeshSource
+// opened like in the program.
 #pragma once
 
 #include <spng.h>
@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 
 inline void writeFile(const std::string& path, const std::string& bytes) {
   QFile file(QString::fromStdString(path));
-  file.remove();  // to write over it takes the file system a hundred times as long
+  file.remove();  // overwriting takes the file system a hundred times as long
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), qint64(bytes.size())) < 0)
     throw std::runtime_error(path + ": cannot be written");
 }
@@ -35,7 +35,7 @@ std::string bytesOf(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// A PNG of 8-bit RGB.
+/// Returns a PNG of 8-bit RGB.
 inline std::string makePng(std::uint32_t width, std::uint32_t height,
                            const std::vector<std::uint8_t>& rgb, bool isInterlaced = false) {
   spng_ctx* png = spng_ctx_new(SPNG_CTX_ENCODER);
@@ -54,7 +54,7 @@ inline std::string makePng(std::uint32_t width, std::uint32_t height,
   return bytes;
 }
 
-/// Puts a glTF document together; `json` may be changed before it is written.
+/// Builds a glTF document; `json` may be changed before it is written.
 class Gltf {
  public:
   Gltf() {
@@ -78,7 +78,7 @@ class Gltf {
                                  {"type", type}});
     return int(json["accessors"].size()) - 1;
   }
-  /// Adds triangles of these points, in order, as a node; returns the node, to be changed.
+  /// Adds triangles of these points, in order, as a node. Returns the node for changes.
   Json& triangles(const std::vector<float>& points, int material = -1) {
     Json primitive{{"attributes", {{"POSITION", accessor(points, 5126, "VEC3", 3)}}}};
     if (material >= 0) primitive["material"] = material;
@@ -106,7 +106,7 @@ class Gltf {
     json["materials"].push_back(object);
     return int(json["materials"].size()) - 1;
   }
-  /// Adds a material with a picture.
+  /// Adds a material with an image.
   int textured(const std::string& png, int wrapS = 10497, int wrapT = 10497) {
     json["images"].push_back({{"mimeType", "image/png"}, {"bufferView", view(png)}});
     json["samplers"].push_back({{"wrapS", wrapS}, {"wrapT", wrapT}});
@@ -138,7 +138,7 @@ class Gltf {
   std::string binary;
 };
 
-/// Sets parameters by name, as a session's reader does.
+/// Sets parameters by name, like a session's reader.
 class Setter : public ParameterVisitor {
  public:
   explicit Setter(const Json& values) : m_values(values) {}
@@ -174,7 +174,7 @@ struct Going : plugin::Progress {
   [[nodiscard]] bool go(double) const override { return true; }
 };
 
-/// What the scenes of tests may take.
+/// The memory limit of the tests' scenes.
 constexpr std::uint64_t memory = 1000000000;
 
 /// A folder with files, and the source of one of them.
@@ -200,7 +200,7 @@ class Scene {
     parameters["file"] = "scene.glb";
     open(std::move(parameters));
   }
-  /// Returns the message with which a file is refused, without the folder; "" if it is read.
+  /// Returns the error message of a file, without the folder; "" if it is read.
   std::string refusal(const std::string& name, const std::string& bytes) {
     add(name, bytes);
     return refusal(name);
@@ -217,7 +217,7 @@ class Scene {
     }
     return {};
   }
-  /// Returns the depth z of what a ray meets, NaN where it meets nothing.
+  /// Returns the depth z of a ray's hit, NaN if it meets nothing.
   [[nodiscard]] double depth(const plugin::Ray& ray) const {
     double z = 0;
     (void)source.traceDepths({&ray, 1}, {&z, 1});
@@ -228,7 +228,7 @@ class Scene {
     source.trace({&ray, 1}, {&colour, 1});
     return colour;
   }
-  /// Sees along −z at a place of the panel.
+  /// Returns the colour seen along −z at a place of the panel.
   [[nodiscard]] plugin::Colour see(double x, double y) const { return see(down(x, y)); }
   [[nodiscard]] static plugin::Ray down(double x, double y) { return {x, y, 1, 0, 0, 10}; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plugins on the disk for the tests of finding and loading them.
+// Plugins on disk for tests of finding and loading them.
 #pragma once
 
 #include <QFile>
@@ -9,10 +9,10 @@
 #include "sdk/hogelscope/plugin.h"
 #include "tests/io/documents.h"
 
-/// The JSON of each key, by name; an empty one is left out.
+/// The JSON of each key, by name; an empty one is omitted.
 using Keys = QMap<QString, QByteArray>;
 
-/// The document of a plugin whose library has `bytes`, with some keys changed.
+/// Returns the document of a plugin whose library has `bytes` bytes, with some keys changed.
 inline QByteArray pluginJson(qint64 bytes, const Keys& changes = {}) {
   Keys keys{{"name", "\"wrong\""},
             {"version", "\"1.0\""},
@@ -29,7 +29,7 @@ inline QByteArray pluginJson(qint64 bytes, const Keys& changes = {}) {
   return text + "}";
 }
 
-/// Makes `folder`, with the library and its document in the place of what was there.
+/// Creates `folder` with the library and its document, replacing existing ones.
 inline void writePlugin(const QString& folder, const QByteArray& library,
                         const Keys& changes = {}) {
   QDir(folder).removeRecursively();
@@ -37,7 +37,7 @@ inline void writePlugin(const QString& folder, const QByteArray& library,
   writeFile(folder + "/plugin.json", pluginJson(library.size(), changes));
 }
 
-/// The plugin of this folder; it is a test's mistake if there is none.
+/// Returns the plugin of this folder, which must exist.
 inline hogelscope::FoundPlugin foundIn(const QString& folder) {
   for (const hogelscope::FoundPlugin& found : hogelscope::listPlugins())
     if (found.folder == QFileInfo(folder).absoluteFilePath().toStdString()) return found;

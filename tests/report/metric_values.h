@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The values of a report's row from a few of them.
+// The values of a report's row, computed from a few of them.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include "core/metrics/metric.h"
 #include "core/metrics/squared_error.h"
 
-/// The standard metrics of a view where every pixel is seen.
+/// Returns the standard metrics of a view whose pixels are all seen.
 inline std::vector<double> metricValues(double mse, double ssim,
                                         const std::array<double, 3>& mseYuv) {
   using hogelscope::psnr;
