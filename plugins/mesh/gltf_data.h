@@ -44,7 +44,7 @@ class GltfData {
   [[nodiscard]] const Json& root() const { return m_root; }
   [[nodiscard]] const std::string& file() const { return m_reading.file(); }
   [[nodiscard]] Reading& reading() const { return m_reading; }
-  /// All files that were read.
+  /// Returns all files that were read.
   [[nodiscard]] std::vector<std::string>& files() { return m_files; }
 
   /// Returns the object of a member; an empty one if there is none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are there whole or not at all.
+// Files that are either complete or absent.
 #include "io/files/atomic_file.h"
 
 #include <fcntl.h>
