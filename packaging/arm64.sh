@@ -2,9 +2,10 @@
 # arm64.sh [MIRROR]: builds the program and the mesh plugin for arm64, and runs the tests of core and
 # of the scenes there: in a Debian 12 of its own (mmdebstrap, as root, 10 to 20 minutes on two
 # processors and 7 GB in TMPDIR), with a cross compiler, warnings being errors, and QEMU's user mode.
-# Run by hand before a release. Needs Debian's mmdebstrap.
+# Run by hand before a release. Installs Debian's mmdebstrap.
 set -eu
 cd "$(dirname "$0")/.."
+echo mmdebstrap | packaging/install.sh /dev/stdin
 source=$PWD
 mirror=${1:-http://deb.debian.org/debian}
 

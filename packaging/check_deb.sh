@@ -2,10 +2,11 @@
 # check_deb.sh [SUITE [MIRROR]]: does in a bare Debian (bookworm, trixie or forky) what the README tells
 # newcomers to do. A user with sudo clones the last commit, and runs try.sh and check.sh. A second
 # bare Debian gets the packages: renders, compares with tests/scenes, runs Python, builds programs
-# and a plugin, removes it all. By hand before a release, as root, with Debian's mmdebstrap and
-# devscripts: about half an hour on two cores, and 9 GB in /tmp.
+# and a plugin, removes it all. By hand before a release, as root: about half an hour on two idle
+# cores, and 9 GB in /tmp. Installs Debian's mmdebstrap and devscripts.
 set -eu
 cd "$(dirname "$0")/.."
+printf '%s\n' devscripts mmdebstrap | packaging/install.sh /dev/stdin
 suite=${1:-bookworm}
 mirror=${2:-http://deb.debian.org/debian}
 [ -z "$(git status --porcelain)" ] || echo "check_deb.sh: what is not committed is not tried" >&2

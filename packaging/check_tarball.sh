@@ -3,11 +3,12 @@
 # forky), where it installs no more than README.txt says: renders, reads formats, compares the
 # pictures with the build tree's, then starts the window. As root, by hand, about 3 minutes and
 # 1.5 GB in /tmp. PICTURE=FILE in the environment keeps what the screen showed, as xwd writes it.
-# Needs Debian's mmdebstrap.
+# Installs Debian's mmdebstrap.
 set -eu
 suite=$1
 mirror=${2:-http://deb.debian.org/debian}
 cd "$(dirname "$0")/.."
+echo mmdebstrap | packaging/install.sh /dev/stdin
 tarball=$(ls "$PWD"/build/release/packages/hogelscope-*.tar.zst)
 formats="avif bmp dpx exr gif heic jp2 jpg pgx png ppm tga tif webp"
 

@@ -1,9 +1,10 @@
 #!/bin/sh
 # tarball.sh: makes build/release/packages/hogelscope-VERSION-x86_64.tar.zst: the programs with all
 # libraries that they need, which run from any folder of a Linux that is not older than Debian 12,
-# without installing; not the Python package. Needs Debian's patchelf and zstd.
+# without installing; not the Python package. Installs Debian's patchelf and zstd.
 set -eu
 here=$(dirname "$0")
+printf '%s\n' patchelf zstd | "$here/install.sh" /dev/stdin
 "$here/build.sh" hogelscope_installed
 cd "$here/.."
 
