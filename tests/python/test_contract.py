@@ -79,7 +79,7 @@ class Contract(FolderTest):
 
     def test_manual(self):
         """What the manual's chapter shows is what Python says."""
-        found = doctest.testfile(os.path.abspath("resources/manual/manual.md"),
+        found = doctest.testfile(os.path.abspath("resources/manual/14-python.md"),
                                  module_relative=False, optionflags=doctest.ELLIPSIS)
         self.assertGreater(found.attempted, 10)
         self.assertEqual(found.failed, 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window of Help ▸ Manual.
+// Help ▸ Manual.
 #include "gui/app/manual_window.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -10,10 +10,13 @@
 #include <QShortcut>
 #include <QSplitter>
 #include <QTextBlock>
+#include <QTextLayout>
 #include <QTextTable>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace hogelscope {
 
@@ -38,7 +41,25 @@ QToolButton* button(const QString& text, const QString& tip) {
   return made;
 }
 
+const QUrl firstPage("qrc:/manual/manual.md");
+
+/// Calls `take` with each heading of a text.
+template <class Take>
+void forHeadings(const QTextDocument& text, const Take& take) {
+  for (QTextBlock block = text.begin(); block.isValid(); block = block.next())
+    if (block.blockFormat().headingLevel() > 0) take(block);
+}
+
 }  // namespace
+
+QString anchorOf(const QString& heading) {
+  QString anchor;
+  for (const QChar letter : heading.toLower()) {
+    if (letter.isLetterOrNumber() || letter == '-' || letter == '_') anchor += letter;
+    if (letter == ' ') anchor += '-';
+  }
+  return anchor;
+}
 
 ManualWindow::ManualWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),
@@ -71,13 +92,15 @@ ManualWindow::ManualWindow(QWidget* parent)
   layout->addWidget(splitter, 1);
   connect(back, &QToolButton::clicked, m_page, &QTextBrowser::backward);
   connect(m_page, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
-  connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::layOutTables);
-  connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::listHeadings);
-  connect(m_contents, &QTreeWidget::currentItemChanged, this, &ManualWindow::goTo);
+  connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::showPage);
+  connect(m_contents, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+    if (item != nullptr) m_page->setSource(item->data(0, Qt::UserRole).toUrl());
+  });
   back->setEnabled(false);
   addKeys();
   m_page->document()->setDocumentMargin(12);
-  m_page->setSource(QUrl("qrc:/manual/manual.md"));
+  readChapters();
+  m_page->setSource(firstPage);
 }
 
 void ManualWindow::addKeys() {
@@ -94,7 +117,44 @@ void ManualWindow::addKeys() {
   connect(m_search, &QLineEdit::returnPressed, this, [this] { find({}); });
 }
 
-/// Formats the tables, because Markdown does not define their appearance.
+void ManualWindow::readChapters() {
+  const auto read = [this](const QUrl& url) {
+    auto text = std::make_unique<QTextDocument>();
+    const QVariant page = m_page->loadResource(QTextDocument::MarkdownResource, url);
+    text->setMarkdown(QString::fromUtf8(page.toByteArray()));
+    m_chapters.push_back({url, std::move(text)});
+  };
+  read(firstPage);
+  const QTextDocument& contents = *m_chapters.front().text;
+  for (QTextBlock block = contents.begin(); block.isValid(); block = block.next())
+    for (const QTextLayout::FormatRange& range : block.textFormats())
+      if (range.format.isAnchor()) read(firstPage.resolved(QUrl(range.format.anchorHref())));
+  const QSignalBlocker quiet(m_contents);
+  for (const Chapter& chapter : m_chapters) listHeadings(chapter);
+}
+
+/// One branch of the contents: a chapter's title, and below it its sections.
+void ManualWindow::listHeadings(const Chapter& chapter) {
+  QTreeWidgetItem* title = nullptr;
+  forHeadings(*chapter.text, [&](const QTextBlock& block) {
+    QUrl place = chapter.url;
+    if (title != nullptr) place.setFragment(anchorOf(block.text()));
+    auto* item = title != nullptr ? new QTreeWidgetItem(title) : new QTreeWidgetItem(m_contents);
+    item->setText(0, block.text());
+    item->setData(0, Qt::UserRole, place);
+    if (title == nullptr) title = item;
+  });
+}
+
+void ManualWindow::showPage(const QUrl& url) {
+  const QUrl page = url.adjusted(QUrl::RemoveFragment);
+  if (page != m_shown) layOutTables();
+  m_shown = page;
+  if (url.hasFragment()) scrollTo(url.fragment());
+  selectHeading(url);
+}
+
+/// Markdown says nothing about how tables look.
 void ManualWindow::layOutTables() {
   for (QTextFrame* frame : m_page->document()->rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
@@ -110,40 +170,47 @@ void ManualWindow::layOutTables() {
   }
 }
 
-/// Lists the chapters of the current page with their positions in the text.
-void ManualWindow::listHeadings() {
+/// Qt's Markdown has no anchors at headings.
+void ManualWindow::scrollTo(const QString& anchor) {
+  forHeadings(*m_page->document(), [&](const QTextBlock& block) {
+    if (anchorOf(block.text()) != anchor) return;
+    m_page->setTextCursor(QTextCursor(block));
+    const QRectF place = m_page->document()->documentLayout()->blockBoundingRect(block);
+    m_page->verticalScrollBar()->setValue(int(place.top()));
+  });
+}
+
+void ManualWindow::selectHeading(const QUrl& url) {
   const QSignalBlocker quiet(m_contents);
-  m_contents->clear();
-  QTreeWidgetItem* chapter = nullptr;
-  for (QTextBlock block = m_page->document()->begin(); block.isValid(); block = block.next()) {
-    const int level = block.blockFormat().headingLevel();
-    if (level == 0) continue;
-    const bool isPart = level > 2 && chapter != nullptr;
-    auto* item = isPart ? new QTreeWidgetItem(chapter) : new QTreeWidgetItem(m_contents);
-    item->setText(0, block.text());
-    item->setData(0, Qt::UserRole, block.position());
-    if (!isPart) chapter = item;
-  }
-  m_contents->expandAll();
+  for (QTreeWidgetItemIterator item(m_contents); *item != nullptr; ++item)
+    if ((*item)->data(0, Qt::UserRole).toUrl() == url) m_contents->setCurrentItem(*item);
 }
 
-void ManualWindow::goTo(const QTreeWidgetItem* heading) {
-  if (heading == nullptr) return;
-  QTextCursor cursor(m_page->document());
-  cursor.setPosition(heading->data(0, Qt::UserRole).toInt());
-  m_page->setTextCursor(cursor);
-  const QRectF place = m_page->document()->documentLayout()->blockBoundingRect(cursor.block());
-  m_page->verticalScrollBar()->setValue(int(place.top()));
+std::size_t ManualWindow::shownChapter() const {
+  const auto isShown = [this](const Chapter& chapter) { return chapter.url == m_shown; };
+  return std::size_t(std::ranges::find_if(m_chapters, isShown) - m_chapters.begin());
 }
 
-/// Finds the next match, and continues at the other end of the page.
+/// Goes on in the next chapters, the first after the last, and in the rest of its own at the end.
 void ManualWindow::find(QTextDocument::FindFlags flags) {
+  const QString words = m_search->text();
   m_note->clear();
-  if (m_search->text().isEmpty() || m_page->find(m_search->text(), flags)) return;
-  QTextCursor cursor = m_page->textCursor();
-  cursor.movePosition(flags ? QTextCursor::End : QTextCursor::Start);
-  m_page->setTextCursor(cursor);
-  if (!m_page->find(m_search->text(), flags)) m_note->setText(tr("Not found"));
+  if (words.isEmpty() || m_page->find(words, flags)) return;
+  const std::size_t chapters = m_chapters.size();
+  const std::size_t step = flags ? chapters - 1 : 1;
+  std::size_t next = shownChapter() % chapters;
+  for (std::size_t k = 0; k < chapters; ++k) {
+    next = (next + step) % chapters;
+    const Chapter& chapter = m_chapters[next];
+    if (chapter.text->find(words).isNull()) continue;
+    if (next != shownChapter()) m_page->setSource(chapter.url);
+    QTextCursor cursor = m_page->textCursor();
+    cursor.movePosition(flags ? QTextCursor::End : QTextCursor::Start);
+    m_page->setTextCursor(cursor);
+    m_page->find(words, flags);
+    return;
+  }
+  m_note->setText(tr("Not found"));
 }
 
 }  // namespace hogelscope

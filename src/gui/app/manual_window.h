@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Help ▸ Manual: the built-in manual with its contents and a search field.
+// Help ▸ Manual: the manual, out of the program itself, with the contents of all chapters and a
+// search through them.
 #pragma once
 
 #include <QTextBrowser>
+#include <QTextDocument>
+#include <memory>
+#include <vector>
 
 class QLabel;
 class QLineEdit;
@@ -11,7 +15,7 @@ class QTreeWidgetItem;
 
 namespace hogelscope {
 
-/// A page that scales images down to its own width.
+/// Shows images no wider than itself.
 class ManualPage : public QTextBrowser {
   Q_OBJECT
 
@@ -20,7 +24,11 @@ class ManualPage : public QTextBrowser {
   QVariant loadResource(int type, const QUrl& name) override;
 };
 
-/// A separate window that closes with its parent.
+/// The name of a heading in links, as hosts of Markdown make it: `#where-the-error-comes-from`.
+QString anchorOf(const QString& heading);
+
+/// A window of its own, which closes with its parent. Its chapters are the pages that the first
+/// page, manual.md, links to, in that order.
 class ManualWindow : public QWidget {
   Q_OBJECT
 
@@ -28,11 +36,23 @@ class ManualWindow : public QWidget {
   explicit ManualWindow(QWidget* parent);
 
  private:
+  struct Chapter {
+    QUrl url;
+    std::unique_ptr<QTextDocument> text;  ///< never laid out: for its headings and the search
+  };
+
   void addKeys();
+  void readChapters();
+  void listHeadings(const Chapter& chapter);
+  void showPage(const QUrl& url);
   void layOutTables();
-  void listHeadings();
-  void goTo(const QTreeWidgetItem* heading);
+  void scrollTo(const QString& anchor);
+  void selectHeading(const QUrl& url);
+  [[nodiscard]] std::size_t shownChapter() const;
   void find(QTextDocument::FindFlags flags);
+
+  std::vector<Chapter> m_chapters;
+  QUrl m_shown;  ///< the chapter in the page, without a fragment
 
   QTreeWidget* m_contents;
   ManualPage* m_page;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the session's light field open while the session is edited.
+#include "gui/view/content_loader.h"
+
+#include <utility>
+
+#include "gui/session/session_model.h"
+#include "gui/view/view_worker.h"
+
+namespace hogelscope {
+
+ContentLoader::ContentLoader(SessionModel* model, ViewWorker* worker, QObject* parent)
+    : QObject(parent), m_model(model), m_worker(worker) {
+  constexpr int quick = 300;  // milliseconds
+  m_delay.setSingleShot(true);
+  m_delay.setInterval(quick);
+  connect(&m_delay, &QTimer::timeout, this, &ContentLoader::sayReading);
+  connect(worker, &ViewWorker::loaded, this, &ContentLoader::onLoaded);
+  connect(worker, &ViewWorker::failed, this, &ContentLoader::onFailed);
+  connect(worker, &ViewWorker::readingStopped, this, &ContentLoader::onStopped);
+}
+
+/// The memory is free then.
+void ContentLoader::forget() {
+  m_scene.reset();
+  Q_EMIT sceneChanged();
+}
+
+/// Without a light field, if one was being read.
+void ContentLoader::end() {
+  m_delay.stop();
+  if (std::exchange(m_isReading, false)) forget();
+  m_isAwaited = false;
+}
+
+/// While a live scene is edited, all that is shown stays until there is something newer, and edits
+/// that come faster than images wait for the next one (followImage()): else none would ever come.
+void ContentLoader::load() {
+  const auto isLive = [](const Session& session) {
+    return session.lightField.layout == Layout::live;
+  };
+  const bool isEdit = m_scene && isLive(m_asked) && isLive(m_model->session());
+  if (isEdit && m_isAwaited) return;
+  m_asked = m_model->session();
+  m_isReading = m_isAwaited = true;
+  if (!isEdit) forget();
+  m_worker->load(m_asked);
+  if (isEdit)
+    m_delay.start();
+  else
+    sayReading();
+}
+
+void ContentLoader::sayReading() {
+  Q_EMIT reading(tr("Reading %1 …").arg(QString::fromStdString(contentName(m_asked.lightField))));
+}
+
+bool ContentLoader::follow() {
+  if (!isReady() || !readTheSame(m_asked, m_model->session())) {
+    load();
+    return false;
+  }
+  showSession();
+  return true;
+}
+
+void ContentLoader::followImage() {
+  m_isAwaited = false;
+  if (m_scene && !readTheSame(m_asked, m_model->session())) load();
+}
+
+/// The display and sampling of the session as they are now.
+void ContentLoader::showSession() {
+  m_scene->display = resolved(displayOf(m_model->session()), m_scene->lightField->size());
+  m_scene->sampling = m_model->session().sampling;
+  Q_EMIT sceneChanged();
+}
+
+/// A live scene may have been edited since it was asked for.
+void ContentLoader::onLoaded(const Scene& scene) {
+  m_isReading = false;
+  m_scene = scene;
+  if (m_delay.isActive())
+    m_delay.stop();
+  else
+    Q_EMIT renderingBegun();
+  if (readTheSame(m_asked, m_model->session()))
+    showSession();
+  else
+    Q_EMIT sceneChanged();
+  Q_EMIT loaded();
+}
+
+void ContentLoader::onFailed(const QString& line) {
+  const bool isOld = !readTheSame(m_asked, m_model->session());
+  end();
+  if (isOld)
+    load();
+  else
+    Q_EMIT failed(line);
+}
+
+void ContentLoader::onStopped() {
+  end();
+  Q_EMIT stopped(tr("Stopped reading %1; to read it, open the session again")
+                     .arg(QString::fromStdString(contentName(m_model->session().lightField))));
+}
+
+}  // namespace hogelscope

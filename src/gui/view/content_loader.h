@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the session's light field open while the session is edited.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+
+#include "core/optics/session.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+class SessionModel;
+class ViewWorker;
+
+/// Reads a light field again only where an edit asks for another one. The display's pose, size and
+/// lens and the sampling change without reading.
+class ContentLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  ContentLoader(SessionModel* model, ViewWorker* worker, QObject* parent);
+
+  /// Returns the light field with the session's display and sampling; none while it is read, or if
+  /// it cannot be read.
+  [[nodiscard]] const std::optional<Scene>& scene() const { return m_scene; }
+  /// Whether scene() is what the session asks for.
+  [[nodiscard]] bool isReady() const { return m_scene && !m_isReading; }
+
+  /// Reads the session's light field.
+  void load();
+  /// Follows an edit of the session's content. Returns whether sceneChanged() was emitted for it.
+  bool follow();
+  /// Reads what was edited while the image was rendered that has now been shown.
+  void followImage();
+
+ Q_SIGNALS:
+  void sceneChanged();  ///< to another one, or to none
+  void loaded();
+  /// Reading has begun, or takes longer than a moment.
+  void reading(const QString& line);
+  /// The light field has been read, and nothing that is shown fits it.
+  void renderingBegun();
+  void stopped(const QString& line);
+  /// The light field cannot be read, or a state cannot be rendered.
+  void failed(const QString& line);
+
+ private:
+  void forget();
+  void end();
+  void sayReading();
+  void showSession();
+  void onLoaded(const Scene& scene);
+  void onFailed(const QString& line);
+  void onStopped();
+
+  SessionModel* m_model;
+  ViewWorker* m_worker;
+  QTimer m_delay;  ///< until reading a live scene's edit is reported
+  std::optional<Scene> m_scene;
+  Session m_asked;           ///< the session whose light field is being read or was read last
+  bool m_isReading = false;  ///< m_asked is being read; m_scene is an older light field, if any
+  bool m_isAwaited = false;  ///< the first image of m_asked has not been rendered yet
+};
+
+}  // namespace hogelscope
