@@ -16,7 +16,7 @@ struct Version {
 /// Returns the versions, Hogelscope first.
 std::vector<Version> versions();
 
-/// Returns a line such as "Hogelscope 0.1.0, OpenCV 4.6.0, …".
+/// Returns a line such as "Hogelscope 0.2.0, OpenCV 4.6.0, …".
 std::string versionsLine();
 
 }  // namespace hogelscope
