@@ -1,6 +1,7 @@
 # What makes faults end the program instead of being used: for all that is built after this, in
 # optimised builds. Sanitizers find more, and do not go together with _FORTIFY_SOURCE. The measured
-# costs are in ARCHITECTURE.md.
+# costs are in docs/measurements.md. Five hot files of core do without
+# checked indices (src/CMakeLists.txt).
 set(HOGELSCOPE_IS_HARDENED OFF)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_BUILD_TYPE MATCHES "^(Release|RelWithDebInfo)$"
     AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")

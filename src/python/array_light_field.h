@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A light field in an array of another owner, such as numpy's.
+// It is a source of slices, as a store is, so views copy what they read of it. The hash of its
+// values stands in a report's key.
 #pragma once
 
 #include <array>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of the Python extension module _hogelscope. Its interface has JSON texts, numpy arrays
-// and LightField objects; the package around it makes dicts and classes of them.
+// and LightField objects; the package around it makes dicts and classes of them. A session keeps
+// its light field and lens tables for the next view (SessionViews), under a lock that Ctrl-C
+// interrupts.
 #pragma once
 
 #include <pybind11/pybind11.h>

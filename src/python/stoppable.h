@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work that releases Python's lock, reports progress to a listener, and stops at Ctrl-C.
+// Work that releases Python's lock, reports progress to a listener, and stops at Ctrl-C. It runs on
+// a thread of its own; the calling thread looks every 20 ms for signals and calls the listener,
+// since only it may do both.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The figures of ARCHITECTURE.md "At the paper's size", by hand: an hour and 12 GB of disk.
+# The figures of docs/measurements.md, "The paper's size", by hand: an hour and 12 GB of disk.
 #   tests/benchmark/paper_size.sh FOLDER [HOGELS [STATES]]     default: 512 200
 # Light fields and stores that FOLDER has already are used again. Needs Debian's `time`.
 set -euo pipefail

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages of the window: lines in the status bar, and a list of all errors with their times.
+// Errors are `failed` signals, which end here; those that keep the view from being right stand on
+// it.
 #pragma once
 
 #include <QObject>

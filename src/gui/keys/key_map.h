@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All commands of a window with their default and user-defined keys.
+// A command is a QAction with an object name. A test compares them with the manual's keys.md, and
+// requires a key and a tooltip for each.
 #pragma once
 
 #include <QAction>

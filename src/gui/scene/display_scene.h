@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 3-D scene: the panel, the frusta of all states and the picked objects; its own camera, the
 // scene's eye; picking under the pointer.
+// It is fitted to the corners of panel, frusta and mesh (fittedEye), not to a sphere around them.
+// Only the viewing zone is translucent, and off at first: VTK's pass for that goes over the whole
+// picture.
 #pragma once
 
 #include <vtkNew.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Connects the 3-D scene with the session, its rendering thread and the Scene menu.
+// Others speak to the scene through this class alone.
 #pragma once
 
 #include <QObject>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Export of the 3-D scene for other programs, as glTF or VTP.
+// It is made of the sources, not of what is drawn, so it depends on no switch of the scene.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 3-D scene as an image of any size.
+// It is drawn by the scene's own window at another size, in the widget's context: VTK's actors
+// belong to one context.
 #pragma once
 
 #include <QSize>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Renders the contents of the 3-D scene on its own thread: the panel as the scene's eye sees it,
 // small views of all states, and the mesh of a live scene.
+// The panel is rendered by a camera whose image plane is the panel itself (panelState), so nothing
+// has to be reprojected.
 #pragma once
 
 #include <vtkImageData.h>

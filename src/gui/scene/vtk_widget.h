@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A Qt 6 widget that hosts a VTK render window. Debian's own Qt module of VTK is for Qt 5.
+// VTK draws off the screen in a context of its own, only when a prop or the eye has changed
+// (DisplayScene::changedAt), and the widget paints that picture: the window stays a raster window,
+// of which Qt composes only what changed.
 #pragma once
 
 #include <vtkNew.h>

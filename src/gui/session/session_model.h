@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The session shown and edited in the window, and its current state. Every edit has a name and can
-// be undone.
+// be undone: the whole session is kept before and after it; edits of one name within a second are
+// one.
 #pragma once
 
 #include <QObject>

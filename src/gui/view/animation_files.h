@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An animation along camera states: numbered images, and a video of them made by ffmpeg.
+// ffmpeg writes into a file without a name (AtomicFile), so a killed one leaves nothing.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Metrics of the images shown, computed on their own thread.
+// They are MetricSet's, as a report's are; one pair of images at a time, then the newest.
 #pragma once
 
 #include <QImage>

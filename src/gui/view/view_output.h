@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Output of simulated views to files: images of any size, and an animation along the states.
+// A view of another size is a RenderJob whose camera is `resized`, so files are those of batch
+// mode.
 #pragma once
 
 #include <QObject>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Answers of a worker's thread to the object that started it.
+// Answers of a worker's thread to the object that started it, through the window's queue. Each has
+// the number of its question; an overtaken answer is dropped.
 #pragma once
 
 #include <QMetaObject>

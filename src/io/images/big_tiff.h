@@ -2,6 +2,7 @@
 // Pages of BigTIFF files of this program: tiles of 64×64 RGB pixels, each compressed with zstd. Any
 // reader with zstd (libtiff, GDAL, OpenImageIO) can read them. This one reads the tiles' index in
 // place, row by row, because a whole index can be 280 MB.
+// It is our own few lines, not libtiff: tiles are read by position from any thread.
 #pragma once
 
 #include <string>

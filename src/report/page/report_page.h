@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report as a self-contained page.
+// The page is made of text: SVG and tables need no library, and it is XML too, so that a test reads
+// it.
 #pragma once
 
 #include <string>
