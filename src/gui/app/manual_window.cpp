@@ -147,9 +147,8 @@ void ManualWindow::listHeadings(const Chapter& chapter) {
 }
 
 void ManualWindow::showPage(const QUrl& url) {
-  const QUrl page = url.adjusted(QUrl::RemoveFragment);
-  if (page != m_shown) layOutTables();
-  m_shown = page;
+  layOutTables();  // Qt has read the page again, since the tables of the one before were edited
+  (void)m_page->document()->size();  // lays out all of it: scroll bars reach its end
   if (url.hasFragment()) scrollTo(url.fragment());
   selectHeading(url);
 }
@@ -187,7 +186,8 @@ void ManualWindow::selectHeading(const QUrl& url) {
 }
 
 std::size_t ManualWindow::shownChapter() const {
-  const auto isShown = [this](const Chapter& chapter) { return chapter.url == m_shown; };
+  const QUrl url = m_page->source().adjusted(QUrl::RemoveFragment);
+  const auto isShown = [&url](const Chapter& chapter) { return chapter.url == url; };
   return std::size_t(std::ranges::find_if(m_chapters, isShown) - m_chapters.begin());
 }
 

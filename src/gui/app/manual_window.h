@@ -52,7 +52,6 @@ class ManualWindow : public QWidget {
   void find(QTextDocument::FindFlags flags);
 
   std::vector<Chapter> m_chapters;
-  QUrl m_shown;  ///< the chapter in the page, without a fragment
 
   QTreeWidget* m_contents;
   ManualPage* m_page;
