@@ -99,6 +99,7 @@ ManualWindow::ManualWindow(QWidget* parent)
   back->setEnabled(false);
   addKeys();
   m_page->document()->setDocumentMargin(12);
+  m_page->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // images are as wide as the rest
   readChapters();
   m_page->setSource(firstPage);
 }
