@@ -50,8 +50,7 @@ void forHeadings(const QTextDocument& text, const Take& take) {
     if (block.blockFormat().headingLevel() > 0) take(block);
 }
 
-}  // namespace
-
+/// The name of a heading in links, as hosts of Markdown make it: where-the-error-comes-from.
 QString anchorOf(const QString& heading) {
   QString anchor;
   for (const QChar letter : heading.toLower()) {
@@ -60,6 +59,8 @@ QString anchorOf(const QString& heading) {
   }
   return anchor;
 }
+
+}  // namespace
 
 ManualWindow::ManualWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),

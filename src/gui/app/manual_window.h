@@ -24,9 +24,6 @@ class ManualPage : public QTextBrowser {
   QVariant loadResource(int type, const QUrl& name) override;
 };
 
-/// The name of a heading in links, as hosts of Markdown make it: `#where-the-error-comes-from`.
-QString anchorOf(const QString& heading);
-
 /// A window of its own, which closes with its parent. Its chapters are the pages that the first
 /// page, manual.md, links to, in that order.
 class ManualWindow : public QWidget {
