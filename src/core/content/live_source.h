@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A light field that is computed when a view asks for it: of the display's rays only those that the
 // view needs are traced through a 3-D scene (docs/formulas.md, Live scenes).
+// A view marks the texels that it reads within its footprint, since a distorted lens reads a third
+// of it; only these are traced, tile after tile.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Renders a view of a light field that is streamed once, hogel row after hogel row. Only the texels
 // that unfinished pixels still need are kept.
+// Batches of pixels wait for the last hogel row that they read; the ring's size is known before the
+// first row is read.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums the light of a batch of rays over taps along four axes, hogels i, j and directions u, v: one
 // tap where nothing is interpolated or leaks, two for interpolation, a window for leakage.
+// A texel's address is the sum of four parts, so taps add up axis by axis. The next batch's
+// addresses are computed while this batch's texels come from memory.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a view and the cells of the display that they meet. It reads no texels.
+// The rays of a view and the cells of the display that they meet. It reads no texels: footprints,
+// the error on the panel, --explain and streaming need nothing else.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inverse of a lens for many points, equal to Distortion::undistort.
+// The inverse of a lens for many points, 128 at once, equal to Distortion::undistort.
 #pragma once
 
 #include "core/base/progress.h"

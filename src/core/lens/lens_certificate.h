@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The range in which a lens can be trusted, for --explain, the report and the distortion dock.
+// The range in which a lens can be trusted, for --explain, the report and the distortion dock. It
+// is made of the rays that images take. Along 720 directions it marches in steps in which the
+// Jacobian's least eigenvalue cannot reach 0, so no fold is stepped over.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of the directions of distorted points: where their rays are, and end at a fold.
+// The certified parts of the directions of distorted points: where their rays are, and where these
+// end at a fold.
 #pragma once
 
 #include <array>
@@ -16,8 +17,8 @@
 namespace hogelscope {
 
 /// Divides the distorted points into narrow sectors around the centre, and these into parts where
-/// that is needed. Each is certified when it is first asked for, and what it says does not depend
-/// on what was asked before, or by which threads.
+/// that is needed. Each is certified when it is first asked for, from its directions alone: the
+/// result does not depend on earlier requests or on the threads.
 class LensFans {
  public:
   explicit LensFans(const Distortion& distortion);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is certain of a lens in a narrow sector around the centre, however near it is to a fold.
+// A certificate of a lens in a narrow sector around the centre: one march along the radius
+// certifies it nearly up to its fold, and tells from where on there is no ray.
 #pragma once
 
 #include <limits>
@@ -8,7 +9,8 @@
 
 namespace hogelscope {
 
-/// Of the distorted points of a sector. Distances from the centre, in units of the plane z = 1.
+/// The certified facts of a sector's distorted points. Distances from the centre, in units of the
+/// plane z = 1.
 struct LensSector {
   double ideal = 0;      ///< of the roots nearer than this, each is the right one
   double distorted = 0;  ///< all points nearer than this have such a root

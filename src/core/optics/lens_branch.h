@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The branch of a lens' inverse that grows from the centre, followed with a certificate
 // (docs/formulas.md, Distortion).
+// Each step along the segment from the image centre to the pixel is as long as the
+// Newton–Kantorovich theorem certifies, in a norm that knows which way the lens folds. A fold ahead
+// is proved, not approached: there is no ray.
 #pragma once
 
 #include <vector>
