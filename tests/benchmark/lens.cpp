@@ -22,7 +22,7 @@ void lensTable(benchmark::State& state) {
   setThreads(0);
   for (auto _ : state) {
     const LensTable table(lensKey(), parallelRows);
-    benchmark::DoNotOptimize(table.x(300, 0, 0));
+    benchmark::DoNotOptimize(table.x(300, {}));
   }
 }
 
@@ -33,7 +33,7 @@ void lensTableBehindAFold(benchmark::State& state, const DistortionParams& lens,
   key.focalLength = {focal, focal};
   for (auto _ : state) {
     const LensTable table(key, serialRows);
-    benchmark::DoNotOptimize(table.x(300, 0, 0));
+    benchmark::DoNotOptimize(table.x(300, {}));
   }
 }
 

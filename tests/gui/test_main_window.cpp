@@ -229,6 +229,27 @@ class TestMainWindow : public QObject {
     QVERIFY(m_window->findChild<TradeoffChartWidget*>()->chart().rows().empty());
   }
 
+  /// The jobs of all states are made when a measurement begins, not at each edit.
+  void editsPrepareNoMeasurement() {
+    waitForSample();
+    auto* widget = m_window->findChild<TradeoffWidget*>();
+    auto* measure = m_window->findChild<QPushButton*>("measureButton");
+    const Session session = loadSession(sampleFile.toStdString());
+    const std::vector<RenderJob> jobs{loadScene(session, {}).job(session.cameras[0])};
+    int calls = 0;
+    widget->setViews([&] {
+      ++calls;
+      return jobs;
+    });
+    auto* slider = editor<QSlider>("distortionArea", "k1.slider");
+    for (int step = 1; step <= 5; ++step) slider->setValue(slider->value() - 20);
+    QCOMPARE(calls, 0);
+    QTest::mouseClick(measure, Qt::LeftButton);
+    QCOMPARE(calls, 1);
+    QTest::mouseClick(measure, Qt::LeftButton);  // stop
+    QTRY_VERIFY_WITH_TIMEOUT(measure->isEnabled(), patience);
+  }
+
   /// No machine renders all of the sample session in a second by every method.
   void measuresWithinTheBudgetOfItsField() {
     waitForSample();

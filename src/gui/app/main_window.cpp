@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QTimer>
 #include <utility>
 
 #include "gui/app/colours.h"
@@ -34,6 +33,7 @@
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
+#include "gui/view/content_loader.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/reading_bar.h"
@@ -67,6 +67,8 @@ MainWindow::MainWindow(QWidget* parent)
   connectModel();
   connectDocks();
   connectWorker();
+  m_loader = new ContentLoader(m_model, m_worker, this);
+  connectLoader();
   addHabits();
   addEditing();
   showTitle();
@@ -151,7 +153,7 @@ void MainWindow::connectModel() {
   connect(m_model, &SessionModel::edited, this, &MainWindow::showCurrent);
   connect(m_model, &SessionModel::contentChanged, this, &MainWindow::showContent);
   connect(m_model, &SessionModel::statesChanged, this, &MainWindow::showStates);
-  connect(m_model, &SessionModel::edited, this, &MainWindow::offerViews);
+  connect(m_model, &SessionModel::edited, this, &MainWindow::forgetMeasurement);
 }
 
 void MainWindow::connectDocks() {
@@ -204,22 +206,40 @@ void MainWindow::leaveForm() {
 void MainWindow::connectWorker() {
   connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, m_messages, &Messages::showError);
-  connect(m_worker, &ViewWorker::failed, this, &MainWindow::showFailure);
   connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // clears older errors
-  connect(m_worker, &ViewWorker::loaded, this, &MainWindow::onSceneLoaded);
-  connect(m_worker, &ViewWorker::readingStopped, this, &MainWindow::showStopped);
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
 }
 
+/// After connectWorker(): an older reading's messages go before those of a new one come.
+void MainWindow::connectLoader() {
+  connect(m_loader, &ContentLoader::sceneChanged, this, &MainWindow::showScene);
+  connect(m_loader, &ContentLoader::loaded, this, [this] {
+    if (std::exchange(m_isNew, false)) m_scene->scene().reset();
+  });
+  connect(m_loader, &ContentLoader::reading, this, [this](const QString& line) {
+    m_readingBar->show();
+    m_imageCommands->showNotice(line);
+    m_messages->showMessage(line);
+  });
+  connect(m_loader, &ContentLoader::renderingBegun, this,
+          [this] { m_imageCommands->showNotice(tr("Rendering …")); });
+  connect(m_loader, &ContentLoader::stopped, this, [this](const QString& line) {
+    m_imageCommands->drop(line);
+    m_messages->showMessage(line);
+  });
+  connect(m_loader, &ContentLoader::failed, this, &MainWindow::showFailure);
+  m_ui->tradeoffView->setViews([this] { return views(); });
+}
+
 void MainWindow::render() {
-  if (!m_loaded || m_isReading) return;  // onSceneLoaded() renders
-  m_worker->render({m_model->current(), m_display, m_model->session().sampling, m_method,
-                    m_imageCommands->other()});
+  if (!m_loader->isReady()) return;  // showScene() renders
+  m_worker->render({m_model->current(), m_loader->scene()->display, m_model->session().sampling,
+                    m_method, m_imageCommands->other()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
   m_imageCommands->show(view);
-  loadWhatWaits();
+  m_loader->followImage();
   const QString form =
       view.otherImage.isNull() ? tr("%1 × %2 px in %3 ms") : tr("%1 × %2 px, both in %3 ms");
   QString line =
@@ -234,13 +254,16 @@ void MainWindow::showView(const RenderedView& view) {
   m_messages->showMessage(line);
 }
 
-/// Passes the views of the session's current states to the measurement.
-void MainWindow::offerViews() {
+/// Drops what was measured of other views than the session's states are now.
+void MainWindow::forgetMeasurement() {
+  m_ui->tradeoffView->forget(m_loader->isReady());
+}
+
+std::vector<RenderJob> MainWindow::views() const {
   std::vector<RenderJob> views;
-  if (m_loaded)
-    for (const CameraState& state : m_model->session().cameras)
-      views.push_back(m_loaded->job(state));
-  m_ui->tradeoffView->setViews(views);
+  for (const CameraState& state : m_model->session().cameras)
+    views.push_back(m_loader->scene()->job(state));
+  return views;
 }
 
 void MainWindow::start(const QStringList& files) {
@@ -270,9 +293,6 @@ void MainWindow::addHabits() {
   new HelpCommands(*m_ui, this);
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, *m_ui);
-  m_sayReading = new QTimer(this);
-  m_sayReading->setSingleShot(true);
-  connect(m_sayReading, &QTimer::timeout, this, &MainWindow::showReading);
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);
   m_readingBar->setObjectName("readingBar");
@@ -283,24 +303,13 @@ void MainWindow::addHabits() {
   connect(m_readingBar, &ReadingBar::stopAsked, m_worker, &ViewWorker::stopReading);
 }
 
-/// Clears the view, so that it does not show the image of another light field.
-void MainWindow::showStopped() {
-  endReading();
-  const QString line = tr("Stopped reading %1; to read it, open the session again")
-                           .arg(QString::fromStdString(contentName(m_model->session().lightField)));
-  m_imageCommands->drop(line);
-  m_messages->showMessage(line);
-}
-
-/// Shows the worker's error in place of the image until an image is rendered again.
+/// Shows an error in place of the image until an image is rendered again.
 void MainWindow::showFailure(const QString& line) {
-  const bool isOld = !readTheSame(m_asked, m_model->session());
-  endReading();
-  if (isOld) return load();
+  const bool isRead = m_loader->scene().has_value();
   const QString what =
-      m_loaded ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
+      isRead ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
   QString advice = tr("Correct it in the docks, undo the edit, or choose another state.");
-  if (!m_loaded)
+  if (!isRead)
     advice =
         tr("Correct it in the Light field or Display dock, undo the edit, or open the session "
            "again.");
@@ -315,7 +324,7 @@ void MainWindow::showStates() {
   m_stateBox->clear();
   for (const CameraState& state : m_model->session().cameras)
     m_stateBox->addItem(QString::fromStdString(state.camera.name));
-  offerViews();
+  forgetMeasurement();
   showCurrent();
 }
 
@@ -326,99 +335,25 @@ void MainWindow::showSession() {
   m_isNew = true;
   m_ui->tradeoffView->forgetChoice();
   m_imageCommands->drop({});
-  load();
+  m_loader->load();
   showStates();
 }
 
-/// Ends the reading state, and drops the light field if one was being read.
-void MainWindow::endReading() {
-  m_sayReading->stop();
-  if (std::exchange(m_isReading, false)) forgetScene();
-  m_isAwaited = false;
-}
-
-/// Drops the light field from all parts of the window, which frees its memory.
-void MainWindow::forgetScene() {
-  m_loaded.reset();
-  m_ui->reportPanel->setReference(std::nullopt);
-  m_lightField->setScene(std::nullopt);
-  m_scene->setScene(std::nullopt);
-  m_imageCommands->setScene(std::nullopt);
-}
-
-/// Reads the session's light field. During edits of a live scene the old images stay until a new
-/// one is ready, and edits that come faster than images wait for the next one (loadWhatWaits);
-/// otherwise no image would ever be shown.
-void MainWindow::load() {
-  const auto isLive = [](const Session& session) {
-    return session.lightField.layout == Layout::live;
-  };
-  const bool isEdit = m_loaded && isLive(m_asked) && isLive(m_model->session());
-  if (isEdit && m_isAwaited) return;
-  m_asked = m_model->session();
-  m_display = m_asked.display;
-  m_isReading = m_isAwaited = true;
-  if (!isEdit) forgetScene();
-  m_worker->load(m_asked);
-  constexpr int quick = 300;  // milliseconds
-  if (isEdit)
-    m_sayReading->start(quick);
-  else
-    showReading();
-}
-
-void MainWindow::loadWhatWaits() {
-  m_isAwaited = false;
-  if (m_loaded && !readTheSame(m_asked, m_model->session())) load();
-}
-
-void MainWindow::showReading() {
-  m_readingBar->show();
-  const QString line =
-      tr("Reading %1 …").arg(QString::fromStdString(contentName(m_asked.lightField)));
-  m_imageCommands->showNotice(line);
-  m_messages->showMessage(line);
-}
-
-/// Takes the light field that has been read, with the session's current display and sampling. A
-/// live scene may have been edited since.
-void MainWindow::onSceneLoaded(const Scene& scene) {
-  m_isReading = false;
-  m_loaded = scene;
-  if (m_sayReading->isActive())
-    m_sayReading->stop();
-  else
-    m_imageCommands->showNotice(tr("Rendering …"));
-  if (readTheSame(m_asked, m_model->session()))
-    showContent();
-  else
-    showScene();
-  if (std::exchange(m_isNew, false)) m_scene->scene().reset();
-}
-
-/// Shows the session's content. A light field in memory is not read again if only the panel's pose,
-/// size or lens or the sampling have changed.
 void MainWindow::showContent() {
-  if (!m_loaded || m_isReading || !readTheSame(m_asked, m_model->session())) {
-    load();
-    offerViews();
-    showCurrent();
-  } else {
-    m_loaded->display = resolved(displayOf(m_model->session()), m_loaded->lightField->size());
-    m_loaded->sampling = m_model->session().sampling;
-    showScene();
-  }
+  if (m_loader->follow()) return;  // showScene() has shown it
+  forgetMeasurement();
+  showCurrent();
 }
 
-/// Passes the light field that has been read to all parts of the window.
 void MainWindow::showScene() {
-  m_display = m_loaded->display;
-  m_lightField->setScene(m_loaded);
-  m_psf->setScene(*m_loaded);
-  m_scene->setScene(m_loaded);
-  m_imageCommands->setScene(m_loaded);
-  m_ui->reportPanel->setReference(m_loaded);
-  offerViews();
+  const std::optional<Scene>& scene = m_loader->scene();
+  m_lightField->setScene(scene);
+  if (scene) m_psf->setScene(*scene);
+  m_scene->setScene(scene);
+  m_imageCommands->setScene(scene);
+  m_ui->reportPanel->setReference(scene);
+  if (!scene) return;
+  forgetMeasurement();
   showCurrent();
 }
 

@@ -5,14 +5,14 @@
 
 #include <QMainWindow>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/optics/session.h"
 #include "gui/view/picture_rate.h"
-#include "io/scene/scene.h"
 #include "study/tradeoff.h"
 
 class QComboBox;
-class QTimer;
 
 namespace Ui {
 class MainWindow;
@@ -20,6 +20,7 @@ class MainWindow;
 
 namespace hogelscope {
 
+class ContentLoader;
 class DistortionDock;
 class FileCommands;
 class HomePage;
@@ -52,37 +53,32 @@ class MainWindow : public QMainWindow {
   void arrangeDocks();
   void connectDocks();
   void connectWorker();
+  void connectLoader();
   void addEditing();
   void addHabits();
   void closeEvent(QCloseEvent* event) override;
   void leaveForm();
   void showFailure(const QString& line);
-  void showStopped();
   void showSession();
   void showContent();
-  void load();
-  void loadWhatWaits();
-  void forgetScene();
-  void endReading();
-  void showReading();
   void showScene();
-  void onSceneLoaded(const Scene& scene);
   void showCurrent();
   void showTitle();
   void render();
   void showView(const RenderedView& view);
-  void offerViews();
+  void forgetMeasurement();
+  [[nodiscard]] std::vector<RenderJob> views() const;
   void showStates();
 
   std::unique_ptr<Ui::MainWindow> m_ui;
   SessionModel* m_model;
   ViewWorker* m_worker;
+  ContentLoader* m_loader = nullptr;
   Messages* m_messages = nullptr;
   HomePage* m_home = nullptr;
   FileCommands* m_files = nullptr;
   WindowLayout* m_layout = nullptr;
   ReadingBar* m_readingBar = nullptr;
-  QTimer* m_sayReading = nullptr;
   QComboBox* m_stateBox;
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
@@ -90,12 +86,7 @@ class MainWindow : public QMainWindow {
   LightFieldDock* m_lightField = nullptr;
   PsfDock* m_psf = nullptr;
   PictureRate m_rate;
-  DisplayParams m_display;        ///< resolved
-  bool m_isNew = false;           ///< the session is new, so the scene has to be fitted to it
-  std::optional<Scene> m_loaded;  ///< none while a light field is read, or if it cannot be read
-  Session m_asked;                ///< the session whose light field is being read or was read last
-  bool m_isReading = false;  ///< m_asked is being read; m_loaded is an older light field, if any
-  bool m_isAwaited = false;  ///< the first image of m_asked has not been rendered yet
+  bool m_isNew = false;                 ///< the session is new, so the scene has to be fitted to it
   std::optional<NamedMethod> m_method;  ///< of the live view; none: the session's own
 };
 

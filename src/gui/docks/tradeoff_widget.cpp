@@ -94,9 +94,14 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
   });
 }
 
-void TradeoffWidget::setViews(const std::vector<RenderJob>& views) {
-  m_views = views;
-  m_chart->setChart(TradeoffChart({}, ""));
+void TradeoffWidget::setViews(std::function<std::vector<RenderJob>()> views) {
+  m_viewsNow = std::move(views);
+}
+
+void TradeoffWidget::forget(bool canMeasure) {
+  m_canMeasure = canMeasure;
+  m_views.clear();
+  if (!m_chart->chart().rows().empty()) m_chart->setChart(TradeoffChart({}, ""));
   if (m_task->isRunning())
     stop();
   else
@@ -118,6 +123,7 @@ void TradeoffWidget::measureOrStop() {
   if (m_task->isRunning()) return stop();
   m_measureButton->setText(tr("&Stop measuring"));
   m_budgetBox->setEnabled(false);
+  m_views = m_viewsNow();
   Budget budget;
   budget.seconds = m_budgetBox->value();
   m_task->start([this, budget, views = m_views](const Progress& progress) {
@@ -148,8 +154,8 @@ void TradeoffWidget::choose(std::optional<std::size_t> row) {
 
 void TradeoffWidget::showIdle() {
   m_measureButton->setText(tr("&Measure speed and accuracy"));
-  m_measureButton->setEnabled(!m_views.empty());
-  m_budgetBox->setEnabled(!m_views.empty());
+  m_measureButton->setEnabled(m_canMeasure);
+  m_budgetBox->setEnabled(m_canMeasure);
   m_progress->setVisible(false);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "chart/tradeoff_chart.h"
@@ -46,9 +47,11 @@ class TradeoffWidget : public QWidget {
  public:
   explicit TradeoffWidget(QWidget* parent = nullptr);
 
-  /// Sets the views of the next measurement. Results of other views are removed, and a running
-  /// measurement stops.
-  void setViews(const std::vector<RenderJob>& views);
+  /// Sets the function that gives the views of a measurement, when one begins.
+  void setViews(std::function<std::vector<RenderJob>()> views);
+  /// Drops the results of other views than those that setViews() gives now, and stops a measurement
+  /// of them. `canMeasure`: there are views.
+  void forget(bool canMeasure);
   /// Clears the choice of a method without emitting methodChosen().
   void forgetChoice();
 
@@ -64,7 +67,9 @@ class TradeoffWidget : public QWidget {
   void choose(std::optional<std::size_t> row);
   void showIdle();
 
-  std::vector<RenderJob> m_views;
+  std::function<std::vector<RenderJob>()> m_viewsNow;
+  std::vector<RenderJob> m_views;  ///< those that are measured, or shown in the chart
+  bool m_canMeasure = false;
   Task* m_task;
   TradeoffChartWidget* m_chart;
   QPushButton* m_measureButton;

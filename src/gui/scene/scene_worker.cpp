@@ -2,8 +2,6 @@
 // Renders the contents of the 3-D scene on its own thread.
 #include "gui/scene/scene_worker.h"
 
-#include <vtkNew.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +9,6 @@
 #include "core/engine/scaled_view.h"
 #include "gui/scene/vtk_image.h"
 #include "gui/widgets/queued_answer.h"
-#include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
 
@@ -45,47 +42,33 @@ RenderJob quick(const RenderJob& asked) {
 }  // namespace
 
 SceneWorker::SceneWorker(QObject* parent) : QObject(parent) {
-  m_thread = std::thread([this] { run(); });
+  m_filter->SetProgress([this](double) { return !mustStop(); });
+  m_thread.start([this] { return hasWork(); }, [this](LatestWins::Lock& lock) { serve(lock); });
 }
 
-SceneWorker::~SceneWorker() {
-  {
-    const std::lock_guard lock(m_mutex);
-    m_ends = true;
-  }
-  m_wake.notify_one();
-  m_thread.join();
-}
+SceneWorker::~SceneWorker() = default;
 
 void SceneWorker::setScene(const std::optional<Scene>& scene) {
-  {
-    const std::lock_guard lock(m_mutex);
+  m_thread.ask([&] {
     m_newScene = scene;
     m_isSceneNew = true;
     ++m_asked;
     m_panel.reset();
     m_states.clear();
     m_done.clear();
-  }
-  m_wake.notify_one();
+  });
 }
 
 void SceneWorker::renderPanel(const CameraState& state) {
-  {
-    const std::lock_guard lock(m_mutex);
-    m_panel = state;
-  }
-  m_wake.notify_one();
+  m_thread.ask([&] { m_panel = state; });
 }
 
 void SceneWorker::renderStates(const std::vector<CameraState>& states, std::size_t first) {
-  {
-    const std::lock_guard lock(m_mutex);
+  m_thread.ask([&] {
     m_states = states;
     m_done.resize(states.size());
     m_first = first;
-  }
-  m_wake.notify_one();
+  });
 }
 
 std::optional<std::size_t> SceneWorker::nextState() const {
@@ -97,12 +80,11 @@ std::optional<std::size_t> SceneWorker::nextState() const {
 }
 
 bool SceneWorker::hasWork() const {
-  return m_ends || m_isSceneNew || (m_scene && (m_panel || nextState()));
+  return m_isSceneNew || (m_scene && (m_panel || nextState()));
 }
 
 bool SceneWorker::mustStop() {
-  const std::lock_guard lock(m_mutex);
-  return m_ends || m_isSceneNew;
+  return m_thread.mustStop([this] { return m_isSceneNew; });
 }
 
 /// Switches to a new scene. Returns true if there is one.
@@ -113,28 +95,18 @@ bool SceneWorker::switchScene() {
   return true;
 }
 
-void SceneWorker::run() {
-  const vtkNew<vtkHogelViewFilter> filter;
-  filter->SetProgress([this](double) { return !mustStop(); });
-  for (;;) {
-    std::unique_lock lock(m_mutex);
-    m_wake.wait(lock, [this] { return hasWork(); });
-    if (m_ends) return;
-    const bool isNew = switchScene();
-    const std::optional<CameraState> panel =
-        m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
-    lock.unlock();
-    if (isNew) filter->SetJob({});  // it may hold the last reference to the old light field
-    if (isNew) makeMesh();
-    if (!m_scene) continue;
-    if (!panel) {
-      renderNextState(*filter);
-      continue;
-    }
-    const VtkImage image = imageOf(quick(m_scene->job(*panel)), panelColour, *filter);
-    if (image != nullptr)
-      queueAnswer(this, m_asked, m_number, [this, image] { Q_EMIT panelRendered(image); });
-  }
+void SceneWorker::serve(LatestWins::Lock& lock) {
+  const bool isNew = switchScene();
+  const std::optional<CameraState> panel =
+      m_scene ? std::exchange(m_panel, std::nullopt) : std::nullopt;
+  lock.unlock();
+  if (isNew) m_filter->SetJob({});  // it may hold the last reference to the old light field
+  if (isNew) makeMesh();
+  if (!m_scene) return;
+  if (!panel) return renderNextState();
+  const VtkImage image = imageOf(quick(m_scene->job(*panel)), panelColour, *m_filter);
+  if (image != nullptr)
+    queueAnswer(this, m_asked, m_number, [this, image] { Q_EMIT panelRendered(image); });
 }
 
 void SceneWorker::makeMesh() {
@@ -150,21 +122,21 @@ void SceneWorker::makeMesh() {
   queueAnswer(this, m_asked, m_number, [this, mesh = m_mesh] { Q_EMIT meshMade(mesh); });
 }
 
-void SceneWorker::renderNextState(vtkHogelViewFilter& filter) {
+void SceneWorker::renderNextState() {
   std::optional<CameraState> state;
   std::size_t index = 0;
-  {
-    const std::lock_guard lock(m_mutex);
+  m_thread.ask([&] {
     const std::optional<std::size_t> next = nextState();
     if (!next) return;
     index = *next;
     state = m_states[index];
     m_done[index] = state;
-  }
+  });
+  if (!state) return;
   RenderJob view = quick(m_scene->job(*state));
   const auto [width, height] = state->camera.res;
   view.method.scale = (std::max(width, height) + smallSide - 1) / smallSide;
-  VtkImage image = imageOf(view, {0, 0, 0}, filter);
+  VtkImage image = imageOf(view, {0, 0, 0}, *m_filter);
   if (image == nullptr) image = toVtkImage(Image(1, 1), {0, 0, 0});  // black
   queueAnswer(this, m_asked, m_number,
               [this, index, image] { Q_EMIT stateRendered(int(index), image); });

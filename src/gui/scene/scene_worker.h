@@ -6,19 +6,17 @@
 #pragma once
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <QObject>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "gui/scene/mesh_actors.h"
+#include "gui/widgets/latest_wins.h"
 #include "io/scene/scene.h"
-
-class vtkHogelViewFilter;
+#include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
 
@@ -52,16 +50,15 @@ class SceneWorker : public QObject {
   void stateRendered(int index, const hogelscope::VtkImage& image);
 
  private:
-  void run();
+  void serve(LatestWins::Lock& lock);
   bool switchScene();
   void makeMesh();
-  void renderNextState(vtkHogelViewFilter& filter);
+  void renderNextState();
   [[nodiscard]] std::optional<std::size_t> nextState() const;
   [[nodiscard]] bool hasWork() const;
   [[nodiscard]] bool mustStop();
 
-  std::mutex m_mutex;  ///< guards the following members
-  std::condition_variable m_wake;
+  // The requests, which m_thread guards.
   std::optional<Scene> m_newScene;
   bool m_isSceneNew = false;
   int m_asked = 0;  ///< the number of the latest setScene()
@@ -69,13 +66,13 @@ class SceneWorker : public QObject {
   std::vector<CameraState> m_states;
   std::vector<std::optional<CameraState>> m_done;  ///< as rendered last
   std::size_t m_first = 0;
-  bool m_ends = false;
 
   std::optional<Scene> m_scene;  ///< used by the thread only, as is the next
   int m_number = 0;              ///< the number of the setScene() that is served
   std::weak_ptr<const LightFieldSource> m_meshOf;
   VtkMesh m_mesh;
-  std::thread m_thread;
+  vtkNew<vtkHogelViewFilter> m_filter;
+  LatestWins m_thread;
 };
 
 }  // namespace hogelscope

@@ -4,12 +4,10 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <limits>
 #include <utility>
 
@@ -19,7 +17,6 @@
 #include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
 #include "gui/widgets/queued_answer.h"
-#include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
 
@@ -73,28 +70,21 @@ QString planOf(const RenderJob& view) {
 }  // namespace
 
 ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
-  m_thread = std::thread([this] { run(); });
+  m_filter->SetProgress([this](double) { return !mustStop(); });
+  m_thread.start([this] { return m_toLoad || m_toRender; },
+                 [this](LatestWins::Lock& lock) { serve(lock); });
 }
 
-ViewWorker::~ViewWorker() {
-  {
-    const std::lock_guard lock(m_mutex);
-    m_ends = true;
-  }
-  m_wake.notify_one();
-  m_thread.join();
-}
+ViewWorker::~ViewWorker() = default;
 
 void ViewWorker::load(const Session& session) {
-  {
-    const std::lock_guard lock(m_mutex);
+  m_thread.ask([&] {
     m_toLoad = session;
     ++m_asked;
     m_isReadingStopped = false;
     m_toRender.reset();
     m_readShare = 0;
-  }
-  m_wake.notify_one();
+  });
 }
 
 /// Sends a signal from the thread.
@@ -104,61 +94,48 @@ void ViewWorker::send(Signal signal) {
 }
 
 void ViewWorker::stopReading() {
-  const std::lock_guard lock(m_mutex);
-  m_isReadingStopped = true;
+  m_thread.ask([this] { m_isReadingStopped = true; });
 }
 
 void ViewWorker::render(const ViewRequest& request) {
-  {
-    const std::lock_guard lock(m_mutex);
-    m_toRender = request;
-  }
-  m_wake.notify_one();
+  m_thread.ask([&] { m_toRender = request; });
 }
 
 bool ViewWorker::hasNewer(bool isLoading) {
-  const std::lock_guard lock(m_mutex);
-  return m_ends || m_toLoad || (isLoading ? m_isReadingStopped : m_toRender.has_value());
+  return m_thread.mustStop(
+      [&] { return m_toLoad || (isLoading ? m_isReadingStopped : m_toRender.has_value()); });
 }
 
 /// Whether a running rendering must stop.
 bool ViewWorker::mustStop() {
-  const std::lock_guard lock(m_mutex);
   const bool isPatient = double(m_timer.nsecsElapsed()) * 1e-6 < m_patience;
-  return m_ends || m_toLoad || (!isPatient && m_toRender);
+  return m_thread.mustStop([&] { return m_toLoad || (!isPatient && m_toRender); });
 }
 
 /// Waits a moment. Returns false if a newer request arrives.
 bool ViewWorker::handRests() {
-  constexpr auto rest = std::chrono::milliseconds(60);
-  std::unique_lock lock(m_mutex);
-  return !m_wake.wait_for(lock, rest, [this] { return m_ends || m_toLoad || m_toRender; });
+  constexpr std::chrono::milliseconds rest(60);
+  return !m_thread.mustStopWithin(rest, [this] { return m_toLoad || m_toRender; });
 }
 
-void ViewWorker::run() {
-  const vtkNew<vtkHogelViewFilter> filter;
-  filter->SetProgress([this](double) { return !mustStop(); });
-  for (;;) {
-    filter->SetJob({});  // releases the light field while waiting
-    std::unique_lock lock(m_mutex);
-    m_wake.wait(lock, [this] { return m_ends || m_toLoad || m_toRender; });
-    if (m_ends) return;
-    const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
-    m_number = m_asked;
-    const std::optional<ViewRequest> request =
-        session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
-    lock.unlock();
-    try {
-      if (session) loadNow(*session);
-      if (!request || !m_scene) continue;
-      renderNow(*request, *filter);
+void ViewWorker::serve(LatestWins::Lock& lock) {
+  const std::optional<Session> session = std::exchange(m_toLoad, std::nullopt);
+  m_number = m_asked;
+  const std::optional<ViewRequest> request =
+      session ? std::nullopt : std::exchange(m_toRender, std::nullopt);
+  lock.unlock();
+  try {
+    if (session) loadNow(*session);
+    if (request && m_scene) {
+      renderNow(*request);
       if (!hasNewer(false)) certifyNow(*request);
-    } catch (const Cancelled&) {
-      // A newer request waits.
-    } catch (const std::exception& error) {
-      send([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
     }
+  } catch (const Cancelled&) {
+    // a newer request waits
+  } catch (const std::exception& error) {
+    send([this, line = QString::fromUtf8(error.what())] { Q_EMIT failed(line); });
   }
+  m_filter->SetJob({});  // while it waits it holds no light field
 }
 
 void ViewWorker::loadNow(const Session& session) {
@@ -182,17 +159,16 @@ void ViewWorker::loadNow(const Session& session) {
 
 /// Renders a view. A coarse image is finished even if newer requests arrive, so that the view keeps
 /// moving; a full image that is expected to be quick gets its expected time.
-void ViewWorker::renderNow(const ViewRequest& request, vtkHogelViewFilter& filter) {
+void ViewWorker::renderNow(const ViewRequest& request) {
   const CameraState& state = request.state;
   check(state, state.camera.name.empty() ? "state" : state.camera.name);
   const int scale = m_pace.firstScale();
-  if (scale == 1) return renderAt(1, ViewPace::quick, request, filter);
-  renderAt(scale, std::numeric_limits<double>::infinity(), request, filter);
-  if (handRests()) renderAt(1, 0, request, filter);
+  if (scale == 1) return renderAt(1, ViewPace::quick, request);
+  renderAt(scale, std::numeric_limits<double>::infinity(), request);
+  if (handRests()) renderAt(1, 0, request);
 }
 
-void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request,
-                          vtkHogelViewFilter& filter) {
+void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request) {
   const auto elapsed = [this] { return double(m_timer.nsecsElapsed()) * 1e-6; };
   m_patience = patience;
   m_timer.start();
@@ -203,24 +179,24 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   const RenderJob view = viewOf(scene, request.state, request.method, scale);
   try {
     if (request.other) {
-      filter.SetJob(viewOf(*request.other, request.state, request.method, scale));
-      filter.UpdateOrThrow();
-      result.otherImage = toQImage(*filter.GetOutput());
-      result.otherSeen = toMask(*filter.GetOutput());
+      m_filter->SetJob(viewOf(*request.other, request.state, request.method, scale));
+      m_filter->UpdateOrThrow();
+      result.otherImage = toQImage(*m_filter->GetOutput());
+      result.otherSeen = toMask(*m_filter->GetOutput());
     }
-    filter.SetJob(view);
-    filter.UpdateOrThrow();
+    m_filter->SetJob(view);
+    m_filter->UpdateOrThrow();
   } catch (const Cancelled&) {
     m_pace.stopped(elapsed());
     throw;
   }
   result.milliseconds = elapsed();
   m_pace.rendered(scale, result.milliseconds);
-  result.image = toQImage(*filter.GetOutput());
-  result.seen = toMask(*filter.GetOutput());
+  result.image = toQImage(*m_filter->GetOutput());
+  result.seen = toMask(*m_filter->GetOutput());
   result.scale = scale;
   result.isOverview = view.lightField != scene.lightField;
-  result.plan = planOf(filter.GetChoice().job);
+  result.plan = planOf(m_filter->GetChoice().job);
   send([this, result] { Q_EMIT rendered(result); });
 }
 

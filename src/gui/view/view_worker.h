@@ -6,23 +6,22 @@
 // which reads most texels.
 #pragma once
 
+#include <vtkNew.h>
+
 #include <QElapsedTimer>
 #include <QImage>
 #include <QObject>
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "core/lens/lens_certificate.h"
 #include "core/lens/lens_grid.h"
 #include "core/optics/session.h"
 #include "gui/view/view_pace.h"
+#include "gui/widgets/latest_wins.h"
 #include "io/scene/scene.h"
 #include "study/tradeoff.h"
-
-class vtkHogelViewFilter;
+#include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
 
@@ -87,21 +86,19 @@ class ViewWorker : public QObject {
  private:
   template <class Signal>
   void send(Signal signal);
-  void run();
+  void serve(LatestWins::Lock& lock);
   void loadNow(const Session& session);
-  void renderNow(const ViewRequest& request, vtkHogelViewFilter& filter);
-  void renderAt(int scale, double patience, const ViewRequest& request, vtkHogelViewFilter& filter);
+  void renderNow(const ViewRequest& request);
+  void renderAt(int scale, double patience, const ViewRequest& request);
   void certifyNow(const ViewRequest& request);
   [[nodiscard]] bool hasNewer(bool isLoading);
   [[nodiscard]] bool mustStop();
   [[nodiscard]] bool handRests();
 
-  std::mutex m_mutex;  ///< guards the next five
-  std::condition_variable m_wake;
+  // The requests, which m_thread guards.
   std::optional<Session> m_toLoad;
   std::optional<ViewRequest> m_toRender;
   bool m_isReadingStopped = false;
-  bool m_ends = false;
 
   int m_asked = 0;  ///< the number of the latest load(); written under the mutex too
   std::atomic<double> m_readShare = 0;
@@ -112,7 +109,8 @@ class ViewWorker : public QObject {
   ViewPace m_pace;
   QElapsedTimer m_timer;  ///< since the rendering started
   double m_patience = 0;  ///< milliseconds after which a newer request stops the rendering
-  std::thread m_thread;
+  vtkNew<vtkHogelViewFilter> m_filter;
+  LatestWins m_thread;
 };
 
 }  // namespace hogelscope
