@@ -19,22 +19,23 @@ struct DisplayParams {
   Vec3 position;
   Vec3 orientation;
   std::array<double, 2> size{0.5, 0.5};
-  std::array<int, 2> hogels{0, 0};      ///< 0: as the light field's file says
-  std::array<int, 2> directions{0, 0};  ///< 0: as the light field's file says
+  std::array<int, 2> hogels{0, 0};      ///< 0: given by the light field
+  std::array<int, 2> directions{0, 0};  ///< 0: given by the light field
   std::array<double, 2> fov{60, 60};
   HogelLensModel lens = HogelLensModel::rectilinear;
-  std::string lensSource;  ///< name of the plugin whose lens it is
-  LensParams lensParams;   ///< of the plugin
-  /// The light field's (LightFieldParams), for which displayOf() of a session puts it here.
+  std::string lensSource;  ///< the name of the lens plugin
+  LensParams lensParams;   ///< the plugin's parameters
+  /// The light field's viewing distance in metres (LightFieldParams), which displayOf() copies
+  /// here.
   double viewingDistance = notGiven;
   bool operator==(const DisplayParams&) const = default;
 };
 
-/// Visits `lensSource` for lens plugin alone; `lensParams` are an object of its own, named after
-/// it.
+/// Visits `lensSource` only if the lens is a plugin; `lensParams` are a separate object, named
+/// after it.
 void describe(ParameterVisitor& v, DisplayParams& p);
 
-/// Returns the hogels' lens across (axis 0, u) or down (axis 1, v). Throws InputError: a plugin's
+/// Returns the hogels' lens across (axis 0, u) or down (axis 1, v). Throws InputError if a plugin's
 /// lens cannot be opened.
 std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t axis);
 
@@ -53,11 +54,12 @@ struct Hit {
   double v = 0;
 };
 
-/// Where the light field has a viewing distance, all hogels' fields coincide on that plane, and a
-/// direction (u, v) is a point of it: the slopes of a direction depend on the hogel's place.
+/// The panel's geometry, which rays are intersected with. If the light field has a viewing
+/// distance, all hogels' fields coincide on the plane at that distance, and a direction (u, v) is a
+/// point of it: the slopes of a direction then depend on the hogel's position.
 class Display {
  public:
-  /// `params.hogels` and `params.directions` must be given. Throws what lensOf() throws.
+  /// `params.hogels` and `params.directions` must be given. Throws InputError as lensOf() does.
   explicit Display(const DisplayParams& params);
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
@@ -65,13 +67,13 @@ class Display {
   /// Returns the hogels' lens across (axis 0, u) or down (axis 1, v).
   [[nodiscard]] const HogelLens& lens(std::size_t axis) const { return *m_lenses[axis]; }
 
-  /// Returns the hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit). None
-  /// if the eye is not in front of the panel, or the ray points away from it, misses it, or lies
-  /// outside the hogel's angular field.
+  /// Returns the hit of a ray from an eye, both in the display frame (docs/formulas.md, Hit).
+  /// Returns none if the eye is not in front of the panel, or the ray points away from it, misses
+  /// it, or lies outside the hogel's angular field.
   [[nodiscard]] std::optional<Hit> hit(const Vec3& eye, const Vec3& direction) const;
 
-  /// Returns the hit with the panel's plane, also beyond the panel and the angular field. None if
-  /// the eye is not in front of the plane or the ray points away from it.
+  /// Returns the hit with the panel's plane, also beyond the panel and the angular field. Returns
+  /// none if the eye is not in front of the plane or the ray points away from it.
   [[nodiscard]] std::optional<Hit> intersectPlane(const Vec3& eye, const Vec3& direction) const;
   [[nodiscard]] bool isOnPanel(const Hit& place) const;
   [[nodiscard]] bool isInField(const Hit& place) const;
@@ -83,8 +85,8 @@ class Display {
   /// Returns the slopes dx/dz, dy/dz of a real-valued direction, u = 0 … du, v = 0 … dv, in the
   /// panel's centre.
   [[nodiscard]] Vec2 slopes(double u, double v) const;
-  /// Returns by how much the slopes of every direction are smaller at a point of the panel (metres)
-  /// than in its centre: the point / viewingDistance, or 0.
+  /// Returns the amount by which the slopes of every direction are smaller at a point of the panel
+  /// (metres) than in its centre: the point / viewingDistance, or 0.
   [[nodiscard]] Vec2 turn(const Vec2& place) const {
     return {m_convergence * place.x, m_convergence * place.y};
   }

@@ -47,7 +47,7 @@ std::shared_ptr<const HogelLens> make(double fov) {
 
 using MakeLens = std::shared_ptr<const HogelLens> (*)(double fov);
 
-// One row for each HogelLensModel; the last one, plugin, is not made here.
+// Each HogelLensModel has one row; the last one, plugin, is not made here.
 constexpr std::array<std::string_view, 3> names{"rectilinear", "equiangular", "plugin"};
 constexpr std::array<MakeLens, 2> makers{make<RectilinearLens>, make<EquiangularLens>};
 

@@ -9,7 +9,7 @@
 
 namespace hogelscope {
 
-/// plugin: the lens of DisplayParams::lensSource.
+/// The model of a hogel's lens; `plugin` is the lens of DisplayParams::lensSource.
 enum class HogelLensModel { rectilinear, equiangular, plugin };
 
 /// Returns the names used in documents, in the order of HogelLensModel.
@@ -25,7 +25,7 @@ class HogelLens {
   virtual ~HogelLens() = default;
 
   [[nodiscard]] virtual double directionOf(double slope) const = 0;
-  /// The inverse of directionOf().
+  /// Returns the slope of a direction, the inverse of directionOf().
   [[nodiscard]] virtual double slopeOf(double direction) const = 0;
   /// Whether directionOf() is slope / slopeOf(1): rays are then cast without calling it.
   [[nodiscard]] virtual bool isLinear() const { return false; }

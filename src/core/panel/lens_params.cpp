@@ -26,7 +26,8 @@ class OpenedLens : public HogelLens {
   std::unique_ptr<plugin::HogelLens> m_lens;
 };
 
-/// Tries the lens at many directions of its field; a view would be wrong without a word.
+/// Throws InputError unless the lens is increasing and has its inverse at 257 directions of its
+/// field; views would otherwise be wrong without a message.
 void requireGrowing(const HogelLens& lens) {
   constexpr int steps = 256;
   constexpr double allowed = 1e-6;  // of the field
@@ -44,7 +45,7 @@ void requireGrowing(const HogelLens& lens) {
 
 }  // namespace
 
-/// Lenses are small, so none is ever forgotten.
+/// The lenses opened so far. They are small, so none is ever removed.
 struct LensParams::Opened {
   struct Lens {
     NamedValues values;

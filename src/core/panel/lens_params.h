@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plugin's hogel lens: its parameters, and the lenses that they have made.
+// The parameters of a plugin's hogel lens, and the lenses made from them.
 #pragma once
 
 #include "core/base/plugin_params.h"
@@ -8,16 +8,16 @@
 
 namespace hogelscope {
 
-/// Copies share the lenses that they have opened, so a display can be made again and again, and a
-/// file that changes meanwhile does not change a job.
+/// Copies share the opened lenses, so a display can be made repeatedly, and a lens file that
+/// changes meanwhile does not change a job.
 class LensParams : public PluginParams<plugin::HogelLens> {
  public:
   LensParams() = default;
   explicit LensParams(Make make);
 
   /// Returns the lens across (axis 0, u) or down (axis 1, v) for a full field of `fov` degrees.
-  /// Only the first call with the same values opens it. Throws InputError: what the plugin says, or
-  /// it is no growing function with an inverse.
+  /// Only the first call with the same values opens it. Throws InputError with the plugin's
+  /// message, or if the lens is not an increasing function with an inverse.
   [[nodiscard]] std::shared_ptr<const HogelLens> lens(std::size_t axis, double fov) const;
 
  private:

@@ -10,7 +10,8 @@ namespace hogelscope {
 namespace {
 
 /// Returns the share of a side of the panel, centred on 0, whose light reaches a point at `at`, z
-/// in front of it: of the places x with (at - x)/z + convergence·x within the lens' field.
+/// in front of it: the share of the positions x with (at - x)/z + convergence·x within the lens'
+/// field.
 double shareWithin(double side, double at, double z, double convergence, const HogelLens& lens) {
   const double low = at - z * lens.slopeOf(0.5);  // ≤ x·(1 - z·convergence) ≤ high
   const double high = at - z * lens.slopeOf(-0.5);
@@ -33,9 +34,10 @@ struct ZoneSide {
   double most;
   double convergence;
 
-  /// How far the panel's edges move the limits apart, or together.
+  /// Returns how far the panel's edges move the limits apart, or together.
   [[nodiscard]] double reach(double z) const { return side / 2 * std::abs(1 - z * convergence); }
-  /// Where light of the whole panel meets: the width z·(most - least) - 2·reach(z) is not negative.
+  /// Return the limits of z between which light of the whole panel meets: the width z·(most -
+  /// least) - 2·reach(z) is not negative there.
   [[nodiscard]] double nearest() const { return side / (most - least + side * convergence); }
   [[nodiscard]] double farthest() const {
     const double narrowing = side * convergence - (most - least);

@@ -13,7 +13,7 @@ namespace hogelscope {
 /// 1 if all of the panel can be seen from there, 0 if the point is outside the viewing zone.
 double shareSeenFrom(const DisplayParams& display, const Vec3& point);
 
-/// The points that some of the panel's light reaches, or that of each of its places.
+/// The points reached by light of some part of the panel, or by light of every part.
 enum class ViewingZone { someOfThePanel, wholePanel };
 
 /// A rectangle parallel to the panel, in the display frame, metres; x and y.
@@ -23,8 +23,9 @@ struct ZoneSection {
   std::array<double, 2> high{};
 };
 
-/// Returns sections of a viewing zone from its point nearest to the panel to `farthest` metres
-/// before it, if it reaches so far; between two of them its sides are plane. Empty: there is none.
+/// Returns sections of a viewing zone, from its point nearest to the panel to `farthest` metres in
+/// front of it, if it reaches so far; its sides are plane between two sections. Empty if there is
+/// no zone.
 std::vector<ZoneSection> sectionsOf(const DisplayParams& display, ViewingZone zone,
                                     double farthest);
 
