@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<const char*, 4> edgeNames{"left", "right", "upper", "lower"};
 
-/// Points of an edge, in its order from end to end.
+/// Returns points of an edge, from end to end.
 std::vector<Vec2> pointsOf(std::size_t edge, const DisplayParams& display) {
   constexpr int most = 256;
   const bool isUpright = edge < 2;
@@ -33,7 +33,7 @@ std::string cutWarning(const plugin::ContentSource& content, const DisplayParams
   double back = 0;
   double front = 0;
   content.depths(back, front);
-  // What stands less than a hogel's width in front of the panel loses nothing that can be seen.
+  // Content less than a hogel's width in front of the panel loses nothing that can be seen.
   const double nearest =
       std::max(display.size[0] / display.hogels[0], display.size[1] / display.hogels[1]);
   const double z = std::min(front + nearest, eye.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Content that stands before the panel and reaches beyond it.
+// The warning about content in front of the panel that reaches beyond its edges.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace hogelscope {
 
-/// Returns a line on the edges of the panel at which content before it ends, as a state's eye sees
-/// it: such content is cut there, since no hogel is behind it. "" where there are none, the eye is
-/// not in front of the panel, or the content does not know its depths.
+/// Returns a line that names the edges of the panel at which a state's eye sees content in front of
+/// it cut, since no hogel is behind it there. Returns "" if there are none, the eye is not in front
+/// of the panel, or the content does not know its depths.
 std::string cutWarning(const plugin::ContentSource& content, const DisplayParams& display,
                        const CameraState& state);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The points over which a directional pixel's light is a mean (docs/formulas.md, Live scenes).
+// The points over which a directional pixel's light is averaged (docs/formulas.md, Live scenes).
 #pragma once
 
 #include <array>

@@ -16,13 +16,13 @@ namespace hogelscope {
 
 namespace {
 
-/// Neighbours share what they meet, so lists of texels go tile after tile.
+/// The side of a tile. Neighbours meet the same content, so lists of texels go tile after tile.
 constexpr int tile = 4;
-/// Texels that are traced in one call.
+/// The most texels that are traced in one call.
 constexpr std::size_t mostInList = 512;
 
-/// Rounds as quantised() does; without branches or a wider type, so that it is vectorised. A number
-/// less its whole part is exact.
+/// Rounds as quantised() does, without branches or a wider type, so that it is vectorised. The
+/// difference of a number and its whole part is exact.
 template <class Number>
 MULTIVERSIONED void quantise(const Number* values, std::size_t count, std::uint8_t* to) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -41,7 +41,8 @@ void store(const Number* values, std::size_t count, float* to) {
   for (std::size_t k = 0; k < count; ++k) to[k] = float(double(values[k]) / 255);
 }
 
-/// Looks at all exponents; without branches, so that it is vectorised.
+/// Whether all values are finite. It checks the exponents without branches, so that it is
+/// vectorised.
 MULTIVERSIONED bool areFinite(const float* values, std::size_t count) {
   constexpr std::uint32_t exponent = 0x7f800000;
   std::uint32_t bad = 0;
@@ -78,7 +79,7 @@ LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
   const auto [nx, ny, du, dv] = m_display.size();
   for (int k = 0; k < params.samples; ++k) {
     const auto offset = [&](std::size_t axis) {
-      const double sign = axis == 1 ? -1 : 1;  // up the panel, so that ScenePattern has the same
+      const double sign = axis == 1 ? -1 : 1;  // up the panel, as in ScenePattern
       return 0.5 + sign * params.fill[axis / 2] * latticeOffset(k, params.samples, axis);
     };
     Sample sample;
@@ -90,10 +91,10 @@ LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
   }
 }
 
-/// Texels that wait to be traced, and room for their light.
+/// The texels to be traced, and memory for their light.
 struct LiveSource::Work {
   std::vector<std::uint32_t> addresses;
-  std::vector<plugin::Ray> rays;  ///< of all samples of a texel, texel after texel
+  std::vector<plugin::Ray> rays;  ///< all samples of a texel, texel after texel
   std::vector<plugin::Colour> colours;
   std::vector<double> means;
 };
@@ -123,8 +124,8 @@ void LiveSource::traceTexels(Work& work, std::size_t texelCount, LightField& tex
   for (std::size_t k = 0; k < texelCount; ++k, from += 3) texels.setAddress(addresses[k], from);
 }
 
-/// Calls `use` with the directions of a hogel, in tiles of directions, since neighbours share what
-/// they meet.
+/// Calls `use` with the directions of a hogel, in tiles of directions, since neighbours meet the
+/// same content.
 template <class Use>
 inline void forDirections(const CellRange& u, const CellRange& v, Use use) {
   const auto inTile = [&](int u0, int u1, int v0, int v1) {
@@ -146,8 +147,9 @@ void LiveSource::fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks
   const SliceLayout& layout = *texels.sliceLayout();
   const std::size_t most = std::max(mostInList / m_samples.size(), std::size_t{1});
   const std::uint8_t* const mark = marks.empty() ? nullptr : marks.data();
-  const double z = m_front;  // not the panel's plane, where content is met or not by chance
-  const double reach = std::max(m_front - m_back, 0.0);  // below 0 where all content is cut
+  const double z = m_front;  // not the panel's plane, where rounding decides whether content is met
+  const double reach =
+      std::max(m_front - m_back, 0.0);  // the difference is below 0 if all content is cut
   work.addresses.resize(most);
   work.rays.resize(most * m_samples.size());
   std::size_t waiting = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field that is computed when a view asks for it: of the display's rays only those that the
-// view needs are traced through a 3-D scene (docs/formulas.md, Live scenes).
-// A view marks the texels that it reads within its footprint, since a distorted lens reads a third
-// of it; only these are traced, tile after tile.
+// A light field that is computed for each view: only those of the display's rays that the view
+// needs are traced through a 3-D scene (docs/formulas.md, Live scenes). A view marks the texels
+// that it reads within its footprint, since a view with a distorted lens reads only a third of it;
+// only these are traced, tile after tile.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ namespace hogelscope {
 
 class LiveSource : public LightFieldSource {
  public:
-  /// `display` has its hogels and directions, and `content` is open for it. slice() allocates at
-  /// most `memory` bytes for texels.
+  /// `display` must have its hogels and directions, and `content` must be open for it. slice()
+  /// allocates at most `memory` bytes for texels.
   LiveSource(std::shared_ptr<const plugin::ContentSource> content, const DisplayParams& display,
              const LiveParams& params, StoredType type, std::size_t memory,
              ParallelRows rows = parallelRows);

@@ -19,7 +19,8 @@ struct NamedPattern {
 
 const std::vector<NamedPattern>& patterns();
 
-/// Makes a pattern. Throws InputError: unknown name, or a display without hogels or directions.
+/// Makes a pattern. Throws InputError for an unknown name, or a display without hogels or
+/// directions.
 std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParams& display,
                                      const PatternParams& params);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patterns of one formula a pixel.
+// Patterns with one formula per pixel.
 #include "core/content/plane_patterns.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patterns of one formula per pixel: codes of the pixel's own indices, and patterns on a plane.
+// Patterns with one formula per pixel: codes of the pixel's own indices, and patterns on a plane.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace hogelscope {
 /// Codes a pair of indices below 4096 as R = a mod 256, G = b mod 256, B = ⌊a/256⌋ + 16 ⌊b/256⌋.
 class CodePattern : public Pattern {
  public:
-  enum Kind { directions, hogels, sides };  ///< sides: u < du/2 red (255, 0, 0), else blue
+  enum Kind { directions, hogels, sides };  ///< sides: red (255, 0, 0) if u < du/2, else blue
 
   /// Throws InputError if an index does not fit.
   CodePattern(const DisplayParams& display, Kind kind);
@@ -22,9 +22,9 @@ class CodePattern : public Pattern {
   Kind m_kind;
 };
 
-/// A plane parallel to the panel, sampled by the middle ray of each directional pixel. Squares have
-/// a corner on the axis; the one right above it is white. The edge goes through the axis: dark (64)
-/// to its left, bright (191) to its right.
+/// A plane parallel to the panel, sampled by the middle ray of each directional pixel. The
+/// checkerboard's squares have a corner on the axis; the square to the right above it is white. The
+/// edge goes through the axis: dark (64) to its left, bright (191) to its right.
 class PlanePattern : public Pattern {
  public:
   enum Kind { checkerboard, edge };

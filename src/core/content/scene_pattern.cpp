@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The "scene" pattern: straight lines and lettering at known depths, so that distortion, leakage
-// and parallax show.
+// The "scene" pattern: straight lines and lettering at known depths, which show distortion, leakage
+// and parallax.
 #include "core/content/scene_pattern.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr std::string_view word = "HOGELSCOPE";
 constexpr int glyphWidth = 5;
 constexpr int glyphHeight = 7;
 
-/// Rows from the top, the leftmost column in the highest of five bits.
+/// Returns a letter's rows from the top, the leftmost column in the highest of five bits.
 constexpr std::array<unsigned char, glyphHeight> glyph(char letter) {
   switch (letter) {
     case 'H':
@@ -87,7 +87,7 @@ std::optional<ScenePattern::Met> ball(const Vec2& p, const Vec2& s) {
   return ScenePattern::Met{shade * (stripe ? Rgb{235, 90, 40} : Rgb{250, 210, 60}), z};
 }
 
-/// A ruler above the middle: a tick every 0.05, a long one every 0.25.
+/// Returns the ruler's colour: above the middle, a tick every 0.05, a long one every 0.25.
 std::optional<Rgb> ruler(double x, double y) {
   if (std::abs(x) > 0.8 || y < 0.42 || y > 0.56) return std::nullopt;
   const bool tick = y > 0.5 && nearLine(x, 0.05, 0.018);
@@ -95,13 +95,14 @@ std::optional<Rgb> ruler(double x, double y) {
   return tick || longTick ? ink : Rgb{90, 190, 120};
 }
 
-/// The card in the panel's plane, where lettering is sharpest.
+/// Returns the colour of the card in the panel's plane, where lettering is sharpest.
 std::optional<Rgb> card(double x, double y) {
   if (std::abs(x) > 0.86 || std::abs(y) > 0.13) return std::nullopt;
   return onWord(x + 0.8, 0.095 - y, 0.19) ? ink : paper;
 }
 
-/// Ruled squares, with the word in ever smaller letters, as on an eye chart.
+/// Returns the wall's colour: ruled squares, with the word in ever smaller letters, as on an eye
+/// chart.
 Rgb wall(double x, double y) {
   double top = -0.3;
   for (const double height : {0.16, 0.12, 0.09, 0.065, 0.045}) {
@@ -125,7 +126,7 @@ std::optional<ScenePattern::Met> ScenePattern::light(const PanelRay& ray, double
   const Vec2 p{ray.position.x / m_scale, ray.position.y / m_scale};
   const Vec2& s = ray.slopes;
   const auto isBetween = [&](double z) { return back <= z * m_scale && z * m_scale <= front; };
-  // From the viewer's side: the first thing met hides the rest.
+  // The first content met from the viewer's side hides the rest.
   if (const auto met = ball(p, s); met && isBetween(met->z))
     return Met{met->light, met->z * m_scale};
   if (isBetween(rulerDepth))
@@ -142,7 +143,8 @@ std::array<double, 2> ScenePattern::depths() const {
 }
 
 Rgb ScenePattern::texel(const TexelIndex& at) const {
-  // A rank-1 lattice over the hogel's area and the pixel's angle: every point differs in all four.
+  // A rank-1 lattice over the hogel's area and the pixel's angle: all points differ in all four
+  // coordinates.
   constexpr int points = 8;
   const PanelRay middle = m_display.rayOf(at);
   const PanelRay next = m_display.rayOf({at.i, at.j, at.u + 1, at.v + 1});

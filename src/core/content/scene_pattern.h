@@ -10,7 +10,8 @@
 namespace hogelscope {
 
 /// A scene of the display's own size: a wall with a ruled grid and lettering behind the panel, a
-/// lettered card in it, a ball and a bar in front. Depths are fractions of the panel's width.
+/// lettered card in it, a ball and a ruler in front. Depths are proportional to the panel's smaller
+/// side.
 class ScenePattern : public Pattern {
  public:
   explicit ScenePattern(const DisplayParams& display);
@@ -20,8 +21,8 @@ class ScenePattern : public Pattern {
   /// Returns the light of a directional pixel: the mean over its angle and its hogel's area.
   [[nodiscard]] Rgb texel(const TexelIndex& at) const;
 
-  /// What a line meets first from the viewer's side between two depths, and its z in metres; the
-  /// wall behind everything has no end.
+  /// The first content that a line meets, from the viewer's side, between two depths, and its z in
+  /// metres; the wall behind everything has no edges.
   struct Met {
     Rgb light;
     double z = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The "spheres" pattern, run by run.
+// The "spheres" pattern, drawn run by run.
 #include "core/content/sphere_pattern.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::optional<std::array<double, 2>> slopesThat(const SpherePattern::Sphere& sph
   const double square = o.x * o.x - outside;
   const double half = o.x * m;
   const double under = half * half - square * (m * m - outside * (b * b + 1));
-  if (!(square < 0) || under < 0) return std::nullopt;  // the spheres keep clear of the panel
+  if (!(square < 0) || under < 0) return std::nullopt;  // no sphere touches the panel
   const double root = std::sqrt(under);
   return std::array{(-half + root) / square, (-half - root) / square};
 }
