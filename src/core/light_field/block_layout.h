@@ -12,7 +12,7 @@
 namespace hogelscope {
 
 /// One axis' part of an address: blocks of 2^shift cells are blockStride apart, cells cellStride.
-/// Along i and j of a slice the parts are listed instead.
+/// The parts along i and j of a slice are listed instead.
 struct AxisLayout {
   std::uint32_t shift = 0;
   std::uint32_t mask = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The directional pixels that a view may read. All rays of a camera meet in its eye, so each column
-// of hogels shows it a narrow range of u, and each row of hogels a narrow range of v: a view needs
-// some 50 MB of the paper's light field.
+// of hogels shows it a narrow range of u, and each row of hogels a narrow range of v: a view of the
+// paper's light field needs some 50 MB.
 #pragma once
 
 #include <algorithm>

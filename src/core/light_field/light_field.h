@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light field: every hogel's directional pixels, in memory. First on the line
+// The light field: every hogel's directional pixels, in memory. The first stage of
 // LightField → Display → Camera → Distortion → PSF → Image → Metrics → Report.
 #pragma once
 
@@ -27,7 +27,7 @@ enum class Layout { hogels, views, quilt, mosaic, lenslets, pack, live };
 enum class LiveType { uint8, real };
 enum class RowOrder { topDown, bottomUp };
 enum class ColumnOrder { leftRight, rightLeft };
-/// The order of views that one running number counts.
+/// The order of views that are counted by one running number.
 enum class ViewScan { raster, serpentine };
 
 /// The session's `lightField`: the content's file and its layout, or a live scene.
@@ -45,24 +45,25 @@ struct LightFieldParams {
   int quiltColumns = 0;
   int quiltRows = 0;
   LensletParams lenslets;
-  YuvParams yuv;       ///< of files of raw YUV
+  YuvParams yuv;       ///< for files of raw YUV
   std::string source;  ///< name of a live scene's content
   LiveType type = LiveType::uint8;
-  ContentParams content;  ///< of the source
-  LiveParams live;        ///< of any source
+  ContentParams content;  ///< the source's parameters
+  LiveParams live;        ///< parameters that every source has
   bool operator==(const LightFieldParams&) const = default;
 };
 
-/// Whether a layout's parameters say the order and shear of a grid of views.
+/// Whether a layout has parameters for the order and shear of a grid of views.
 constexpr bool isGridOfViews(Layout layout) {
   return layout == Layout::views || layout == Layout::mosaic;
 }
 
-/// Visits only the fields that the layout has, and those of raw YUV for its files alone; `content`
-/// and `live` are an object of their own, named after the source.
+/// Visits only the fields that the layout has, and those of raw YUV only for its files; `content`
+/// and `live` together are a separate object, named after the source.
 void describe(ParameterVisitor& v, LightFieldParams& p);
 
-/// Returns what messages call it: its file, that of a live scene, or else the scene's source.
+/// Returns the light field's name in messages: its file, a live scene's file, or else the scene's
+/// source.
 std::string contentName(const LightFieldParams& params);
 
 /// A directional pixel as stored; `unused` makes its size a power of two.
@@ -88,15 +89,15 @@ class LightField final : public LightFieldSource, public std::enable_shared_from
   using Texels =
       std::variant<TexelArray<std::uint8_t>, TexelArray<std::uint16_t>, TexelArray<float>>;
 
-  /// log2 of a block's cells along i, j, u, v: measured, see docs/measurements.md.
+  /// log2 of a block's cells along i, j, u, v, chosen by measurement (docs/measurements.md).
   static constexpr std::array<std::uint32_t, 4> standardBlock{3, 3, 3, 3};
 
-  /// Makes a black one. Throws std::length_error beyond 2^32 - 2 texels.
+  /// Makes a black light field. Throws std::length_error beyond 2^32 - 2 texels.
   LightField(LightFieldSize size, StoredType type,
              const std::array<std::uint32_t, 4>& block = standardBlock);
   /// Copies a hogel image. Throws std::invalid_argument unless it has 3·width·height values.
   LightField(LightFieldSize size, const Values& values);
-  /// Makes a black one with only a slice in memory: no other texel may be read.
+  /// Makes a black light field with only a slice in memory: no other texel may be read.
   LightField(LightFieldSize size, StoredType type, SliceLayout slice);
 
   /// Returns the bytes that a light field of this size takes in memory.

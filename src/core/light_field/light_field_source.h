@@ -19,15 +19,15 @@ namespace hogelscope {
 
 class LightField;
 
-/// What a view reads. Both functions cast all of its rays.
+/// The texels that a view reads. Both functions cast all of its rays.
 struct ViewReads {
   std::function<Footprint()> footprint;
-  /// Sets the marks of the texels that the view reads, of all texels of its footprint's layout.
-  /// Empty if it reads all of its footprint.
+  /// Sets the marks of the texels that the view reads; `marks` has all texels of its footprint's
+  /// layout. Empty if the view reads all of its footprint.
   std::function<void(const SliceLayout& layout, std::vector<std::uint8_t>& marks)> mark;
 };
 
-/// Returns what reads all texels with these j, u and v.
+/// Returns the reads of all texels with these j, u and v.
 ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
                       const CellRange& v);
 
@@ -54,12 +54,13 @@ class LightFieldSource {
   /// Whether slice() gives the whole light field, at no cost: texels may then be copied unsummed.
   [[nodiscard]] virtual bool isInMemory() const { return false; }
 
-  /// Sets what an eye sees of the scene itself, without a display: the light that reaches it along
-  /// slopes dx/dz, dy/dz. The eye is in the display frame, in metres; the spans have one size. May
-  /// be called from several threads. Throws InputError for content that is not a live scene.
+  /// Computes the light that an eye receives from the scene itself, without a display, along slopes
+  /// dx/dz, dy/dz. The eye is in the display frame, in metres; the spans have one size. May be
+  /// called from several threads. Throws InputError for content that is not a live scene.
   virtual void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const;
 
-  /// Returns what the 3-D scene draws of a live scene; of others nothing. Throws InputError.
+  /// Returns the triangles that the 3-D scene draws for a live scene; none for other light fields.
+  /// Throws InputError.
   [[nodiscard]] virtual plugin::Triangles triangles() const { return {}; }
 
   /// Returns one texel; the index must lie in the light field. Throws InputError.

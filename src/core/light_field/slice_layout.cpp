@@ -43,7 +43,7 @@ std::size_t ringRows(const std::vector<CellRange>& v, const std::vector<int>& la
   return most + largest;
 }
 
-/// Puts each hogel row behind the one before, or at the beginning where the end is too near.
+/// Puts each hogel row behind the previous one, or at the beginning if the end is too near.
 Places ring(const std::vector<CellRange>& v, const std::vector<int>& lastUse) {
   Places places{{}, ringRows(v, lastUse)};
   std::size_t next = 0;

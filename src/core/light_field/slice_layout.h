@@ -34,8 +34,8 @@ void requireMemory(const Footprint& footprint, std::size_t bytesOfTexel, std::si
 /// Lays out the whole footprint at once. Throws std::length_error beyond 2^32 - 2 texels.
 SliceLayout sliceLayout(const Footprint& footprint);
 
-/// Lays out a light field that is streamed from the top: row of hogels j and those below it are
-/// kept until row lastUse[j] has been read, then later rows take their place.
+/// Lays out a light field that is streamed from the top: row j of hogels and those below it are
+/// kept until row lastUse[j] has been read; later rows then take their place.
 SliceLayout rollingLayout(const Footprint& footprint, const std::vector<int>& lastUse);
 
 }  // namespace hogelscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a file of raw YUV does not say about itself.
+// The parameters of a file of raw YUV.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ enum class YuvSampling { s420, s444 };
 enum class YuvMatrix { bt709, bt601 };
 enum class YuvRange { limited, full };
 
-/// The planes Y, Cb, Cr of one picture, one after the other (docs/formulas.md, Raw YUV).
+/// The format of one image: its planes Y, Cb, Cr, one after the other (docs/formulas.md, Raw YUV).
 struct YuvParams {
   std::array<int, 2> size{0, 0};  ///< width and height in pixels, 0 = not given
   YuvSampling sampling = YuvSampling::s420;
