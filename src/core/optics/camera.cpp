@@ -10,7 +10,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Its length is the sine of the angle between forward and up.
+/// Returns the vector to the right; its length is the sine of the angle between forward and up.
 Vec3 rightOf(const CameraParams& p) {
   return cross(normalise(p.lookat - p.eye), normalise(p.up));
 }

@@ -45,16 +45,17 @@ void describe(ParameterVisitor& v, IntrinsicsParams& p);
 /// ((w-1)/2, (h-1)/2) unless the intrinsics say otherwise.
 class Camera {
  public:
-  /// Throws InputError ("lookat" or "up") where the camera has no frame.
+  /// Throws InputError ("lookat" or "up") if the camera has no frame.
   explicit Camera(const CameraParams& params, const IntrinsicsParams& intrinsics = {});
 
-  /// The columns are right, down and forward; the origin is the eye.
+  /// Returns the camera's pose: its axes are right, down and forward, its origin is the eye.
   [[nodiscard]] const RigidTransform& worldFromCamera() const { return m_worldFromCamera; }
-  /// Focal lengths in pixels, across and down: both (h/2) / tan(fov/2) without intrinsics.
+  /// Returns the focal lengths in pixels, across and down: both (h/2) / tan(fov/2) without
+  /// intrinsics.
   [[nodiscard]] Vec2 focalLength() const { return m_focal; }
-  /// Principal point in pixels.
+  /// Returns the principal point in pixels.
   [[nodiscard]] Vec2 centre() const { return m_centre; }
-  /// The point (x, y, 1) of the image plane under a pixel, in the camera frame.
+  /// Returns the point (x, y, 1) of the image plane under a pixel, in the camera frame.
   [[nodiscard]] Vec2 normalised(double px, double py) const {
     return {(px - m_centre.x) / m_focal.x, (py - m_centre.y) / m_focal.y};
   }

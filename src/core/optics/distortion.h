@@ -34,7 +34,8 @@ struct Jacobian {
 struct DerivativeBounds {
   double second = 0;
   double third = 0;
-  double change = 0;  ///< of the second derivative, against its value in the middle of the region
+  double change =
+      0;  ///< change of the second derivative from its value in the middle of the region
 };
 
 /// Maps points of the plane z = 1 of the camera frame. All lengths are in units of that plane.

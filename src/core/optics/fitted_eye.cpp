@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where an eye has to be so that points fill its image.
+// The position of an eye whose image is filled by given points.
 #include "core/optics/fitted_eye.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 /// |x - c| ≤ (d - z)·tangent, so x + z·tangent ≤ c + d·tangent and z·tangent - x ≤ d·tangent - c.
 struct Side {
   double tangent = 1;
-  double most = -HUGE_VAL;   ///< of x + z·tangent
-  double least = -HUGE_VAL;  ///< of z·tangent - x
+  double most = -HUGE_VAL;   ///< the largest x + z·tangent
+  double least = -HUGE_VAL;  ///< the largest z·tangent - x
 
   void add(double x, double z) {
     most = std::max(most, x + z * tangent);

@@ -17,12 +17,12 @@ struct Image {
   int height = 0;
   std::vector<std::uint8_t> rgb;    ///< 3·width·height
   std::vector<std::uint8_t> seen;   ///< width·height
-  int bits = 8;                     ///< of the light field's values, 8 … 16
+  int bits = 8;                     ///< bits of the light field's values, 8 … 16
   std::vector<std::uint16_t> deep;  ///< rgb with this many bits; empty for 8
   std::vector<float> unrounded;     ///< rgb before rounding; empty unless it was asked for
   static constexpr std::size_t bytesPerPixel = 4;
   static constexpr std::size_t deepBytesPerPixel = 10;
-  static constexpr std::size_t unroundedBytesPerPixel = 12;  ///< and these besides
+  static constexpr std::size_t unroundedBytesPerPixel = 12;  ///< in addition, for unrounded values
 
   Image() = default;
   Image(int w, int h, int bitsOfValues = 8, bool keepsUnrounded = false)

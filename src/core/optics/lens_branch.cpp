@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The branch of a lens' inverse that grows from the centre: steps that the Newton–Kantorovich
-// theorem certifies, in a norm that knows which way the lens folds, and a proof that a fold is met.
+// theorem certifies, in a norm that depends on the direction in which the lens folds, and a proof
+// that a fold is met.
 #include "core/optics/lens_branch.h"
 
 #include <algorithm>
@@ -12,10 +13,10 @@ namespace hogelscope {
 
 namespace {
 
-/// Kantorovich's h = ω η has to stay at or below 1/2.
+/// The largest allowed h = ω η. Kantorovich's theorem requires at most 1/2.
 constexpr double certain = 0.45;
 
-/// The ball, in units of η, that then holds the root: (1 − √(1 − 2h)) / h.
+/// The radius, in units of η, of the ball that then contains the root: (1 − √(1 − 2h)) / h.
 constexpr double ball = 1.52;
 
 Vec2 times(double s, const Vec2& a) {
@@ -36,12 +37,12 @@ struct Extent {
 
 using Sizes = std::array<double, 3>;
 
-/// Is each of the sizes less than this part of the other one?
+/// Whether each of the sizes is less than this part of the other one.
 bool areBelow(const Sizes& a, double part, const Sizes& b) {
   return a[0] < part * b[0] && a[1] < part * b[1] && a[2] < part * b[2];
 }
 
-/// Is one of them?
+/// Whether any of the sizes is less than this part of the other one.
 bool isOneBelow(const Sizes& a, double part, const Sizes& b) {
   return a[0] < part * b[0] || a[1] < part * b[1] || a[2] < part * b[2];
 }
@@ -68,17 +69,17 @@ class Place {
     setThird(ideal);
   }
 
-  /// False on a fold and beyond it.
+  /// Returns false on a fold and beyond it.
   [[nodiscard]] bool isRegular() const { return m_least > 0 && std::isfinite(m_stretch[0]); }
 
   [[nodiscard]] Vec2 turned(const Vec2& a) const {
     return {a.x * m_w.y - a.y * m_w.x, a.x * m_w.x + a.y * m_w.y};
   }
-  /// Returns how far J⁻¹ a reaches.
+  /// Returns the extent of J⁻¹ a.
   [[nodiscard]] Extent solved(const Vec2& a) const {
     return {std::abs(a.x) / m_least, std::abs(a.y) / m_most};
   }
-  /// Returns how far J⁻¹ a reaches for all a of this length.
+  /// Returns the extent of J⁻¹ a over all a of this length.
   [[nodiscard]] Extent solved(double length) const { return {length / m_least, length / m_most}; }
 
   /// Returns the direction in which the lens folds, of the two the one with a positive `a`.
@@ -87,17 +88,17 @@ class Place {
     return a.x * v.x + a.y * v.y < 0 ? Vec2{-v.x, -v.y} : v;
   }
 
-  /// Returns the sizes of an extent in the norms in which steps are certified: across the fold's
-  /// direction a length counts √(μ/λ) times, since the lens bends little there compared with how
-  /// far it is from folding, or less, for what is long across it.
+  /// Returns the sizes of an extent in the norms in which steps are certified: a length across the
+  /// fold's direction counts √(μ/λ) times, since the lens bends little there compared with its
+  /// distance from folding, or fewer times, for extents that are long across it.
   [[nodiscard]] Sizes sizes(const Extent& e) const {
     Sizes sizes{};
     for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = std::max(e.v, m_stretch[k] * e.w);
     return sizes;
   }
 
-  /// Is there exactly one root, and no fold, for all targets that Newton's first move, within
-  /// `extent`, leads to?
+  /// Whether there is exactly one root, and no fold, for all targets to which Newton's first move,
+  /// within `extent`, leads.
   [[nodiscard]] bool isCertain(const Extent& extent) const {
     const Sizes eta = sizes(extent);
     for (std::size_t k = 0; k < eta.size(); ++k)
@@ -139,7 +140,7 @@ class Place {
   }
 
  private:
-  /// The same in a norm, for a size η. ω bounds J⁻¹ D²F over the ball.
+  /// Whether that holds in one norm, for a size η. ω bounds J⁻¹ D²F over the ball.
   [[nodiscard]] bool isCertain(double stretch, double eta) const {
     const double across = 1 / stretch;
     const double squared = 1 + across * across;  // the largest plain length of a vector of size 1
@@ -174,16 +175,16 @@ class Place {
   double m_least = 1;  ///< λ, eigenvalue along v
   double m_most = 1;   ///< μ
   Vec2 m_w{0, 1};
-  Sizes m_stretch{};  ///< of the norms
+  Sizes m_stretch{};  ///< the factors of w in the norms
   double m_vvv = 0;
   double m_vvw = 0;
   double m_vww = 0;
   double m_www = 0;
 };
 
-/// Makes Newton steps from `ideal`, in whose basin `place` knows the root to be, until one is at
-/// most `part` of the first. The certificate says that each is shorter than half the one before in
-/// one of the norms, but for rounding; the residual may grow.
+/// Makes Newton steps from `ideal`, which `place` certifies to be in the root's basin, until one is
+/// at most `part` of the first. By the certificate each is shorter than half the previous one in
+/// one of the norms, except for rounding; the residual may grow.
 Vec2 polished(const Distortion& lens, const Place& place, Vec2 ideal, const Vec2& distorted,
               double part) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -215,7 +216,8 @@ double dot(const Vec2& a, const Vec2& b) {
 }  // namespace
 
 const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine>& lines) {
-  // Lines of one direction are in order. Others may cross within the segments: then either holds.
+  // Lines of one direction are in order. Others may cross within the segments; then either one is
+  // valid.
   std::size_t first = 0;
   std::size_t count = lines.size();
   while (count > 0) {
@@ -232,14 +234,14 @@ const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine
 
 namespace {
 
-/// The segments to a disc cut by lines of one direction, since near a fold the lens allows less
+/// Lines of one direction that cut the segments to a disc, since near a fold the lens allows less
 /// along the segments than across them: at t they cut the line through t·centre over a length of
 /// 2·t·halfWidth.
 struct Lines {
   Vec2 normal;
   Vec2 along;        ///< their direction
-  double distance;   ///< from the image's centre, of the line through the disc's
-  double halfWidth;  ///< of that line
+  double distance;   ///< from the image's centre to the line through the disc's
+  double halfWidth;  ///< half the length of that line
   double nearest;    ///< the t before which no line meets the disc
 
   Lines(const Disc& disc, const Vec2& lineNormal)
@@ -249,19 +251,21 @@ struct Lines {
         halfWidth(norm(disc.centre) * disc.radius / (distance - disc.radius)),
         nearest(1 - disc.radius / distance) {}
 
-  /// False of a disc that is too near to the image's centre, or seen from there along the lines.
+  /// Returns false for a disc that is too near to the image's centre, or seen from there along the
+  /// lines.
   [[nodiscard]] bool canBeFollowed() const { return nearest > 0.1; }
 };
 
-/// How far Newton's first moves go from a place on the way: to the point of the centre's segment,
-/// per part of the segment, and to the end of the line through the disc's centre.
+/// The extents of Newton's first moves from a place on the way: to the point of the centre's
+/// segment, per part of the segment, and to the end of the line through the disc's centre.
 struct Moves {
   double reached;
   Extent residual;
   Extent speed;
   Extent width;
 
-  /// To all points up to the line that is further by this part of the segment.
+  /// Returns the extent of the moves to all points up to the line that is further by this part of
+  /// the segment.
   [[nodiscard]] Extent after(double further) const {
     return residual + further * speed + (reached + further) * width;
   }
@@ -319,7 +323,7 @@ class Walk {
             m_lines.halfWidth * place.solved(place.turned(m_lines.along))};
   }
 
-  /// Do all segments meet a fold soon, and before the disc?
+  /// Whether all segments meet a fold soon, and before the disc; the branch then ends here.
   bool isDark(const Place& place, const Moves& moves) {
     const Extent here = moves.after(0);
     const double end =
@@ -330,10 +334,10 @@ class Walk {
     return true;
   }
 
-  /// Halves the step until it is certain. Returns whether that is of use: of lines that are wider
-  /// than the step is long, parts get farther.
+  /// Halves the step until it is certain. Returns whether that is useful: parts of lines that are
+  /// wider than the step is long get farther.
   bool shorten(const Place& place, const Moves& moves) {
-    constexpr double shortestStep = 1e-13;  // of what is reached: a nearer point is on the fold
+    constexpr double shortestStep = 1e-13;  // of the reached part; a nearer point is on the fold
     do {
       m_step /= 2;
       if (areBelow(place.sizes(m_step * moves.speed), 0.25, place.sizes(m_reached * moves.width)) ||
@@ -353,8 +357,9 @@ class Walk {
                               m_reached == 1 ? toRounding : 0.05);
   }
 
-  /// Goes on with lines along which the lens bends least here, if those are much narrower, from the
-  /// last that is all within what is known. Returns whether it does, once for each place.
+  /// Continues with lines along which the lens bends least here, if these are much narrower, from
+  /// the last one that is entirely within the known part. Returns whether it does, once for each
+  /// place.
   bool turn(const Place& place, const Moves& moves) {
     const Lines turned(m_disc, place.foldAlong(m_disc.centre));
     if (m_known == nullptr || !turned.canBeFollowed() || !(m_reached > m_turnedAt)) return false;
@@ -377,9 +382,9 @@ class Walk {
   const Disc& m_disc;
   std::vector<BranchLine>* m_known;
   Lines m_lines;
-  Branch m_branch;        ///< `ideal` is where the walk is
-  double m_reached = 0;   ///< the part of the centre's segment up to which all is known
-  double m_step = 1;      ///< likewise
+  Branch m_branch;        ///< its `ideal` is the walk's position
+  double m_reached = 0;   ///< the known part of the centre's segment
+  double m_step = 1;      ///< the next step, a part of the same segment
   double m_turnedAt = 0;  ///< the last part at which the lines were turned
 };
 
@@ -388,7 +393,7 @@ class Walk {
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
                     const BranchLine& start, std::vector<BranchLine>* lines) {
   if (!std::isfinite(disc.centre.x + disc.centre.y + disc.radius)) return {};
-  // Then its square is too small for a number, and the lens bends the centre by less.
+  // The square of the distance is then too small for a number, and the lens bends by less.
   if (norm(disc.centre) == 0 && disc.radius == 0) return {Branch::Kind::ray, disc.centre};
   return Walk(lens, disc, start, lines).run(progress);
 }

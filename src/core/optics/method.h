@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rendering methods that approximate: those that the speed-accuracy chart compares and that a
-// tolerance chooses from.
+// Approximate rendering methods, which the speed-accuracy chart compares, and from which a
+// tolerance chooses.
 #pragma once
 
 namespace hogelscope {

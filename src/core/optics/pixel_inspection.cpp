@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands behind a traced pixel.
+// The data behind a traced pixel.
 #include "core/optics/pixel_inspection.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ PixelFate fateOf(const PixelTrace& trace) {
   return isBlack ? PixelFate::dark : PixelFate::lit;
 }
 
-/// As Psf::leaked() adds up.
+/// Uses the weights of Psf::leaked().
 std::vector<double> psfKernelAt(const PsfParams& params, const LightFieldSize& size, int u, int v) {
   const Psf psf(params);
   const int reach = (params.windowSize - 1) / 2;

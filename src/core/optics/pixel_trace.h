@@ -23,9 +23,9 @@ std::string_view words(RayEnd end);
 struct PixelTrace {
   RayEnd end = RayEnd::noRay;
   Vec3 eye;       ///< the pinhole in the world frame
-  Vec3 target;    ///< likewise, on the panel's plane; if the ray misses that, as far as lookat
-  Vec2 position;  ///< the target in the display frame; valid if `place` is
-  Vec2 slopes;    ///< dx/dz, dy/dz of the light in the display frame; valid if `place` is
+  Vec3 target;    ///< the ray's end in the world frame: on the panel's plane, or as far as lookat
+  Vec2 position;  ///< the target in the display frame; valid if `place` has a value
+  Vec2 slopes;    ///< dx/dz, dy/dz of the light in the display frame; valid as `position` is
   std::optional<Hit> place;  ///< hogel and direction, also beyond the panel and the angular field
   int taps =
       0;  ///< directional pixels that add up to the light of the nearest direction; 0: not seen

@@ -86,7 +86,7 @@ Psf::Psf(const PsfParams& params) : m_params(params), m_reach((params.windowSize
     for (int x = -m_reach; x <= m_reach; ++x) m_weights.push_back(weight(x, y));
 }
 
-/// Returns W(x, y); squares after the division, so that a tiny sigma gives 0 and not NaN.
+/// Returns W(x, y). It squares after the division, so that a tiny sigma gives 0 and not NaN.
 double Psf::weight(int x, int y) const {
   if (m_reach == 0) return 1;
   const double sx = x / m_params.sigma;

@@ -23,7 +23,8 @@ struct PsfParams {
 
 void describe(ParameterVisitor& v, PsfParams& p);
 
-/// Returns the fraction of the Gaussian's energy in the window: erf(windowSize / (2√2 σ))², 1 at 1.
+/// Returns the fraction of the Gaussian's energy in the window: erf(windowSize / (2√2 σ))²; 1 for
+/// windowSize 1.
 double energyInWindow(const PsfParams& params);
 /// Whether the window cuts off more than 1 % of the energy.
 bool cutsTooMuch(const PsfParams& params);

@@ -27,7 +27,7 @@ struct Session {
   DisplayParams display;
   LightFieldParams lightField;
   SamplingParams sampling;
-  std::vector<std::string> metrics;  ///< plugins whose figures a report has, too
+  std::vector<std::string> metrics;  ///< plugins whose figures a report also has
   std::vector<CameraState> cameras;
   bool operator==(const Session&) const = default;
 };
@@ -38,12 +38,12 @@ void check(const Session& session);
 /// Checks the rules of one state; paths begin with `path`, such as "cameras[2]".
 void check(const CameraState& state, const std::string& path);
 
-/// Returns warnings of what is allowed but probably not meant, one line for each kind, which begins
-/// with the name of the first state concerned.
+/// Returns warnings about values that are allowed but probably not intended, one line for each
+/// kind, which begins with the name of the first state concerned.
 std::vector<std::string> warnings(const Session& session);
 
-/// Returns the display with hogels and directions that it leaves out taken from `fromFile`. Throws
-/// InputError where both give them and differ.
+/// Returns the display; hogels and directions that it leaves out are taken from `fromFile`. Throws
+/// InputError if both give them and differ.
 DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile);
 
 /// Returns the session's display with the viewing distance of its light field.

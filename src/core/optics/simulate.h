@@ -21,8 +21,8 @@ struct RenderJob {
   CameraState state;
   Method method{};       ///< for the fast engine; the reference engine ignores it
   bool isIdeal = false;  ///< Renderer then makes the ideal view, see ideal_view.h
-  int bits = 8;          ///< of the image's values, see Image; for Renderer and StreamingRenderer
-  bool keepsUnrounded = false;  ///< the image has its unrounded values too; for the same
+  int bits = 8;  ///< bits of the image's values, see Image; for Renderer and StreamingRenderer
+  bool keepsUnrounded = false;  ///< the image also has its unrounded values; for the same
   bool operator==(const RenderJob&) const = default;
 };
 

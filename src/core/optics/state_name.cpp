@@ -37,7 +37,8 @@ bool isDevice(const std::u32string& folded) {
          std::u32string_view(U"0123456789¹²³").find(base[3]) != std::u32string_view::npos;
 }
 
-/// A locale that knows the case of all letters; if it is missing the C locale, for ASCII.
+/// Returns a locale that knows the case of all letters, or the C locale, for ASCII, if it is
+/// missing.
 const std::locale& unicodeLocale() {
   static const std::locale locale = [] {
     try {
@@ -55,7 +56,7 @@ std::u32string caseFolded(const std::string& name) {
   auto characters = decoded(name);
   if (!characters) return {name.begin(), name.end()};
   const auto& letters = std::use_facet<std::ctype<wchar_t>>(unicodeLocale());
-  // Via the capital, which some small letters share: σ and ς.
+  // Some small letters, such as σ and ς, share a capital.
   for (char32_t& c : *characters) c = char32_t(letters.tolower(letters.toupper(wchar_t(c))));
   return *characters;
 }

@@ -10,7 +10,8 @@ namespace hogelscope {
 /// or looks like another one: empty, too long, not UTF-8, with control or bidirectional characters.
 void checkStateName(const std::string& name, const std::string& path);
 
-/// Returns a key that is equal for names that many file systems do not distinguish: by case only.
+/// Returns a key that is equal for names that differ only in case, which many file systems do not
+/// distinguish.
 std::u32string caseFolded(const std::string& name);
 
 }  // namespace hogelscope

@@ -14,7 +14,8 @@ double determinant(const Jacobian& j) {
   return j.xx * j.yy - j.xy * j.yx;
 }
 
-/// A pixel's area on the sensor is stretched by the lens, and seen from the eye as a solid angle.
+/// Returns Viewing::pixelsPerDegree: the lens stretches a pixel's area on the sensor, which the eye
+/// sees as a solid angle.
 double pixelsPerDegree(const CameraState& state, LensMapping mapping) {
   const Camera camera(state.camera, state.intrinsics);
   const Distortion lens(state.distortion);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a state's image is seen from. Metrics that model the eye need it.
+// The viewing conditions of a state's image, for metrics that model the eye.
 #pragma once
 
 #include <limits>
@@ -11,14 +11,14 @@ namespace hogelscope {
 
 /// A figure that is not known is NaN.
 struct Viewing {
-  /// Pixels per degree of the eye's field, in the middle of the image: of both axes the geometric
-  /// mean. NaN where the lens sends no light there.
+  /// Pixels per degree of the eye's field, in the middle of the image: the geometric mean of both
+  /// axes. NaN if the lens sends no light there.
   double pixelsPerDegree = std::numeric_limits<double>::quiet_NaN();
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< eye to panel's centre, metres
 };
 
-/// Returns it for one state (docs/formulas.md, Metrics). Throws InputError if the state has
-/// no camera frame.
+/// Returns the viewing conditions of one state (docs/formulas.md, Metrics). Throws InputError if
+/// the state has no camera frame.
 Viewing viewingOf(const CameraState& state, const DisplayParams& display, LensMapping mapping);
 
 }  // namespace hogelscope
