@@ -14,7 +14,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Points that are iterated together: small enough for the first-level cache.
+/// The number of points that are iterated together, small enough for the first-level cache.
 constexpr int pointsAtOnce = 128;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -23,7 +23,8 @@ double squaredNorm(const Vec2& a) {
   return a.x * a.x + a.y * a.y;
 }
 
-/// Points of which Newton is certain if it settles nearer to the centre than some radius.
+/// Points whose root is certainly the right one if Newton finds it nearer to the centre than some
+/// radius.
 class Candidates {
  public:
   Candidates(double* x, double* y) : m_x(x), m_y(y) {}
@@ -122,7 +123,7 @@ void BatchUndistort::undistortBatch(double* x, double* y, int count) const {
       candidates.add(k, q, m_certainRadius);
   });
   candidates.solve(lens, isDone);
-  // Most lenses are certain everywhere, and going on costs them a tenth of their time.
+  // Most lenses are certain everywhere, and continuing would cost them a tenth of their time.
   if (std::all_of(isDone.begin(), isDone.begin() + count, [](bool is) { return is; })) return;
   forTheRest([&](int k, const Vec2& q) {
     if (!std::isfinite(q.x + q.y)) return setNone(k);

@@ -11,7 +11,7 @@ namespace hogelscope {
 /// Inverts a lens in batches of points. Within a certain radius of ideal points the Jacobian is
 /// positive definite, so the model is injective there, and preimages of segments up to a certain
 /// length stay in it: any root that Newton finds there is the right one. Elsewhere Newton starts
-/// from what is known of a point's direction, and near a fold each point follows its branch.
+/// from the certified facts of a point's direction, and near a fold each point follows its branch.
 class BatchUndistort {
  public:
   /// `progress` is called before each step along a branch. Throws Cancelled.

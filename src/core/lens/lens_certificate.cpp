@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The range in which a lens can be trusted.
+// The range in which a lens model is valid.
 #include "core/lens/lens_certificate.h"
 
 #include <algorithm>
@@ -14,12 +14,13 @@ namespace hogelscope {
 
 namespace {
 
-/// The model's Jacobian is symmetric.
+/// Returns the smaller eigenvalue of the model's Jacobian, which is symmetric.
 double leastEigenvalue(const Jacobian& j) {
   return (j.xx + j.yy - std::hypot(j.xx - j.yy, 2 * j.xy)) / 2;
 }
 
-/// Marches along a direction in steps within which the eigenvalue cannot reach 0.
+/// Returns the radius of the first singular point along a direction, or `farthest`. It marches in
+/// steps within which the eigenvalue cannot reach 0.
 double singularAt(const Distortion& distortion, double angle, double farthest,
                   const Progress& progress) {
   double radius = 0;
@@ -59,7 +60,7 @@ void add(const LensKey& key, int y, const double* idealX, const double* idealY,
 double validRadius(const Distortion& distortion, const Progress& progress) {
   constexpr double farthest = 100;
   const DistortionParams& lens = distortion.params();
-  const int directions = lens.p1 == 0 && lens.p2 == 0 ? 1 : 720;  // all are alike, or not
+  const int directions = lens.p1 == 0 && lens.p2 == 0 ? 1 : 720;  // 1: all are alike
   double radius = farthest;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2 * std::numbers::pi * k / directions;

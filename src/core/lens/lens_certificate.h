@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The range in which a lens can be trusted, for --explain, the report and the distortion dock. It
-// is made of the rays that images take. Along 720 directions it marches in steps in which the
+// The range in which a lens model is valid, for --explain, the report and the distortion dock. It
+// is computed from the rays that images use. Along 720 directions it marches in steps in which the
 // Jacobian's least eigenvalue cannot reach 0, so no fold is stepped over.
 #pragma once
 
@@ -23,8 +23,8 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
                         const Progress& progress = {});
 
 /// Returns the distance from the centre to the nearest point where the Jacobian is singular, over
-/// 720 directions, or one where all are alike; infinite where there is none within 100 (89.4° off
-/// the axis).
+/// 720 directions, or one if all are alike; infinite if there is none within 100 (89.4° off the
+/// axis).
 double validRadius(const Distortion& distortion, const Progress& progress = {});
 
 /// Describes a certificate in one line.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of the directions of distorted points, in sectors around the centre.
+// The certified parts of the directions of distorted points, in sectors around the centre.
 #include "core/lens/lens_fans.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ const LensSector& LensFans::sector(const Vec2& distorted) const {
 
 LensFans::Place LensFans::find(const Vec2& distorted, const Progress& progress) const {
   BranchLine line;
-  if (m_isRound) return {Place::Kind::unclear, line};  // all that is known is in its sector
+  if (m_isRound) return {Place::Kind::unclear, line};  // its sector has all certified facts
   const double turns = turnsOf(distorted);
   int count = fanCount;
   Fan* fan = &m_fans[std::size_t(Share(turns, count).index)];

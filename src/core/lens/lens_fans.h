@@ -23,7 +23,7 @@ class LensFans {
  public:
   explicit LensFans(const Distortion& distortion);
 
-  /// Returns what certifySector() says of the sector of a point, which has to be finite.
+  /// Returns the result of certifySector() for the sector of a point, which must be finite.
   [[nodiscard]] const LensSector& sector(const Vec2& distorted) const;
 
   struct Place {
@@ -41,7 +41,7 @@ class LensFans {
  private:
   static constexpr int sectorCount = 4096;
   static constexpr int fanCount = 256;
-  static constexpr int partCount = 4;  ///< of a fan
+  static constexpr int partCount = 4;  ///< parts of a fan
   static constexpr int mostParts = 65536;
 
   struct Sector {
@@ -55,7 +55,7 @@ class LensFans {
     std::vector<BranchLine> lines;
     double reached = 0;
     double dark = std::numeric_limits<double>::infinity();  ///< from here on no point has a ray
-    std::unique_ptr<std::array<Fan, partCount>> parts;      ///< of directions that get farther
+    std::unique_ptr<std::array<Fan, partCount>> parts;      ///< some of them get farther
   };
 
   void follow(Fan& fan, const Disc& disc, const BranchLine& start, bool hasParts,

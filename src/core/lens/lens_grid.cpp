@@ -81,7 +81,7 @@ double reachOf(const Border& border, const Mapping& mapping) {
   return reach;
 }
 
-/// Cuts a line where a point is not shown.
+/// Adds a line, which is cut where a point is not shown.
 void addLine(const Vec2& from, const Vec2& to, const Mapping& mapping, LensGrid& grid) {
   constexpr int steps = 96;
   grid.lines.emplace_back();
@@ -97,8 +97,8 @@ void addLine(const Vec2& from, const Vec2& to, const Mapping& mapping, LensGrid&
   if (grid.lines.back().size() < 2) grid.lines.pop_back();
 }
 
-/// By definition a point has a ray only if all points between the centre and it have one, so each
-/// direction has one end.
+/// Adds the fold. By definition a point has a ray only if all points between the centre and it have
+/// one, so each direction has one end.
 void addFold(const Border& border, const Mapping& mapping, LensGrid& grid) {
   constexpr int directions = 128;
   constexpr int halvings = 18;  // a hundredth of a pixel

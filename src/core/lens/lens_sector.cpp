@@ -33,7 +33,7 @@ struct Radial {
   }
 };
 
-/// Bounds of the radial terms from the radius `from` on, for `step`.
+/// Bounds of the radial terms over the ring of width `step` that begins at the radius `from`.
 struct Ring {
   double rounding;
   double leastSlope;
@@ -58,8 +58,8 @@ struct Ring {
   }
 };
 
-/// The tangential terms are the gradient of r³ c(φ), c = (p2, p1)·(cos φ, sin φ). In a direction
-/// near `angle` these are c and |c'|, at most and at least.
+/// The tangential terms are the gradient of r³ c(φ), c = (p2, p1)·(cos φ, sin φ). The bounds are
+/// those of c and |c'| in directions within `away` of `angle`.
 struct Tangential {
   double least;
   double most;
@@ -76,16 +76,17 @@ struct Tangential {
   }
 };
 
-/// Returns how far at most the direction of an ideal point is from that of its distorted one.
-/// Infinite if nothing is known.
+/// Returns a bound of the angle between the directions of an ideal point and its distorted one;
+/// infinite if there is none.
 double mostTurn(const DistortionParams& lens, const Ring& ring, double r) {
   const double size = r * std::hypot(lens.p1, lens.p2);
   const double along = ring.leastAcross - 3 * size;
   return along > 0 ? size / along : std::numeric_limits<double>::infinity();
 }
 
-/// Looks for an arc beyond `from`, up to which all is regular, that no path can cross as the model
-/// does not grow along the radius there. Returns the largest distorted radius before it.
+/// Looks for an arc beyond `from`, up to which all is regular, that no path can cross, as the model
+/// does not grow along the radius there. Returns the largest distorted radius before it; infinite
+/// if none is found.
 double darkFrom(const DistortionParams& lens, double angle, double halfWidth, double away,
                 double from) {
   const Radial inner(lens, from);
@@ -162,7 +163,7 @@ LensSector certifySector(const DistortionParams& lens, double angle, double half
   return March(lens, angle, halfWidth).run();
 }
 
-/// Newton's method along the radius, kept within what is known to hold the root.
+/// Uses Newton's method along the radius, within bounds that contain the root.
 Vec2 guessInSector(const DistortionParams& lens, const LensSector& sector, const Vec2& distorted) {
   const double length = std::hypot(distorted.x, distorted.y);
   const double c = (lens.p2 * distorted.x + lens.p1 * distorted.y) / length;

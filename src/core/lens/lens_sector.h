@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A certificate of a lens in a narrow sector around the centre: one march along the radius
-// certifies it nearly up to its fold, and tells from where on there is no ray.
+// certifies it nearly up to its fold, and gives the distance from which on there is no ray.
 #pragma once
 
 #include <limits>
@@ -12,16 +12,16 @@ namespace hogelscope {
 /// The certified facts of a sector's distorted points. Distances from the centre, in units of the
 /// plane z = 1.
 struct LensSector {
-  double ideal = 0;      ///< of the roots nearer than this, each is the right one
+  double ideal = 0;      ///< every root nearer than this is the right one
   double distorted = 0;  ///< all points nearer than this have such a root
   double dark = std::numeric_limits<double>::infinity();  ///< no point from here outwards has a ray
 };
 
-/// Certifies the directions within `halfWidth` of `angle`, in some microseconds. It is of use where
+/// Certifies the directions within `halfWidth` of `angle`, in some microseconds. It is useful if
 /// the tangential terms are small (docs/formulas.md, Distortion).
 LensSector certifySector(const DistortionParams& lens, double angle, double halfWidth);
 
-/// Returns a point near the root of a distorted point of which a sector says that it has one.
+/// Returns a point near the root of a distorted point that has one by its sector.
 Vec2 guessInSector(const DistortionParams& lens, const LensSector& sector, const Vec2& distorted);
 
 }  // namespace hogelscope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step towards a lens' inverse for many points: Distortion's formulas, written for vectors.
+// One step towards a lens' inverse for many points: Distortion's formulas, written so that they are
+// vectorised.
 #include "core/lens/lens_steps.h"
 
 #include "core/base/multiversioned.h"

@@ -6,11 +6,12 @@
 
 namespace hogelscope {
 
-/// Newton's error is squared by the next step: after a move this short it is below rounding.
+/// The squared length of a short move. Newton's next step squares the error, which is then below
+/// rounding.
 constexpr double shortMoveSquared = 1e-18;
 
 /// Makes a Newton step. `x`, `y` are the distorted points, `move` receives the squared length of
-/// each step. Returns how many points made one that is not short, or no number.
+/// each step. Returns the number of points whose step is not short, or is NaN.
 int newtonStep(const DistortionParams& lens, const double* x, const double* y, int count,
                double* idealX, double* idealY, double* move);
 
