@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// sampling.tolerance: the cheapest way to an image whose error is small enough.
+// Finds the cheapest method for an image whose error is within sampling.tolerance.
 #include "core/engine/adaptive_method.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Neighbouring pixels [x0, x1) of row y: rays work in batches.
+/// Neighbouring pixels [x0, x1) of row y, since rays are cast in batches.
 struct Run {
   int y;
   int x0;
@@ -43,7 +43,7 @@ std::vector<Run> probeRuns(const std::array<int, 2>& res) {
   return runs;
 }
 
-/// Renders the pixels of runs; for a smaller image also those around them.
+/// Renders the pixels of runs, and for a reduced image also those around them.
 class Prober {
  public:
   Prober(const RenderJob& asked, LensTables& tables, const ParallelRows& parallelRows,
@@ -93,15 +93,15 @@ RunError errorOf(const Run& run, const Image& reference, const Image& image, int
   return error;
 }
 
-/// Mean squared errors, of the probe and as a limit for the image.
+/// The mean squared error of the probe, and its limit for the image.
 struct Estimate {
   double mean = 0;
   double limit = 0;
 };
 
-/// Runs are the independent samples of a ratio, squares over pixels. The limit is three standard
-/// errors above it, plus twice the worst run's part of the mean: few of the runs meet errors that
-/// are rare.
+/// Estimates the error from runs, the independent samples of a ratio, squares over pixels. The
+/// limit is three standard errors above it, plus twice the worst run's part of the mean, since few
+/// of the runs meet errors that are rare.
 Estimate estimate(const std::vector<RunError>& errors, bool isWhole) {
   double squares = 0;
   double values = 0;
@@ -188,11 +188,11 @@ class Probe {
                                    std::uint8_t{255}) >= leastSeen;
   }
 
-  /// Returns none as soon as the error is certainly above `allowed`, a mean square.
+  /// Returns the error of a view; none as soon as it is certainly above `allowed`, a mean square.
   [[nodiscard]] std::optional<Estimate> measure(const RenderJob& candidate, double allowed) const {
     constexpr int parts = 4;
     Prober prober(candidate, m_tables, m_parallelRows, m_progress);
-    // Runs of a view that is scaled up share pixels, of which there are few.
+    // Runs of a view that is enlarged share its few pixels.
     const ParallelRows rows = candidate.method.scale == 1 ? m_parallelRows : serialRows;
     std::vector<RunError> errors(m_runs.size());
     const auto count = int(m_runs.size());

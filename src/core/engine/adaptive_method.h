@@ -8,8 +8,8 @@
 
 namespace hogelscope {
 
-/// The view to render instead of another one, and the results of the probe. Errors are RMS over
-/// pixels and channels of 8-bit images, in code values.
+/// The view that is rendered instead of another one, and the results of the probe. Errors are RMS
+/// over pixels and channels of 8-bit images, in code values.
 struct Choice {
   RenderJob job;     ///< its method and sampling may be cheaper than the original's
   double rmse = 0;   ///< over the probe
@@ -17,9 +17,10 @@ struct Choice {
   int pixels = 0;    ///< pixels of the probe; 0 without a probe
 };
 
-/// Returns the view itself if its tolerance is 0, it has a method already, nothing is cheaper, or
-/// the probe sees too little of the panel. The tolerance of the result is 0. Deterministic: the
-/// probe's pixels depend on the image's size alone. Throws Cancelled.
+/// Returns the cheapest view within the tolerance, or the view itself if its tolerance is 0, it has
+/// a method already, nothing is cheaper, or the probe sees too little of the panel. The tolerance
+/// of the result is 0. Deterministic: the probe's pixels depend on the image's size alone. Throws
+/// Cancelled.
 Choice chooseMethod(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                     const Progress& progress = {});
 

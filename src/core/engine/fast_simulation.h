@@ -14,8 +14,9 @@ namespace hogelscope {
 
 class FastSimulation {
  public:
-  /// Fetches the texels; casts the view's rays if the light field needs to know what they read. The
-  /// parameters and exceptions are those of ViewRays and LightFieldSource::slice().
+  /// Fetches the texels; casts the view's rays first if the light field needs to know the texels
+  /// that they read. The parameters and exceptions are those of ViewRays and
+  /// LightFieldSource::slice().
   FastSimulation(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                  const Progress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pixels of a view see a hogel.
+// The pixels of a view that see a hogel.
 #include "core/engine/hogel_pixels.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ideal view, in tiles of pixels, since neighbours meet neighbouring content.
+// The ideal view, rendered in tiles of pixels, since neighbours meet neighbouring content.
 #include "core/engine/ideal_view.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Rows of pixels that are traced together, and pixels of such a strip in one call.
+/// The number of pixel rows that are traced together, and of pixels of such a strip in one call.
 constexpr int stripHeight = 4;
 constexpr int stripWidth = batchSize;
 

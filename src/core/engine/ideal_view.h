@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ideal view: what the camera would see of a live scene itself through the panel's window,
-// without hogels, directions and leakage (docs/formulas.md, Live scenes).
+// The ideal view: the image that the camera would see of a live scene itself through the panel's
+// window, without hogels, directions and leakage (docs/formulas.md, Live scenes).
 #pragma once
 
 #include "core/engine/view_rays.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plan of a view: what has to be modelled and what can be left out, decided before rendering.
+// The plan of a view: the decisions before rendering on what is modelled and what is left out.
 // plan_words.h describes it in words.
 #pragma once
 
@@ -20,12 +20,12 @@ struct Plan {
   bool copiesTexels = false;  ///< each pixel is one stored texel of 8 bits, in memory
 };
 
-/// Makes the plan of a view; `view.lightField` must not be null.
+/// Makes the plan of a view; `job.lightField` must not be null.
 Plan plan(const RenderJob& job);
 /// Makes the same plan with an existing Display of the view.
 Plan plan(const RenderJob& job, const Display& display);
 
-/// Returns the most that a pixel changes, in code values, if leakage is cut to `reach` taps on each
+/// Returns the largest change of a pixel, in code values, if leakage is cut to `reach` taps on each
 /// side.
 double leakageLoss(const PsfParams& psf, int reach);
 

@@ -14,7 +14,7 @@ Choice Renderer::chooseMethod(const RenderJob& job, const Progress& progress) {
   return hogelscope::chooseMethod(job, m_tables, m_rows, progress);
 }
 
-/// One pixel for each method.scale × method.scale.
+/// Renders one pixel for each method.scale × method.scale.
 template <class AnyImage>
 AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress) {
   const FastSimulation simulation(reduced(job), m_tables, m_rows, progress);

@@ -24,7 +24,7 @@ class Renderer {
   /// of the rows done, never concurrently. Throws InputError as Simulation and
   /// LightFieldSource::slice() do, and Cancelled.
   [[nodiscard]] Image render(const RenderJob& job, const Progress& progress = {});
-  /// Renders the same image, not rounded.
+  /// Renders the same image without rounding.
   [[nodiscard]] FloatImage renderFloat(const RenderJob& job, const Progress& progress = {});
 
   [[nodiscard]] LensTables& tables() { return m_tables; }

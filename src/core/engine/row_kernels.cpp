@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops that the time goes into, compiled once for each kind of machine.
+// The loops that take most of the time, compiled once for each kind of processor.
 #include "core/engine/row_kernels.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct RealMap {
   std::array<Real, 4> constant, slope, count;
 };
 
-/// Returns the real-valued indices where the ray through (x, y, 1) meets the display.
+/// The real-valued indices at which the ray through (x, y, 1) meets the display.
 template <class Real>
 struct RealHit {
   Real i;
@@ -54,7 +54,8 @@ inline RealHit<Real> hitOf(const RealMap<Real>& m, Real x, Real y) {
           m.constant[2] + m.slope[2] * a, m.constant[3] + m.slope[3] * b, dz < 0};
 }
 
-/// Whether all indices are in range. Bitwise on purpose: no branches. False for NaN.
+/// Whether all indices are in range. It is bitwise on purpose, without branches. Returns false for
+/// NaN.
 template <class Real>
 inline bool isSeen(const RealMap<Real>& m, const RealHit<Real>& h) {
   return static_cast<bool>(h.isToward & (h.i >= 0) & (h.i < m.count[0]) & (h.j >= 0) &
@@ -70,15 +71,16 @@ inline std::uint32_t cellOf(Real index) {
 /// Writes three bytes for each address.
 inline void packRgb(const Texel<std::uint8_t>* texels, const std::uint32_t* address, int count,
                     std::uint8_t* rgb) {
-  // Whole texels, each over the last one's unused byte; the last has no room for its own.
+  // Whole texels are copied, each over the previous one's unused byte; the last has no room for its
+  // own.
 #pragma GCC unroll 8
   for (int k = 0; k + 1 < count; ++k)
     std::memcpy(rgb + std::ptrdiff_t(3) * k, texels + address[k], 4);
   if (count > 0) std::memcpy(rgb + std::ptrdiff_t(3) * (count - 1), texels + address[count - 1], 3);
 }
 
-/// Rays are done in strips, so few that a processor works on one strip while the next one's texels
-/// come from memory, and so many that their steps fill its units.
+/// The number of rays in a strip: so few that a processor works on one strip while the next one's
+/// texels come from memory, and so many that their steps fill its units.
 constexpr int stripSize = 32;
 template <class T>
 using Strip = std::array<T, stripSize>;
@@ -91,8 +93,9 @@ struct CellStrip {
 
 enum class Rays { any, hits };
 
-/// Finds the cells of a strip; Rays::hits have one y. A loop for the indices and one for the cells
-/// of each axis: a processor overlaps the turns of short loops better than those of one long one.
+/// Finds the cells of a strip; Rays::hits have one y. The indices have a loop, and the cells of
+/// each axis have one: a processor overlaps the iterations of short loops better than those of one
+/// long loop.
 template <Rays rays, class Real>
 inline __attribute__((always_inline)) void findStrip(const RealMap<Real>& m, const double* x,
                                                      const double* y, CellStrip& strip) {
@@ -152,7 +155,7 @@ inline __attribute__((always_inline)) void copyTexels(const HitMap& map, const B
                                                       const double* x, const double* y, int count,
                                                       std::uint8_t* rgb, std::uint8_t* seen) {
   constexpr int ahead = 128;
-  const RealMap<Real> m(map);  // copies, so that the compiler knows that stores do not change them
+  const RealMap<Real> m(map);  // a copy, so that the compiler knows that stores do not change it
   const BlockLayout l = layout;
   std::array<std::uint32_t, 2 * ahead> address;
   const auto strip = [&](int first) { return &address[std::size_t(first % (2 * ahead))]; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops over rays: to the cells that they meet, or to the texels where a pixel is
-// one. Plain loops, which the compiler vectorises for AVX-512, AVX2 and the baseline.
+// The innermost loops over rays, which find the cells that rays meet, or copy texels if a pixel is
+// one texel. The compiler vectorises these plain loops for AVX-512, AVX2 and the baseline.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct HitMap {
   std::array<double, 3> right{};
   std::array<double, 3> down{};
   std::array<double, 3> forward{};
-  PanelMap panel;         ///< from the slopes on
+  PanelMap panel;         ///< the map from slopes to cells
   bool isSingle = false;  ///< float arithmetic
 };
 
@@ -37,12 +37,12 @@ struct CellBatch {
 
 /// Copies the texels of rays that are known to hit, by a map of linear hogel lenses, from a light
 /// field that is all in memory: three bytes each. A coordinate that rounding has put on a border
-/// counts to the last cell.
+/// belongs to the last cell.
 void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, double y, int count, std::uint8_t* rgb);
 
-/// Copies the texels of any rays; those that see nothing get the one behind all others. Writes 255
-/// or 0 for seen or not.
+/// Copies the texels of any rays; those that see nothing get the black texel behind all others.
+/// Writes 255 or 0 for seen or not.
 void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
               const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen);
 

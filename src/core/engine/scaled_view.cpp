@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of fewer pixels, and their way back to full size.
+// Views of fewer pixels, and their enlargement to full size.
 #include "core/engine/scaled_view.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ std::vector<Between> betweenAll(int pixels, int smallPixels, int scale) {
   return all;
 }
 
-/// Rounds half up.
+/// Divides a sum by 4·scale², rounded half up.
 std::uint8_t share(std::uint8_t, int sum, int scale) {
   const int whole = 4 * scale * scale;
   const int shift = scale == 1 ? 2 : scale == 2 ? 4 : 6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views of fewer pixels, enlarged again to full size, or of fewer hogels and directions: the window
-// shows them while a camera moves. Views of any number of pixels.
+// Views of fewer pixels, enlarged again to full size, or of fewer hogels and directions, which the
+// window shows while a camera moves; and views with any number of pixels.
 #pragma once
 
 #include "core/optics/simulate.h"
@@ -8,7 +8,7 @@
 namespace hogelscope {
 
 /// Returns the view with one pixel in the middle of each method.scale × method.scale of them, and
-/// with method.scale 1; the last ones may reach beyond the image.
+/// with method.scale 1; the last squares may reach beyond the image.
 RenderJob reduced(const RenderJob& job);
 
 /// Returns the state with another number of pixels over the same field: the borders of its image

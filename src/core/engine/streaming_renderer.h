@@ -29,13 +29,13 @@ class StreamingRenderer {
   /// Allocates the memory. Must be called before take().
   void begin(LensTables& tables, const ParallelRows& parallelRows);
   /// Takes directions (·, v) of hogels (·, j), a row of the hogel image; T is the stored type. Rows
-  /// of hogels come from the top.
+  /// of hogels must come from the top.
   template <class T>
   void take(int j, int v, const T* rgb) {
     const CellRange& needed = m_slice.footprint.v[std::size_t(j)];
     if (needed.first <= v && v <= needed.last) m_texels->takeRow(j, v, rgb);
   }
-  /// Renders the pixels that hogel row j completes; all of it has been taken.
+  /// Renders the pixels that hogel row j completes; the whole row must have been taken.
   void finish(int j);
   /// Returns the image after the last row, and frees the memory.
   [[nodiscard]] Image takeImage();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops over the taps of rays, compiled once for each kind of machine.
+// The loops over the taps of rays, compiled once for each kind of processor.
 #include "core/engine/tap_kernels.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
     const float positive = codeValues[k] > 0 ? codeValues[k] : 0;
     const float value = positive < 255 ? positive : 255;
     const auto whole = static_cast<std::int32_t>(value);
-    // The fraction is exact, and the value and a half may be not.
+    // The fraction is exact; the sum of the value and a half may not be.
     const std::int32_t up = value - static_cast<float>(whole) >= 0.5F ? 1 : 0;
     bytes[k] = static_cast<std::uint8_t>(whole + up);
   }
@@ -49,7 +49,7 @@ void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
 
 namespace {
 
-/// Returns r, g, b of a stored texel as code values.
+/// The code values of a stored texel.
 struct Light {
   float r;
   float g;
@@ -74,7 +74,7 @@ inline Light encodedLight(const Texel<float>* texels, std::uint32_t at) {
   return {255 * t.r, 255 * t.g, 255 * t.b};
 }
 
-/// Loops over the rays for each tap; `light(at)` is the light of texel `at`.
+/// Sums the taps one after the other over all rays; `light(at)` is the light of texel `at`.
 template <class T, class LightAt>
 inline __attribute__((always_inline)) void sumTaps(const Texel<T>* texels, const TapBatch& taps,
                                                    int count, LightBatch& sum, LightAt light) {
@@ -85,8 +85,8 @@ inline __attribute__((always_inline)) void sumTaps(const Texel<T>* texels, const
   std::array<std::uint32_t, batchSize> at;
   for (int t = 0; t < taps.taps; ++t) {
     const std::uint32_t* offset = taps.offset[t].data();
-    // Summed in a loop of their own, since addresses in memory are loaded one by one, and those in
-    // vectors would have to be extracted.
+    // Addresses are summed in a separate loop, since those in memory are loaded one by one, and
+    // those in vectors would have to be extracted.
     for (int k = 0; k < count; ++k) at[std::size_t(k)] = base[k] + offset[k];
     if (taps.ahead != nullptr && (t == 0 || t == taps.taps - 1)) {
 #pragma GCC unroll 8

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The innermost loops over taps: from cells to texels and their weighted sums. Plain loops, which
-// the compiler vectorises for AVX-512, AVX2 and the baseline.
+// The innermost loops over taps, from cells to texels and their weighted sums. The compiler
+// vectorises these plain loops for AVX-512, AVX2 and the baseline.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct TapBatch {
   const float* share = nullptr;
   const std::array<float, batchSize>* weight = nullptr;
   const float* scale = nullptr;
-  /// The base of a later call, whose cache lines are fetched.
+  /// The base of a later call, whose cache lines are prefetched.
   const std::uint32_t* ahead = nullptr;
 };
 

@@ -121,7 +121,8 @@ void TexelFilter::directionTaps(std::size_t axis, const CellBatch& batch, AxisTa
   }
 }
 
-/// Makes those with interpolation: the windows of the two cells around the hit, one tap apart.
+/// Makes the taps of a direction axis with interpolation: the windows of the two cells around the
+/// hit, one tap apart.
 MULTIVERSIONED
 void TexelFilter::interpolatedTaps(std::size_t axis, const CellBatch& batch, AxisTaps& taps) const {
   const AxisWeights& weights = m_weights[axis - 2];

@@ -17,7 +17,7 @@ namespace hogelscope {
 /// The taps of a batch along one axis: tap t of ray k adds offset[t][k] to its address.
 struct AxisTaps {
   int taps = 1;
-  const float* share = nullptr;  ///< weights that all rays have; null: `weight`
+  const float* share = nullptr;  ///< weights common to all rays; null: `weight` is used
   std::vector<std::array<std::uint32_t, batchSize>> offset;
   std::vector<std::array<float, batchSize>> weight;
 };

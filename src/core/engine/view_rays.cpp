@@ -31,7 +31,7 @@ void clip(double constant, double slope, std::array<double, 2>& part) {
     part = {1, 0};
 }
 
-/// Returns the directions that contribute to a ray's cell, with those of its neighbour hogels.
+/// The numbers of cells on each side of a ray's cell that the ray may also read.
 struct Reach {
   int hogels;
   int directions;
@@ -189,7 +189,7 @@ CellRange cellsRead(std::uint32_t cell, float place, bool isInterpolated, int re
           std::min(std::max(own, neighbour) + reach, count - 1)};
 }
 
-/// Marks are set by several threads, all to 1.
+/// Sets the marks of a box's texels. Several threads may set the same mark, all to 1.
 void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
              std::vector<std::uint8_t>& marks) {
   const auto& [is, js, us, vs] = box;
@@ -245,7 +245,7 @@ ViewReads ViewRays::reads(const ParallelRows& parallelRows) const {
   return reads;
 }
 
-/// The footprint of a separable view: what one row reads across, and one column down.
+/// Returns the footprint of a separable view: the union of what one row and one column read.
 Footprint ViewRays::separableFootprint() const {
   const auto [width, height] = m_job.state.camera.res;
   Footprint all(m_display.size().nx, m_display.size().ny);

@@ -20,7 +20,7 @@
 
 namespace hogelscope {
 
-/// The rays of a batch as lines; slopes only of those that see the display.
+/// The rays of a batch as lines; only those that see the display have slopes.
 struct LineBatch {
   std::array<Vec2, batchSize> slopes;
   std::array<std::uint8_t, batchSize> seen;
@@ -60,7 +60,7 @@ class ViewRays {
   [[nodiscard]] std::array<int, 2> seenPart(int y, int x0, int x1) const;
 
   /// Finds the cells that one ray of each of the pixels [x0, x0 + count) of row y meets; at most a
-  /// batch. Thread-safe, as the next one.
+  /// batch. Thread-safe, as lines() is.
   void cells(int y, int x0, int count, const RaySample& sample, CellBatch& batch) const;
   /// Finds the slopes dx/dz, dy/dz in the display frame of the same rays.
   void lines(int y, int x0, int count, const RaySample& sample, LineBatch& batch) const;
@@ -68,11 +68,11 @@ class ViewRays {
   [[nodiscard]] Footprint footprint(int y, int x0, int x1) const;
   /// Returns the texels that the whole image may read.
   [[nodiscard]] Footprint footprint(const ParallelRows& parallelRows) const;
-  /// Returns what the view reads; the functions refer to this object.
+  /// Returns the view's reads, whose functions refer to this object.
   [[nodiscard]] ViewReads reads(const ParallelRows& parallelRows) const;
 
  private:
-  /// The points of the plane z = 1 of a batch: in `made` or elsewhere.
+  /// The points of the plane z = 1 of a batch, in madeX and madeY or elsewhere.
   struct Points {
     std::array<double, batchSize> madeX;
     std::array<double, batchSize> madeY;
