@@ -19,8 +19,8 @@ struct Choice {
 
 /// Returns the cheapest view within the tolerance, or the view itself if its tolerance is 0, it has
 /// a method already, nothing is cheaper, or the probe sees too little of the panel. The tolerance
-/// of the result is 0. Deterministic: the probe's pixels depend on the image's size alone. Throws
-/// Cancelled.
+/// of the result is 0. The choice is deterministic: the probe's pixels depend on the image's size
+/// alone. Throws Cancelled.
 Choice chooseMethod(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                     const Progress& progress = {});
 

@@ -29,7 +29,7 @@ double codeValue(float stored) {
   return static_cast<double>(stored) * 255.0;
 }
 
-/// Whether the names of its files say that they are raw YUV.
+/// Whether the names of its files are those of raw YUV.
 bool isYuv(const LightFieldParams& params) {
   if (params.layout == Layout::pack || params.layout == Layout::live) return false;
   return params.file.ends_with(".yuv") ||

@@ -22,7 +22,7 @@ struct Disc {
 /// line, or, if this is the last one, before Branch::reached. Plain Newton steps from `ideal` find
 /// the preimages of the segments' points between this line and that place.
 struct BranchLine {
-  Vec2 normal;          ///< of length 1
+  Vec2 normal;          ///< has length 1
   double distance = 0;  ///< from the centre
   Vec2 ideal;
 };

@@ -25,7 +25,7 @@ void describe(ParameterVisitor& v, SamplingParams& p);
 /// One of the rays of a pixel.
 struct RaySample {
   int index = 0;         ///< among the pixel's rays
-  Vec2 place{0.5, 0.5};  ///< in the pixel, 0 … 1 from its upper left corner
+  Vec2 place{0.5, 0.5};  ///< position in the pixel, 0 … 1 from its upper left corner
 };
 
 /// Returns the n × n rays of a pixel, row after row.
