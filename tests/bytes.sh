@@ -1,7 +1,7 @@
 #!/bin/bash
 # tests/bytes.sh OLD NEW: runs the same commands with two builds of the program and compares all that
 # they write and print, byte for byte. For changes that must not change anything. Left out are
-# measured times, and the dates in report.html.
+# measured times, the program's version, and the dates in report.html.
 set -u
 [ $# -eq 2 ] || { sed -n '2,4s/^# //p' "$0"; exit 2; }
 old=$(realpath "$1")
@@ -82,6 +82,8 @@ run() {
     echo "$? $line" >>statuses
   done < <(PWD=. commands)
   sed -i -e '/^time spent/d' -e "s#$(dirname "$(dirname "$2")")##" out* err*
+  version=$("$2" --version | grep -oE '[0-9]+\.[0-9]+\.[0-9]+' | head -1)
+  find . \( -name report.html -o -name 'out*' \) -exec sed -i "s/\b$version\b//g" {} +
   find . -name report.html -exec sed -i -E 's/20[0-9]{2}-[0-9]{2}-[0-9]{2}[T ][0-9:]{5,8}Z?//g' {} +
 }
 
