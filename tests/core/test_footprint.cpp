@@ -211,7 +211,7 @@ void TestFootprint::singleTexelsAreFetched() {
   const auto [nx, ny, du, dv] = job.lightField->size();
   const TexelIndex last{nx - 1, ny - 1, du - 1, dv - 1};
   QVERIFY(job.lightField->texel(last) == scene.job.lightField->texel(last));
-  QVERIFY(hogelErrorImage(*job.lightField, 0, 0) == hogelErrorImage(*scene.job.lightField, 0, 0));
+  QVERIFY(hogelTexels(*job.lightField, 0, 0) == hogelTexels(*scene.job.lightField, 0, 0));
 }
 
 /// Content that changes slowly over hogels and directions looks nearly the same in it.

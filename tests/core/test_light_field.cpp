@@ -44,7 +44,7 @@ void TestLightField::aHogelHasItsOwnPicture() {
   const LightFieldSize size{2, 3, 4, 2};
   std::vector<std::uint8_t> values(3 * size.width() * size.height());
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = static_cast<std::uint8_t>(k);
-  const Image picture = hogelErrorImage(LightField(size, values), 1, 2);
+  const Image picture = hogelTexels(LightField(size, values), 1, 2);
   QCOMPARE(picture.width, 4);
   QCOMPARE(picture.height, 2);
   for (std::size_t v = 0; v < 2; ++v)

@@ -6,7 +6,7 @@
 
 namespace hogelscope {
 
-Image hogelErrorImage(const LightFieldSource& lightField, int i, int j) {
+Image hogelTexels(const LightFieldSource& lightField, int i, int j) {
   const LightFieldSize size = lightField.size();
   Image image(size.du, size.dv);
   auto to = image.rgb.begin();

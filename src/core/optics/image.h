@@ -50,7 +50,7 @@ struct FloatImage {
 };
 
 /// Returns the image of hogel (i, j), one pixel for each direction: column u, row v, all seen.
-Image hogelErrorImage(const LightFieldSource& lightField, int i, int j);
+Image hogelTexels(const LightFieldSource& lightField, int i, int j);
 
 /// Returns the largest value of so many bits, which code value 255 stands for.
 constexpr int largestValue(int bits) {

@@ -41,7 +41,7 @@ Image hogelImage(const LightFieldSource& lightField, int i, int j) {
   const auto small = lightField.overview();
   const int smallI = i * small->size().nx / lightField.size().nx;
   const int smallJ = j * small->size().ny / lightField.size().ny;
-  return hogelErrorImage(*small, smallI, smallJ);
+  return hogelTexels(*small, smallI, smallJ);
 }
 
 }  // namespace hogelscope

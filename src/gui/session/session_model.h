@@ -53,8 +53,8 @@ class SessionModel : public QObject {
   void editMarked(const std::function<void(CameraState&)>& action);
   /// Sets display, light field and sampling as an edit.
   void setContent(const Session& content);
-  /// Changes the list of states (core/states.h); `action` returns the index of the new current
-  /// state.
+  /// Changes the list of states (core/cameras/state_list_edits.h); `action` returns the index of
+  /// the new current state.
   void changeStates(const QString& name, const std::function<std::size_t(Session&)>& action);
 
  Q_SIGNALS:

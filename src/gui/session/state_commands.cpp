@@ -41,7 +41,7 @@ void StateCommands::add(const Entry& entry, Action action) {
   m_actions.push_back(made);
 }
 
-/// Adds the functions of core/states.h, applied to the current state.
+/// Adds the functions of core/cameras/state_list_edits.h, applied to the current state.
 void StateCommands::addListEntries() {
   add({"addStateAction", tr("&New"), tr("New"), tr("A new state in front of the display"),
        Qt::CTRL | Qt::Key_N},

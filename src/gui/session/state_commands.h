@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The States menu: changes of the list of camera states (core/states.h).
+// The States menu: changes of the list of camera states (core/cameras/state_list_edits.h).
 #pragma once
 
 #include <QAction>
