@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include "io/layouts/name_pattern.h"
+#include "capture/names/name_pattern.h"
 #include "io/layouts/view_files.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -11,7 +11,7 @@
 #include "gui/files/file_commands.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/view/image_widget.h"
-#include "io/documents/opening.h"
+#include "io/opening/opening.h"
 #include "io/scene/scene.h"
 #include "io/store/store_writer.h"
 #include "tests/gui/habits_test.h"

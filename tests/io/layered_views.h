@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "io/order/view_order.h"
+#include "capture/order/view_order.h"
 
 /// A patch of the scene that moves as one: an ellipse, or everything.
 struct ViewLayer {

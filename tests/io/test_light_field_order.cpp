@@ -5,8 +5,8 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
-#include "io/order/contact_sheet.h"
-#include "io/order/order_document.h"
+#include "io/opening/contact_sheet.h"
+#include "io/opening/order_document.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <random>
 
-#include "io/layouts/name_pattern.h"
+#include "capture/names/name_pattern.h"
 #include "io/layouts/view_files.h"
 #include "tests/io/documents.h"
 

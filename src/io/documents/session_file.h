@@ -8,7 +8,7 @@
 
 #include "core/optics/session.h"
 #include "io/documents/calibration_file.h"
-#include "io/order/light_field_order.h"
+#include "io/opening/light_field_order.h"
 
 namespace hogelscope {
 

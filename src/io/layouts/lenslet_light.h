@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "capture/lenslets/lenslet_search.h"
 #include "io/images/image_file.h"
-#include "io/layouts/lenslet_search.h"
 
 namespace hogelscope {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "capture/lenslets/lenslet_search.h"
 #include "core/optics/display.h"
-#include "io/layouts/lenslet_search.h"
 #include "io/layouts/light_field_file.h"
 
 namespace hogelscope {

@@ -12,11 +12,11 @@
 #include <optional>
 #include <tuple>
 
+#include "capture/names/name_pattern.h"
+#include "capture/names/name_series.h"
 #include "core/base/error.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
-#include "io/layouts/name_pattern.h"
-#include "io/layouts/name_series.h"
 
 namespace hogelscope {
 

@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "capture/names/view_grid.h"
 #include "core/light_field/light_field.h"
-#include "io/layouts/view_grid.h"
 
 namespace hogelscope {
 

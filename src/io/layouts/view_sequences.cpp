@@ -6,13 +6,13 @@
 #include <array>
 #include <string_view>
 
+#include "capture/names/view_grid.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/images/hdf5_views.h"
 #include "io/images/image_file.h"
 #include "io/layouts/scattered_file.h"
 #include "io/layouts/texel_placement.h"
-#include "io/layouts/view_grid.h"
 
 namespace hogelscope {
 

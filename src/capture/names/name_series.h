@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/layouts/view_grid.h"
+#include "capture/names/view_grid.h"
 
 namespace hogelscope {
 

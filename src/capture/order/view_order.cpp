@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds by their content alone how views lie in a grid.
-#include "io/order/view_order.h"
+#include "capture/order/view_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "io/order/view_motion.h"
+#include "capture/order/view_motion.h"
 
 namespace hogelscope {
 

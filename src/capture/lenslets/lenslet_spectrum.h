@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "io/layouts/lenslet_search.h"
+#include "capture/lenslets/lenslet_search.h"
 
 namespace hogelscope {
 

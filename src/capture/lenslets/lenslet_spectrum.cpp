@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A first guess at the lenslets of a picture, from the peaks of its spectrum.
-#include "io/layouts/lenslet_spectrum.h"
+#include "capture/lenslets/lenslet_spectrum.h"
 
 #include <algorithm>
 #include <cmath>

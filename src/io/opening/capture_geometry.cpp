@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry of captures.
-#include "io/layouts/capture_geometry.h"
+#include "io/opening/capture_geometry.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads views of a light field as grey pictures.
-#include "io/order/grey_views.h"
+#include "io/opening/grey_views.h"
 
 #include <algorithm>
 #include <cmath>

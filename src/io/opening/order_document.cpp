@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order of a light field's views for programs.
-#include "io/order/order_document.h"
+#include "io/opening/order_document.h"
 
 #include "io/json/json_parameters.h"
 

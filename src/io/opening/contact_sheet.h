@@ -6,7 +6,7 @@
 
 #include "core/optics/display.h"
 #include "core/optics/image.h"
-#include "io/order/order_document.h"
+#include "io/opening/order_document.h"
 
 namespace hogelscope {
 

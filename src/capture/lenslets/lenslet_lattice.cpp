@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the lenslets lie in a picture.
-#include "io/layouts/lenslet_lattice.h"
+#include "capture/lenslets/lenslet_lattice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <functional>
 #include <opencv2/core.hpp>
 
-#include "io/order/view_order.h"
+#include "capture/order/view_order.h"
 
 namespace cv {
 class DISOpticalFlow;

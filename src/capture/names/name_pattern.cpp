@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Patterns of file names.
-#include "io/layouts/name_pattern.h"
+#include "capture/names/name_pattern.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order and shear of a light field's views.
-#include "io/order/light_field_order.h"
+#include "io/opening/light_field_order.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "capture/names/name_pattern.h"
 #include "core/base/text.h"
-#include "io/layouts/name_pattern.h"
-#include "io/order/grey_views.h"
+#include "io/opening/grey_views.h"
 
 namespace hogelscope {
 

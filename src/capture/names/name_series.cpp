@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Series of file names that agree in all but their numbers.
-#include "io/layouts/name_series.h"
+#include "capture/names/name_series.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,8 +9,8 @@
 #include <set>
 #include <string_view>
 
+#include "capture/names/name_pattern.h"
 #include "core/base/error.h"
-#include "io/layouts/name_pattern.h"
 
 namespace hogelscope {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "capture/order/view_order.h"
 #include "core/optics/display.h"
-#include "io/order/view_order.h"
 
 namespace hogelscope {
 

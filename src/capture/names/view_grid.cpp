@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A grid of views made of what the file names say of their places.
-#include "io/layouts/view_grid.h"
+#include "capture/names/view_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "capture/lenslets/lenslet_lattice.h"
 #include "core/base/progress.h"
-#include "io/layouts/lenslet_lattice.h"
 
 namespace hogelscope {
 

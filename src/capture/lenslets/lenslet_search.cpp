@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the lenslets in a picture of even light.
-#include "io/layouts/lenslet_search.h"
+#include "capture/lenslets/lenslet_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "capture/lenslets/lenslet_spectrum.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "io/layouts/lenslet_spectrum.h"
 
 namespace hogelscope {
 

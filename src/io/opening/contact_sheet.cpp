@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture of a light field's views as they are put on the display, with arrows.
-#include "io/order/contact_sheet.h"
+#include "io/opening/contact_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/images/image_writer.h"
-#include "io/order/grey_views.h"
+#include "io/opening/grey_views.h"
 
 namespace hogelscope {
 

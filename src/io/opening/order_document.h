@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/layouts/lenslet_search.h"
-#include "io/order/light_field_order.h"
+#include "capture/lenslets/lenslet_search.h"
+#include "io/opening/light_field_order.h"
 
 namespace hogelscope {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dense optical flow between views, and votes on what hides what.
-#include "io/order/view_motion.h"
+#include "capture/order/view_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the period of views in a picture of tiles.
-#include "io/order/tile_grid.h"
+#include "io/opening/tile_grid.h"
 
 #include <algorithm>
 #include <cmath>

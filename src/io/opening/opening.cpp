@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A light field that is opened without a session.
-#include "io/documents/opening.h"
+#include "io/opening/opening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "io/images/image_file.h"
 #include "io/layouts/view_layouts.h"
 #include "io/layouts/view_sequences.h"
-#include "io/order/contact_sheet.h"
+#include "io/opening/contact_sheet.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/scene.h"
 

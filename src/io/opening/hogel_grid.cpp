@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the borders of hogels.
-#include "io/order/hogel_grid.h"
+#include "io/opening/hogel_grid.h"
 
 #include <algorithm>
 #include <cmath>
