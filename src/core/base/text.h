@@ -16,6 +16,9 @@ std::string rounded(double value, int digits);
 /// Formats a size: "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
 std::string bytesText(std::size_t bytes);
 
+/// Returns "3×4".
+std::string pairText(long long across, long long down);
+
 /// Returns a text with the letters a … z for A … Z.
 std::string lowerCase(std::string text);
 

@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "io/images/big_tiff.h"
 #include "io/layouts/lenslet_light.h"
 #include "io/layouts/texel_placement.h"
 

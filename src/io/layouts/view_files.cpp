@@ -278,8 +278,8 @@ void nameOthers(ViewFiles& grid, const std::vector<fs::path>& files) {
       grid.others.push_back(file.filename().string());
 }
 
-/// JPEG Pleno's reference software has the views of a component in a folder; PgxRows finds those of
-/// the others. It is looked at once: it may be a link to its own folder.
+/// JPEG Pleno's reference software has the views of a component in a folder; openPgx() finds those
+/// of the others. It is looked at once: it may be a link to its own folder.
 fs::path firstComponentsOf(const fs::path& folder) {
   return folder / "0";
 }

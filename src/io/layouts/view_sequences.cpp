@@ -9,8 +9,8 @@
 #include "capture/names/view_grid.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "io/images/hdf5_views.h"
 #include "io/images/image_file.h"
+#include "io/images/image_inputs.h"
 #include "io/layouts/scattered_file.h"
 #include "io/layouts/texel_placement.h"
 
@@ -27,17 +27,14 @@ bool isVideo(const fs::path& file) {
   return std::ranges::find(extensions, extension) != extensions.end();
 }
 
-/// Frames are decoded in their order: each needs those before it.
-class VideoViews : public ScatteredFile {
+/// Frames of a video are decoded in their order: each needs those before it.
+class ViewSequence : public ScatteredFile {
  public:
-  VideoViews(const LightFieldParams& params, const DisplayParams& display)
+  ViewSequence(const LightFieldParams& params, ImageFile image, const SequenceGrid& grid)
       : m_params(params),
-        m_image(params.file),
-        m_grid(gridOfSequence(
-            m_image.frames(),
-            {params.file, {}, display.directions, params.scan == ViewScan::serpentine})),
-        m_size{int(m_image.width()), int(m_image.height()), int(m_grid.columns), int(m_grid.rows)} {
-  }
+        m_image(std::move(image)),
+        m_grid(grid),
+        m_size{int(m_image.width()), int(m_image.height()), int(grid.columns), int(grid.rows)} {}
 
   [[nodiscard]] StoredType type() const override { return m_image.type(); }
   [[nodiscard]] int bits() const override { return m_image.bits(); }
@@ -67,47 +64,24 @@ class VideoViews : public ScatteredFile {
   LightFieldSize m_size;
 };
 
-class Hdf5File : public ScatteredFile {
- public:
-  explicit Hdf5File(const LightFieldParams& params)
-      : m_params(params), m_views(params.file, params.pattern) {}
-
-  [[nodiscard]] StoredType type() const override { return m_views.type(); }
-  [[nodiscard]] LightFieldSize size() const override { return m_views.size(); }
-  [[nodiscard]] std::vector<fs::path> files() const override { return {m_params.file}; }
-
-  [[nodiscard]] LightField readBand(int begin, int end, const Progress& progress) override {
-    const auto [nx, ny, du, dv] = size();
-    LightField lightField =
-        blankLightField({nx, end - begin, du, dv}, type(), m_params.file, packIt);
-    for (int row = 0; row < dv; ++row)
-      for (int column = 0; column < du; ++column) {
-        const double views = double(du) * dv;
-        const double done = double(row) * du + column;
-        Hdf5View view = m_views.view(row, column);
-        readTexels(view, type(), lightField, m_params.incoming,
-                   placeOfView(m_params, size(), row, column, begin, end - begin),
-                   part(progress, done / views, (done + 1) / views));
-      }
-    return lightField;
-  }
-
- private:
-  LightFieldParams m_params;
-  Hdf5Views m_views;
-};
-
 }  // namespace
 
 bool isViewSequence(const std::string& file) {
   std::error_code error;
-  return fs::is_regular_file(file, error) && (isVideo(file) || Hdf5Views::isHdf5(file));
+  return fs::is_regular_file(file, error) && (isVideo(file) || isHdf5(file));
 }
 
 std::unique_ptr<LightFieldFile> openViewSequence(const LightFieldParams& params,
                                                  const DisplayParams& display) {
-  if (Hdf5Views::isHdf5(params.file)) return std::make_unique<Hdf5File>(params);
-  return std::make_unique<VideoViews>(params, display);
+  if (isHdf5(params.file)) {
+    auto views = openHdf5(params.file, params.pattern);
+    const SequenceGrid grid{views->facts().frames / views->facts().columns, views->facts().columns};
+    return std::make_unique<ViewSequence>(params, ImageFile(params.file, std::move(views)), grid);
+  }
+  ImageFile video(params.file);
+  const SequenceGrid grid = gridOfSequence(
+      video.frames(), {params.file, {}, display.directions, params.scan == ViewScan::serpentine});
+  return std::make_unique<ViewSequence>(params, std::move(video), grid);
 }
 
 }  // namespace hogelscope

@@ -14,7 +14,7 @@ namespace hogelscope {
 bool isViewSequence(const std::string& file);
 
 /// Opens the views of a video, which count row by row (LightFieldParams::scan), or of the data set
-/// of HDF5 (Hdf5Views). Throws InputError that names the file.
+/// of HDF5 (openHdf5). Throws InputError that names the file.
 std::unique_ptr<LightFieldFile> openViewSequence(const LightFieldParams& params,
                                                  const DisplayParams& display);
 

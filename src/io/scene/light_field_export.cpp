@@ -9,7 +9,6 @@
 
 #include "core/base/error.h"
 #include "io/files/atomic_file.h"
-#include "io/images/big_tiff.h"
 #include "io/images/image_writer.h"
 #include "io/layouts/view_layouts.h"
 

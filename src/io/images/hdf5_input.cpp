@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The views of an HDF5 file, by libhdf5.
-#include "io/images/hdf5_views.h"
+#include "io/images/image_inputs.h"
 
 #define H5_USE_110_API  // Debian 12 has no other; later versions give H5Ovisit2 another callback
 #include <hdf5.h>
@@ -8,17 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
-#include "io/images/big_tiff.h"
 
 namespace hogelscope {
 
@@ -174,7 +171,7 @@ std::string chosenName(const Handle& file) {
   throw InputError("lightField.pattern", "must name one of the data sets: " + listed(file, views));
 }
 
-/// Opens the data set; all that follows runs in the other process, but for Hdf5Views.
+/// Opens the data set; all of this runs in the other process.
 DataSet openDataSet(const fs::path& path, const std::string& name) {
   Handle file = openFile(path);
   const std::string chosen = name.empty() ? chosenName(file) : name;
@@ -193,73 +190,49 @@ DataSet openDataSet(const fs::path& path, const std::string& name) {
   return {std::move(file), chosen, std::move(handle), shape};
 }
 
-/// What is asked for: nothing, for the size; else rows of one view.
-struct Request {
-  std::int32_t row = -1;
-  std::int32_t column = 0;
-  std::int32_t first = 0;
-  std::int32_t rows = 0;
+class Hdf5Input : public ImageInput {
+ public:
+  explicit Hdf5Input(DataSet dataSet) : m_dataSet(std::move(dataSet)) {
+    const std::vector<hsize_t>& lengths = m_dataSet.shape.lengths;
+    const StoredType type = m_dataSet.shape.type.value_or(StoredType::uint8);
+    m_facts = {{lengths[3], lengths[2], lengths.size() == 5 ? int(lengths[4]) : 1, type,
+                type == StoredType::uint8 ? 8 : 16, lengths[0] * lengths[1], lengths[1]},
+               "hdf5"};
+    m_facts.bandRows = bandRowsOf(m_facts.width);
+  }
+
+  void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    std::visit([&](auto* rgb) { readAs(frame, first, rows, rgb); }, to);
+  }
+
+ private:
+  template <class T>
+  void readAs(std::size_t frame, std::size_t first, std::size_t rows, T* rgb) const {
+    std::vector<T> values(rows * m_facts.width * std::size_t(m_facts.channels));
+    const std::array<hsize_t, 5> from{frame / m_facts.columns, frame % m_facts.columns, first};
+    const std::array<hsize_t, 5> count{1, 1, rows, m_facts.width, hsize_t(m_facts.channels)};
+    const hid_t type = nativeType(m_facts.type);
+    const hid_t dataSet = m_dataSet.handle.id();
+    const Handle space(H5Dget_space(dataSet), H5Sclose);
+    const int rank = int(m_dataSet.shape.lengths.size());
+    const Handle memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
+    if (H5Dread(dataSet, type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
+      throw InputError(m_dataSet.name + " is damaged", lastError());
+    const std::size_t copies = m_facts.channels == 3 ? 1 : 3;  // grey becomes all three
+    for (const T value : values) {
+      if (std::isnan(double(value))) throw InputError("", "has a value that is not a number");
+      if (std::isinf(double(value))) throw InputError("", "has an infinite value");
+      rgb = std::fill_n(rgb, copies, value);
+    }
+  }
+
+  DataSet m_dataSet;
 };
-
-struct Facts {
-  std::array<std::int32_t, 5> lengths{1, 1, 1, 1, 1};
-  StoredType type = StoredType::uint8;
-};
-
-std::string factsOf(const Shape& shape) {
-  Facts facts;
-  std::ranges::transform(shape.lengths, facts.lengths.begin(),
-                         [](hsize_t length) { return std::int32_t(length); });
-  facts.type = shape.type.value_or(StoredType::uint8);
-  return messageOf(facts);
-}
-
-std::string rowsOf(const DataSet& dataSet, const Request& request) {
-  const Shape& shape = dataSet.shape;
-  const hsize_t channels = shape.lengths.size() == 5 ? shape.lengths[4] : 1;
-  const std::array<hsize_t, 5> from{hsize_t(request.row), hsize_t(request.column),
-                                    hsize_t(request.first), 0, 0};
-  const std::array<hsize_t, 5> count{1, 1, hsize_t(request.rows), shape.lengths[3], channels};
-  const StoredType type = shape.type.value_or(StoredType::uint8);
-  std::string values(H5Tget_size(nativeType(type)) * count[2] * count[3] * count[4], '\0');
-  const Handle space(H5Dget_space(dataSet.handle.id()), H5Sclose);
-  const Handle memory(H5Screate_simple(int(shape.lengths.size()), count.data(), nullptr), H5Sclose);
-  H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
-  if (H5Dread(dataSet.handle.id(), nativeType(type), memory.id(), space.id(), H5P_DEFAULT,
-              values.data()) < 0)
-    throw InputError(dataSet.name + " is damaged", lastError());
-  return values;
-}
-
-Isolated::Service serviceOf(const fs::path& file, const std::string& name) {
-  const auto dataSet = std::make_shared<const DataSet>(openDataSet(file, name));
-  return [dataSet](const std::string& bytes) {
-    const auto request = valueOf<Request>(bytes);
-    return request.row < 0 ? factsOf(dataSet->shape) : rowsOf(*dataSet, request);
-  };
-}
-
-void checkFinite(const std::vector<float>& values, const fs::path& file) {
-  for (const float value : values)
-    if (!std::isfinite(value))
-      throw InputError(
-          file.string(), "",
-          std::isnan(value) ? "has a value that is not a number" : "has an infinite value");
-}
-
-/// Grey becomes red, green and blue.
-template <class T>
-std::vector<T> asColours(std::vector<T> values, std::size_t channels) {
-  if (channels == 3) return values;
-  std::vector<T> colours;
-  colours.reserve(3 * values.size());
-  for (const T value : values) colours.insert(colours.end(), 3, value);
-  return colours;
-}
 
 }  // namespace
 
-bool Hdf5Views::isHdf5(const fs::path& file) {
+bool isHdf5(const fs::path& file) {
   constexpr std::string_view signature("\x89HDF\r\n\x1a\n");
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
@@ -269,40 +242,10 @@ bool Hdf5Views::isHdf5(const fs::path& file) {
   return in && std::string_view(begin.data(), begin.size()) == signature;
 }
 
-Hdf5Views::Hdf5Views(const fs::path& file, const std::string& name)
-    : m_reader(file, [file, name] { return serviceOf(file, name); }), m_file(file) {
-  const auto facts = valueOf<Facts>(m_reader.ask(messageOf(Request{})));
-  const auto& n = facts.lengths;
-  m_size = {n[3], n[2], n[1], n[0]};
-  m_type = facts.type;
-  m_channels = n[4];
-}
-
-std::size_t Hdf5View::width() const {
-  return std::size_t(m_views.size().nx);
-}
-
-void Hdf5View::read(StoredType type, const ImageFile::Band& band, const Progress& progress) {
-  const int height = m_views.size().ny;
-  const auto channels = std::size_t(m_views.m_channels);
-  constexpr int bandPixels = 1 << 20;
-  const int most = bandPixels / int(width()) + 1;
-  withStoredType(type, [&](auto value) {
-    using T = decltype(value);
-    for (int first = 0; first < height; first += most) {
-      reportProgress(progress, double(first) / height);
-      const int rows = std::min(most, height - first);
-      const std::string bytes =
-          m_views.m_reader.ask(messageOf(Request{m_row, m_column, first, rows}), progress);
-      std::vector<T> values(std::size_t(rows) * width() * channels);
-      if (bytes.size() != values.size() * sizeof(T))
-        throw std::logic_error("Hdf5View: an answer of another size");
-      std::memcpy(values.data(), bytes.data(), bytes.size());
-      if constexpr (std::is_same_v<T, float>) checkFinite(values, m_views.m_file);
-      band(std::size_t(first), std::size_t(rows),
-           StoredRows(asColours(std::move(values), channels).data()));
-    }
-  });
+/// libhdf5 1.10 crashes on some damaged files.
+std::unique_ptr<ImageInput> openHdf5(const fs::path& file, const std::string& name) {
+  return isolatedInput(
+      file, [file, name] { return std::make_unique<Hdf5Input>(openDataSet(file, name)); });
 }
 
 }  // namespace hogelscope
