@@ -84,7 +84,7 @@ RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_
 
 RenderedViews SessionViews::render(const RenderRequest& request, const Progress& progress) {
   const auto lock = lockFor(m_mutex, progress);
-  const bool isOwn = !request.light || request.light->lightField().layout == Layout::live;
+  const bool isOwn = !request.light || request.light->lightField().isLive();
   const Session session = request.light ? request.light->in(request.session) : request.session;
   if (request.isIdeal) requireScene(session);
   const std::shared_ptr<Content> content =

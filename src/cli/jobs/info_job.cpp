@@ -198,7 +198,7 @@ void printSession(std::ostream& out, const Session& session) {
       << numberText(session.display.size[1]) << " m, fov " << numberText(session.display.fov[0])
       << "×" << numberText(session.display.fov[1]) << "°\n"
       << "light field " << printable(contentName(session.lightField)) << "\n";
-  if (session.lightField.layout == Layout::live) {
+  if (session.lightField.isLive()) {
     printLive(out, session);
     printSize(out, Display(session.display).size());
   } else {
@@ -250,7 +250,7 @@ AssumedOrder assumedOf(const Subject& subject) {
             Sureness::unknown,
             {"display.hogels and display.directions are not given, and the file does not say them"},
             {}};
-  const LightFieldSize size = session.lightField.layout == Layout::live
+  const LightFieldSize size = session.lightField.isLive()
                                   ? Display(session.display).size()
                                   : openLightField(session.lightField, session.display)->size();
   AssumedOrder assumed = assumedOrder(session.lightField, size, order);
@@ -274,7 +274,7 @@ void printLenslets(std::ostream& out, const FoundLenslets& lenslets) {
 
 void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& assumed) {
   const LightFieldParams& params = assumed.used;
-  if (params.layout == Layout::live || !isWhole(subject.session)) return;
+  if (params.isLive() || !isWhole(subject.session)) return;
   out << "order       rows " << nameOf(assumed.rows) << ", columns " << nameOf(assumed.columns)
       << ": " << nameOf(assumed.sureness) << "\n"
       << "found by    " << subject.order.reason << "\n";

@@ -50,6 +50,7 @@ struct LightFieldParams {
   LiveType type = LiveType::uint8;
   ContentParams content;  ///< of the source
   LiveParams live;        ///< of any source
+  [[nodiscard]] bool isLive() const { return layout == Layout::live; }
   bool operator==(const LightFieldParams&) const = default;
 };
 
@@ -57,10 +58,6 @@ struct LightFieldParams {
 constexpr bool isGridOfViews(Layout layout) {
   return layout == Layout::views || layout == Layout::mosaic;
 }
-
-/// Visits only the fields that the layout has, and those of raw YUV for its files alone; `content`
-/// and `live` are an object of their own, named after the source.
-void describe(ParameterVisitor& v, LightFieldParams& p);
 
 /// Returns what messages call it: its file, that of a live scene, or else the scene's source.
 std::string contentName(const LightFieldParams& params);

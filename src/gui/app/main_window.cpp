@@ -349,9 +349,7 @@ void MainWindow::forgetScene() {
 /// Of an edited live scene all that is shown stays until there is something newer, and edits that
 /// come faster than pictures wait for the next one (loadWhatWaits): else none would ever come.
 void MainWindow::load() {
-  const auto isLive = [](const Session& session) {
-    return session.lightField.layout == Layout::live;
-  };
+  const auto isLive = [](const Session& session) { return session.lightField.isLive(); };
   const bool isEdit = m_loaded && isLive(m_asked) && isLive(m_model->session());
   if (isEdit && m_isAwaited) return;
   m_asked = m_model->session();

@@ -12,7 +12,9 @@
 #include "gui/session/session_forms.h"
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/task.h"
+#include "io/documents/light_field_params.h"
 #include "io/documents/session_file.h"
+#include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
 
 namespace hogelscope {
@@ -22,17 +24,17 @@ namespace {
 /// Returns an edited light field with the fields that another layout or source brings along. Throws
 /// InputError: there is no such source.
 LightFieldParams completed(const LightFieldParams& before, LightFieldParams after) {
-  if (after.layout != before.layout && after.layout == Layout::live) {
+  if (after.layout != before.layout && after.isLive()) {
     after = {};
     after.layout = Layout::live;
     after.source = "scene";
-  } else if (after.layout != Layout::live && before.layout == Layout::live) {
+  } else if (!after.isLive() && before.isLive()) {
     const Layout layout = after.layout;
     after = {};
     after.layout = layout;
   }
   if (after.source != before.source)
-    after.content = after.source.empty() ? ContentParams() : contentOf(after.source);
+    after.content = after.source.empty() ? ContentParams() : contentParamsOf(after.source);
   return after;
 }
 
@@ -95,7 +97,7 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
       lightField.isInMemory()
           ? tr("%1 in memory")
                 .arg(locale().formattedDataSize(qint64(LightField::bytes(size, lightField.type()))))
-      : m_model->session().lightField.layout == Layout::live
+      : m_model->session().lightField.isLive()
           ? tr("traced as each view needs it")
           : tr("in a store, of which each view reads what it needs");
   m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"

@@ -108,7 +108,7 @@ void FileCommands::openLater(const QString& file, bool isAsked) {
 }
 
 void FileCommands::offer(const QString& file, const Opening& opening, bool isAsked) {
-  const bool isLive = opening.around.session.lightField.layout == Layout::live;
+  const bool isLive = opening.around.session.lightField.isLive();
   if (!isLive && (isAsked || isInDoubt(opening))) return ask(file, opening);
   take(file, opening);
   for (const std::string& warning : opening.around.order.warnings)

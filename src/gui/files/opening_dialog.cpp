@@ -10,6 +10,7 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/task.h"
+#include "io/documents/light_field_params.h"
 #include "io/files/folders.h"
 #include "io/layouts/view_sequences.h"
 #include "ui_opening_dialog.h"

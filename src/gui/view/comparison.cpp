@@ -51,7 +51,7 @@ void Comparison::stop() {
 std::optional<Scene> Comparison::other(const Session& session) const {
   if (m_isIdeal) {
     std::optional<Scene> ideal = m_own;
-    if (session.lightField.layout != Layout::live) ideal.reset();
+    if (!session.lightField.isLive()) ideal.reset();
     if (ideal) ideal->isIdeal = true;
     return ideal;
   }

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/cameras/state_list_edits.h"
+#include "io/documents/light_field_params.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
@@ -17,6 +18,7 @@
 #include "io/opening/hogel_grid.h"
 #include "io/opening/tile_grid.h"
 #include "io/plugins/display_json.h"
+#include "io/plugins/plugin_library.h"
 #include "io/scene/fit_mesh.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
@@ -48,8 +50,8 @@ LightFieldParams readLightField(const Json& object) {
   LightFieldParams params;
   JsonReader reader(object, "lightField");
   describe(reader, params);
-  if (params.layout == Layout::live && !params.source.empty()) {
-    params.content = contentOf(params.source);
+  if (params.isLive() && !params.source.empty()) {
+    params.content = contentParamsOf(params.source);
     if (const Json* own = reader.section(params.source); own != nullptr) {
       JsonReader ownReader(*own, reader.pathOf(params.source));
       describe(ownReader, params.content);
@@ -145,14 +147,6 @@ void applyOverride(Json& document, const std::string& text) {
   }
 }
 
-template <class Params>
-Json written(Params params) {
-  Json object = Json::object();
-  JsonWriter writer(object);
-  describe(writer, params);
-  return object;
-}
-
 Json writtenLightField(const LightFieldParams& params) {
   Json object = written(params);
   if (params.content.isGiven()) {
@@ -225,7 +219,7 @@ Session parseSession(const std::string& text, const fs::path& folder,
   if (calibration) applyCalibration(document, *calibration);
   for (const std::string& change : overrides) applyOverride(document, change);
   Session session = readSession(document);
-  if (session.lightField.layout != Layout::live)
+  if (!session.lightField.isLive())
     session.lightField.file = besideDocument(folder, session.lightField.file);
   const auto moved = [&](const std::string& own) { return besideDocument(folder, own); };
   for (std::string* const own :
@@ -464,7 +458,7 @@ Session newSession() {
   session.display.directions = {100, 100};
   session.lightField.layout = Layout::live;
   session.lightField.source = "scene";
-  session.lightField.content = contentOf(session.lightField.source);
+  session.lightField.content = contentParamsOf(session.lightField.source);
   session.cameras = {inFrontOf(session.display)};
   return session;
 }
@@ -476,7 +470,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   Session& session = result.session;
   session.lightField = lightFieldOf(file);
   addState(session, inFrontOf(session.display));
-  if (session.lightField.layout == Layout::live) {
+  if (session.lightField.isLive()) {
     fitMesh(session.lightField, session.display, progress);
   } else {
     Session said = overridden(session, overrides);  // which may say how to read it

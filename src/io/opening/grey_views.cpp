@@ -125,7 +125,7 @@ GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
 
 std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const DisplayParams& display,
                                      const Progress& progress) {
-  if (params.layout == Layout::live) return std::nullopt;
+  if (params.isLive()) return std::nullopt;
   if (params.layout == Layout::views && !isViewSequence(params.file))
     return viewsOfFolder(params, display);
   LightFieldParams asStored = withoutOrder(params);

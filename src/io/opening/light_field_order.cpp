@@ -285,7 +285,7 @@ LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const Displa
                                     const Progress& progress) {
   LightFieldOrder order;
   order.found = params;
-  if (params.layout == Layout::live) {
+  if (params.isLive()) {
     order.sureness = Sureness::sure;
     order.reason = "the scene is computed in this order";
     return order;

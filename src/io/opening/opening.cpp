@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "io/documents/light_field_params.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/layouts/view_layouts.h"
@@ -65,13 +66,6 @@ bool isOnePicture(const LightFieldParams& params) {
          params.layout == Layout::lenslets;
 }
 
-Json lightFieldJson(LightFieldParams params) {
-  Json object = Json::object();
-  JsonWriter writer(object);
-  describe(writer, params);
-  return object;
-}
-
 std::array<int, 2> pictureSize(const LightFieldParams& params) {
   if (!isOnePicture(params)) return {0, 0};
   try {
@@ -108,9 +102,7 @@ class Assumptions {
       m_list.push_back({what, value, reason, sureness});
   }
 
-  [[nodiscard]] std::string nameOfLayout() const {
-    return lightFieldJson(m_used)["layout"].get<std::string>();
-  }
+  [[nodiscard]] std::string nameOfLayout() const { return std::string(nameOf(m_used.layout)); }
 
   [[nodiscard]] std::string layoutReason() const {
     switch (m_used.layout) {
@@ -229,7 +221,7 @@ void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
 
 /// What is said of tiles that were guessed holds for their layout alone, and for all their numbers.
 void sayTiles(SaidFields& said, const LightFieldParams& params) {
-  const Json fields = lightFieldJson(params);
+  const Json fields = written(params);
   said["lightField.layout"] = fields["layout"].dump();
   if (params.layout == Layout::quilt && params.quiltColumns > 0 && params.quiltRows > 0)
     for (const char* name : {"columns", "rows"})
@@ -268,7 +260,7 @@ Opening lookAt(const std::string& file, const SaidFields& said, const Progress& 
   const std::string source = sourceOf(file, said);
   try {
     opening.around = orderedSessionAround(source, overridesOf(said), progress);
-    if (session.lightField.layout != Layout::live)
+    if (!session.lightField.isLive())
       opening.size = openLightField(session.lightField, session.display, progress)->size();
     check(session);
   } catch (const InputError& error) {
@@ -307,7 +299,7 @@ Session shownOf(const Opening& opening) {
 
 SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
                      const std::array<int, 2>& picture) {
-  const Json layout = lightFieldJson(edited.lightField)["layout"];
+  const Json layout = written(edited.lightField)["layout"];
   if (edited.lightField.layout != shown.lightField.layout)
     return {{"lightField.layout", layout.dump()}};
   if (edited.lightField.layout == Layout::mosaic) {
@@ -316,8 +308,7 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
   }
   if (edited.lightField.layout == Layout::hogels && picture[0] > 0)
     edited.display = completed(edited.display, shown.display, picture);
-  sayChanges(said, "lightField", lightFieldJson(shown.lightField),
-             lightFieldJson(edited.lightField));
+  sayChanges(said, "lightField", written(shown.lightField), written(edited.lightField));
   sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
   if (isOfTiles(edited.lightField.layout)) sayTiles(said, edited.lightField);
   return said;

@@ -2,32 +2,14 @@
 // The order of a light field's views for programs.
 #include "io/opening/order_document.h"
 
+#include "io/documents/light_field_params.h"
 #include "io/json/json_parameters.h"
 
 namespace hogelscope {
 
 namespace {
 
-const char* nameOf(Layout layout) {
-  switch (layout) {
-    case Layout::views:
-      return "views";
-    case Layout::quilt:
-      return "quilt";
-    case Layout::mosaic:
-      return "mosaic";
-    case Layout::lenslets:
-      return "lenslets";
-    case Layout::pack:
-      return "pack";
-    case Layout::live:
-      return "live";
-    default:
-      return "hogels";
-  }
-}
-
-Json written(const FoundLenslets& lenslets) {
+Json lensletsJson(const FoundLenslets& lenslets) {
   const LensletLattice& lattice = lenslets.lattice;
   Json object = Json::object();
   object["pitch"] = lattice.pitch();
@@ -73,7 +55,7 @@ std::string orderDocument(const AssumedOrder& assumed) {
   document["columns"] = nameOf(assumed.columns);
   document["shear"] = assumed.used.shear;
   document["confidence"] = nameOf(assumed.sureness);
-  if (assumed.lenslets) document["lenslets"] = written(*assumed.lenslets);
+  if (assumed.lenslets) document["lenslets"] = lensletsJson(*assumed.lenslets);
   document["warnings"] = assumed.warnings;
   return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,10 +7,6 @@
 
 namespace hogelscope {
 
-/// Returns the parameters of content by its name in sessions: "scene", or a plugin's. Throws
-/// InputError for an unknown name, and what is wrong with a plugin.
-ContentParams contentOf(const std::string& source);
-
 /// Whether the name is that of a mesh: of a kind that the plugin "mesh" shows, .glb, .gltf, .obj or
 /// .ply, or of another one, which lightFieldOfMesh() refuses.
 bool isMeshFile(const std::string& file);

@@ -52,7 +52,7 @@ LightFieldParams lightFieldOf(const std::string& file) {
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = params.layout == Layout::live || isMeshFile(file) ||
+  const bool isAnotherKind = params.isLive() || isMeshFile(file) ||
                              holdsViews(file) != (params.layout == Layout::views) ||
                              LightFieldStore::isStore(file) != (params.layout == Layout::pack);
   LightFieldParams result = isAnotherKind ? lightFieldOf(file) : params;
@@ -92,8 +92,7 @@ bool readTheSame(const Session& a, const Session& b) {
                             ours.lens == others.lens && ours.lensSource == others.lensSource &&
                             ours.lensParams == others.lensParams;
   return a.lightField == b.lightField && ours.hogels == others.hogels &&
-         ours.directions == others.directions &&
-         (haveSameRays || a.lightField.layout != Layout::live);
+         ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
 }
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
@@ -104,8 +103,7 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file) {
 }
 
 void requireScene(const Session& session) {
-  if (session.lightField.layout != Layout::live)
-    throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
+  if (!session.lightField.isLive()) throw InputError("lightField.layout", noIdealView);
 }
 
 Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {

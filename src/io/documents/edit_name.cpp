@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares states and sessions by a visitor of their descriptions.
-#include "core/cameras/edit_name.h"
+#include "io/documents/edit_name.h"
 
 #include <algorithm>
 #include <vector>
+
+#include "io/documents/light_field_params.h"
 
 namespace hogelscope {
 

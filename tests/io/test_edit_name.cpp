@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the name of the field that an edit changes.
-#include "core/cameras/edit_name.h"
+#include "io/documents/edit_name.h"
 
 #include <QTest>
 #include <functional>
