@@ -149,10 +149,7 @@ void LightFieldDock::chooseMesh(const QString& file) {
 }
 
 void LightFieldDock::askFile() {
-  const QString file = chooseFile(this, tr("Choose light field"),
-                                  tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
-                                     "*.pgx *.yuv *.exr *.glb *.gltf "
-                                     "*.obj *.ply);;All files (*)"));
+  const QString file = chooseFile(this, tr("Choose light field"), lightFieldFilter());
   if (!file.isEmpty()) choose(file);
 }
 

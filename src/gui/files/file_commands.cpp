@@ -261,10 +261,7 @@ void FileCommands::askOpen() {
 }
 
 void FileCommands::askLightField(bool isAsked) {
-  const QString file = chooseFile(m_window, tr("Open light field"),
-                                  tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
-                                     "*.pgx *.yuv *.exr *.glb *.gltf "
-                                     "*.obj *.ply);;All files (*)"));
+  const QString file = chooseFile(m_window, tr("Open light field"), lightFieldFilter());
   if (!file.isEmpty() && mayLeave()) isAsked ? openLater(file, true) : void(open(file));
 }
 

@@ -157,8 +157,7 @@ void ImageCommands::copy() {
 
 void ImageCommands::askFile() {
   const QString file = chooseFile(m_ui.pictureView, tr("Compare with light field"),
-                                  tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr "
-                                     "*.hogelscope *.json);;All files (*)"));
+                                  lightFieldFilter(sessionPatterns));
   if (!file.isEmpty()) compareWith(file);
 }
 

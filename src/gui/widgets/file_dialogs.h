@@ -12,6 +12,10 @@ namespace hogelscope {
 
 /// Returns the filter of the dialogs that ask for a session.
 QString sessionFilter();
+/// Returns that of the dialogs that ask for a light field; `more` are other patterns it offers.
+QString lightFieldFilter(const QString& more = {});
+/// What lightFieldFilter() offers where a session may stand for its light field.
+inline constexpr const char* sessionPatterns = " *.hogelscope *.json";
 
 /// All of them return nothing where the user does not choose. `filter` is as QFileDialog's.
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
