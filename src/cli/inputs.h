@@ -11,13 +11,10 @@
 #include "cli/command_line.h"
 #include "core/base/shard.h"
 #include "core/optics/session.h"
-#include "io/documents/session_file.h"
 #include "io/layouts/light_field_file.h"
+#include "io/opening/session_around.h"
 
 namespace hogelscope {
-
-/// Whether a file is a session, not a light field that a session is made around.
-bool isSessionDocument(const std::string& file);
 
 /// The session that --session names, or a new one around a folder, a picture or a mesh, with --set,
 /// and with --calibration if the job has it. What its pictures say against the order of its views

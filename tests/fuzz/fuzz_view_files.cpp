@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "capture/names/name_pattern.h"
-#include "io/layouts/view_files.h"
+#include "io/layouts/layouts.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -7,6 +7,7 @@
 
 #include "io/documents/session_file.h"
 #include "io/opening/capture_geometry.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "tests/core/random.h"
 #include "tests/core/rendered.h"

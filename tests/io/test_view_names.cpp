@@ -6,7 +6,7 @@
 #include <random>
 
 #include "capture/names/name_pattern.h"
-#include "io/layouts/view_files.h"
+#include "io/layouts/layouts.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

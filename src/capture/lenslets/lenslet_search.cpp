@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "capture/lenslets/lenslet_spectrum.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 

@@ -2,6 +2,7 @@
 // Finds the lenslets in a picture of even light (docs/formulas.md, Lenslets).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "capture/lenslets/lenslet_lattice.h"
@@ -26,5 +27,11 @@ struct FoundLenslets {
 /// regular grid of lenslets in it. Throws Cancelled.
 FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& params,
                            const Progress& progress = {});
+
+/// Returns a first guess at the step of a row from the peaks of the spectrum of the picture's
+/// middle, good to some hundredths of a pixel; a pitch or rotation that is given restricts where
+/// they are looked for. None if there are none.
+std::optional<PicturePoint> stepFromSpectrum(const LensletPlane& picture,
+                                             const LensletParams& params);
 
 }  // namespace hogelscope

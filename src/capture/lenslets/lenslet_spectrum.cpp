@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A first guess at the lenslets of a picture, from the peaks of its spectrum.
-#include "capture/lenslets/lenslet_spectrum.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
+
+#include "capture/lenslets/lenslet_search.h"
 
 namespace hogelscope {
 

@@ -84,23 +84,9 @@ class PartReader {
   std::size_t m_stem;
 };
 
-std::optional<double> coordinateOf(const std::string& text) {
-  double value = 0;
-  const char* const begin = text.data() + (text.front() == '+' ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-  const bool isNumber = error == std::errc() && end == text.data() + text.size();
-  return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 bool isInteger(const std::string& text) {
   constexpr std::size_t mostDigits = 18;  // of an int64_t
   return text.size() <= mostDigits && std::all_of(text.begin(), text.end(), isDigit);
-}
-
-std::int64_t integerOf(const std::string& text) {
-  std::int64_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
 }
 
 /// The numbers at one place of a series' names.
@@ -190,7 +176,8 @@ class Readings {
   /// Whether the numbers are those of a count: each of them once, none left out.
   [[nodiscard]] bool isCounting(const NumberColumn& column) const {
     std::set<std::int64_t> numbers;
-    for (const NameParts& parts : m_series.parts) numbers.insert(integerOf(parts[column.part]));
+    for (const NameParts& parts : m_series.parts)
+      numbers.insert(viewNamed({}, {{'N', parts[column.part]}}).number.value_or(0));
     return numbers.size() == m_series.parts.size() &&
            *numbers.rbegin() - *numbers.begin() + 1 == std::int64_t(numbers.size());
   }
@@ -267,16 +254,9 @@ std::vector<std::vector<SeriesReading>> readingsOf(const NameSeries& series) {
 std::vector<NamedView> viewsOf(const NameSeries& series, const SeriesReading& reading) {
   std::vector<NamedView> views;
   for (std::size_t k = 0; k < series.files.size(); ++k) {
-    NamedView view{series.files[k], {}, {}, {}, {}, {}};
-    for (const auto& [letter, part] : reading) {
-      const std::string& text = series.parts[k][part];
-      if (letter == 'x' || letter == 'y') {
-        (letter == 'x' ? view.x : view.y) = coordinateOf(text);
-        continue;
-      }
-      (letter == 'R' ? view.row : letter == 'C' ? view.column : view.number) = integerOf(text);
-    }
-    views.push_back(std::move(view));
+    std::map<char, std::string> numbers;
+    for (const auto& [letter, part] : reading) numbers[letter] = series.parts[k][part];
+    views.push_back(viewNamed(series.files[k], numbers));
   }
   return views;
 }

@@ -3,6 +3,7 @@
 #include "capture/names/view_grid.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -66,8 +67,8 @@ bool mayBeSparse(const std::vector<NamedView>& views, double cells) {
                               double cells, double columns, double rows) {
   std::string advice;
   if (source.directions[0] > 0)
-    advice = "they are no part of a grid of " + std::to_string(source.directions[0]) + "×" +
-             std::to_string(source.directions[1]) + ": mend display.directions";
+    advice = "they are no part of a grid of " +
+             pairText(source.directions[0], source.directions[1]) + ": mend display.directions";
   else if (mayBeSparse(views, columns * rows))
     advice = "if the others are missing give display.directions, such as [" + numberText(columns) +
              "," + numberText(rows) + "]";
@@ -214,7 +215,7 @@ Running runningOf(std::int64_t first, std::size_t count, const GridSource& sourc
   if (!isCount(count, source))
     throw InputError(source.folder.string(), "views",
                      std::to_string(count) + " views do not make a grid of " +
-                         std::to_string(columns) + "×" + std::to_string(rows) +
+                         pairText(source.directions[0], source.directions[1]) +
                          "; mend display.directions");
   const std::int64_t last = first + std::int64_t(count) - 1;
   const auto cellCount = std::int64_t(cells);
@@ -258,7 +259,32 @@ std::string surplusText(const std::vector<NamedView>& views, const GridSource& s
          ",1] says that it is a row";
 }
 
+std::optional<double> coordinateOf(const std::string& text) {
+  double value = 0;
+  const char* const begin = text.data() + (text.front() == '+' ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+  const bool isNumber = error == std::errc() && end == text.data() + text.size();
+  return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::int64_t integerOf(const std::string& text) {
+  std::int64_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 }  // namespace
+
+NamedView viewNamed(const fs::path& file, const std::map<char, std::string>& numbers) {
+  NamedView view{file, {}, {}, {}, {}, {}};
+  for (const auto& [letter, text] : numbers) {
+    if (letter == 'x' || letter == 'y')
+      (letter == 'x' ? view.x : view.y) = coordinateOf(text);
+    else
+      (letter == 'R' ? view.row : letter == 'C' ? view.column : view.number) = integerOf(text);
+  }
+  return view;
+}
 
 SequenceGrid gridOfSequence(std::size_t count, const GridSource& source) {
   const Running running = runningOf(0, count, source);

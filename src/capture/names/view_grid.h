@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ struct NamedView {
   std::optional<double> x;
   std::optional<double> y;
 };
+
+/// Reads the numbers and coordinates of a name by their letters: R row, C column, N running number,
+/// x and y. Coordinates that are no finite numbers are left out.
+NamedView viewNamed(const std::filesystem::path& file, const std::map<char, std::string>& numbers);
 
 /// A grid of views, row by row, both numbers ascending as the file names have them.
 struct ViewFiles {

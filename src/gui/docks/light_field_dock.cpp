@@ -13,9 +13,10 @@
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
-#include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
+#include "io/scene/scene.h"
 
 namespace hogelscope {
 

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 
 namespace hogelscope {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "io/layouts/view_files.h"
+#include "capture/names/view_grid.h"
 
 namespace hogelscope {
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture of a light field's views as they are put on the display, with arrows.
-#include "io/opening/contact_sheet.h"
-
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "io/images/image_writer.h"
 #include "io/opening/grey_views.h"
+#include "io/opening/opening.h"
 
 namespace hogelscope {
 
@@ -189,13 +187,6 @@ Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
   Image image(sheet.cols, sheet.rows);
   image.rgb.assign(sheet.data, sheet.data + 3 * sheet.total());
   return image;
-}
-
-void writeContactSheet(const std::filesystem::path& file, const LightFieldOrder& order,
-                       const AssumedOrder& assumed, const DisplayParams& display,
-                       const Progress& progress) {
-  const Image sheet = contactSheet(order, assumed, display, progress);
-  writeImage(file, sheet.width, sheet.height, sheet.rgb, progress);
 }
 
 }  // namespace hogelscope

@@ -10,9 +10,7 @@
 #include "core/base/error.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
-#include "io/layouts/scattered_file.h"
-#include "io/layouts/view_files.h"
-#include "io/layouts/view_sequences.h"
+#include "io/layouts/picture_files.h"
 #include "io/scene/scene.h"
 
 namespace hogelscope {
@@ -32,17 +30,14 @@ GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
   GreyPicture picture{int(image.width()), int(image.height()), {}};
   checkFits(image.width() * image.height(), file, {});
   picture.values.reserve(image.width() * image.height());
-  image.read(
-      image.type(),
-      [&](std::size_t, std::size_t rows, const StoredRows& values) {
-        std::visit(
-            [&](const auto* rgb) {
-              for (std::size_t k = 0; k < rows * image.width(); ++k)
-                picture.values.push_back(greyOf(rgb + 3 * k));
-            },
-            values);
-      },
-      progress);
+  const auto take = [&](std::size_t, std::size_t rows, const StoredRows& values) {
+    const auto addAll = [&](const auto* rgb) {
+      for (std::size_t k = 0; k < rows * image.width(); ++k, rgb += 3)
+        picture.values.push_back(greyOf(rgb));
+    };
+    std::visit(addAll, values);
+  };
+  image.read(image.type(), take, progress);
   return picture;
 }
 
@@ -55,7 +50,6 @@ GreyPicture fitted(GreyPicture picture, const GreyPicture& like) {
 GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& display) {
   const auto files = std::make_shared<const ViewFiles>(findViews(params, display.directions));
   GreyViews views;
-  for (const auto& file : files->files) views.names.push_back(file.filename().string());
   views.columnsFromTo = files->columnsFromTo;
   views.rowsFromTo = files->rowsFromTo;
   for (const std::string& line : {files->missing, files->surplus})
@@ -134,8 +128,7 @@ std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const Displ
   const LightFieldSize size = file->size();
   constexpr double mostPixels = 3e8;  // a few seconds
   if (double(size.width()) * double(size.height()) > mostPixels) return std::nullopt;
-  if (params.layout == Layout::quilt || params.layout == Layout::mosaic)
-    return viewsOfTiles(params, size, progress);
+  if (typeOf(params.layout).isOfTiles) return viewsOfTiles(params, size, progress);
   if (!fitsInMemory(*file, allowedMemory())) return std::nullopt;
   return viewsInMemory(*file, progress);
 }

@@ -16,8 +16,7 @@ namespace hogelscope {
 /// are not applied.
 struct GreyViews {
   GreyGrid grid;
-  std::vector<std::string> names;  ///< of the files, row by row; empty unless views have files
-  std::string pattern;             ///< of the names
+  std::string pattern;  ///< of the names of its files
   /// Where the first and the last column (x) and row (y) were taken from, as the file names have
   /// it.
   std::optional<std::array<double, 2>> columnsFromTo;

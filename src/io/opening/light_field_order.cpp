@@ -338,4 +338,11 @@ std::string contradictionOf(const LightFieldParams& used, const LightFieldOrder&
   return text + " (" + nameOf(order.sureness) + ")";
 }
 
+std::vector<std::string> warningsOf(const LightFieldParams& used, const LightFieldOrder& order) {
+  std::vector<std::string> lines = order.warnings;
+  lines.push_back(contradictionOf(used, order));
+  if (lines.back().empty()) lines.pop_back();
+  return lines;
+}
+
 }  // namespace hogelscope

@@ -3,9 +3,11 @@
 // names; what a session says against them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "capture/lenslets/lenslet_search.h"
 #include "capture/order/view_order.h"
 #include "core/optics/display.h"
 
@@ -39,9 +41,31 @@ std::vector<std::string> mendingOf(const LightFieldParams& used, const LightFiel
 /// Returns a line for the user if `used` contradicts what was found, with what mends it; else "".
 std::string contradictionOf(const LightFieldParams& used, const LightFieldOrder& order);
 
+/// Returns all lines for the user: the warnings, and contradictionOf() if there is one.
+std::vector<std::string> warningsOf(const LightFieldParams& used, const LightFieldOrder& order);
+
 /// Returns the parameters that were found with the order that `used` has, and the shear that puts
 /// the middle depth on the panel in that order.
 LightFieldParams withOrderOf(const LightFieldParams& used, const LightFieldOrder& order);
+
+/// What is assumed of a light field, and how sure that is.
+struct AssumedOrder {
+  LightFieldParams used;
+  LightFieldSize size;
+  RowOrder rows = RowOrder::topDown;
+  ColumnOrder columns = ColumnOrder::leftRight;
+  Sureness sureness = Sureness::unknown;
+  std::vector<std::string> warnings;
+  std::optional<FoundLenslets> lenslets;  ///< of the layout of that name
+  bool isChosen = false;                  ///< by the user, whatever the pictures say
+};
+
+/// Says what `used` assumes. What contradicts the content is unknown, with a warning that mends it.
+AssumedOrder assumedOrder(const LightFieldParams& used, const LightFieldSize& size,
+                          const LightFieldOrder& order);
+
+/// {"layout", "hogels", "directions", "rows", "columns", "shear", "confidence", "warnings"}
+std::string orderDocument(const AssumedOrder& assumed);
 
 RowOrder reversed(RowOrder order);
 ColumnOrder reversed(ColumnOrder order);

@@ -11,9 +11,6 @@
 #include "io/documents/light_field_params.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
-#include "io/layouts/view_layouts.h"
-#include "io/layouts/view_sequences.h"
-#include "io/opening/contact_sheet.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/scene.h"
 
@@ -56,14 +53,9 @@ bool hasPictures(const std::string& file) {
   return std::ranges::any_of(files, isPicture);
 }
 
-bool isOfTiles(Layout layout) {
-  return layout == Layout::quilt || layout == Layout::mosaic;
-}
-
 /// Whether the light field is one picture that ImageFile reads.
 bool isOnePicture(const LightFieldParams& params) {
-  return params.layout == Layout::hogels || isOfTiles(params.layout) ||
-         params.layout == Layout::lenslets;
+  return typeOf(params.layout).holder == Holder::picture;
 }
 
 std::array<int, 2> pictureSize(const LightFieldParams& params) {
@@ -80,8 +72,14 @@ std::array<int, 2> pictureSize(const LightFieldParams& params) {
 class Assumptions {
  public:
   Assumptions(const Opening& opening, const SaidFields& said)
-      : m_opening(opening), m_used(opening.around.session.lightField), m_said(said) {
-    add("Layout", nameOfLayout(), layoutReason(), layoutSureness(), "lightField.layout");
+      : m_opening(opening),
+        m_used(opening.around.session.lightField),
+        m_found(typeOf(m_used.layout).foundBy(m_used)),
+        m_said(said) {
+    const bool isUnseen = m_used.layout == Layout::hogels && !isFound(opening.around.hogels);
+    add("Layout", std::string(nameOf(m_used.layout)),
+        isUnseen ? "no borders of hogels stand out in the picture" : m_found.layout,
+        isOnePicture(m_used) ? opening.around.hogels : Sureness::sure, "lightField.layout");
     addSize();
     if (opening.size.nx > 0 && opening.size.du * opening.size.dv > 1) addOrder();
     if (m_used.viewingDistance > 0 && !isSaid("lightField.viewingDistance"))
@@ -102,53 +100,15 @@ class Assumptions {
       m_list.push_back({what, value, reason, sureness});
   }
 
-  [[nodiscard]] std::string nameOfLayout() const { return std::string(nameOf(m_used.layout)); }
-
-  [[nodiscard]] std::string layoutReason() const {
-    switch (m_used.layout) {
-      case Layout::views:
-        return isFolder(m_used.file) ? "a folder of pictures" : "frames of one file";
-      case Layout::quilt:
-        return isNamedQuilt() ? "the file's name" : "a few large tiles";
-      case Layout::mosaic:
-        return "a few large tiles with parallax along both axes";
-      case Layout::hogels:
-        return m_opening.around.hogels == Sureness::unknown
-                   ? "no borders of hogels stand out in the picture"
-                   : "borders of hogels in the picture";
-      default:
-        return "the file says it";
-    }
-  }
-
-  [[nodiscard]] Sureness layoutSureness() const {
-    return isOnePicture(m_used) ? m_opening.around.hogels : Sureness::sure;
-  }
-  [[nodiscard]] bool isNamedQuilt() const { return quiltTilesFromName(m_used.file)[0] > 0; }
+  [[nodiscard]] static bool isFound(Sureness sureness) { return sureness != Sureness::unknown; }
 
   void addSize() {
     const LightFieldSize& size = m_opening.size;
     if (size.nx == 0) return;
-    const auto pair = [](int a, int b) { return std::to_string(a) + "×" + std::to_string(b); };
-    const std::string value =
-        pair(size.nx, size.ny) + " hogels of " + pair(size.du, size.dv) + " directions";
-    if (m_used.layout == Layout::hogels) {
-      const bool hasHogels = isSaid("display.hogels");
-      add("Size", value, "borders of hogels in the picture", m_opening.around.hogels,
-          hasHogels ? "display.hogels" : "display.directions");
-    } else {
-      const bool isNamed = m_used.layout == Layout::quilt && isNamedQuilt();
-      add("Size", value,
-          m_used.layout == Layout::views      ? "size and number of the pictures"
-          : m_used.layout == Layout::lenslets ? "a regular grid of lenslets in the picture"
-          : isNamed                           ? "the file's name"
-          : isOfTiles(m_used.layout)          ? "tiles in the picture"
-                                              : "the file says it",
-          m_opening.around.hogels,
-          isGridOfViews(m_used.layout)     ? "display.directions"
-          : m_used.layout == Layout::quilt ? "lightField.columns"
-                                           : "");
-    }
+    const bool areHogelsSaid = m_used.layout == Layout::hogels && isSaid("display.hogels");
+    add("Size",
+        pairText(size.nx, size.ny) + " hogels of " + pairText(size.du, size.dv) + " directions",
+        m_found.size, m_opening.around.hogels, areHogelsSaid ? "display.hogels" : m_found.field);
   }
 
   void addOrder() {
@@ -156,7 +116,6 @@ class Assumptions {
     const AssumedOrder assumed = assumedOrder(m_used, m_opening.size, order);
     const std::string contradiction = contradictionOf(m_used, order);
     const bool isViews = isGridOfViews(m_used.layout);
-    const bool isFound = order.sureness != Sureness::unknown;
     Assumption entry{
         "Order",
         std::string("rows ") + nameOf(assumed.rows) + ", columns " + nameOf(assumed.columns),
@@ -167,7 +126,7 @@ class Assumptions {
       entry.sureness = Sureness::sure;
       if (!contradiction.empty()) entry.reason += ", but " + contradiction;
     } else if (!isViews && !m_used.incoming) {
-      if (!isFound) entry.reason = "as the layout has it; " + order.reason;
+      if (!isFound(order.sureness)) entry.reason = "as the layout has it; " + order.reason;
       entry.isUsual = true;
     }
     m_list.push_back(entry);
@@ -180,6 +139,7 @@ class Assumptions {
 
   const Opening& m_opening;
   const LightFieldParams& m_used;
+  FoundBy m_found;
   const SaidFields& m_said;
   std::vector<Assumption> m_list;
 };
@@ -191,19 +151,14 @@ Image smaller(const LightFieldParams& params, int side, const Progress& progress
   const std::size_t step =
       std::max<std::size_t>(1, (longest + std::size_t(side) - 1) / std::size_t(side));
   Image image(int((file.width() + step - 1) / step), int((file.height() + step - 1) / step));
-  const auto width = std::size_t(image.width);
-  file.read(
-      StoredType::uint8,
-      [&](std::size_t first, std::size_t rows, const StoredRows& values) {
-        const auto* rgb = std::get<const std::uint8_t*>(values);
-        for (std::size_t y = first; y < first + rows; ++y) {
-          if (y % step != 0) continue;
-          const std::uint8_t* row = rgb + 3 * file.width() * (y - first);
-          for (std::size_t x = 0; x < width; ++x)
-            std::copy_n(row + 3 * step * x, 3, &image.rgb[3 * (y / step * width + x)]);
-        }
-      },
-      progress);
+  std::uint8_t* to = image.rgb.data();
+  const auto take = [&](std::size_t first, std::size_t rows, const StoredRows& values) {
+    const auto* rgb = std::get<const std::uint8_t*>(values);
+    for (std::size_t y = first; y < first + rows; ++y, rgb += 3 * file.width())
+      for (std::size_t x = 0; y % step == 0 && x < file.width(); x += step)
+        to = std::copy_n(rgb + 3 * x, 3, to);
+  };
+  file.read(StoredType::uint8, take, progress);
   return image;
 }
 
@@ -254,7 +209,7 @@ DisplayParams completed(DisplayParams display, const DisplayParams& shown,
 
 }  // namespace
 
-Opening lookAt(const std::string& file, const SaidFields& said, const Progress& progress) {
+Opening inspectFile(const std::string& file, const SaidFields& said, const Progress& progress) {
   Opening opening;
   Session& session = opening.around.session;
   const std::string source = sourceOf(file, said);
@@ -275,6 +230,17 @@ Opening lookAt(const std::string& file, const SaidFields& said, const Progress& 
   return opening;
 }
 
+std::vector<std::string> examine(const LightFieldParams& lightField, const DisplayParams& display,
+                                 const Progress& progress) {
+  std::vector<std::string> lines;
+  if (isGridOfViews(lightField.layout))
+    lines = warningsOf(lightField, findLightFieldOrder(lightField, display, progress));
+  else if (lightField.layout == Layout::lenslets)
+    lines = {warningOf(lightField, lensletsOf(lightField, display, progress))};
+  std::erase(lines, "");
+  return lines;
+}
+
 bool isInDoubt(const Opening& opening) {
   return !opening.problem.empty() ||
          std::ranges::any_of(opening.assumptions, [](const Assumption& each) {
@@ -290,7 +256,7 @@ Session shownOf(const Opening& opening) {
   session.display.directions = {size.du, size.dv};
   LightFieldParams& lightField = session.lightField;
   if (lightField.layout == Layout::quilt && lightField.quiltColumns == 0) {
-    const auto [columns, rows] = quiltTilesFromName(lightField.file);
+    const auto [columns, rows] = quiltNameOf(lightField.file).tiles;
     lightField.quiltColumns = columns;
     lightField.quiltRows = rows;
   }
@@ -310,7 +276,7 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
     edited.display = completed(edited.display, shown.display, picture);
   sayChanges(said, "lightField", written(shown.lightField), written(edited.lightField));
   sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
-  if (isOfTiles(edited.lightField.layout)) sayTiles(said, edited.lightField);
+  if (typeOf(edited.lightField.layout).isOfTiles) sayTiles(said, edited.lightField);
   return said;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/optics/image.h"
-#include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 
 namespace hogelscope {
 
@@ -35,7 +35,13 @@ struct Opening {
 /// Looks at a light field and says what is assumed of what nobody said. A picture of layout "views"
 /// stands for the folder that it is in. Throws InputError where nothing that could be said makes a
 /// light field of the file; Cancelled.
-Opening lookAt(const std::string& file, const SaidFields& said, const Progress& progress);
+Opening inspectFile(const std::string& file, const SaidFields& said, const Progress& progress);
+
+/// Returns lines for the user on what the pictures of a session's light field say against it: the
+/// order of views, views that are missing, lenslets that do not lie on a regular grid. Looks at
+/// views, mosaics and lenslets alone. Throws InputError, Cancelled.
+std::vector<std::string> examine(const LightFieldParams& lightField, const DisplayParams& display,
+                                 const Progress& progress = {});
 
 /// Whether something is a guess that a user should see before it is used.
 bool isInDoubt(const Opening& opening);
@@ -49,9 +55,16 @@ Session shownOf(const Opening& opening);
 SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
                      const std::array<int, 2>& picture);
 
-/// Returns the views as the opening has them, up to 5×5 (contact_sheet.h), or the picture itself,
+/// Returns the views as the opening has them, up to 5×5 (contactSheet), or the picture itself,
 /// smaller, while it is not known what it shows. Throws InputError, also for what is computed or
 /// too large; Cancelled.
 Image previewOf(const Opening& opening, const Progress& progress);
+
+/// Draws up to 5×5 views where their cameras stand: the left column was taken from the left, the
+/// top row from the top, as `assumed` has it. Arrows in the view in the middle show how its content
+/// moves to the view on the right (yellow) and to the one below (blue). Where the order is not
+/// known, words say what to look for. Throws InputError, or Cancelled.
+Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
+                   const DisplayParams& display, const Progress& progress = {});
 
 }  // namespace hogelscope

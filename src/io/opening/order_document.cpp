@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order of a light field's views for programs.
-#include "io/opening/order_document.h"
-
 #include "io/documents/light_field_params.h"
 #include "io/json/json_parameters.h"
+#include "io/opening/light_field_order.h"
 
 namespace hogelscope {
 

@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/content/cut_edges.h"
-#include "io/layouts/texel_placement.h"
 #include "io/plugins/plugin_library.h"
 
 namespace hogelscope {

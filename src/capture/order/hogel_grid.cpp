@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the borders of hogels.
-#include "io/opening/hogel_grid.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "capture/order/picture_grids.h"
 
 namespace hogelscope {
 
@@ -21,22 +21,18 @@ float greyOf(const float* rgb) {
   return rgb[0] + rgb[1] + rgb[2];
 }
 
-Differences differencesOf(ImageFile& image, const Progress& progress) {
-  const std::size_t width = image.width(), height = image.height();
-  Differences sums{std::vector<double>(width - 1), std::vector<double>(height - 1)};
+Differences differencesOf(const PictureRows& picture, const Progress& progress) {
+  const std::size_t width = picture.width;
+  Differences sums{std::vector<double>(width - 1), std::vector<double>(picture.height - 1)};
   std::vector<float> above, row(width);
-  image.read(
-      StoredType::real,
-      [&](std::size_t first, std::size_t count, const StoredRows& values) {
-        const float* rgb = std::get<const float*>(values);
-        for (std::size_t y = first; y < first + count; ++y) {
-          for (std::size_t x = 0; x < width; ++x, rgb += 3) row[x] = greyOf(rgb);
-          for (std::size_t x = 0; x + 1 < width; ++x)
-            sums.columns[x] += double(std::abs(row[x + 1] - row[x]));
-          for (std::size_t x = 0; x < width && !above.empty(); ++x)
-            sums.rows[y - 1] += double(std::abs(row[x] - above[x]));
-          above = row;
-        }
+  picture.read(
+      [&](std::size_t y, const float* rgb) {
+        for (std::size_t x = 0; x < width; ++x, rgb += 3) row[x] = greyOf(rgb);
+        for (std::size_t x = 0; x + 1 < width; ++x)
+          sums.columns[x] += double(std::abs(row[x + 1] - row[x]));
+        for (std::size_t x = 0; x < width && !above.empty(); ++x)
+          sums.rows[y - 1] += double(std::abs(row[x] - above[x]));
+        above = row;
       },
       progress);
   return sums;
@@ -110,12 +106,12 @@ Tile tileOf(const std::vector<double>& differences) {
 
 }  // namespace
 
-std::optional<HogelGrid> findHogelGrid(ImageFile& image, const Progress& progress) {
-  if (image.width() < 4 || image.height() < 4) return std::nullopt;
-  const Differences differences = differencesOf(image, progress);
+std::optional<HogelGrid> findHogelGrid(const PictureRows& picture, const Progress& progress) {
+  if (picture.width < 4 || picture.height < 4) return std::nullopt;
+  const Differences differences = differencesOf(picture, progress);
   const Tile across = tileOf(differences.columns), down = tileOf(differences.rows);
   if (across.period == 0 || down.period == 0) return std::nullopt;
-  return HogelGrid{{int(image.width() / across.period), int(image.height() / down.period)},
+  return HogelGrid{{int(picture.width / across.period), int(picture.height / down.period)},
                    {int(across.period), int(down.period)},
                    std::min(across.standOut, down.standOut)};
 }

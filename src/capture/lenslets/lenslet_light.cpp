@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light under lenslets.
-#include "io/layouts/lenslet_light.h"
+#include "capture/lenslets/lenslet_light.h"
 
 #include <algorithm>
 #include <array>
@@ -8,25 +8,10 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "io/files/system_limits.h"
-#include "io/layouts/texel_placement.h"
 
 namespace hogelscope {
 
 namespace {
-
-/// Calls use(p, rgb) for every pixel p, from the top.
-template <class Use>
-void readPixels(ImageFile& image, const Use& use, const Progress& progress) {
-  image.read(
-      StoredType::real,
-      [&](std::size_t first, std::size_t rows, const StoredRows& values) {
-        const float* rgb = std::get<const float*>(values);
-        for (std::size_t k = 0; k < rows * image.width(); ++k)
-          use(first * image.width() + k, rgb + 3 * k);
-      },
-      progress);
-}
 
 /// Bilinear between the middles of pixels; `put(pixel, weight)` takes up to four. Half a pixel
 /// beyond the outer ones is still theirs, and nothing lies farther out.
@@ -71,28 +56,6 @@ Between lensletsOfHogel(const LensletLattice& lattice, int i, int j) {
 
 }  // namespace
 
-LensletPlane readGreyPlane(ImageFile& image, const Progress& progress) {
-  checkFits(sizeof(float) * image.width() * image.height(), image.file(), {});
-  LensletPlane plane{int(image.width()), int(image.height()), {}};
-  plane.values.resize(image.width() * image.height());
-  readPixels(
-      image,
-      [&](std::size_t p, const float* rgb) { plane.values[p] = (rgb[0] + rgb[1] + rgb[2]) / 3; },
-      progress);
-  return plane;
-}
-
-LensletPlane readPlaneLike(const std::string& file, const ImageFile& like,
-                           const Progress& progress) {
-  ImageFile image(file);
-  if (image.width() != like.width() || image.height() != like.height())
-    throw InputError(file, "size",
-                     "is " + pixels(image.width(), image.height()) +
-                         " px, but the light field's is " + pixels(like.width(), like.height()) +
-                         ": give a picture of the same camera, cut alike");
-  return readGreyPlane(image, progress);
-}
-
 void subtract(LensletPlane& plane, const LensletPlane& dark) {
   for (std::size_t p = 0; p < dark.values.size(); ++p)
     plane.values[p] = std::max(0.0F, plane.values[p] - dark.values[p]);
@@ -108,24 +71,6 @@ void normalise(LensletPlane& white, const LensletLattice& lattice, const LightFi
     throw InputError("", "lenslets",
                      "are black in their middles: give another white picture, pitch or origin");
   for (float& value : white.values) value = float(double(value) / mean);
-}
-
-LensletLight readLight(ImageFile& image, const LensletPlane& dark, const LensletPlane& white,
-                       double gain, const Progress& progress) {
-  const std::size_t channels = image.channels() < 3 ? 1 : 3;
-  checkFits(sizeof(float) * channels * image.width() * image.height(), image.file(), {});
-  LensletLight light{int(image.width()), int(image.height()), channels, {}};
-  light.values.resize(channels * image.width() * image.height());
-  readPixels(
-      image,
-      [&](std::size_t p, const float* rgb) {
-        const float black = dark.values.empty() ? 0 : dark.values[p];
-        const float even = white.values.empty() ? 1 : std::max(white.values[p], leastWhite);
-        for (std::size_t c = 0; c < channels; ++c)
-          light.values[channels * p + c] = float(gain) * std::max(0.0F, rgb[c] - black) / even;
-      },
-      progress);
-  return light;
 }
 
 LensletSampler::LensletSampler(LensletLight light, const LensletPlane& white,

@@ -3,12 +3,10 @@
 // of a hogel is of them (docs/formulas.md, Lenslets).
 #pragma once
 
-#include <functional>
-#include <string>
+#include <array>
 #include <vector>
 
 #include "capture/lenslets/lenslet_search.h"
-#include "io/images/image_file.h"
 
 namespace hogelscope {
 
@@ -20,25 +18,12 @@ struct LensletLight {
   std::vector<float> values;
 };
 
-/// Reads a picture as grey, the mean of its channels. Throws InputError that names it.
-LensletPlane readGreyPlane(ImageFile& image, const Progress& progress);
-
-/// Reads a picture of even light, or without light, that belongs to `like`. Throws InputError that
-/// names it: it has another size.
-LensletPlane readPlaneLike(const std::string& file, const ImageFile& like,
-                           const Progress& progress);
-
 /// Subtracts a dark frame, if there is one; nothing is darker than 0.
 void subtract(LensletPlane& plane, const LensletPlane& dark);
 
 /// Divides a picture of even light by its mean over the lenslets' middles. Throws InputError that
 /// names no file: they are dark.
 void normalise(LensletPlane& white, const LensletLattice& lattice, const LightFieldSize& size);
-
-/// Reads a light field without its dark frame, times gain, divided by the white picture where there
-/// is one. Throws InputError that names it.
-LensletLight readLight(ImageFile& image, const LensletPlane& dark, const LensletPlane& white,
-                       double gain, const Progress& progress);
 
 /// What of a pixel's light the white picture at least has: less would only show noise.
 inline constexpr float leastWhite = 0.2F;

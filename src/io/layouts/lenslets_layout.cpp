@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layout "lenslets": a picture taken through an array of lenslets.
-#include "io/layouts/lenslet_picture.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "capture/lenslets/lenslet_light.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "io/layouts/lenslet_light.h"
-#include "io/layouts/texel_placement.h"
+#include "io/layouts/layouts.h"
+#include "io/layouts/picture_files.h"
 
 namespace hogelscope {
 
@@ -28,11 +27,58 @@ T stored(double value) {
     return T(std::lround(std::clamp(value, 0.0, 1.0) * std::numeric_limits<T>::max()));
 }
 
-class LensletPicture : public LightFieldFile {
+/// The mean of the channels.
+LensletPlane readGreyPlane(ImageFile& image, const Progress& progress) {
+  checkFits(sizeof(float) * image.width() * image.height(), image.file(), {});
+  LensletPlane plane{int(image.width()), int(image.height()), {}};
+  plane.values.reserve(image.width() * image.height());
+  image.readRows(
+      [&](std::size_t, const float* rgb) {
+        for (std::size_t x = 0; x < image.width(); ++x, rgb += 3)
+          plane.values.push_back((rgb[0] + rgb[1] + rgb[2]) / 3);
+      },
+      progress);
+  return plane;
+}
+
+/// Of a picture of even light, or without light, that belongs to `like`.
+LensletPlane readPlaneLike(const std::string& file, const ImageFile& like,
+                           const Progress& progress) {
+  ImageFile image(file);
+  if (image.width() != like.width() || image.height() != like.height())
+    throw InputError(file, "size",
+                     "is " + pairText(image.width(), image.height()) +
+                         " px, but the light field's is " + pairText(like.width(), like.height()) +
+                         ": give a picture of the same camera, cut alike");
+  return readGreyPlane(image, progress);
+}
+
+/// Without its dark frame, times gain, divided by the white picture where there is one.
+LensletLight readLight(ImageFile& image, const LensletPlane& dark, const LensletPlane& white,
+                       double gain, const Progress& progress) {
+  const std::size_t channels = image.channels() < 3 ? 1 : 3;
+  checkFits(sizeof(float) * channels * image.width() * image.height(), image.file(), {});
+  LensletLight light{int(image.width()), int(image.height()), channels, {}};
+  light.values.reserve(channels * image.width() * image.height());
+  image.readRows(
+      [&](std::size_t y, const float* rgb) {
+        for (std::size_t p = y * image.width(); p < (y + 1) * image.width(); ++p, rgb += 3) {
+          const float black = dark.values.empty() ? 0 : dark.values[p];
+          const float even = white.values.empty() ? 1 : std::max(white.values[p], leastWhite);
+          for (std::size_t c = 0; c < channels; ++c)
+            light.values.push_back(float(gain) * std::max(0.0F, rgb[c] - black) / even);
+        }
+      },
+      progress);
+  return light;
+}
+
+class LensletPicture : public PictureFiles {
  public:
   LensletPicture(const LightFieldParams& params, const DisplayParams& display,
                  const Progress& progress)
-      : m_params(params), m_image(params.file, params.yuv) {
+      : PictureFiles(params), m_image(params.file, params.yuv) {
+    takeTypeOf(m_image);
     const auto& [white, dark, grid, pitch, rotation, origin, gain] = params.lenslets;
     if (!dark.empty()) m_dark = readPlaneLike(dark, m_image, part(progress, 0, 0.2));
     if (!white.empty()) {
@@ -47,9 +93,6 @@ class LensletPicture : public LightFieldFile {
     }
   }
 
-  [[nodiscard]] StoredType type() const override { return m_image.type(); }
-  [[nodiscard]] int bits() const override { return m_image.bits(); }
-  [[nodiscard]] LightFieldSize size() const override { return m_size; }
   [[nodiscard]] std::vector<fs::path> files() const override {
     std::vector<fs::path> files{m_image.file()};
     for (const std::string& other : {m_params.lenslets.white, m_params.lenslets.dark})
@@ -59,7 +102,7 @@ class LensletPicture : public LightFieldFile {
   [[nodiscard]] const FoundLenslets& found() const { return m_found; }
 
   [[nodiscard]] LightField read(const Progress& progress) override {
-    LightField lightField = blankLightField(m_size, type(), m_params.file, packIt);
+    LightField lightField = blank(m_size.ny);
     const LensletSampler sampler = samplerOf(part(progress, 0, 0.5));
     const Progress ofRows = forThreads(part(progress, 0.5, 1));
     withStoredType(type(), [&]<class T>(T) {
@@ -105,21 +148,19 @@ class LensletPicture : public LightFieldFile {
                            down > 0 ? down : side};
     if (area.du > 2 * lattice.pitch() || area.dv > 2 * lattice.pitch())
       throw InputError(m_params.file, "display.directions",
-                       "is " + pixels(std::size_t(area.du), std::size_t(area.dv)) +
-                           ", but the lenslets' pitch is " + rounded(lattice.pitch(), 4) +
-                           " px: give no more than that, or none");
+                       "is " + pairText(area.du, area.dv) + ", but the lenslets' pitch is " +
+                           rounded(lattice.pitch(), 4) + " px: give no more than that, or none");
     const HogelBlock block = m_params.lenslets.isOriginGiven() ? blockFromOrigin(lattice, area)
                                                                : largestBlock(lattice, area);
     if (block.nx < 1)
       throw InputError(m_params.file, "lenslets",
                        "are not in the picture: none of pitch " + rounded(lattice.pitch(), 4) +
-                           " px is whole in " + pixels(m_image.width(), m_image.height()) +
+                           " px is whole in " + pairText(m_image.width(), m_image.height()) +
                            " px; give another lightField.pitch or origin");
     const auto [nx, ny] = display.hogels;
     if (nx > block.nx || ny > block.ny)
       throw InputError(m_params.file, "display.hogels",
-                       "is " + pixels(std::size_t(nx), std::size_t(ny)) + ", but only " +
-                           pixels(std::size_t(block.nx), std::size_t(block.ny)) +
+                       "is " + pairText(nx, ny) + ", but only " + pairText(block.nx, block.ny) +
                            " whole lenslets are in the picture: give no more, or none");
     m_size = {nx > 0 ? nx : block.nx, ny > 0 ? ny : block.ny, area.du, area.dv};
     m_found.lattice = block.lattice;
@@ -144,21 +185,27 @@ class LensletPicture : public LightFieldFile {
       }
   }
 
-  LightFieldParams m_params;
   ImageFile m_image;
   LensletPlane m_dark;
   LensletPlane m_white;
   FoundLenslets m_found;
-  LightFieldSize m_size;
 };
 
 }  // namespace
 
-std::unique_ptr<LightFieldFile> openLenslets(const LightFieldParams& params,
-                                             const DisplayParams& display,
-                                             const Progress& progress) {
-  return std::make_unique<LensletPicture>(params, display, progress);
-}
+const LayoutType lensletsLayout{
+    .open = [](const LightFieldParams& params, const DisplayParams& display,
+               const Progress& progress) -> std::unique_ptr<LightFieldFile> {
+      return std::make_unique<LensletPicture>(params, display, progress);
+    },
+    .words = [](const LightFieldParams& params, const DisplayParams&) -> std::string {
+      return params.lenslets.grid == LensletGrid::square ? "lenslets, a square grid"
+                                                         : "lenslets, a hexagonal grid";
+    },
+    .foundBy =
+        [](const LightFieldParams&) {
+          return FoundBy{.size = "a regular grid of lenslets in the picture"};
+        }};
 
 FoundLenslets lensletsOf(const LightFieldParams& params, const DisplayParams& display,
                          const Progress& progress) {

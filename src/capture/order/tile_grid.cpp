@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the period of views in a picture of tiles.
-#include "io/opening/tile_grid.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "capture/order/picture_grids.h"
 
 namespace hogelscope {
 
@@ -80,24 +80,21 @@ int tilesAlong(const Lines& lines, const Progress& progress) {
 
 }  // namespace
 
-std::optional<std::array<int, 2>> findTileGrid(ImageFile& image, const Progress& progress) {
-  const std::size_t width = image.width(), height = image.height();
+std::optional<std::array<int, 2>> findTileGrid(const PictureRows& picture,
+                                               const Progress& progress) {
+  const auto& [width, height, read] = picture;
   constexpr double mostPixels = 3e8;  // a few seconds
   if (std::min(width, height) < 2 * leastTile || double(width) * double(height) > mostPixels)
     return std::nullopt;
   Lines rows(width, height), columns(height, width);
-  image.read(
-      StoredType::real,
-      [&](std::size_t first, std::size_t count, const StoredRows& values) {
-        const float* rgb = std::get<const float*>(values);
-        for (std::size_t y = first; y < first + count; ++y, rgb += 3 * width) {
-          const auto grey = [rgb](std::size_t x) {
-            return rgb[3 * x] + rgb[3 * x + 1] + rgb[3 * x + 2];
-          };
-          for (std::size_t x = 0; x < width; x += columns.step()) columns.set(x, y, grey(x));
-          if (y % rows.step() != 0) continue;
-          for (std::size_t x = 0; x < width; ++x) rows.set(y, x, grey(x));
-        }
+  read(
+      [&, width = width](std::size_t y, const float* rgb) {
+        const auto grey = [rgb](std::size_t x) {
+          return rgb[3 * x] + rgb[3 * x + 1] + rgb[3 * x + 2];
+        };
+        for (std::size_t x = 0; x < width; x += columns.step()) columns.set(x, y, grey(x));
+        if (y % rows.step() != 0) return;
+        for (std::size_t x = 0; x < width; ++x) rows.set(y, x, grey(x));
       },
       part(progress, 0, 0.6));
   const int across = tilesAlong(rows, part(progress, 0.6, 0.8));
