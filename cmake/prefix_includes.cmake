@@ -3,7 +3,7 @@
 file(GLOB_RECURSE headers "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${HOGELSCOPE_HEADERS}/*.h")
 foreach(header IN LISTS headers)
   file(READ "${header}" text)
-  string(REGEX REPLACE "#include \"(core|io)/" "#include \"hogelscope/\\1/" prefixed "${text}")
+  string(REGEX REPLACE "#include \"(capture|core|io)/" "#include \"hogelscope/\\1/" prefixed "${text}")
   string(REPLACE "#include \"sdk/hogelscope/" "#include \"hogelscope/" prefixed "${prefixed}")
   if(NOT prefixed STREQUAL text)
     file(WRITE "${header}" "${prefixed}")

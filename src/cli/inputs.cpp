@@ -13,9 +13,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/folders.h"
 #include "io/files/output_folder.h"
-#include "io/layouts/lenslet_picture.h"
+#include "io/opening/opening.h"
 
 namespace hogelscope {
 
@@ -36,9 +35,8 @@ std::vector<CameraState> selected(const Session& session, const std::string& glo
   return states;
 }
 
-std::size_t pixelBytes(const LightFieldFile& file) {
-  const LightFieldSize size = file.size();
-  return 3 * (memoryBytes(file.type()) / 4) * size.width() * size.height();
+std::size_t bytesOf(const LightFieldFile& file) {
+  return pixelBytes(file.type()) * file.size().width() * file.size().height();
 }
 
 void warn(const CommandLine& line, const std::string& warning) {
@@ -46,52 +44,41 @@ void warn(const CommandLine& line, const std::string& warning) {
     printNote(line.text("session") + ": warning: " + warning);
 }
 
-/// Prints a warning if the lenslets are not on a regular grid.
-void checkLenslets(const CommandLine& line, const Session& session) {
-  if (line.has("quiet") || session.lightField.layout != Layout::lenslets) return;
-  warn(line, warningOf(session.lightField, lensletsOf(session.lightField, session.display)));
-}
-
-/// Returns a new session for a folder, an image or a mesh, and prints the assumptions about it.
+/// A new session around a folder, a picture or a mesh, and a line on what is assumed of it.
 Session sessionAroundFile(const CommandLine& line) {
+  const std::string file = line.text("session");
   ProgressBar bar("looking at the views", line.has("quiet"));
-  const OrderedSession around =
-      orderedSessionAround(line.text("session"), line.texts("set"), bar.progress());
+  const auto [session, order, assumed, hogels] =
+      orderedSessionAround(file, line.texts("set"), bar.progress());
   bar.done();
-  const LightFieldParams& used = around.session.lightField;
-  for (const std::string& warning : around.order.warnings) warn(line, warning);
-  warn(line, contradictionOf(used, around.order));
-  if (!line.has("quiet") && !around.assumed.empty())
-    printNote(line.text("session") + ": " + around.assumed);
-  if (!line.has("quiet") && isGridOfViews(used.layout))
-    printNote(line.text("session") + ": rows " + nameOf(used.rows) + ", columns " +
-              nameOf(used.columns) + " (" + nameOf(around.order.sureness) + "), shear " +
-              numberText(used.shear[0]) + ", " + numberText(used.shear[1]));
-  checkLenslets(line, around.session);
-  return around.session;
+  if (line.has("quiet")) return session;
+  const LightFieldParams& used = session.lightField;
+  for (const std::string& warning : warningsOf(used, order)) warn(line, warning);
+  if (!assumed.empty()) printNote(file + ": " + assumed);
+  if (isGridOfViews(used.layout))
+    printNote(file + ": rows " + nameOf(used.rows) + ", columns " + nameOf(used.columns) + " (" +
+              nameOf(order.sureness) + "), shear " + numberText(used.shear[0]) + ", " +
+              numberText(used.shear[1]));
+  else
+    for (const std::string& warning : examine(used, session.display)) warn(line, warning);
+  return session;
 }
 
-/// Returns the session of a document, and prints a warning if its views are in another order.
+/// The session of a document, with warnings if its pictures contradict it.
 Session checkedSession(const CommandLine& line, const std::optional<Calibration>& calibration) {
   Session session = loadSession(line.text("session"), line.texts("set"), calibration);
-  checkLenslets(line, session);
-  // Shards skip this check of all views, which the run without a shard does.
+  const bool areViews = isGridOfViews(session.lightField.layout);
+  // Of many shards each would look at all views again; the run without a shard does.
   const bool isShard = line.mayHave("shard") && line.has("shard");
-  if (line.has("quiet") || isShard || !isGridOfViews(session.lightField.layout)) return session;
-  ProgressBar bar("looking at the views", false);
-  const LightFieldOrder order =
-      findLightFieldOrder(session.lightField, session.display, bar.progress());
+  if (line.has("quiet") || (areViews && isShard)) return session;
+  ProgressBar bar("looking at the views", !areViews);
+  const auto warnings = examine(session.lightField, session.display, bar.progress());
   bar.done();
-  for (const std::string& warning : order.warnings) warn(line, warning);
-  warn(line, contradictionOf(session.lightField, order));
+  for (const std::string& warning : warnings) warn(line, warning);
   return session;
 }
 
 }  // namespace
-
-bool isSessionDocument(const std::string& file) {
-  return isSessionFile(file) && !isFolder(file);
-}
 
 Session loadSessionOf(const CommandLine& line) {
   const std::string file = line.text("session");
@@ -169,17 +156,16 @@ OrderedSession sessionAroundSubject(const CommandLine& line) {
 }
 
 std::string readingTimeText(const LightFieldFile& file) {
-  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured, see docs/measurements.md
-  const double minutes = double(pixelBytes(file)) / bytesPerMinute;
+  constexpr double bytesPerMinute = 60 * 1.5e9;  // measured: docs/measurements.md
+  const double minutes = double(bytesOf(file)) / bytesPerMinute;
   if (minutes < 0.2) return "";
   return ", about " + numberText(std::ceil(minutes)) + " min";
 }
 
 void announceStreaming(const LightFieldFile& file, std::size_t memory, bool isQuiet) {
   if (isQuiet || !mustStream(file, memory)) return;
-  printNote(file.files().front().string() + ": has " + bytesText(pixelBytes(file)) +
-            " of pixels, " + bytesText(memory) +
-            " are allowed: read from the top, all pictures made on the way" +
+  printNote(file.files().front().string() + ": has " + bytesText(bytesOf(file)) + " of pixels, " +
+            bytesText(memory) + " are allowed: read from the top, all pictures made on the way" +
             readingTimeText(file));
 }
 

@@ -11,17 +11,14 @@
 #include "cli/command_line.h"
 #include "core/base/shard.h"
 #include "core/optics/session.h"
-#include "io/documents/session_file.h"
 #include "io/layouts/light_field_file.h"
+#include "io/opening/session_around.h"
 
 namespace hogelscope {
 
-/// Whether a file is a session, not a light field that needs a new session.
-bool isSessionDocument(const std::string& file);
-
-/// Returns the session of --session, or a new one for a folder, an image or a mesh, with --set
-/// applied, and with --calibration if the job has it. Prints a warning on stderr if its images
-/// contradict the order of its views. Throws InputError, Cancelled.
+/// The session that --session names, or a new one around a folder, a picture or a mesh, with --set,
+/// and with --calibration if the job has it. What its pictures say against the order of its views
+/// goes to stderr. Throws InputError, or Cancelled.
 Session loadSessionOf(const CommandLine& line);
 
 /// Writes the session to --save-session if that is given. Throws InputError.

@@ -6,6 +6,7 @@
 #include "core/cameras/camera_set.h"
 #include "core/content/pattern.h"
 #include "core/optics/session.h"
+#include "io/documents/light_field_params.h"
 
 namespace hogelscope {
 
@@ -77,11 +78,20 @@ std::string table(Params params = {}, std::string heading = {}) {
   return visitor.text();
 }
 
-std::string lightFieldTable(Layout layout, std::string heading, const std::string& file = {}) {
-  LightFieldParams params;
-  params.file = file;
-  params.layout = layout;
-  return table(params, std::move(heading));
+std::string lightFieldTables() {
+  const auto tableOf = [](Layout layout, const std::string& heading, const char* file = "") {
+    LightFieldParams params;
+    params.file = file;
+    params.layout = layout;
+    return table(params, heading);
+  };
+  std::string text = tableOf(Layout::hogels, "lightField");
+  for (const Layout layout : {Layout::views, Layout::quilt, Layout::mosaic, Layout::lenslets})
+    text += tableOf(layout, "lightField, layout " + std::string(nameOf(layout)));
+  return text +
+         tableOf(Layout::hogels, "lightField, a file of raw YUV, in any of these layouts",
+                 "NAME.yuv") +
+         tableOf(Layout::live, "lightField, layout live");
 }
 
 }  // namespace
@@ -93,14 +103,7 @@ std::string parameterManual() {
          "every state.\n"
          "In a session document `camera`'s fields stand in the state itself, beside its\n"
          "`intrinsics`, `distortion` and `psf`.\n\n" +
-         table<DisplayParams>() + lightFieldTable(Layout::hogels, "lightField") +
-         lightFieldTable(Layout::views, "lightField, layout views") +
-         lightFieldTable(Layout::quilt, "lightField, layout quilt") +
-         lightFieldTable(Layout::mosaic, "lightField, layout mosaic") +
-         lightFieldTable(Layout::lenslets, "lightField, layout lenslets") +
-         lightFieldTable(Layout::hogels, "lightField, a file of raw YUV, in any of these layouts",
-                         "NAME.yuv") +
-         lightFieldTable(Layout::live, "lightField, layout live") +
+         table<DisplayParams>() + lightFieldTables() +
          table<LiveParams>({}, "lightField, layout live: the object of the source's name") +
          table<SamplingParams>() + table<CameraParams>() + table<IntrinsicsParams>() +
          table<DistortionParams>() + table<PsfParams>() +

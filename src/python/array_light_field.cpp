@@ -17,19 +17,7 @@ namespace {
 
 constexpr const char* arrayName = "array";
 
-template <class Use>
-void withType(StoredType type, Use use) {
-  switch (type) {
-    case StoredType::uint8:
-      return use(std::uint8_t{});
-    case StoredType::uint16:
-      return use(std::uint16_t{});
-    default:
-      return use(float{});
-  }
-}
-
-/// Reads an array's values of one type, which need not be aligned.
+/// One type's values of an array, which need not be aligned.
 template <class T>
 class Values {
  public:
@@ -55,7 +43,7 @@ void copyRows(const ViewArray& array, const Footprint& footprint, LightField& ta
   const LightFieldSize size = array.size;
   const Progress heard = forThreads(progress);
   std::atomic<int> rows = 0;
-  withType(array.type, [&](auto zero) {
+  withStoredType(array.type, [&](auto zero) {
     using T = decltype(zero);
     const Values<T> values(array);
     parallelRows(size.ny, [&](int begin, int end) {
@@ -119,7 +107,7 @@ class ArraySource : public LightFieldSource {
       return int((2 * std::int64_t(k) + 1) * all / (2 * std::int64_t(count)));
     };
     auto overview = std::make_shared<LightField>(small, m_array.type);
-    withType(m_array.type, [&](auto zero) {
+    withStoredType(m_array.type, [&](auto zero) {
       using T = decltype(zero);
       const Values<T> values(m_array);
       for (int j = 0; j < small.ny; ++j)
@@ -179,7 +167,7 @@ std::shared_ptr<const LightFieldSource> ArrayLightField::source(const SourceUse&
 
 void ArrayLightField::stream(const HogelRow& row, const Progress& progress) {
   const auto& [nx, ny, du, dv] = m_array.size;
-  withType(m_array.type, [&, nx = nx, ny = ny, du = du, dv = dv](auto zero) {
+  withStoredType(m_array.type, [&, nx = nx, ny = ny, du = du, dv = dv](auto zero) {
     using T = decltype(zero);
     const Values<T> values(m_array);
     std::vector<T> rgb;

@@ -6,6 +6,7 @@
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
+#include "io/opening/session_around.h"
 #include "io/plugins/plugin_folders.h"
 #include "python/bindings.h"
 #include "python/stoppable.h"
@@ -47,11 +48,7 @@ py::tuple around(const std::string& file, const std::vector<std::string>& overri
                  const py::object& progress) {
   const OrderedSession found = stoppable(
       progress, [&](const Progress& hear) { return orderedSessionAround(file, overrides, hear); });
-  std::vector<std::string> warnings = found.order.warnings;
-  if (const std::string line = contradictionOf(found.session.lightField, found.order);
-      !line.empty())
-    warnings.push_back(line);
-  return py::make_tuple(textOf(found.session), warnings);
+  return py::make_tuple(textOf(found.session), warningsOf(found.session.lightField, found.order));
 }
 
 /// Returns a session that contains only the new states.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/metrics/bd_rate.h"
 #include "io/plugins/metric_plugins.h"
 #include "python/bindings.h"
@@ -59,9 +60,8 @@ py::dict compare(const Parts& reference, const Parts& test,
   const Image a = std::apply(imageOf, reference);
   const Image b = std::apply(imageOf, test);
   if (a.width != b.width || a.height != b.height)
-    throw InputError("test", "is " + std::to_string(b.width) + "×" + std::to_string(b.height) +
-                                 " px, but the reference is " + std::to_string(a.width) + "×" +
-                                 std::to_string(a.height));
+    throw InputError("test", "is " + pairText(b.width, b.height) + " px, but the reference is " +
+                                 pairText(a.width, a.height));
   const MetricSet set = metricsOf(metrics);
   const std::vector<double> values = stoppable(
       py::none(), [&](const Progress& hear) { return set.compare(a, b, parallelRows, hear); });

@@ -57,7 +57,7 @@ ReportTest testWith(const Session& session, const std::string& name, const Light
   }
   const auto& content = std::get<std::shared_ptr<Content>>(light);
   Session other = content->in(session);
-  if (content->lightField().layout == Layout::live)  // needs the rays of this display
+  if (content->lightField().isLive())  // along this display's own rays
     return {name, other, openLightField(other.lightField, other.display, progress)};
   if (content->file()->files().empty())
     other.lightField.file = nameOfArray(*content->file(), progress);
@@ -92,8 +92,7 @@ ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
   request.file = std::move(reference.file);
   request.isAgainstIdeal = wishes.isAgainstIdeal;
   if (request.isAgainstIdeal) {
-    if (request.session.lightField.layout != Layout::live)
-      throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
+    requireScene(request.session);
     request.tests.push_back({"display", request.session, request.file});
   }
   for (const auto& [name, light] : wishes.tests)

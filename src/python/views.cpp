@@ -10,9 +10,9 @@
 #include "campaign/state_images.h"
 #include "core/base/error.h"
 #include "core/engine/renderer.h"
-#include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_writer.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "python/bindings.h"
 #include "python/content.h"
@@ -83,7 +83,7 @@ RenderedView renderOne(Renderer& renderer, const StateImages& images, std::size_
 
 RenderedViews SessionViews::render(const RenderRequest& request, const Progress& progress) {
   const auto lock = lockFor(m_mutex, progress);
-  const bool isOwn = !request.light || request.light->lightField().layout == Layout::live;
+  const bool isOwn = !request.light || request.light->lightField().isLive();
   const Session session = request.light ? request.light->in(request.session) : request.session;
   if (request.isIdeal) requireScene(session);
   const std::shared_ptr<Content> content =

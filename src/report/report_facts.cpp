@@ -5,6 +5,7 @@
 #include <array>
 #include <ctime>
 
+#include "core/base/text.h"
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
@@ -14,11 +15,6 @@ namespace hogelscope {
 
 namespace {
 
-std::string pixels(int x, int y) {
-  return std::to_string(x) + "×" + std::to_string(y);
-}
-
-/// Returns "XXH3-128 …" of the files, or a store's own hash; empty without files.
 std::string contentOf(const LightFieldFile& file, FileHashes& hashes, const Progress& progress) {
   const std::string own = file.contentHash();
   if (!own.empty()) return "XXH3-128 of the pages " + own;
@@ -28,16 +24,15 @@ std::string contentOf(const LightFieldFile& file, FileHashes& hashes, const Prog
 /// Returns a text such as "scene.png, 64×64 hogels of 32×32 directions, XXH3-128 …".
 std::string described(const LightFieldParams& lightField, const LightFieldSize& size,
                       const std::string& hash) {
-  const std::string name =
-      lightField.layout == Layout::live ? "live " + lightField.source : lightField.file;
+  const std::string name = lightField.isLive() ? "live " + lightField.source : lightField.file;
   const std::string content = hash.empty() ? "" : ", " + hash;
-  return name + ", " + pixels(size.nx, size.ny) + " hogels of " + pixels(size.du, size.dv) +
+  return name + ", " + pairText(size.nx, size.ny) + " hogels of " + pairText(size.du, size.dv) +
          " directions" + content;
 }
 
 std::string described(const SamplingParams& sampling) {
   const int n = sampling.samplesPerPixel;
-  return std::string(nameOf(sampling.reconstruction)) + ", " + pixels(n, n) +
+  return std::string(nameOf(sampling.reconstruction)) + ", " + pairText(n, n) +
          (n == 1 ? " ray" : " rays") + " a pixel, " +
          (sampling.mapping == LensMapping::exact ? "exact" : "direct") + " lens mapping";
 }

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/cameras/edit_name.h"
+#include "io/documents/edit_name.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

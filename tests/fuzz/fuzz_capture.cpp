@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the files in which captures describe their cameras: parameters.cfg and config.cfg. The
 // input's first line is the name of the first view.
-#include "io/layouts/capture_geometry.h"
+#include "io/opening/capture_geometry.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

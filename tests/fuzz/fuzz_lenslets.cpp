@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the search for lenslets: the input is a picture.
 #include "io/images/image_file.h"
-#include "io/layouts/lenslet_picture.h"
+#include "io/layouts/layouts.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;
@@ -14,7 +14,7 @@ void fuzz(std::string_view input) {
   mayRefuse([&] {
     const ImageFile image{std::filesystem::path(params.file)};
     if (double(image.width()) * double(image.height()) > most) return;
-    const LightFieldSize size = openLenslets(params, {}, {})->size();
+    const LightFieldSize size = lensletsLayout.open(params, {}, {})->size();
     require(size.nx > 0 && size.ny > 0 && size.du > 0 && size.dv > 0);
   });
 }

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <utility>
 
-#include "io/layouts/name_pattern.h"
-#include "io/layouts/view_files.h"
+#include "capture/names/name_pattern.h"
+#include "io/layouts/layouts.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace hogelscope;

@@ -15,6 +15,7 @@
 #include "gui/files/opening_dialog.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/docks_test.h"

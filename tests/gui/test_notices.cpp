@@ -18,6 +18,7 @@
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/shown_image.h"

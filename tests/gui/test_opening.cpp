@@ -11,7 +11,7 @@
 #include "gui/files/file_commands.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/view/image_widget.h"
-#include "io/documents/opening.h"
+#include "io/opening/opening.h"
 #include "io/scene/scene.h"
 #include "io/store/store_writer.h"
 #include "tests/gui/habits_test.h"
@@ -135,7 +135,7 @@ class TestOpening : public HabitsTest {
     QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patience);
     QVERIFY(label("assumedLabel").contains("rows bottom-up, columns left-right"));
     const QImage found = preview()->image();
-    const Opening opening = lookAt(path("v").toStdString(), {}, {});
+    const Opening opening = inspectFile(path("v").toStdString(), {}, {});
     const Image sheet = previewOf(opening, {});
     QCOMPARE(found.size(), QSize(sheet.width, sheet.height));
     QVERIFY(found == QImage(sheet.rgb.data(), sheet.width, sheet.height, 3 * sheet.width,

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "io/order/view_order.h"
+#include "capture/order/view_order.h"
 
 /// A part of the scene with one parallax: an ellipse, or everything.
 struct ViewLayer {

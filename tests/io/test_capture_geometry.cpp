@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "io/documents/session_file.h"
-#include "io/layouts/capture_geometry.h"
+#include "io/opening/capture_geometry.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "tests/core/random.h"
 #include "tests/core/rendered.h"

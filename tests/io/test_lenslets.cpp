@@ -6,8 +6,9 @@
 
 #include "core/base/random_numbers.h"
 #include "io/documents/session_file.h"
-#include "io/layouts/lenslet_picture.h"
-#include "io/order/light_field_order.h"
+#include "io/layouts/layouts.h"
+#include "io/opening/light_field_order.h"
+#include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/scene.h"
 #include "tests/io/any_images.h"

@@ -5,7 +5,8 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
-#include "io/layouts/view_layouts.h"
+#include "io/layouts/layouts.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "tests/io/any_images.h"
 #include "tests/io/texels.h"
@@ -282,17 +283,17 @@ void TestLightFieldFile::tilesFromName() {
   QFETCH(QString, file);
   QFETCH(int, columns);
   QFETCH(int, rows);
-  const auto [c, r] = quiltTilesFromName(file.toStdString());
+  const auto [c, r] = quiltNameOf(file.toStdString()).tiles;
   QCOMPARE(c, columns);
   QCOMPARE(r, rows);
 }
 
 /// Tiles need not have the display's shape.
 void TestLightFieldFile::aspectFromName() {
-  QCOMPARE(quiltAspectFromName("folder.d/name_qs8x6a0.75.png"), 0.75);
-  QCOMPARE(quiltAspectFromName("n_qs5x9a1.jpg"), 1.0);
-  QCOMPARE(quiltAspectFromName("n_qs5x9a1.2.3.jpg"), 0.0);
-  QCOMPARE(quiltAspectFromName("n_qs8x6.png"), 0.0);
+  QCOMPARE(quiltNameOf("folder.d/name_qs8x6a0.75.png").aspect, 0.75);
+  QCOMPARE(quiltNameOf("n_qs5x9a1.jpg").aspect, 1.0);
+  QCOMPARE(quiltNameOf("n_qs5x9a1.2.3.jpg").aspect, 0.0);
+  QCOMPARE(quiltNameOf("n_qs8x6.png").aspect, 0.0);
   writeImageFile("n_qs2x1a0.8.png", 2 * 10, 10, [](int, int, int) { return 0.5F; });
   QCOMPARE(sessionAround("n_qs2x1a0.8.png").display.size, (std::array<double, 2>{0.4, 0.5}));
 }

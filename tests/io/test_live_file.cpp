@@ -7,6 +7,7 @@
 
 #include "io/documents/session_file.h"
 #include "io/files/system_limits.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"

@@ -5,8 +5,8 @@
 #include <QTest>
 #include <random>
 
-#include "io/layouts/name_pattern.h"
-#include "io/layouts/view_files.h"
+#include "capture/names/name_pattern.h"
+#include "io/layouts/layouts.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;

@@ -11,7 +11,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "core/base/error.h"
-#include "io/order/light_field_order.h"
+#include "io/opening/light_field_order.h"
 #include "io/scene/scene.h"
 #include "tests/io/documents.h"
 #include "tests/io/layered_views.h"

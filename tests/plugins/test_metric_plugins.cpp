@@ -8,6 +8,7 @@
 #include "core/engine/renderer.h"
 #include "core/optics/viewing.h"
 #include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 #include "io/plugins/metric_plugins.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/scene.h"

@@ -27,7 +27,8 @@ int runExport(const CommandLine& line) {
   const std::filesystem::path output = line.text("output");
   const auto file = openLightField(session.lightField, session.display);
   checkOutputs({output}, inputFiles({line.text("session")}, session, *file));
-  const QuiltTiles tiles = isQuilt ? quiltTilesFor(*file, output) : QuiltTiles{};
+  std::array<int, 2> tiles{};
+  if (isQuilt) tiles = quiltTilesFor(*file, output);
   makeFolderOf(output);
   ProgressBar bar("exporting", line.has("quiet"));
   (isTo("hogels")  ? exportHogels
@@ -37,8 +38,7 @@ int runExport(const CommandLine& line) {
   bar.done();
   if (line.has("quiet")) return 0;
   std::cout << printable(output.string()) << ": " << line.subject;
-  if (isQuilt)
-    std::cout << ", lightField.columns=" << tiles.columns << " lightField.rows=" << tiles.rows;
+  if (isQuilt) std::cout << ", lightField.columns=" << tiles[0] << " lightField.rows=" << tiles[1];
   if (isTo("mosaic"))
     std::cout << ", display.directions=[" << file->size().du << "," << file->size().dv << "]";
   std::cout << "\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --info: prints the properties of a file.
+// --info: prints what a file is.
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -13,12 +14,9 @@
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_file.h"
-#include "io/layouts/lenslet_picture.h"
-#include "io/layouts/view_files.h"
-#include "io/layouts/view_layouts.h"
-#include "io/layouts/view_sequences.h"
-#include "io/order/contact_sheet.h"
-#include "io/order/order_document.h"
+#include "io/images/image_writer.h"
+#include "io/opening/light_field_order.h"
+#include "io/opening/opening.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "io/store/light_field_store.h"
@@ -33,14 +31,26 @@ std::string typeName(StoredType type, int bits) {
   return type == StoredType::real ? "floating point" : std::to_string(bits) + " bit";
 }
 
-void printSize(std::ostream& out, const LightFieldSize& size) {
+LightFieldSize sizeOf(const Session& session) {
+  return session.lightField.isLive() ? Display(session.display).size()
+                                     : openLightField(session.lightField, session.display)->size();
+}
+
+void printSize(std::ostream& out, const Session& session) {
+  const LightFieldSize size = sizeOf(session);
   out << "hogels      " << size.nx << "×" << size.ny << "\n"
       << "directions  " << size.du << "×" << size.dv << "\n"
       << "hogel image " << size.width() << "×" << size.height() << " px\n";
 }
 
-void printSize(std::ostream& out, const Session& around) {
-  printSize(out, openLightField(around.lightField, around.display)->size());
+std::string sizeText(const DisplayParams& display) {
+  return numberText(display.size[0]) + "×" + numberText(display.size[1]) + " m, fov " +
+         numberText(display.fov[0]) + "×" + numberText(display.fov[1]) + "°";
+}
+
+/// Whether the size of an image of hogels is known.
+bool isWhole(const Session& session) {
+  return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
 }
 
 void printImage(std::ostream& out, const Session& around) {
@@ -49,28 +59,12 @@ void printImage(std::ostream& out, const Session& around) {
   out << "picture     " << image.format() << ", " << image.width() << "×" << image.height()
       << " px, " << image.channels() << " channel(s), " << typeName(image.type(), image.bits())
       << "\n";
-  const bool isQuilt = params.layout == Layout::quilt;
-  if (params.layout == Layout::mosaic) {
-    out << "layout      mosaic, " << around.display.directions[1] << " rows of "
-        << around.display.directions[0] << " views\n";
-    return printSize(out, around);
-  }
-  if (params.layout == Layout::lenslets) {
-    out << "layout      lenslets, "
-        << (params.lenslets.grid == LensletGrid::square ? "a square" : "a hexagonal") << " grid\n";
-    return printSize(out, around);
-  }
-  if (!isQuilt && around.display.hogels[0] < 1) {
+  if (!isWhole(around)) {
     out << "layout      not said by the file; for hogels: --set display.hogels=[nx,ny] --set "
            "display.directions=[du,dv]; for lenslets: --set lightField.layout=lenslets\n";
     return;
   }
-  const auto [columns, rows] = quiltTilesFromName(params.file);
-  if (isQuilt)
-    out << "layout      quilt of " << (params.quiltColumns > 0 ? params.quiltColumns : columns)
-        << "×" << (params.quiltRows > 0 ? params.quiltRows : rows) << " views\n";
-  else
-    out << "layout      hogels\n";
+  out << "layout      " << typeOf(params.layout).words(params, around.display) << "\n";
   printSize(out, around);
 }
 
@@ -115,9 +109,7 @@ void printStore(std::ostream& out, const Session& around) {
       << "overview    " << overview.nx << "×" << overview.ny << " hogels of " << overview.du << "×"
       << overview.dv << " directions\n"
       << "made of     " << printable(source.substr(0, source.rfind(' '))) << "\n";
-  if (display)
-    out << "display     " << numberText(display->size[0]) << "×" << numberText(display->size[1])
-        << " m, fov " << numberText(display->fov[0]) << "×" << numberText(display->fov[1]) << "°\n";
+  if (display) out << "display     " << sizeText(*display) << "\n";
   printSize(out, around);
 }
 
@@ -186,24 +178,16 @@ void printLive(std::ostream& out, const Session& session) {
 
 void printMesh(std::ostream& out, const Session& around) {
   printLive(out, around);
-  out << "display     " << numberText(around.display.size[0]) << "×"
-      << numberText(around.display.size[1]) << " m, fov " << numberText(around.display.fov[0])
-      << "×" << numberText(around.display.fov[1]) << "°\n";
-  printSize(out, Display(around.display).size());
+  out << "display     " << sizeText(around.display) << "\n";
+  printSize(out, around);
 }
 
 void printSession(std::ostream& out, const Session& session) {
   out << "session     " << session.cameras.size() << " camera state(s)\n"
-      << "display     " << numberText(session.display.size[0]) << "×"
-      << numberText(session.display.size[1]) << " m, fov " << numberText(session.display.fov[0])
-      << "×" << numberText(session.display.fov[1]) << "°\n"
+      << "display     " << sizeText(session.display) << "\n"
       << "light field " << printable(contentName(session.lightField)) << "\n";
-  if (session.lightField.layout == Layout::live) {
-    printLive(out, session);
-    printSize(out, Display(session.display).size());
-  } else {
-    printSize(out, session);
-  }
+  if (session.lightField.isLive()) printLive(out, session);
+  printSize(out, session);
   for (const CameraState& state : session.cameras) {
     const auto& [name, eye, lookat, up, fov, res, weight] = state.camera;
     out << "state       " << name << ": eye (" << numberText(eye.x) << ", " << numberText(eye.y)
@@ -214,20 +198,11 @@ void printSession(std::ostream& out, const Session& session) {
   }
 }
 
-/// A light field, and the order of its views that was found.
-struct Subject {
-  Session session;
-  LightFieldOrder order;
-  bool isDocument = false;
-};
-
-Subject subjectOf(const CommandLine& line) {
-  const std::string& file = line.subject;
-  if (!isSessionDocument(file)) {
-    OrderedSession around = sessionAroundSubject(line);
-    return {std::move(around.session), std::move(around.order), false};
-  }
-  Subject subject{loadSession(file, line.texts("set")), {}, true};
+/// The session is the document's own, or one around a light field.
+OrderedSession subjectOf(const CommandLine& line) {
+  if (!isSessionDocument(line.subject)) return sessionAroundSubject(line);
+  OrderedSession subject;
+  subject.session = loadSession(line.subject, line.texts("set"));
   ProgressBar bar("looking at the views", false);
   subject.order =
       findLightFieldOrder(subject.session.lightField, subject.session.display, bar.progress());
@@ -235,25 +210,15 @@ Subject subjectOf(const CommandLine& line) {
   return subject;
 }
 
-/// Whether the size of an image of hogels is known.
-bool isWhole(const Session& session) {
-  return session.lightField.layout != Layout::hogels || session.display.hogels[0] > 0;
-}
-
-AssumedOrder assumedOf(const Subject& subject) {
-  const auto& [session, order, isDocument] = subject;
-  if (!isWhole(session))
-    return {session.lightField,
-            {},
-            {},
-            {},
-            Sureness::unknown,
-            {"display.hogels and display.directions are not given, and the file does not say them"},
-            {}};
-  const LightFieldSize size = session.lightField.layout == Layout::live
-                                  ? Display(session.display).size()
-                                  : openLightField(session.lightField, session.display)->size();
-  AssumedOrder assumed = assumedOrder(session.lightField, size, order);
+AssumedOrder assumedOf(const Session& session, const LightFieldOrder& order) {
+  AssumedOrder assumed;
+  if (!isWhole(session)) {
+    assumed.used = session.lightField;
+    assumed.warnings = {
+        "display.hogels and display.directions are not given, and the file does not say them"};
+    return assumed;
+  }
+  assumed = assumedOrder(session.lightField, sizeOf(session), order);
   if (session.lightField.layout != Layout::lenslets) return assumed;
   assumed.lenslets = lensletsOf(session.lightField, session.display);
   if (const std::string warning = warningOf(session.lightField, *assumed.lenslets);
@@ -272,9 +237,9 @@ void printLenslets(std::ostream& out, const FoundLenslets& lenslets) {
         << " lenslets\n";
 }
 
-void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& assumed) {
+void printOrder(std::ostream& out, const OrderedSession& subject, const AssumedOrder& assumed) {
   const LightFieldParams& params = assumed.used;
-  if (params.layout == Layout::live || !isWhole(subject.session)) return;
+  if (params.isLive() || !isWhole(subject.session)) return;
   out << "order       rows " << nameOf(assumed.rows) << ", columns " << nameOf(assumed.columns)
       << ": " << nameOf(assumed.sureness) << "\n"
       << "found by    " << subject.order.reason << "\n";
@@ -283,10 +248,9 @@ void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& a
   if (isGridOfViews(params.layout))
     out << "shear       " << numberText(params.shear[0]) << ", " << numberText(params.shear[1])
         << " px/view" << (isFound ? ", which puts the middle depth on the panel" : "") << "\n";
-  if (const DisplayParams& display = subject.session.display; params.viewingDistance > 0)
-    out << "display     " << numberText(display.size[0]) << "×" << numberText(display.size[1])
-        << " m, fov " << numberText(display.fov[0]) << "×" << numberText(display.fov[1])
-        << "°, its views' cameras " << numberText(params.viewingDistance) << " m before it\n";
+  if (params.viewingDistance > 0)
+    out << "display     " << sizeText(subject.session.display) << ", its views' cameras "
+        << numberText(params.viewingDistance) << " m before it\n";
   for (const std::string& warning : assumed.warnings)
     out << "warning     " << printable(warning) << "\n";
   const std::vector<std::string> mending = mendingOf(params, subject.order);
@@ -297,21 +261,20 @@ void printOrder(std::ostream& out, const Subject& subject, const AssumedOrder& a
   out << "\n";
 }
 
-void printWords(std::ostream& out, const Subject& subject, const AssumedOrder& assumed) {
-  if (subject.isDocument) {
+void printWords(std::ostream& out, bool isDocument, const OrderedSession& subject,
+                const AssumedOrder& assumed) {
+  if (isDocument) {
     printSession(out, subject.session);
   } else {
-    const Layout layout = subject.session.lightField.layout;
-    (layout == Layout::views  ? printViews
-     : layout == Layout::pack ? printStore
-     : layout == Layout::live ? printMesh
-                              : printImage)(out, subject.session);
+    constexpr std::array printers{printImage, printViews, printStore, printMesh};  // as Holder
+    printers[std::size_t(typeOf(assumed.used.layout).holder)](out, subject.session);
   }
   if (assumed.lenslets) printLenslets(out, *assumed.lenslets);
   printOrder(out, subject, assumed);
 }
 
-void writeSheet(const CommandLine& line, const Subject& subject, const AssumedOrder& assumed) {
+void writeSheet(const CommandLine& line, const OrderedSession& subject,
+                const AssumedOrder& assumed) {
   const fs::path file = fs::path(line.text("output")) / "views.png";
   if (!isWhole(subject.session))
     throw InputError(line.subject, "display.hogels",
@@ -320,7 +283,8 @@ void writeSheet(const CommandLine& line, const Subject& subject, const AssumedOr
   checkOutputs({file}, inputFiles({line.subject}, subject.session, *lightField));
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);
-  writeContactSheet(file, subject.order, assumed, subject.session.display, bar.progress());
+  const Image sheet = contactSheet(subject.order, assumed, subject.session.display, bar.progress());
+  writeImage(file, sheet.width, sheet.height, sheet.rgb, bar.progress());
   bar.done();
 }
 
@@ -329,12 +293,12 @@ void writeSheet(const CommandLine& line, const Subject& subject, const AssumedOr
 int runInfo(const CommandLine& line) {
   std::ostringstream out;
   try {
-    const Subject subject = subjectOf(line);
-    const AssumedOrder assumed = assumedOf(subject);
+    const OrderedSession subject = subjectOf(line);
+    const AssumedOrder assumed = assumedOf(subject.session, subject.order);
     if (line.has("json"))
       out << orderDocument(assumed);
     else
-      printWords(out, subject, assumed);
+      printWords(out, isSessionDocument(line.subject), subject, assumed);
     if (line.has("output")) writeSheet(line, subject, assumed);
   } catch (const InputError& error) {
     throw error.in(line.subject);

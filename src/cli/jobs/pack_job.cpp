@@ -38,10 +38,10 @@ Content loadContent(const CommandLine& line) {
 }
 
 std::string shapeText(const StoreHeader& header) {
-  const auto by = [](int a, int b) { return std::to_string(a) + "×" + std::to_string(b); };
   const auto& [size, type, block, overview, source, display] = header;
-  return by(size.nx, size.ny) + " hogels of " + by(size.du, size.dv) + " directions in blocks of " +
-         by(block.i, block.j) + " × " + by(block.u, block.v);
+  return pairText(size.nx, size.ny) + " hogels of " + pairText(size.du, size.dv) +
+         " directions in blocks of " + pairText(block.i, block.j) + " × " +
+         pairText(block.u, block.v);
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ int packContent(const Session& session, bool isDisplayGiven, const CommandLine& 
 
 int runPack(const CommandLine& line) {
   const auto [session, isDisplayGiven] = loadContent(line);
-  if (session.lightField.layout == Layout::views)
+  if (typeOf(session.lightField.layout).holder == Holder::views)
     warnOf(*openLightField(session.lightField, session.display), session.lightField.file, line);
   return packContent(session, isDisplayGiven, line);
 }

@@ -45,11 +45,9 @@ int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
 std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const CommandLine& line) {
   std::vector<TestSize> sizes;
   sizes.reserve(tests.size());
-  for (const auto& [name, session, file] : tests) {
-    const bool isLive = session.lightField.layout == Layout::live;
-    sizes.push_back({name, isLive ? std::vector<fs::path>() : file->files(),
+  for (const auto& [name, session, file] : tests)
+    sizes.push_back({name, session.lightField.isLive() ? std::vector<fs::path>() : file->files(),
                      double(file->size().width()) * double(file->size().height())});
-  }
   return rateGroups(line, sizes);
 }
 

@@ -27,6 +27,10 @@ bool isFormula(const std::string& text) {
 
 }  // namespace
 
+std::string pairText(long long across, long long down) {
+  return std::to_string(across) + "×" + std::to_string(down);
+}
+
 std::string lowerCase(std::string text) {
   for (char& letter : text)
     if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');

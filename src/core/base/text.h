@@ -16,7 +16,10 @@ std::string rounded(double value, int digits);
 /// Formats a size, such as "512 bytes", "12.3 kB", "19.7 MB", "2.7 GB".
 std::string bytesText(std::size_t bytes);
 
-/// Returns the text with A … Z replaced by a … z.
+/// Returns "3×4".
+std::string pairText(long long across, long long down);
+
+/// Returns a text with the letters a … z for A … Z.
 std::string lowerCase(std::string text);
 
 /// Returns a text as a CSV cell (RFC 4180). A text that a spreadsheet would read as a formula gets

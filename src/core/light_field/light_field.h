@@ -48,8 +48,9 @@ struct LightFieldParams {
   YuvParams yuv;       ///< for files of raw YUV
   std::string source;  ///< name of a live scene's content
   LiveType type = LiveType::uint8;
-  ContentParams content;  ///< the source's parameters
-  LiveParams live;        ///< parameters that every source has
+  ContentParams content;  ///< of the source
+  LiveParams live;        ///< of any source
+  [[nodiscard]] bool isLive() const { return layout == Layout::live; }
   bool operator==(const LightFieldParams&) const = default;
 };
 
@@ -58,12 +59,7 @@ constexpr bool isGridOfViews(Layout layout) {
   return layout == Layout::views || layout == Layout::mosaic;
 }
 
-/// Visits only the fields that the layout has, and those of raw YUV only for its files; `content`
-/// and `live` together are a separate object, named after the source.
-void describe(ParameterVisitor& v, LightFieldParams& p);
-
-/// Returns the light field's name in messages: its file, a live scene's file, or else the scene's
-/// source.
+/// Returns what messages call it: its file, that of a live scene, or else the scene's source.
 std::string contentName(const LightFieldParams& params);
 
 /// A directional pixel as stored; `unused` makes its size a power of two.

@@ -34,7 +34,7 @@ Rgb LightFieldSource::texel(const TexelIndex& at) const {
 
 void LightFieldSource::trace(const Vec3& /*eye*/, std::span<const Vec2> /*slopes*/,
                              std::span<Rgb> /*light*/) const {
-  throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
+  throw InputError("lightField.layout", noIdealView);
 }
 
 std::shared_ptr<const LightField> StreamedLightField::slice(const ViewReads& /*reads*/,

@@ -31,6 +31,9 @@ struct ViewReads {
 ViewReads readsOfRows(const LightFieldSize& size, const CellRange& j, const CellRange& u,
                       const CellRange& v);
 
+/// What is wrong with "lightField.layout" where an ideal view is wanted of what is not live.
+inline constexpr const char* noIdealView = "is not \"live\": only a 3-D scene has an ideal view";
+
 /// A light field in memory, in a store, or computed on demand. All functions may be
 /// called from several threads at the same time.
 class LightFieldSource {

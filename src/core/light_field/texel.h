@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace hogelscope {
 
@@ -48,6 +49,24 @@ enum class StoredType { uint8, uint16, real };
 /// Returns the size of a texel in memory.
 constexpr std::size_t memoryBytes(StoredType type) {
   return std::array<std::size_t, 3>{4, 8, 16}[std::size_t(type)];
+}
+
+/// Returns the bytes of red, green and blue in a file.
+constexpr std::size_t pixelBytes(StoredType type) {
+  return memoryBytes(type) / 4 * 3;
+}
+
+/// Calls work(T{}), where T is the type of the values.
+template <class Work>
+void withStoredType(StoredType type, Work work) {
+  switch (type) {
+    case StoredType::uint8:
+      return work(std::uint8_t{});
+    case StoredType::uint16:
+      return work(std::uint16_t{});
+    default:
+      return work(float{});
+  }
 }
 
 }  // namespace hogelscope

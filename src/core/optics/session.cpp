@@ -48,7 +48,7 @@ void check(const CameraState& state, const std::string& path) {
 }
 
 void check(const Session& session) {
-  const bool isLive = session.lightField.layout == Layout::live;
+  const bool isLive = session.lightField.isLive();
   if (isLive && session.lightField.source.empty())
     throw InputError("lightField.source", "is missing: name what computes the content");
   if (isLive && !session.lightField.file.empty())

@@ -12,8 +12,11 @@
 #include "gui/session/session_forms.h"
 #include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/task.h"
-#include "io/documents/session_file.h"
+#include "io/documents/light_field_params.h"
+#include "io/opening/session_around.h"
+#include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
+#include "io/scene/scene.h"
 
 namespace hogelscope {
 
@@ -22,17 +25,17 @@ namespace {
 /// Returns an edited light field with the default fields of a new layout or source. Throws
 /// InputError if there is no such source.
 LightFieldParams completed(const LightFieldParams& before, LightFieldParams after) {
-  if (after.layout != before.layout && after.layout == Layout::live) {
+  if (after.layout != before.layout && after.isLive()) {
     after = {};
     after.layout = Layout::live;
     after.source = "scene";
-  } else if (after.layout != Layout::live && before.layout == Layout::live) {
+  } else if (!after.isLive() && before.isLive()) {
     const Layout layout = after.layout;
     after = {};
     after.layout = layout;
   }
   if (after.source != before.source)
-    after.content = after.source.empty() ? ContentParams() : contentOf(after.source);
+    after.content = after.source.empty() ? ContentParams() : contentParamsOf(after.source);
   return after;
 }
 
@@ -95,7 +98,7 @@ void LightFieldDock::setScene(const std::optional<Scene>& scene) {
       lightField.isInMemory()
           ? tr("%1 in memory")
                 .arg(locale().formattedDataSize(qint64(LightField::bytes(size, lightField.type()))))
-      : m_model->session().lightField.layout == Layout::live
+      : m_model->session().lightField.isLive()
           ? tr("traced as each view needs it")
           : tr("in a store, of which each view reads what it needs");
   m_contents->setText(tr("%1×%2 hogels of %3×%4 directions, %5\n"
@@ -147,10 +150,7 @@ void LightFieldDock::chooseMesh(const QString& file) {
 }
 
 void LightFieldDock::askFile() {
-  const QString file = chooseFile(this, tr("Choose light field"),
-                                  tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
-                                     "*.pgx *.yuv *.exr *.glb *.gltf "
-                                     "*.obj *.ply);;All files (*)"));
+  const QString file = chooseFile(this, tr("Choose light field"), lightFieldFilter());
   if (!file.isEmpty()) choose(file);
 }
 

@@ -218,9 +218,7 @@ void ReportDock::setReference(const std::optional<Scene>& scene) {
 
 void ReportDock::askTest() {
   const QStringList files =
-      chooseFiles(this, tr("Add test light fields"),
-                  tr("Light fields and sessions (*.png *.jpg *.jpeg *.tif *.tiff "
-                     "*.exr *.hogelscope *.json);;All files (*)"));
+      chooseFiles(this, tr("Add test light fields"), lightFieldFilter(sessionPatterns));
   for (const QString& file : files) addTest(file);
 }
 

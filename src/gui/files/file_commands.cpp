@@ -17,8 +17,7 @@
 #include "gui/widgets/task.h"
 #include "io/documents/calibration_file.h"
 #include "io/documents/session_file.h"
-#include "io/layouts/lenslet_picture.h"
-#include "io/layouts/view_layouts.h"
+#include "io/opening/opening.h"
 #include "io/scene/live_file.h"
 #include "io/scene/scene.h"
 #include "ui_main_window.h"
@@ -81,7 +80,7 @@ bool FileCommands::guarded(Action action) {
 }
 
 bool FileCommands::open(const QString& file) {
-  if (!isSessionFile(file.toStdString()) || QFileInfo(file).isDir()) {
+  if (!isSessionDocument(file.toStdString())) {
     openLater(file, false);
     return true;
   }
@@ -100,7 +99,7 @@ bool FileCommands::open(const QString& file) {
 void FileCommands::openLater(const QString& file, bool isAsked) {
   delete m_dialog;
   m_task->start([this, file, isAsked](const Progress& progress) {
-    return [this, file, isAsked, opening = lookAt(file.toStdString(), {}, progress)] {
+    return [this, file, isAsked, opening = inspectFile(file.toStdString(), {}, progress)] {
       offer(file, opening, isAsked);
     };
   });
@@ -108,7 +107,7 @@ void FileCommands::openLater(const QString& file, bool isAsked) {
 }
 
 void FileCommands::offer(const QString& file, const Opening& opening, bool isAsked) {
-  const bool isLive = opening.around.session.lightField.layout == Layout::live;
+  const bool isLive = opening.around.session.lightField.isLive();
   if (!isLive && (isAsked || isInDoubt(opening))) return ask(file, opening);
   take(file, opening);
   for (const std::string& warning : opening.around.order.warnings)
@@ -140,28 +139,18 @@ void FileCommands::take(const QString& file, const Opening& opening) {
 /// Checks the session's views in the background. Reports an error if the images indicate another
 /// order, if views are missing, or if lenslets are not on a regular grid.
 void FileCommands::checkOrder(const QString& file) {
-  const Session& session = m_model->session();
-  const bool isLenslets = session.lightField.layout == Layout::lenslets;
-  if (!isLenslets && !isGridOfViews(session.lightField.layout)) return;
-  m_task->start([this, file, isLenslets, lightField = session.lightField,
-                 display = session.display](const Progress& progress) -> Task::Answer {
-    std::vector<std::string> lines;
-    try {
-      if (isLenslets) {
-        lines = {warningOf(lightField, lensletsOf(lightField, display, progress))};
-      } else {
-        const LightFieldOrder order = findLightFieldOrder(lightField, display, progress);
-        lines = order.warnings;
-        lines.push_back(contradictionOf(lightField, order));
-      }
-      std::erase(lines, "");
-    } catch (const InputError&) {  // reported by the view
-    }
-    return [this, file, lines] {
-      for (const std::string& line : lines)
-        Q_EMIT failed(file + ": " + QString::fromStdString(line));
-    };
-  });
+  m_task->start(
+      [this, file, session = m_model->session()](const Progress& progress) -> Task::Answer {
+        std::vector<std::string> lines;
+        try {
+          lines = examine(session.lightField, session.display, progress);
+        } catch (const InputError&) {  // the view says it
+        }
+        return [this, file, lines] {
+          for (const std::string& line : lines)
+            Q_EMIT failed(file + ": " + QString::fromStdString(line));
+        };
+      });
 }
 
 bool FileCommands::save(const QString& file) {
@@ -214,7 +203,7 @@ void FileCommands::compareOrOpen(const QString& file) {
       [this, file, session = m_model->session()](const Progress& progress) -> Task::Answer {
         if (canCompare(session, file.toStdString(), progress))
           return [this, file] { Q_EMIT comparisonAsked(file); };
-        return [this, file, opening = lookAt(file.toStdString(), {}, progress)] {
+        return [this, file, opening = inspectFile(file.toStdString(), {}, progress)] {
           if (mayLeave()) offer(file, opening, false);
         };
       });
@@ -261,10 +250,7 @@ void FileCommands::askOpen() {
 }
 
 void FileCommands::askLightField(bool isAsked) {
-  const QString file = chooseFile(m_window, tr("Open light field"),
-                                  tr("Pictures and meshes (*.png *.tif *.tiff *.jpg *.jpeg *.ppm "
-                                     "*.pgx *.yuv *.exr *.glb *.gltf "
-                                     "*.obj *.ply);;All files (*)"));
+  const QString file = chooseFile(m_window, tr("Open light field"), lightFieldFilter());
   if (!file.isEmpty() && mayLeave()) isAsked ? openLater(file, true) : void(open(file));
 }
 

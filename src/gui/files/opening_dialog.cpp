@@ -10,8 +10,8 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/widgets/task.h"
-#include "io/files/folders.h"
-#include "io/layouts/view_sequences.h"
+#include "io/documents/light_field_params.h"
+#include "io/scene/scene.h"
 #include "ui_opening_dialog.h"
 
 namespace hogelscope {
@@ -48,12 +48,13 @@ QString tableOf(const Opening& opening) {
   return "<table>" + rows + "</table>";
 }
 
-/// Whether such a file or folder can have a layout.
+/// Whether such a file or folder can have a layout. A picture may be one of the views in its
+/// folder.
 bool mayHave(Layout layout, const std::string& file, Layout own) {
   if (layout == own) return true;
-  if (own == Layout::pack || own == Layout::live || isFolder(file) || isViewSequence(file))
-    return false;
-  return layout != Layout::pack && layout != Layout::live;
+  const Holder holder = typeOf(layout).holder;
+  return holderOf(file) == Holder::picture &&
+         (holder == Holder::picture || holder == Holder::views);
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ void OpeningDialog::look(bool isKnown) {
 void OpeningDialog::start(bool isKnown) {
   m_task->start([this, isKnown, file = m_file.toStdString(), said = m_said,
                  known = m_opening](const Progress& progress) -> Task::Answer {
-    const Opening opening = isKnown ? known : lookAt(file, said, part(progress, 0, 0.7));
+    const Opening opening = isKnown ? known : inspectFile(file, said, part(progress, 0, 0.7));
     if (!isKnown)
       m_task->queue([this, opening] {
         if (!m_isStale) showOpening(opening);

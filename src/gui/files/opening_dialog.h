@@ -6,7 +6,7 @@
 #include <QDialog>
 #include <memory>
 
-#include "io/documents/opening.h"
+#include "io/opening/opening.h"
 
 namespace Ui {
 class OpeningDialog;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/cameras/edit_name.h"
+#include "io/documents/edit_name.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 

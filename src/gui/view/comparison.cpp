@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "io/documents/session_file.h"
+#include "io/opening/session_around.h"
 
 namespace hogelscope {
 
@@ -51,7 +52,7 @@ void Comparison::stop() {
 std::optional<Scene> Comparison::other(const Session& session) const {
   if (m_isIdeal) {
     std::optional<Scene> ideal = m_own;
-    if (session.lightField.layout != Layout::live) ideal.reset();
+    if (!session.lightField.isLive()) ideal.reset();
     if (ideal) ideal->isIdeal = true;
     return ideal;
   }

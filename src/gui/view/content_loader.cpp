@@ -36,9 +36,7 @@ void ContentLoader::end() {
 /// While a live scene is edited, all that is shown stays until there is something newer, and edits
 /// that come faster than images wait for the next one (followImage()): else none would ever come.
 void ContentLoader::load() {
-  const auto isLive = [](const Session& session) {
-    return session.lightField.layout == Layout::live;
-  };
+  const auto isLive = [](const Session& session) { return session.lightField.isLive(); };
   const bool isEdit = m_scene && isLive(m_asked) && isLive(m_model->session());
   if (isEdit && m_isAwaited) return;
   m_asked = m_model->session();

@@ -94,8 +94,7 @@ void ImageCommands::showComparison() {
   m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
   m_ui.compareAction->setEnabled(hasImage);
   m_ui.compareFolderAction->setEnabled(hasImage);
-  m_ui.compareIdealAction->setEnabled(hasImage &&
-                                      m_model->session().lightField.layout == Layout::live);
+  m_ui.compareIdealAction->setEnabled(hasImage && m_model->session().lightField.isLive());
   for (QAction* action : {m_ui.fitViewAction, m_ui.oneToOneViewAction})
     action->setEnabled(hasImage);
   for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
@@ -158,8 +157,7 @@ void ImageCommands::copy() {
 
 void ImageCommands::askFile() {
   const QString file = chooseFile(m_ui.pictureView, tr("Compare with light field"),
-                                  tr("Pictures and sessions (*.png *.tif *.tiff *.jpg *.jpeg *.exr "
-                                     "*.hogelscope *.json);;All files (*)"));
+                                  lightFieldFilter(sessionPatterns));
   if (!file.isEmpty()) compareWith(file);
 }
 

@@ -45,7 +45,7 @@ void writeView(const RenderJob& job, const QString& file, const Progress& progre
 }  // namespace
 
 std::vector<fs::path> lightFieldFiles(const Session& session) {
-  if (session.lightField.layout == Layout::live) return {contentName(session.lightField)};
+  if (session.lightField.isLive()) return {contentName(session.lightField)};
   return openLightField(session.lightField, session.display)->files();
 }
 

@@ -152,7 +152,7 @@ void ViewWorker::loadNow(const Session& session) {
     return;
   }
   m_readShare = 1;
-  const bool isLive = session.lightField.layout == Layout::live;
+  const bool isLive = session.lightField.isLive();
   if (!isLive && !m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
   send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
 }

@@ -81,6 +81,14 @@ QString sessionFilter() {
   return QCoreApplication::translate("FileDialogs", "Sessions (*.hogelscope *.json)");
 }
 
+QString lightFieldFilter(const QString& more) {
+  return QCoreApplication::translate(
+             "FileDialogs",
+             "Light fields (*.png *.tif *.tiff *.jpg *.jpeg *.ppm *.pgx *.yuv *.exr *.avi *.mov "
+             "*.mp4 *.m4v *.qt *.mj2 *.h5 *.glb *.gltf *.obj *.ply%1);;All files (*)")
+      .arg(more);
+}
+
 QString chooseFile(QWidget* parent, const QString& title, const QString& filter) {
   return chosen(parent, title, {QFileDialog::ExistingFile, QFileDialog::ReadOnly, filter}).value(0);
 }

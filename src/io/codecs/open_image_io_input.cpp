@@ -171,19 +171,12 @@ class Input : public ImageInput {
     if (isMovie && std::uintmax_t(frames) > fs::file_size(m_file))
       throw InputError(m_file.string(), "",
                        "does not say how many frames it has; copy it into another file");
-    m_facts = {std::size_t(m_spec.width),
-               std::size_t(m_spec.height),
-               m_spec.nchannels,
-               type,
-               bits,
-               found,
-               std::size_t(std::max(frames, 1))};
+    m_facts = {{std::size_t(m_spec.width), std::size_t(m_spec.height), m_spec.nchannels, type, bits,
+                std::size_t(std::max(frames, 1))},
+               found};
+    m_facts.bandRows = bandRowsOf(m_facts.width, std::size_t(std::max(m_spec.tile_height, 1)));
   }
 
-  [[nodiscard]] const ImageFacts& facts() const override { return m_facts; }
-  [[nodiscard]] std::size_t tileRows() const override {
-    return std::size_t(std::max(m_spec.tile_height, 1));
-  }
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
     std::visit([&](auto* values) { readRows(int(frame), first, rows, values); }, to);
   }
@@ -195,7 +188,6 @@ class Input : public ImageInput {
   fs::path m_file;
   std::unique_ptr<OIIO::ImageInput> m_image;
   OIIO::ImageSpec m_spec;
-  ImageFacts m_facts;
 };
 
 template <class T>

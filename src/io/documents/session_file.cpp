@@ -3,24 +3,16 @@
 #include "io/documents/session_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/cameras/state_list_edits.h"
+#include "io/documents/light_field_params.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
-#include "io/images/image_file.h"
 #include "io/json/json_parameters.h"
-#include "io/layouts/capture_geometry.h"
-#include "io/layouts/view_layouts.h"
-#include "io/order/hogel_grid.h"
-#include "io/order/tile_grid.h"
 #include "io/plugins/display_json.h"
-#include "io/scene/fit_mesh.h"
-#include "io/scene/live_file.h"
-#include "io/scene/scene.h"
-#include "io/store/light_field_store.h"
+#include "io/plugins/plugin_library.h"
 
 namespace hogelscope {
 
@@ -48,8 +40,8 @@ LightFieldParams readLightField(const Json& object) {
   LightFieldParams params;
   JsonReader reader(object, "lightField");
   describe(reader, params);
-  if (params.layout == Layout::live && !params.source.empty()) {
-    params.content = contentOf(params.source);
+  if (params.isLive() && !params.source.empty()) {
+    params.content = contentParamsOf(params.source);
     if (const Json* own = reader.section(params.source); own != nullptr) {
       JsonReader ownReader(*own, reader.pathOf(params.source));
       describe(ownReader, params.content);
@@ -145,14 +137,6 @@ void applyOverride(Json& document, const std::string& text) {
   }
 }
 
-template <class Params>
-Json written(Params params) {
-  Json object = Json::object();
-  JsonWriter writer(object);
-  describe(writer, params);
-  return object;
-}
-
 Json writtenLightField(const LightFieldParams& params) {
   Json object = written(params);
   if (params.content.isGiven()) {
@@ -206,14 +190,20 @@ std::string relativeTo(const fs::path& document, const std::string& file) {
   return relative.empty() ? target.string() : relative.string();
 }
 
+/// Names all files of a session anew.
+template <class Change>
+void changeFiles(Session& session, const Change& change) {
+  LightFieldParams& lightField = session.lightField;
+  for (std::string* const own :
+       {&lightField.file, &lightField.lenslets.white, &lightField.lenslets.dark})
+    if (!own->empty()) *own = change(*own);
+  lightField.content.changeFiles(change);
+  session.display.lensParams.changeFiles(change);
+}
+
 /// What is wrong with a plugin's lens is said when its document is read.
 void openLenses(const DisplayParams& display) {
   for (const std::size_t axis : {0, 1}) (void)lensOf(display, axis);
-}
-
-std::optional<DisplayParams> displayOfStore(const LightFieldParams& params) {
-  if (params.layout != Layout::pack) return std::nullopt;
-  return LightFieldStore(params.file).header().display;
 }
 
 }  // namespace
@@ -225,14 +215,7 @@ Session parseSession(const std::string& text, const fs::path& folder,
   if (calibration) applyCalibration(document, *calibration);
   for (const std::string& change : overrides) applyOverride(document, change);
   Session session = readSession(document);
-  if (session.lightField.layout != Layout::live)
-    session.lightField.file = besideDocument(folder, session.lightField.file);
-  const auto moved = [&](const std::string& own) { return besideDocument(folder, own); };
-  for (std::string* const own :
-       {&session.lightField.lenslets.white, &session.lightField.lenslets.dark})
-    if (!own->empty()) *own = moved(*own);
-  session.lightField.content.changeFiles(moved);
-  session.display.lensParams.changeFiles(moved);
+  changeFiles(session, [&](const std::string& own) { return besideDocument(folder, own); });
   openLenses(session.display);
   return session;
 }
@@ -265,12 +248,7 @@ std::string textOf(const Session& session) {
 
 void saveSession(const fs::path& file, const Session& session) {
   Session moved = session;
-  moved.lightField.file = relativeTo(file, session.lightField.file);
-  const auto move = [&](const std::string& own) { return relativeTo(file, own); };
-  moved.lightField.lenslets.white = move(session.lightField.lenslets.white);
-  moved.lightField.lenslets.dark = move(session.lightField.lenslets.dark);
-  moved.lightField.content.changeFiles(move);
-  moved.display.lensParams.changeFiles(move);
+  changeFiles(moved, [&](const std::string& own) { return relativeTo(file, own); });
   try {
     writeTextFile(file, textOf(moved));
   } catch (const InputError& error) {
@@ -314,13 +292,13 @@ void appendStates(const fs::path& file, const std::vector<CameraState>& states) 
 }
 
 bool isSessionFile(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string extension = lowerCase(file.extension().string());
   return extension == ".json" || extension == ".hogelscope";
 }
 
-namespace {
+bool isSessionDocument(const fs::path& file) {
+  return isSessionFile(file) && !isFolder(file);
+}
 
 Session overridden(const Session& session, const std::vector<std::string>& overrides) {
   if (overrides.empty()) return session;
@@ -335,206 +313,15 @@ Session overridden(const Session& session, const std::vector<std::string>& overr
   }
 }
 
-/// 0.5 m is its longer side.
-std::array<double, 2> sizeOfShape(double width, double height) {
-  const double longest = std::max(width, height) / 0.5;
-  return {width / longest, height / longest};
-}
-
-/// Whether it is known how many hogels and directions there are, in the file or in the session.
-bool canBeOpened(const Session& session) {
-  const LightFieldParams& lightField = session.lightField;
-  if (lightField.layout == Layout::quilt)
-    return lightField.quiltColumns > 0 || quiltTilesFromName(lightField.file)[0] > 0;
-  if (lightField.layout == Layout::mosaic) return session.display.directions[0] > 0;
-  return lightField.layout != Layout::hogels ||
-         (session.display.hogels[0] > 0 && session.display.directions[0] > 0);
-}
-
-std::string pairText(const std::array<int, 2>& numbers) {
-  return std::to_string(numbers[0]) + "×" + std::to_string(numbers[1]);
-}
-
-/// A quilt has a few large views, a hogel image many small hogels.
-bool isLikeQuilt(const HogelGrid& grid) {
-  constexpr int mostViews = 20, leastPixels = 100;  // of each axis
-  return std::ranges::max(grid.hogels) <= mostViews &&
-         std::ranges::min(grid.directions) >= leastPixels;
-}
-
-/// Puts a quilt's or a mosaic's number of views into the session.
-void takeTiles(OrderedSession& result, const std::array<int, 2>& tiles, const std::string& how) {
-  const bool isMosaic = result.session.lightField.layout == Layout::mosaic;
-  if (isMosaic) {
-    result.session.display.directions = tiles;
-  } else {
-    result.session.lightField.layout = Layout::quilt;
-    result.session.lightField.quiltColumns = tiles[0];
-    result.session.lightField.quiltRows = tiles[1];
-  }
-  result.hogels = Sureness::likely;
-  result.assumed =
-      (isMosaic ? "a mosaic of " : "a quilt of ") + pairText(tiles) + " views, found by " + how;
-}
-
-/// Puts what a picture shows of its hogels, or of tiles of views, into the session; says so. The
-/// layout may be another one unless it is given.
-void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
-  const LightFieldParams& lightField = result.session.lightField;
-  const bool isTiled = lightField.layout == Layout::quilt || lightField.layout == Layout::mosaic;
-  ImageFile image{fs::path(lightField.file), lightField.yuv};
-  const std::optional<HogelGrid> grid = findHogelGrid(image, part(progress, 0, 0.5));
-  constexpr double clear = 8;  // standard errors
-  const bool isClear = grid && grid->standOut >= clear;
-  result.hogels = Sureness::unknown;
-  if (!isClear && (isTiled || !isLayoutGiven))
-    if (const auto tiles = findTileGrid(image, part(progress, 0.5, 1)))
-      return takeTiles(result, *tiles, "how alike they are");
-  if (!grid) return;
-  const std::string how = "their borders in the picture";
-  if (isTiled || (!isLayoutGiven && isLikeQuilt(*grid)))
-    return takeTiles(result, grid->hogels, how);
-  result.hogels = isClear ? Sureness::sure : Sureness::likely;
-  result.session.display.hogels = grid->hogels;
-  result.session.display.directions = grid->directions;
-  result.assumed = pairText(grid->hogels) + " hogels of " + pairText(grid->directions) +
-                   " directions, found by " + how;
-}
-
-/// Tiles that were taken for a quilt's, but show vertical parallax.
-void takeForMosaic(OrderedSession& result, Session& said, const Progress& progress) {
-  LightFieldParams& lightField = result.session.lightField;
-  const std::array tiles{std::exchange(lightField.quiltColumns, 0),
-                         std::exchange(lightField.quiltRows, 0)};
-  lightField.layout = Layout::mosaic;
-  takeTiles(result, tiles, "parallax along both axes");
-  said.lightField = lightField;
-  said.display.directions = tiles;
-  result.order = findLightFieldOrder(lightField, said.display, progress);
-}
-
-bool isLayoutGiven(const std::vector<std::string>& overrides) {
-  return std::ranges::any_of(
-      overrides, [](const std::string& text) { return text.starts_with("lightField.layout="); });
-}
-
-/// `given` may say how many directions the views of one running number have.
-DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
-  DisplayParams display;
-  if (lightField.layout == Layout::hogels) {
-    const ImageFile image{fs::path(lightField.file), lightField.yuv};
-    display.size = sizeOfShape(double(image.width()), double(image.height()));
-  } else if (const auto known = displayOfStore(lightField)) {
-    display = *known;
-  } else {
-    const LightFieldSize size = openLightField(lightField, given)->size();
-    const double aspect =
-        lightField.layout == Layout::quilt ? quiltAspectFromName(lightField.file) : 0;
-    display.size = aspect > 0 ? sizeOfShape(aspect, 1) : sizeOfShape(size.nx, size.ny);
-  }
-  return display;
-}
-
-/// Views whose capture says where its cameras stood are put on a panel where they were in focus.
-/// Returns whether it says so.
-bool takeGeometry(Session& session, const DisplayParams& given) {
-  LightFieldParams& lightField = session.lightField;
-  if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
-  const ViewFiles views = findViews(lightField, given.directions);
-  const ImageFile first(views.found().front(), lightField.yuv);
-  const auto [width, height] = std::pair(int(first.width()), int(first.height()));
-  const auto geometry = captureGeometry(lightField.file, views, width, height);
-  if (!geometry) return false;
-  const auto rounded = [](std::array<double, 2> pair) {  // for readers of the session
-    for (double& value : pair) value = std::round(value * 1e6) / 1e6;
-    return pair;
-  };
-  session.display.size = rounded(geometry->panel);
-  session.display.fov = rounded(geometry->fovOf(views.columns, views.rows));
-  lightField.viewingDistance = geometry->distance;
-  lightField.shear = rounded(geometry->shearOf(width, height));
-  return true;
-}
-
-}  // namespace
-
 Session newSession() {
   Session session;
   session.display.hogels = {256, 256};
   session.display.directions = {100, 100};
   session.lightField.layout = Layout::live;
   session.lightField.source = "scene";
-  session.lightField.content = contentOf(session.lightField.source);
+  session.lightField.content = contentParamsOf(session.lightField.source);
   session.cameras = {inFrontOf(session.display)};
   return session;
-}
-
-OrderedSession orderedSessionAround(const std::string& file,
-                                    const std::vector<std::string>& overrides,
-                                    const Progress& progress) {
-  OrderedSession result;
-  Session& session = result.session;
-  session.lightField = lightFieldOf(file);
-  addState(session, inFrontOf(session.display));
-  if (session.lightField.layout == Layout::live) {
-    fitMesh(session.lightField, session.display, progress);
-  } else {
-    Session said = overridden(session, overrides);  // which may say how to read it
-    session.lightField = said.lightField;
-    const bool isGuessed = !canBeOpened(said) && !isLayoutGiven(overrides);
-    if (!canBeOpened(said)) {
-      findHogels(result, !isGuessed, part(progress, 0, 0.5));
-      said.lightField = session.lightField;
-      said.display.hogels = session.display.hogels;
-      said.display.directions = session.display.directions;
-    }
-    if (canBeOpened(said)) {
-      result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.5, 0.8));
-      if (result.order.isLikeMosaic && isGuessed)
-        takeForMosaic(result, said, part(progress, 0.8, 1));
-      session.lightField = result.order.found;
-    }
-    session.display = displayAround(session.lightField, said.display);
-    const Layout layout = session.lightField.layout;
-    if (layout == Layout::hogels || layout == Layout::mosaic) {
-      session.display.hogels = said.display.hogels;
-      session.display.directions = said.display.directions;
-    }
-    if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
-        distance > 0)
-      session.lightField.viewingDistance = distance;
-    if (takeGeometry(session, said.display)) {
-      result.order.found.viewingDistance = session.lightField.viewingDistance;
-      result.order.found.shear = session.lightField.shear;
-    }
-  }
-  session.cameras = {inFrontOf(displayOf(session))};
-  session = overridden(session, overrides);
-  const bool isOrderGiven = session.lightField.rows != result.order.found.rows ||
-                            session.lightField.columns != result.order.found.columns;
-  if (isGridOfViews(session.lightField.layout) && isOrderGiven) {
-    session.lightField = withOrderOf(session.lightField, result.order);
-    session = overridden(session, overrides);
-  }
-  return result;
-}
-
-Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
-                      const Progress& progress) {
-  return orderedSessionAround(file, overrides, progress).session;
-}
-
-Session withLightField(const Session& session, const std::string& file) {
-  Session result = session;
-  if (isSessionFile(file)) {
-    const Session other = loadSession(file);
-    result.display = other.display;
-    result.lightField = other.lightField;
-  } else {
-    result.lightField = withFile(session.lightField, file);
-    check(result);
-  }
-  return result;
 }
 
 }  // namespace hogelscope

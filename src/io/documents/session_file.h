@@ -8,7 +8,6 @@
 
 #include "core/optics/session.h"
 #include "io/documents/calibration_file.h"
-#include "io/order/light_field_order.h"
 
 namespace hogelscope {
 
@@ -43,35 +42,14 @@ void appendStates(const std::filesystem::path& file, const std::vector<CameraSta
 /// A display with one state in front of it, whose content is the built-in scene.
 Session newSession();
 
-/// Makes a session around a light field: an image, a quilt by its name, a folder of views, or a
-/// mesh, which is read. The display has its shape; one state is in front of it. Views get the order
-/// and shear that their pictures say, unless the overrides do. Of a hogel image the hogels and
-/// directions are found in the picture, or remain to be given; a few large tiles are those of a
-/// quilt or a mosaic. A store has its display. `overrides` as above. Throws InputError, or
-/// Cancelled while a mesh is read or views are looked at.
-Session sessionAround(const std::string& file, const std::vector<std::string>& overrides = {},
-                      const Progress& progress = {});
-
-/// A session around a light field, and what was found out about the order of its views.
-struct OrderedSession {
-  Session session;
-  LightFieldOrder order;
-  /// A line for the user on what nobody has said of hogels and directions, but the picture shows;
-  /// "" if there is none.
-  std::string assumed;
-  Sureness hogels = Sureness::sure;  ///< of that
-};
-
-/// The same, for those who tell the user about the order.
-OrderedSession orderedSessionAround(const std::string& file,
-                                    const std::vector<std::string>& overrides = {},
-                                    const Progress& progress = {});
+/// Returns the session with overrides as above. Throws InputError that names the light field's
+/// file.
+Session overridden(const Session& session, const std::vector<std::string>& overrides);
 
 /// Whether the name is that of a session document: FILE.hogelscope or FILE.json.
 bool isSessionFile(const std::filesystem::path& file);
 
-/// Returns the session with another light field, for comparisons: an image, a folder of views, or a
-/// session, of which the display is used too. Throws InputError.
-Session withLightField(const Session& session, const std::string& file);
+/// Whether a file is a session, not a light field that a session is made around.
+bool isSessionDocument(const std::filesystem::path& file);
 
 }  // namespace hogelscope

@@ -191,11 +191,6 @@ StoredType typeOf(const DirectoryReader& directory) {
 
 }  // namespace
 
-std::size_t pixelBytes(StoredType type) {
-  constexpr std::array<std::size_t, 3> bytes{3, 6, 12};
-  return bytes[std::size_t(type)];
-}
-
 std::string tiffHeader() {
   std::string header(magic.data(), magic.size());
   put(header, std::uint64_t{0});

@@ -17,22 +17,6 @@ constexpr std::uint32_t tilesAlong(std::size_t pixels) {
   return std::uint32_t((pixels + tileSide - 1) / tileSide);
 }
 
-/// Returns the bytes of one pixel in the file.
-std::size_t pixelBytes(StoredType type);
-
-/// Calls work(T{}), where T is the type of the values.
-template <class Work>
-void withStoredType(StoredType type, Work work) {
-  switch (type) {
-    case StoredType::uint8:
-      return work(std::uint8_t{});
-    case StoredType::uint16:
-      return work(std::uint16_t{});
-    default:
-      return work(float{});
-  }
-}
-
 struct TiffPage {
   std::uint32_t tilesAcross = 0;
   std::uint32_t tilesDown = 0;

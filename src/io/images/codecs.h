@@ -14,21 +14,48 @@
 #include <vector>
 
 #include "core/light_field/light_field.h"
-#include "io/images/image_facts.h"
 
 namespace hogelscope {
 
-/// An open image or video.
+/// A pointer to the first value of pixels owned by the caller.
+using StoredRows = std::variant<const std::uint8_t*, const std::uint16_t*, const float*>;
+
+/// The numbers of ImageFacts.
+struct ImageNumbers {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  int channels = 0;
+  StoredType type = StoredType::uint8;
+  /// The bits of a value as the file has them, 8 … 16: 10 for a PPM whose largest value is 1023. 16
+  /// for floats, 8 for fewer.
+  int bits = 8;
+  std::size_t frames = 1;    ///< pictures of the same size that it holds: a video's frames
+  std::size_t columns = 0;   ///< frames in a row, where they are a grid of views
+  std::size_t bandRows = 1;  ///< rows that are read together best: bands begin at multiples of it
+};
+
+/// Returns the rows of about a million pixels, in whole tiles.
+constexpr std::size_t bandRowsOf(std::size_t width, std::size_t tileRows = 1) {
+  constexpr std::size_t bandPixels = std::size_t{1} << 20U;
+  return (bandPixels / width / tileRows + 1) * tileRows;
+}
+
+struct ImageFacts : ImageNumbers {
+  std::string format;  ///< such as "png"
+};
+
+/// A picture or a video that is being read.
 class ImageInput {
  public:
   virtual ~ImageInput() = default;
-  [[nodiscard]] virtual const ImageFacts& facts() const = 0;
-  /// Returns the best number of rows to read at once; pieces begin at multiples of it.
-  [[nodiscard]] virtual std::size_t tileRows() const = 0;
-  /// Reads rows as 3·width·rows values of the type. Grey becomes RGB; colours are multiplied by
+  [[nodiscard]] const ImageFacts& facts() const { return m_facts; }
+  /// Reads rows as 3·width·rows values of the type; grey becomes RGB, colours come multiplied by
   /// alpha.
   using Rows = std::variant<std::uint8_t*, std::uint16_t*, float*>;
   virtual void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) = 0;
+
+ protected:
+  ImageFacts m_facts;
 };
 
 /// An image that is written from the top.

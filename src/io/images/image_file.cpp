@@ -4,14 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
-#include "io/images/big_tiff.h"
-#include "io/images/pgx_rows.h"
-#include "io/images/picture_input.h"
-#include "io/images/png_rows.h"
-#include "io/images/yuv_rows.h"
+#include "io/images/image_inputs.h"
 
 namespace hogelscope {
 
@@ -46,108 +41,42 @@ void checkIsFile(const fs::path& file) {
 
 }  // namespace
 
-ImageFile::ImageFile(const fs::path& file, const YuvParams& yuv) : m_file(file), m_yuv(yuv) {
+ImageFile::ImageFile(const fs::path& file, const YuvParams& yuv) : m_file(file) {
   checkIsFile(file);
-  m_reader = YuvRows::isYuv(file)   ? Reader::yuv
-             : PngRows::isPng(file) ? Reader::png
-             : PgxRows::isPgx(file) ? Reader::pgx
-                                    : Reader::codecs;
-  switch (m_reader) {
-    case Reader::yuv:
-      take(YuvRows(file, yuv), "yuv");
-      break;
-    case Reader::png:
-      take(PngRows(file), "png");
-      break;
-    case Reader::pgx:
-      take(PgxRows(file), "pgx");
-      break;
-    default:
-      m_input = openPicture(m_file);
-      m_facts = m_input->facts();
-  }
+  m_input = openYuv(file, yuv);
+  if (!m_input) m_input = openPng(file);
+  if (!m_input) m_input = openPgx(file);
+  if (!m_input) m_input = openPicture(file);
 }
 
-ImageFile::~ImageFile() = default;
-ImageFile::ImageFile(ImageFile&&) noexcept = default;
-
-template <class Rows>
-void ImageFile::take(const Rows& rows, const char* format) {
-  m_facts = {rows.width(),
-             rows.height(),
-             rows.channels(),
-             rows.type(),
-             std::max(rows.bits(), 8),
-             format,
-             1};
-}
+ImageFile::ImageFile(fs::path file, std::unique_ptr<ImageInput> input)
+    : m_file(std::move(file)), m_input(std::move(input)) {}
 
 template <class T>
 void ImageFile::readAs(const Band& band, const Progress& progress) {
-  constexpr std::size_t bandPixels = std::size_t{1} << 20;
-  const std::size_t tileRows = m_input->tileRows();
-  const std::size_t rows = (bandPixels / width() / tileRows + 1) * tileRows;
+  const std::size_t rows = m_input->facts().bandRows;
   std::vector<T> values;
   for (std::size_t first = 0; first < height(); first += rows) {
     reportProgress(progress, double(first) / double(height()));
     const std::size_t count = std::min(rows, height() - first);
     values.resize(3 * width() * count);
-    m_input->read(std::size_t(m_frame), first, count, values.data());
-    if constexpr (std::is_same_v<T, float>) refuseNotANumber(values, width(), first, m_file);
+    m_input->read(m_frame, first, count, values.data());
+    if constexpr (std::is_same_v<T, float>)
+      if (this->type() == StoredType::real) refuseNotANumber(values, width(), first, m_file);
     band(first, count, StoredRows(values.data()));
   }
 }
 
-namespace {
-
-template <class To, class From>
-To converted(From value) {
-  if constexpr (std::is_same_v<To, float>)
-    return float(value) / std::numeric_limits<From>::max();
-  else if constexpr (sizeof(To) > sizeof(From))
-    return To(value * 257);  // 255 becomes 65535
-  else
-    return To((value + 128U) / 257U);
-}
-
-/// Reads row by row with PngRows, PgxRows or YuvRows.
-template <class T, class Rows>
-void readRowByRow(Rows image, const ImageFile::Band& band, const Progress& progress) {
-  std::vector<T> row(3 * image.width());
-  const auto hand = [&](std::size_t y, const auto& values) {
-    if constexpr (std::is_same_v<decltype(values.data()), const T*>) {
-      band(y, 1, StoredRows(values.data()));
-    } else {
-      std::transform(values.begin(), values.end(), row.begin(),
-                     [](auto value) { return converted<T>(value); });
-      band(y, 1, StoredRows(row.data()));
-    }
-  };
-  for (std::size_t y = 0; y < image.height(); ++y) {
-    reportProgress(progress, double(y) / double(image.height()));
-    if (image.type() == StoredType::uint8)
-      hand(y, image.next8());
-    else
-      hand(y, image.next16());
-  }
-}
-
-}  // namespace
-
 void ImageFile::read(StoredType type, const Band& band, const Progress& progress) {
-  withStoredType(type, [&](auto value) {
-    using T = decltype(value);
-    switch (m_reader) {
-      case Reader::yuv:
-        return readRowByRow<T>(YuvRows(m_file, m_yuv), band, progress);
-      case Reader::png:
-        return readRowByRow<T>(PngRows(m_file), band, progress);
-      case Reader::pgx:
-        return readRowByRow<T>(PgxRows(m_file), band, progress);
-      default:
-        return readAs<T>(band, progress);
-    }
-  });
+  withStoredType(type, [&]<class T>(T) { readAs<T>(band, progress); });
+}
+
+void ImageFile::readRows(const Row& row, const Progress& progress) {
+  const auto hand = [&](std::size_t first, std::size_t rows, const StoredRows& values) {
+    const float* const rgb = std::get<const float*>(values);
+    for (std::size_t k = 0; k < rows; ++k) row(first + k, rgb + 3 * k * width());
+  };
+  read(StoredType::real, hand, progress);
 }
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images and videos read by codecs(), in this process or in a copy of it.
-#include "io/images/picture_input.h"
+// Pictures and videos by codecs(), in this process or in a copy of it.
+#include "io/images/image_inputs.h"
 
 #include <array>
 #include <cstring>
@@ -12,7 +12,6 @@
 #include "core/base/text.h"
 #include "io/files/isolated.h"
 #include "io/files/random_access_file.h"
-#include "io/images/big_tiff.h"
 #include "io/images/exr_header.h"
 
 namespace hogelscope {
@@ -69,6 +68,7 @@ class OwnInput : public ImageInput {
   OwnInput(const fs::path& file, const std::string& format) {
     const std::shared_lock lock(Isolated::librariesInUse());
     m_input = codecs().open(file, format);
+    m_facts = m_input->facts();
   }
   ~OwnInput() override {
     const std::shared_lock lock(Isolated::librariesInUse());
@@ -77,8 +77,6 @@ class OwnInput : public ImageInput {
   OwnInput(const OwnInput&) = delete;
   OwnInput& operator=(const OwnInput&) = delete;
 
-  [[nodiscard]] const ImageFacts& facts() const override { return m_input->facts(); }
-  [[nodiscard]] std::size_t tileRows() const override { return m_input->tileRows(); }
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
     const std::shared_lock lock(Isolated::librariesInUse());
     m_input->read(frame, first, rows, to);
@@ -88,30 +86,13 @@ class OwnInput : public ImageInput {
   std::unique_ptr<ImageInput> m_input;
 };
 
-/// A request to the copy; without rows it asks for PictureFacts and the format's name.
+/// What the copy is asked for; no rows: for ImageNumbers and the format's name.
 struct PictureRequest {
   std::size_t frame = 0;
   std::size_t first = 0;
   std::size_t rows = 0;
   StoredType type = StoredType::uint8;
 };
-
-struct PictureFacts {
-  std::size_t width = 0;
-  std::size_t height = 0;
-  std::size_t frames = 0;
-  std::size_t tileRows = 0;
-  int channels = 0;
-  int bits = 0;
-  StoredType type = StoredType::uint8;
-};
-
-std::string factsOf(const ImageInput& input) {
-  const ImageFacts& facts = input.facts();
-  return messageOf(PictureFacts{facts.width, facts.height, facts.frames, input.tileRows(),
-                                facts.channels, facts.bits, facts.type}) +
-         facts.format;
-}
 
 std::string rowsOf(ImageInput& input, const PictureRequest& request) {
   std::string bytes;
@@ -125,18 +106,12 @@ std::string rowsOf(ImageInput& input, const PictureRequest& request) {
 
 class IsolatedInput : public ImageInput {
  public:
-  explicit IsolatedInput(const fs::path& file) : m_process(file, [file] { return serve(file); }) {
-    (void)codecs();  // loaded once here, not by each copy
+  IsolatedInput(const fs::path& file, std::function<std::unique_ptr<ImageInput>()> open)
+      : m_process(file, [open = std::move(open)] { return serve(open()); }) {
     const std::string answer = m_process.ask(messageOf(PictureRequest{}));
-    const auto facts = valueOf<PictureFacts>(answer);
-    m_tileRows = facts.tileRows;
-    m_facts = {facts.width, facts.height, facts.channels,
-               facts.type,  facts.bits,   answer.substr(sizeof facts),
-               facts.frames};
+    m_facts = {valueOf<ImageNumbers>(answer), answer.substr(sizeof(ImageNumbers))};
   }
 
-  [[nodiscard]] const ImageFacts& facts() const override { return m_facts; }
-  [[nodiscard]] std::size_t tileRows() const override { return m_tileRows; }
   void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
     std::visit(
         [&](auto* values) {
@@ -154,26 +129,32 @@ class IsolatedInput : public ImageInput {
   }
 
  private:
-  static Isolated::Service serve(const fs::path& file) {
-    const std::shared_ptr<ImageInput> input = codecs().open(file, {});
+  static Isolated::Service serve(const std::shared_ptr<ImageInput>& input) {
     return [input](const std::string& bytes) {
       const auto request = valueOf<PictureRequest>(bytes);
-      return request.rows == 0 ? factsOf(*input) : rowsOf(*input, request);
+      if (request.rows > 0) return rowsOf(*input, request);
+      return messageOf<ImageNumbers>(input->facts()) + input->facts().format;
     };
   }
 
   Isolated m_process;
-  ImageFacts m_facts;
-  std::size_t m_tileRows = 1;
 };
 
 }  // namespace
 
 std::unique_ptr<ImageInput> openPicture(const fs::path& file) {
   const std::string_view format = trustedFormatOf(file);
-  if (format.empty()) return std::make_unique<IsolatedInput>(file);
+  if (format.empty()) {
+    (void)codecs();  // loaded once, here, and not by each copy
+    return isolatedInput(file, [file] { return codecs().open(file, {}); });
+  }
   if (format == "openexr") checkExrHeader(file);
   return std::make_unique<OwnInput>(file, std::string(format));
+}
+
+std::unique_ptr<ImageInput> isolatedInput(const fs::path& file,
+                                          std::function<std::unique_ptr<ImageInput>()> open) {
+  return std::make_unique<IsolatedInput>(file, std::move(open));
 }
 
 }  // namespace hogelscope

@@ -60,6 +60,15 @@ class JsonWriter : public ParameterVisitor {
   Json& m_object;
 };
 
+/// Returns an object with the fields.
+template <class Params>
+Json written(Params params) {
+  Json object = Json::object();
+  JsonWriter writer(object);
+  describe(writer, params);
+  return object;
+}
+
 /// Reads the fields of `parent`'s object `name`, if it has one.
 template <class Params>
 void readSection(JsonReader& parent, const char* name, Params& params) {

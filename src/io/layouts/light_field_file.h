@@ -65,6 +65,9 @@ bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
 void handOutRow(const LightField& texels, int j, int v, const LightFieldFile::HogelRow& use,
                 int to);
 
+/// Advice for a light field that is too large.
+inline constexpr const char* packIt = ": pack it into a store, and use that";
+
 /// Makes a black light field, to be filled. Throws InputError that names the file if the machine's
 /// memory is too small; `hint` tells the user what to do.
 LightField blankLightField(const LightFieldSize& size, StoredType type,

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds a folder's views and reads their row and column from the file names.
-#include "io/layouts/view_files.h"
-
 #include <fnmatch.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
 
+#include "capture/names/name_pattern.h"
+#include "capture/names/name_series.h"
 #include "core/base/error.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
-#include "io/layouts/name_pattern.h"
-#include "io/layouts/name_series.h"
+#include "io/layouts/layouts.h"
 
 namespace hogelscope {
 
@@ -24,39 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Numbers = std::map<char, std::string>;
-
-std::optional<std::int64_t> numberOf(const Numbers& numbers, char letter) {
-  const auto found = numbers.find(letter);
-  if (found == numbers.end()) return std::nullopt;
-  std::int64_t value = 0;
-  std::from_chars(found->second.data(), found->second.data() + found->second.size(), value);
-  return value;
-}
-
-std::optional<double> coordinateOf(const Numbers& numbers, char letter) {
-  const auto found = numbers.find(letter);
-  if (found == numbers.end()) return std::nullopt;
-  const std::string& text = found->second;
-  const char* const begin = text.data() + (text.front() == '+' ? 1 : 0);
-  double value = 0;
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-  const bool isNumber = error == std::errc() && end == text.data() + text.size();
-  return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 std::vector<NamedView> matches(const std::vector<fs::path>& files, const NamePattern& pattern) {
   const bool isOfCoordinates = pattern.meaning().find_first_of("RCN") == std::string::npos;
   std::vector<NamedView> views;
   for (const fs::path& file : files) {
     const auto numbers = numbersIn(file.filename().string(), pattern);
     if (!numbers) continue;
-    const NamedView view{file,
-                         numberOf(*numbers, 'R'),
-                         numberOf(*numbers, 'C'),
-                         numberOf(*numbers, 'N'),
-                         coordinateOf(*numbers, 'x'),
-                         coordinateOf(*numbers, 'y')};
+    const NamedView view = viewNamed(file, *numbers);
     if (!isOfCoordinates || view.x || view.y) views.push_back(view);
   }
   return views;
@@ -278,8 +249,8 @@ void nameOthers(ViewFiles& grid, const std::vector<fs::path>& files) {
       grid.others.push_back(file.filename().string());
 }
 
-/// JPEG Pleno's reference software has the views of a component in a folder; PgxRows finds those of
-/// the others. It is looked at once: it may be a link to its own folder.
+/// JPEG Pleno's reference software has the views of a component in a folder; openPgx() finds those
+/// of the others. It is looked at once: it may be a link to its own folder.
 fs::path firstComponentsOf(const fs::path& folder) {
   return folder / "0";
 }

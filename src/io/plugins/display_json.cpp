@@ -27,12 +27,6 @@ DisplayParams readDisplay(const Json& object) {
 }
 
 Json writtenDisplay(const DisplayParams& params) {
-  const auto written = [](auto values) {
-    Json object = Json::object();
-    JsonWriter writer(object);
-    describe(writer, values);
-    return object;
-  };
   Json object = written(params);
   if (params.lensParams.isGiven()) object[params.lensSource] = written(params.lensParams);
   return object;

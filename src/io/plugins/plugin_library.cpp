@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/content/scene_content.h"
 #include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_guard.h"
 
@@ -89,6 +90,12 @@ PluginLibrary loadPlugin(const std::string& name, PluginKind kind) {
   const plugin::Entry& entry = openLibrary(found);
   checkEntry(found, entry);
   return {name, entry};
+}
+
+ContentParams contentParamsOf(const std::string& source) {
+  if (source == "scene") return ContentParams([] { return std::make_unique<SceneContent>(); });
+  const PluginLibrary library = loadPlugin(source, PluginKind::content);
+  return ContentParams([library] { return library.makeContent(); });
 }
 
 }  // namespace hogelscope

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/light_field/live_params.h"
 #include "io/plugins/plugin_list.h"
 #include "sdk/hogelscope/plugin.h"
 
@@ -35,5 +36,9 @@ class PluginLibrary {
 /// Loads the plugin of this name, which must offer the kind. Throws InputError if there is none or
 /// it cannot be used.
 PluginLibrary loadPlugin(const std::string& name, PluginKind kind);
+
+/// Returns the parameters of content by its name in sessions: "scene", or a plugin's. Throws
+/// InputError for an unknown name, and what is wrong with a plugin.
+ContentParams contentParamsOf(const std::string& source);
 
 }  // namespace hogelscope

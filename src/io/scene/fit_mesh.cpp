@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/scene/fit_mesh.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +12,7 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double side = 0.5;  // the panel's longer one
+constexpr double panelSide = 0.5;  // the panel's longer one
 constexpr double filled = 0.9;
 
 /// The box around content, in the display frame.
@@ -43,7 +41,7 @@ void shapePanel(DisplayParams& display, double width, double height) {
     return std::max(1, int(std::lround(hogels * extent / longer)));
   };
   display.hogels = {count(width), count(height)};
-  display.size = {side * display.hogels[0] / hogels, side * display.hogels[1] / hogels};
+  display.size = {panelSide * display.hogels[0] / hogels, panelSide * display.hogels[1] / hogels};
   display.directions = {100, 100};
   display.fov = {60, 60};
 }
@@ -83,14 +81,14 @@ void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& p
   const double longer = std::max(extent.x, extent.y);
   const Vec3 middle = 0.5 * (box.least + box.most);
   constexpr double mostSlender = 8;  // a line still gets some rows of hogels
-  const double largest = filled * side / longer;
+  const double largest = filled * panelSide / longer;
   if (!(longer > 0) || largest < 1e-6 || largest > 1e6 || !(largest * length(middle) < 1000))
     throw InputError(contentName(params),
                      "is no mesh that a panel fits: it is too small, too large, or farther from "
                      "its origin than 2000 times its size");
   shapePanel(display, std::max(extent.x, longer / mostSlender),
              std::max(extent.y, longer / mostSlender));
-  const double front = std::min(largest * extent.z / 4, side / 10);
+  const double front = std::min(largest * extent.z / 4, panelSide / 10);
   const double fitted = fourDigits(scaleWithin(display, points, box, front, largest));
   params.content.set("scale", std::vector<double>{fitted});
   const auto tenths = [](double place) {

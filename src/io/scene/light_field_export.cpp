@@ -9,9 +9,8 @@
 
 #include "core/base/error.h"
 #include "io/files/atomic_file.h"
-#include "io/images/big_tiff.h"
 #include "io/images/image_writer.h"
-#include "io/layouts/view_layouts.h"
+#include "io/layouts/layouts.h"
 
 namespace hogelscope {
 
@@ -134,13 +133,13 @@ void exportViews(LightFieldFile& lightField, const fs::path& folder, const Progr
   }
 }
 
-QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const fs::path& file) {
+std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField, const fs::path& file) {
   const LightFieldSize size = lightField.size();
   if (size.dv != 1)
     throw InputError("display.directions",
                      "has " + std::to_string(size.dv) +
                          " rows: a quilt has one row of directions; export views");
-  const auto [columns, rows] = quiltTilesFromName(file.string());
+  const auto [columns, rows] = quiltNameOf(file.string()).tiles;
   if (columns > 0) {
     if (columns * rows != size.du)
       throw InputError(file.string(), "the name",
@@ -148,13 +147,12 @@ QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const fs::path& file)
                            std::to_string(size.du) + " directions");
     return {columns, rows};
   }
-  QuiltTiles best{size.du, 1};
+  std::array<int, 2> best{size.du, 1};
   for (int across = 1; across <= size.du; ++across) {
     const auto shape = [&](int c) {
       return std::abs(std::log(double(c) * size.nx / (double(size.du) / c * size.ny)));
     };
-    if (size.du % across == 0 && shape(across) < shape(best.columns))
-      best = {across, size.du / across};
+    if (size.du % across == 0 && shape(across) < shape(best[0])) best = {across, size.du / across};
   }
   return best;
 }
@@ -169,11 +167,10 @@ struct FirstView {
 
 /// Writes `tiles` of views; `firstOf` says what a row of them, counted from the top, begins with.
 template <class FirstOf>
-void exportTiles(LightFieldFile& lightField, const QuiltTiles& tiles, FirstOf firstOf,
+void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, FirstOf firstOf,
                  const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const int columns = tiles.columns;
-  const int rows = tiles.rows;
+  const auto [columns, rows] = tiles;
   ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
                         std::size_t(rows) * std::size_t(size.ny), lightField.type());
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
@@ -198,11 +195,11 @@ void exportTiles(LightFieldFile& lightField, const QuiltTiles& tiles, FirstOf fi
 }  // namespace
 
 void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
-  const QuiltTiles tiles = quiltTilesFor(lightField, file);
-  const auto firstOf = [&tiles](int row) {  // the first row is the lowest
-    return FirstView{(tiles.rows - 1 - row) * tiles.columns, 0};
+  const auto [columns, rows] = quiltTilesFor(lightField, file);
+  const auto firstOf = [columns = columns, rows = rows](int row) {  // the first one is the lowest
+    return FirstView{(rows - 1 - row) * columns, 0};
   };
-  exportTiles(lightField, tiles, firstOf, file, progress);
+  exportTiles(lightField, {columns, rows}, firstOf, file, progress);
 }
 
 void exportMosaic(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {

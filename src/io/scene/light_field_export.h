@@ -3,6 +3,7 @@
 // mosaic, in bounded memory. Stores are written by io/store/store_writer.h. Values keep their type.
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 #include "io/layouts/light_field_file.h"
@@ -20,16 +21,11 @@ void exportHogels(LightFieldFile& lightField, const std::filesystem::path& file,
 void exportViews(LightFieldFile& lightField, const std::filesystem::path& folder,
                  const Progress& progress);
 
-/// The tiles of a quilt, across and down.
-struct QuiltTiles {
-  int columns = 0;
-  int rows = 0;
-};
-
-/// Returns the tiles that the name says ("_qs8x6a0.75"), or those of about a square image. Throws
-/// InputError: the name's are not as many as the directions, or there is more than one row of
-/// directions.
-QuiltTiles quiltTilesFor(const LightFieldFile& lightField, const std::filesystem::path& file);
+/// Returns the tiles, across and down, that the name says ("_qs8x6a0.75"), or those of about a
+/// square image. Throws InputError: the name's are not as many as the directions, or there is more
+/// than one row of directions.
+std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField,
+                                 const std::filesystem::path& file);
 
 /// Writes a quilt: view 0 is its bottom left tile and was taken from the left.
 void exportQuilt(LightFieldFile& lightField, const std::filesystem::path& file,

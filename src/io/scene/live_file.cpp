@@ -11,8 +11,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/content/cut_edges.h"
-#include "core/content/scene_content.h"
-#include "io/layouts/texel_placement.h"
 #include "io/plugins/plugin_library.h"
 
 namespace hogelscope {
@@ -41,16 +39,6 @@ plugin::Panel panelOf(const DisplayParams& params) {
           {(last.x - first.x) / params.directions[0], (first.y - last.y) / params.directions[1]}};
 }
 
-}  // namespace
-
-ContentParams contentOf(const std::string& source) {
-  if (source == "scene") return ContentParams([] { return std::make_unique<SceneContent>(); });
-  const PluginLibrary library = loadPlugin(source, PluginKind::content);
-  return ContentParams([library] { return library.makeContent(); });
-}
-
-namespace {
-
 /// Of the kinds of meshes that the plugin reads, and of others that people have.
 constexpr std::array<std::string_view, 4> meshEndings{".glb", ".gltf", ".obj", ".ply"};
 constexpr std::array<std::string_view, 14> otherEndings{".stl",  ".fbx",  ".dae", ".3ds",  ".3mf",
@@ -77,7 +65,7 @@ LightFieldParams lightFieldOfMesh(const std::string& file) {
   params.layout = Layout::live;
   params.source = "mesh";
   try {
-    params.content = contentOf(params.source);
+    params.content = contentParamsOf(params.source);
   } catch (const InputError& error) {
     throw error.in(file);
   }

@@ -7,10 +7,6 @@
 
 namespace hogelscope {
 
-/// Returns the parameters of content by its name in sessions: "scene", or a plugin's. Throws
-/// InputError for an unknown name, and what is wrong with a plugin.
-ContentParams contentOf(const std::string& source);
-
 /// Whether the name is that of a mesh: of a kind that the plugin "mesh" shows, .glb, .gltf, .obj or
 /// .ply, or of another one, which lightFieldOfMesh() refuses.
 bool isMeshFile(const std::string& file);
@@ -46,5 +42,12 @@ class LiveFile : public LightFieldFile {
   DisplayParams m_display;
   std::shared_ptr<const plugin::ContentSource> m_content;
 };
+
+/// Makes a mesh fill nine tenths of a panel that has its shape, seen from the front, and a longer
+/// side of 0.5 m, or less of it, so that the eye in front of the display (inFrontOf()) sees all of
+/// the mesh within the panel's edges. A quarter of its depth, but not more than a tenth of that
+/// side, stands before the panel. Sets the content's place and scale, and the display's size,
+/// hogels, directions and field. Reads the mesh. Throws InputError, Cancelled.
+void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& progress);
 
 }  // namespace hogelscope

@@ -2,59 +2,63 @@
 // Opens light fields, and makes the views of a session's states.
 #include "io/scene/scene.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <stdexcept>
+#include <array>
 
 #include "core/base/error.h"
 #include "io/files/folders.h"
-#include "io/layouts/hogel_image.h"
-#include "io/layouts/lenslet_picture.h"
-#include "io/layouts/view_layouts.h"
-#include "io/layouts/view_sequences.h"
 #include "io/scene/live_file.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
-                                          const DisplayParams& display) {
+                                          const DisplayParams& display, const Progress&) {
   auto store = std::make_unique<LightFieldStore>(params.file, params.incoming);
   (void)resolved(display, store->size());  // both say the size: they must agree
   return store;
 }
 
-}  // namespace
-
-namespace {
-
-bool holdsViews(const std::string& file) {
-  return isFolder(file) || isViewSequence(file);
+std::unique_ptr<LightFieldFile> openLive(const LightFieldParams& params,
+                                         const DisplayParams& display, const Progress& progress) {
+  return std::make_unique<LiveFile>(params, display, progress);
 }
 
+const LayoutType packLayout{.open = openStore, .holder = Holder::store};
+const LayoutType liveLayout{.open = openLive, .holder = Holder::scene};
+
 }  // namespace
 
+const LayoutType& typeOf(Layout layout) {
+  static constexpr std::array<const LayoutType*, 7> types{
+      &hogelsLayout,   &viewsLayout, &quiltLayout, &mosaicLayout,
+      &lensletsLayout, &packLayout,  &liveLayout};  // as the enumeration has them
+  return *types[std::size_t(layout)];
+}
+
+Holder holderOf(const std::string& file) {
+  if (isFolder(file) || isViewSequence(file)) return Holder::views;
+  if (isMeshFile(file)) return Holder::scene;
+  return LightFieldStore::isStore(file) ? Holder::store : Holder::picture;
+}
+
 LightFieldParams lightFieldOf(const std::string& file) {
-  if (!isFolder(file) && isMeshFile(file)) return lightFieldOfMesh(file);
+  const Holder holder = holderOf(file);
+  if (holder == Holder::scene) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
-  if (holdsViews(file))
+  if (holder == Holder::views)
     params.layout = Layout::views;
-  else if (LightFieldStore::isStore(file))
+  else if (holder == Holder::store)
     params.layout = Layout::pack;
-  else if (quiltTilesFromName(file)[0] > 0)
+  else if (quiltNameOf(file).tiles[0] > 0)
     params.layout = Layout::quilt;
   return params;
 }
 
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file) {
-  const bool isAnotherKind = params.layout == Layout::live || isMeshFile(file) ||
-                             holdsViews(file) != (params.layout == Layout::views) ||
-                             LightFieldStore::isStore(file) != (params.layout == Layout::pack);
+  const bool isAnotherKind = params.isLive() || holderOf(file) != typeOf(params.layout).holder;
   LightFieldParams result = isAnotherKind ? lightFieldOf(file) : params;
   if (!isAnotherKind) result.file = file;
   result.viewingDistance = params.viewingDistance;
@@ -64,25 +68,10 @@ LightFieldParams withFile(const LightFieldParams& params, const std::string& fil
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display,
                                                const Progress& progress) {
-  switch (params.layout) {
-    case Layout::views:
-      return openViews(params, display);
-    case Layout::quilt:
-      return openQuilt(params);
-    case Layout::mosaic:
-      return openMosaic(params, display);
-    case Layout::lenslets:
-      return openLenslets(params, display, progress);
-    case Layout::pack:
-      return openStore(params, display);
-    case Layout::live:
-      return std::make_unique<LiveFile>(params, display, progress);
-    default:
-      if (LightFieldStore::isStore(params.file))
-        throw InputError(params.file, "lightField.layout",
-                         "is \"hogels\", but the file is a store: give \"pack\"");
-      return openHogelImage(params, display);
-  }
+  if (params.layout == Layout::hogels && LightFieldStore::isStore(params.file))
+    throw InputError(params.file, "lightField.layout",
+                     "is \"hogels\", but the file is a store: give \"pack\"");
+  return typeOf(params.layout).open(params, display, progress);
 }
 
 bool readTheSame(const Session& a, const Session& b) {
@@ -92,8 +81,7 @@ bool readTheSame(const Session& a, const Session& b) {
                             ours.lens == others.lens && ours.lensSource == others.lensSource &&
                             ours.lensParams == others.lensParams;
   return a.lightField == b.lightField && ours.hogels == others.hogels &&
-         ours.directions == others.directions &&
-         (haveSameRays || a.lightField.layout != Layout::live);
+         ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
 }
 
 Scene unloadedScene(const Session& session, const LightFieldFile& file) {
@@ -104,8 +92,7 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file) {
 }
 
 void requireScene(const Session& session) {
-  if (session.lightField.layout != Layout::live)
-    throw InputError("lightField.layout", "is not \"live\": only a 3-D scene has an ideal view");
+  if (!session.lightField.isLive()) throw InputError("lightField.layout", noIdealView);
 }
 
 Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {

@@ -7,9 +7,15 @@
 
 #include "core/optics/simulate.h"
 #include "io/files/system_limits.h"
-#include "io/layouts/light_field_file.h"
+#include "io/layouts/layouts.h"
 
 namespace hogelscope {
+
+/// Returns the row of a layout.
+const LayoutType& typeOf(Layout layout);
+
+/// Returns what a file or folder holds by its name, or by its first bytes.
+Holder holderOf(const std::string& file);
 
 /// Opens a light field. Throws InputError: missing, damaged, or not the display's size.
 /// A live scene's content is read here, and hears of `progress`, or throws Cancelled.
@@ -47,12 +53,12 @@ Scene unloadedScene(const Session& session, const LightFieldFile& file);
 /// is traced along the display's own rays.
 bool readTheSame(const Session& a, const Session& b);
 
-/// Recognises a folder of views, a store, a quilt or a mesh by its name, or a hogel image. Throws
-/// InputError for a mesh where there is no plugin for it.
+/// Returns what holderOf() says: views, a store, a mesh, or else a quilt by its name or a hogel
+/// image. Throws InputError for a mesh where there is no plugin for it.
 LightFieldParams lightFieldOf(const std::string& file);
 
-/// Returns `params` with another file, of the same layout unless only one of them is a folder or a
-/// store, or one is live: as lightFieldOf() then.
+/// Returns `params` with another file, of the same layout if both are in the same kind of file; as
+/// lightFieldOf() if not, or if one is live.
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file);
 
 }  // namespace hogelscope

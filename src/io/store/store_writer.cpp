@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/optics/session.h"
+#include "io/documents/light_field_params.h"
 #include "io/files/system_limits.h"
 #include "io/json/json_parameters.h"
 #include "io/store/band_packer.h"
@@ -43,8 +44,8 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
     text += "\n" + fs::absolute(path, none).string() + " " + fileIdentity(path);
   std::array<char, 20> hash{};
   std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(hashOf(text)));
-  const bool isLive = params.layout == Layout::live;
-  return (isLive ? params.source : fs::path(params.file).filename().string()) + " " + hash.data();
+  return (params.isLive() ? params.source : fs::path(params.file).filename().string()) + " " +
+         hash.data();
 }
 
 /// Estimates the store's size: that of its source, unless the source is lossy or has no pixels.
@@ -165,7 +166,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   const std::size_t band = BandPacker::bandRows(header);
   plan.rows = std::clamp(memory / rowBytes, band, band + std::size_t(header.size.dv));
   plan.memory = plan.rows * rowBytes;
-  plan.storeBytes = expectedBytes(header, file, params.layout == Layout::live);
+  plan.storeBytes = expectedBytes(header, file, params.isLive());
   return plan;
 }
 

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Series of file names that agree in all but their numbers.
+#include "capture/names/name_series.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "capture/names/name_pattern.h"
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// Reads a name from its beginning.
+class PartReader {
+ public:
+  explicit PartReader(const std::string& name) : m_name(name), m_stem(name.rfind('.')) {
+    if (m_stem != std::string::npos &&
+        m_name.find_first_not_of("0123456789", m_stem + 1) == std::string::npos)
+      m_stem = std::string::npos;  // "cam_12.5" has no extension
+  }
+
+  NameParts read() {
+    NameParts parts{""};
+    for (std::size_t at = 0; at < m_name.size();) {
+      const std::size_t end = endOfNumber(at);
+      if (end == at) {
+        parts.back() += m_name[at++];
+        continue;
+      }
+      parts.push_back(m_name.substr(at, end - at));
+      parts.emplace_back();
+      at = end;
+    }
+    return parts;
+  }
+
+ private:
+  [[nodiscard]] char at(std::size_t place) const {
+    return place < m_name.size() ? m_name[place] : '\0';
+  }
+  [[nodiscard]] std::size_t endOfDigits(std::size_t begin) const {
+    while (isDigit(at(begin))) ++begin;
+    return begin;
+  }
+  [[nodiscard]] static bool isSign(char c) { return c == '+' || c == '-'; }
+
+  /// A minus that joins words, as in view-01, is none.
+  [[nodiscard]] bool isSignAt(std::size_t place) const {
+    if (!isSign(at(place)) || !isDigit(at(place + 1))) return false;
+    if (place == 0) return true;
+    const char before = at(place - 1);
+    const bool isAxis = std::string_view("xyXY").find(before) != std::string_view::npos &&
+                        (place == 1 || !isLetter(at(place - 2)));
+    return isAxis || std::string_view("_ ,(=").find(before) != std::string_view::npos;
+  }
+
+  [[nodiscard]] std::size_t endOfNumber(std::size_t begin) const {
+    const std::size_t digits = begin + (isSignAt(begin) ? 1 : 0);
+    std::size_t end = endOfDigits(digits);
+    if (end == digits) return begin;
+    if (end != m_stem && at(end) == '.' && isDigit(at(end + 1))) end = endOfDigits(end + 1);
+    if ((at(end) == 'e' || at(end) == 'E') && isSign(at(end + 1)) && isDigit(at(end + 2)))
+      end = endOfDigits(end + 2);
+    return end;
+  }
+
+  const std::string& m_name;
+  std::size_t m_stem;
+};
+
+bool isInteger(const std::string& text) {
+  constexpr std::size_t mostDigits = 18;  // of an int64_t
+  return text.size() <= mostDigits && std::all_of(text.begin(), text.end(), isDigit);
+}
+
+/// The numbers at one place of a series' names.
+struct NumberColumn {
+  std::size_t part = 0;
+  bool varies = false;
+  bool areIntegers = true;
+  bool areNumbers = true;  ///< short enough to be read
+  std::size_t digits = 0;  ///< 0 unless all have the same
+  char axis = ' ';         ///< C or R where the text before says column (x) or row (y)
+};
+
+/// What the last word of a text says of the number after it: "…_x", "col-".
+char axisOf(std::string text) {
+  if (!text.empty() && !isLetter(text.back())) text.pop_back();
+  std::size_t begin = text.size();
+  while (begin > 0 && isLetter(text[begin - 1])) --begin;
+  std::string word = text.substr(begin);
+  for (char& letter : word)
+    if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
+  for (const char* column : {"x", "c", "u", "s", "col", "column"})
+    if (word == column) return 'C';
+  for (const char* row : {"y", "r", "v", "t", "row"})
+    if (word == row) return 'R';
+  return ' ';
+}
+
+std::vector<NumberColumn> columnsOf(const NameSeries& series) {
+  constexpr std::size_t mostLetters = 32;
+  std::vector<NumberColumn> columns;
+  const NameParts& first = series.parts.front();
+  for (std::size_t part = 1; part < first.size(); part += 2) {
+    NumberColumn column{part, false, true, true, first[part].size(), axisOf(first[part - 1])};
+    for (const NameParts& parts : series.parts) {
+      column.varies = column.varies || parts[part] != first[part];
+      column.areIntegers = column.areIntegers && isInteger(parts[part]);
+      column.areNumbers = column.areNumbers && parts[part].size() <= mostLetters;
+      if (parts[part].size() != first[part].size()) column.digits = 0;
+    }
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+/// Collects the readings of a series.
+class Readings {
+ public:
+  explicit Readings(const NameSeries& series) : m_series(series), m_columns(columnsOf(series)) {
+    constexpr std::size_t most = 6;  // of which all pairs are tried
+    for (const NumberColumn& column : m_columns)
+      if (column.varies && column.areNumbers && m_varying.size() < most)
+        m_varying.push_back(column);
+  }
+
+  std::vector<std::vector<SeriesReading>> all() && {
+    addPairs(true);
+    endKind();
+    addRow();
+    endKind();
+    addPairs(false);
+    endKind();
+    const auto integers = std::count_if(m_varying.begin(), m_varying.end(),
+                                        [](const NumberColumn& c) { return c.areIntegers; });
+    for (const NumberColumn& column : m_varying)
+      if (column.areIntegers && (integers == 1 || isCounting(column)))
+        m_readings.push_back({{'N', column.part}});
+    endKind();
+    for (const NumberColumn& column : m_varying)
+      if (!column.areIntegers)
+        m_readings.push_back({{column.axis == 'R' ? 'y' : 'x', column.part}});
+    endKind();
+    return std::move(m_kinds);
+  }
+
+ private:
+  void endKind() {
+    m_kinds.push_back(std::move(m_readings));
+    m_readings.clear();
+  }
+
+  static bool isTurned(const NumberColumn& first, const NumberColumn& second, bool isRowFirst) {
+    if (first.axis == 'C' && second.axis == 'R') return isRowFirst;
+    if (first.axis == 'R' && second.axis == 'C') return !isRowFirst;
+    return false;
+  }
+
+  /// Whether the numbers are those of a count: each of them once, none left out.
+  [[nodiscard]] bool isCounting(const NumberColumn& column) const {
+    std::set<std::int64_t> numbers;
+    for (const NameParts& parts : m_series.parts)
+      numbers.insert(viewNamed({}, {{'N', parts[column.part]}}).number.value_or(0));
+    return numbers.size() == m_series.parts.size() &&
+           *numbers.rbegin() - *numbers.begin() + 1 == std::int64_t(numbers.size());
+  }
+
+  /// Rows before columns, as all known names have them, or x before y.
+  void addPairs(bool areNumbers) {
+    for (std::size_t b = 1; b < m_varying.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a) {
+        const NumberColumn& first = m_varying[a];
+        const NumberColumn& second = m_varying[b];
+        if ((first.areIntegers && second.areIntegers) != areNumbers) continue;
+        SeriesReading reading{{areNumbers ? 'R' : 'x', first.part},
+                              {areNumbers ? 'C' : 'y', second.part}};
+        if (isTurned(first, second, areNumbers))
+          std::swap(reading.begin()->second, reading.rbegin()->second);
+        if (areNumbers) addPositions(reading);
+        m_readings.push_back(reading);
+      }
+  }
+
+  /// Adds y and x, in this order as Stanford's names have them, if just two more numbers vary.
+  void addPositions(SeriesReading& reading) const {
+    std::vector<NumberColumn> others;
+    for (const NumberColumn& column : m_varying)
+      if (column.part != reading['R'] && column.part != reading['C']) others.push_back(column);
+    if (others.size() != 2) return;
+    const bool isXFirst = isTurned(others[0], others[1], true);
+    reading['y'] = others[isXFirst ? 1 : 0].part;
+    reading['x'] = others[isXFirst ? 0 : 1].part;
+  }
+
+  /// One row or column whose other number is always the same: 004_000, 004_001, …
+  void addRow() {
+    for (std::size_t k = 1; k < m_columns.size(); ++k) {
+      const NumberColumn& first = m_columns[k - 1];
+      const NumberColumn& second = m_columns[k];
+      const std::string& between = m_series.parts.front()[second.part - 1];
+      const bool areAlike = first.areIntegers && second.areIntegers && first.digits > 1 &&
+                            first.digits == second.digits && first.varies != second.varies;
+      if (areAlike && std::none_of(between.begin(), between.end(), isLetter))
+        m_readings.push_back({{'R', first.part}, {'C', second.part}});
+    }
+  }
+
+  const NameSeries& m_series;
+  std::vector<NumberColumn> m_columns;
+  std::vector<NumberColumn> m_varying;
+  std::vector<SeriesReading> m_readings;
+  std::vector<std::vector<SeriesReading>> m_kinds;
+};
+
+}  // namespace
+
+std::vector<NameSeries> seriesOf(const std::vector<fs::path>& files) {
+  std::map<std::string, NameSeries> series;
+  for (const fs::path& file : files) {
+    NameParts parts = PartReader(file.filename().string()).read();
+    std::string texts;
+    for (std::size_t k = 0; k < parts.size(); k += 2) texts += parts[k] + '/';
+    NameSeries& own = series[texts];
+    own.files.push_back(file);
+    own.parts.push_back(std::move(parts));
+  }
+  std::vector<NameSeries> result;
+  result.reserve(series.size());
+  for (auto& [texts, own] : series) result.push_back(std::move(own));
+  return result;
+}
+
+std::vector<std::vector<SeriesReading>> readingsOf(const NameSeries& series) {
+  return Readings(series).all();
+}
+
+std::vector<NamedView> viewsOf(const NameSeries& series, const SeriesReading& reading) {
+  std::vector<NamedView> views;
+  for (std::size_t k = 0; k < series.files.size(); ++k) {
+    std::map<char, std::string> numbers;
+    for (const auto& [letter, part] : reading) numbers[letter] = series.parts[k][part];
+    views.push_back(viewNamed(series.files[k], numbers));
+  }
+  return views;
+}
+
+namespace {
+
+/// Whether the pattern finds the reading's numbers in a name.
+bool isRead(const NamePattern& pattern, const std::string& name, const NameParts& parts,
+            const SeriesReading& reading) {
+  const auto numbers = numbersIn(name, pattern);
+  return numbers && std::all_of(reading.begin(), reading.end(), [&](const auto& meaning) {
+           const auto found = numbers->find(meaning.first);
+           return found != numbers->end() && found->second == parts[meaning.second];
+         });
+}
+
+/// Whether a pattern says the text as it is, between what stands before and after it.
+bool isPlain(const std::string& text, char before, char after) {
+  if (text.empty()) return true;
+  const auto touches = [](char letter, char meaning) {
+    return meaning == 'x' || meaning == 'y' ? isLetter(letter) : letter == meaning;
+  };
+  if (touches(text.front(), before) || touches(text.back(), after)) return false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '*') return false;
+    if (c != 'R' && c != 'C' && c != 'N' && c != 'x' && c != 'y') continue;
+    const bool isAlone =
+        (at == 0 || !isLetter(text[at - 1])) && (at + 1 == text.size() || !isLetter(text[at + 1]));
+    const bool isRun = at + 1 < text.size() && text[at + 1] == c && c != 'x' && c != 'y';
+    if (isAlone || isRun) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string patternOf(const NameSeries& series, const SeriesReading& reading) {
+  const NameParts& first = series.parts.front();
+  std::map<std::size_t, char> letters;
+  for (const auto& [letter, part] : reading) letters[part] = letter;
+  std::string text;
+  std::string pending;
+  char before = ' ';
+  const auto put = [&](char after) {
+    text += isPlain(pending, before, after) ? pending : "*";
+    pending.clear();
+    before = after;
+  };
+  for (std::size_t part = 0; part < first.size(); ++part) {
+    const auto meaning = letters.find(part);
+    if (meaning == letters.end()) {
+      const bool varies = part % 2 == 1 && std::any_of(series.parts.begin(), series.parts.end(),
+                                                       [&](const NameParts& parts) {
+                                                         return parts[part] != first[part];
+                                                       });
+      pending += varies ? "*" : first[part];
+      continue;
+    }
+    const char letter = meaning->second;
+    put(letter);
+    const bool isCoordinate = letter == 'x' || letter == 'y';
+    text += std::string(isCoordinate ? 1 : std::max<std::size_t>(first[part].size(), 2), letter);
+  }
+  put(' ');
+  try {
+    const NamePattern pattern = namePattern(text);
+    constexpr std::size_t mostTried = 200;
+    const std::size_t step = series.files.size() / mostTried + 1;
+    for (std::size_t k = 0; k < series.files.size(); k += step)
+      if (!isRead(pattern, series.files[k].filename().string(), series.parts[k], reading))
+        return {};
+  } catch (const InputError&) {
+    return {};
+  }
+  return text;
+}
+
+}  // namespace hogelscope

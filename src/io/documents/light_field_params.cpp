@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fields of a session's light field.
+#include "io/documents/light_field_params.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> layoutNames{"hogels",   "views", "quilt", "mosaic",
+                                                      "lenslets", "pack",  "live"};
+constexpr std::array<std::string_view, 2> gridNames{"square", "hexagonal"};
+constexpr std::array<std::string_view, 2> typeNames{"uint8", "real"};
+constexpr std::array<std::string_view, 2> rowOrderNames{"top-down", "bottom-up"};
+constexpr std::array<std::string_view, 2> columnOrderNames{"left-right", "right-left"};
+constexpr std::array<std::string_view, 2> scanNames{"raster", "serpentine"};
+constexpr std::array<std::string_view, 2> samplingNames{"4:2:0", "4:4:4"};
+constexpr std::array<std::string_view, 2> matrixNames{"bt709", "bt601"};
+constexpr std::array<std::string_view, 2> rangeNames{"limited", "full"};
+
+/// Whether the names of its files say that they are raw YUV.
+bool isYuv(const LightFieldParams& params) {
+  if (params.layout == Layout::pack || params.isLive()) return false;
+  return params.file.ends_with(".yuv") ||
+         (params.layout == Layout::views && params.pattern.ends_with(".yuv"));
+}
+
+void describeYuv(ParameterVisitor& v, YuvParams& p) {
+  auto& [size, sampling, bits, matrix, range] = p;
+  v.field({"yuvSize", "YUV size"}, size, {1, 1e6, 1, true}, "px",
+          "Width and height of the picture, or of each view, in raw YUV.");
+  v.field({"yuvSampling", "YUV sampling"}, sampling, samplingNames,
+          "4:2:0: Cb and Cr have half the width and height, rounded up; 4:4:4: all of it.");
+  v.field({"yuvBits", "YUV bits"}, bits, {8, 10, 2}, "bits",
+          "Bits of a sample: 8, a byte; 10, in 16 with the low byte first.");
+  v.field({"yuvMatrix", "YUV matrix"}, matrix, matrixNames,
+          "What Y, Cb and Cr are made of: BT.709 or BT.601.");
+  v.field({"yuvRange", "YUV range"}, range, rangeNames,
+          "limited: 8-bit Y is 16 … 235, Cb and Cr 16 … 240; full: all values.");
+}
+
+void describeLenslets(ParameterVisitor& v, LensletParams& p) {
+  auto& [white, dark, grid, pitch, rotation, origin, gain] = p;
+  v.field(
+      "white", white,
+      "Picture of even light through the same lenslets: they are found in it, and its vignetting "
+      "is divided out. Empty: they are found in the light field itself.");
+  v.field("dark", dark, "Picture without light, subtracted from both. Empty: none.");
+  v.field("grid", grid, gridNames,
+          "hexagonal: every second row of lenslets is shifted by half a pitch.");
+  v.field("pitch", pitch, {3, 1e4, 0.01, true}, "px",
+          "Distance of neighbouring lenslets of a row; not given: found.");
+  v.field("rotation", rotation, {-45, 45, 0.01, true}, "°",
+          "Of the rows of lenslets, clockwise; not given: found.");
+  v.field(
+      "origin", origin, {-1e6, 1e6, 0.1, true}, "px",
+      "Middle of the first lenslet that is used; (0, 0) is the middle of the top left pixel. Not "
+      "given: found.");
+  v.field("gain", gain, {1e-6, 1e6, 0.1}, "",
+          "Multiplies the light: for pictures that use few of their bits.");
+}
+
+}  // namespace
+
+void describe(ParameterVisitor& v, LightFieldParams& p) {
+  auto& [file, layout, incoming, rows, columns, pattern, exclude, scan, shear, viewingDistance,
+         quiltColumns, quiltRows, lenslets, yuv, source, type, content, live] = p;
+  v.group("lightField", "The display's content: a file and how it is laid out.");
+  if (!p.isLive())
+    v.field("file", file,
+            "Image (hogels, quilt, mosaic, lenslets); folder or %-pattern of images, video or HDF5 "
+            "file "
+            "(views); store (pack); relative to the session.");
+  v.field("layout", layout, layoutNames,
+          "One image of hogel tiles, a folder of views (sub-aperture images), a quilt of views, a "
+          "mosaic of views from several rows of cameras, a picture taken through lenslets, a store "
+          "of blocks; live: a 3-D scene, of which a view's "
+          "rays are traced.");
+  if (!p.isLive())
+    v.field({"incoming", "Recorded looking in"}, incoming,
+            "Directions were recorded looking into the scene: both u and v are flipped.");
+  if (isGridOfViews(layout)) {
+    v.field("rows", rows, rowOrderNames, "Where the first row of views was taken from.");
+    v.field("columns", columns, columnOrderNames, "Where the first column was taken from.");
+  }
+  if (layout == Layout::views) {
+    v.field("pattern", pattern,
+            "Names the numbers in the file names: RR row, CC column, NNN running number, x and y "
+            "a coordinate, * anything. Empty: the known ones are tried, then the largest series of "
+            "pictures.");
+    v.field("exclude", exclude,
+            "File names that are not views, with the shell's wildcards * ? [ ], and ; between "
+            "them: *_thumb.png;input_Cam040.png.");
+    v.field("scan", scan, scanNames,
+            "How one running number, a video's frames too, counts the views: every row from its "
+            "first column, or every second one from its last.");
+  }
+  if (isGridOfViews(layout))
+    v.field("shear", shear, {-1e4, 1e4, 0.1}, "px/view",
+            "Moves view (u, v) to the right and down, so that the wanted depth lies on the panel; "
+            "by whole pixels, rounded.");
+  v.field(
+      "viewingDistance", viewingDistance, {1e-6, 1e6, 0.01, true}, "m",
+      "Distance before the panel of the plane on which the views' cameras stood, each looking at "
+      "all of the panel; not given: every hogel has the same directions.");
+  if (p.isLive()) {
+    v.field(
+        "source", source,
+        "What computes the content: \"scene\" is built in, others are plugins; its parameters are "
+        "an object of that name.");
+    v.field("type", type, typeNames, "How directional pixels are rounded: to 8 bits, or not.");
+  }
+  if (layout == Layout::quilt) {
+    v.field("columns", quiltColumns, {1, 4096, 1, true}, "views",
+            "Views side by side; not given: from the file name's _qs{columns}x{rows}a{aspect}.");
+    v.field("rows", quiltRows, {1, 4096, 1, true}, "views",
+            "Rows of views, the first one at the bottom.");
+  }
+  if (layout == Layout::lenslets) describeLenslets(v, lenslets);
+  if (isYuv(p)) describeYuv(v, yuv);
+}
+
+std::string_view nameOf(Layout layout) {
+  return layoutNames[std::size_t(layout)];
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The views of an HDF5 file, by libhdf5.
+#include "io/images/image_inputs.h"
+
+#define H5_USE_110_API  // Debian 12 has this version; H5Ovisit2's callback differs in later ones
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Owns an identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : m_id(id), m_close(close) {}
+  Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (m_id >= 0) m_close(m_id);
+  }
+  [[nodiscard]] hid_t id() const { return m_id; }
+  [[nodiscard]] bool isOpen() const { return m_id >= 0; }
+
+ private:
+  hid_t m_id;
+  Close m_close;
+};
+
+/// Returns the library's last error: its innermost sentence.
+std::string lastError() {
+  std::string text = "HDF5 gives no reason";
+  const auto keep = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
+    if (error->desc != nullptr) *static_cast<std::string*>(to) = error->desc;
+    return 1;  // the first one only
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep, &text);
+  return text;
+}
+
+/// Opens a file without following links into other files, which checks of inputs and hashes do not
+/// know.
+Handle openFile(const fs::path& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise errors are printed
+  H5Lunregister(H5L_TYPE_EXTERNAL);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.id(), false, true);  // archives are often read-only
+  Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
+  if (!opened.isOpen()) throw InputError("cannot be read as HDF5", lastError());
+  return opened;
+}
+
+std::vector<std::string> dataSetsOf(const Handle& file) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* to) -> herr_t {
+    constexpr std::size_t most = 1000;
+    auto& list = *static_cast<std::vector<std::string>*>(to);
+    if (info->type == H5O_TYPE_DATASET) list.emplace_back(name);
+    return list.size() < most ? 0 : 1;
+  };
+  H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, add, &names, H5O_INFO_BASIC);
+  return names;
+}
+
+struct Shape {
+  std::vector<hsize_t> lengths;
+  std::optional<StoredType> type;  ///< none if the values are not pixels
+
+  /// Whether there are five axes, the last one of red, green, blue or grey, or four for grey.
+  [[nodiscard]] bool areViews() const {
+    constexpr hsize_t longest = 1U << 20U;
+    const bool hasColours = lengths.size() == 5 && (lengths.back() == 3 || lengths.back() == 1);
+    return type && (hasColours || lengths.size() == 4) &&
+           std::ranges::all_of(lengths, [](hsize_t n) { return n >= 1 && n <= longest; });
+  }
+  [[nodiscard]] std::string text() const {
+    std::string all;
+    for (const hsize_t length : lengths) all += (all.empty() ? "" : "×") + std::to_string(length);
+    return all.empty() ? "one value" : all;
+  }
+};
+
+std::optional<StoredType> typeOf(const Handle& dataSet) {
+  const Handle type(H5Dget_type(dataSet.id()), H5Tclose);
+  if (!type.isOpen()) return std::nullopt;
+  if (H5Tget_class(type.id()) == H5T_FLOAT) return StoredType::real;
+  if (H5Tget_class(type.id()) != H5T_INTEGER || H5Tget_sign(type.id()) != H5T_SGN_NONE)
+    return std::nullopt;
+  if (H5Tget_size(type.id()) == 1) return StoredType::uint8;
+  if (H5Tget_size(type.id()) == 2) return StoredType::uint16;
+  return std::nullopt;
+}
+
+Shape shapeOf(const Handle& dataSet) {
+  const Handle space(H5Dget_space(dataSet.id()), H5Sclose);
+  const int rank = space.isOpen() ? H5Sget_simple_extent_ndims(space.id()) : -1;
+  Shape shape{std::vector<hsize_t>(std::size_t(std::max(rank, 0))), typeOf(dataSet)};
+  if (rank > 0) H5Sget_simple_extent_dims(space.id(), shape.lengths.data(), nullptr);
+  return shape;
+}
+
+hid_t nativeType(StoredType type) {
+  if (type == StoredType::uint8) return H5T_NATIVE_UINT8;
+  return type == StoredType::uint16 ? H5T_NATIVE_UINT16 : H5T_NATIVE_FLOAT;
+}
+
+struct DataSet {
+  Handle file;
+  std::string name;
+  Handle handle;
+  Shape shape;
+};
+
+/// Throws if even a single colour could not be stored in so few bytes.
+void checkStored(const Handle& dataSet, const Shape& shape, const std::string& name) {
+  constexpr double mostValuesPerByte = 1 << 17;
+  double values = 1;
+  for (const hsize_t length : shape.lengths) values *= double(length);
+  if (values > mostValuesPerByte * double(H5Dget_storage_size(dataSet.id())))
+    throw InputError(name, "is damaged: " + shape.text() + " values are not in the file");
+}
+
+/// Throws for raw values in other files and for virtual data sets.
+void checkLayout(const Handle& dataSet, const std::string& name) {
+  const Handle created(H5Dget_create_plist(dataSet.id()), H5Pclose);
+  if (H5Pget_external_count(created.id()) > 0 || H5Pget_layout(created.id()) == H5D_VIRTUAL)
+    throw InputError(name, "keeps its values in other files; copy them into this one");
+}
+
+/// Returns a text such as "LF 9×9×512×512×3, depth 9×9×512×512".
+std::string listed(const Handle& file, const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, names.size()); ++k) {
+    const Handle one(H5Dopen2(file.id(), names[k].c_str(), H5P_DEFAULT), H5Dclose);
+    text += (k == 0 ? "" : ", ") + names[k] + " " + shapeOf(one).text();
+  }
+  return names.size() > most ? text + ", …" : text;
+}
+
+/// Returns the only data set that can be views, else "LF". HCI's depth has as many axes as grey
+/// views, but other values.
+std::string chosenName(const Handle& file) {
+  const std::vector<std::string> names = dataSetsOf(file);
+  std::vector<std::string> views;
+  for (const std::string& name : names) {
+    const Handle one(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (one.isOpen() && shapeOf(one).areViews()) views.push_back(name);
+  }
+  if (views.size() == 1) return views[0];
+  for (const std::string& name : views)
+    if (name == "LF") return name;
+  if (views.empty())
+    throw InputError("",
+                     "has no data set of views, rows × columns × height × width × 3 of 8 or 16 "
+                     "bits or floats: " +
+                         (names.empty() ? "it has none at all" : listed(file, names)));
+  throw InputError("lightField.pattern", "must name one of the data sets: " + listed(file, views));
+}
+
+/// Opens the data set; all of this runs in the other process.
+DataSet openDataSet(const fs::path& path, const std::string& name) {
+  Handle file = openFile(path);
+  const std::string chosen = name.empty() ? chosenName(file) : name;
+  Handle handle(H5Dopen2(file.id(), chosen.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!handle.isOpen())
+    throw InputError(
+        "lightField.pattern",
+        "\"" + chosen + "\" is no data set of the file: it has " + listed(file, dataSetsOf(file)));
+  const Shape shape = shapeOf(handle);
+  if (!shape.areViews())
+    throw InputError(chosen, "has " + shape.text() +
+                                 " values, not rows × columns × height × width × 3 of 8 or 16 bits "
+                                 "or floats");
+  checkLayout(handle, chosen);
+  checkStored(handle, shape, chosen);
+  return {std::move(file), chosen, std::move(handle), shape};
+}
+
+class Hdf5Input : public ImageInput {
+ public:
+  explicit Hdf5Input(DataSet dataSet) : m_dataSet(std::move(dataSet)) {
+    const std::vector<hsize_t>& lengths = m_dataSet.shape.lengths;
+    const StoredType type = m_dataSet.shape.type.value_or(StoredType::uint8);
+    m_facts = {{lengths[3], lengths[2], lengths.size() == 5 ? int(lengths[4]) : 1, type,
+                type == StoredType::uint8 ? 8 : 16, lengths[0] * lengths[1], lengths[1]},
+               "hdf5"};
+    m_facts.bandRows = bandRowsOf(m_facts.width);
+  }
+
+  void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    std::visit([&](auto* rgb) { readAs(frame, first, rows, rgb); }, to);
+  }
+
+ private:
+  template <class T>
+  void readAs(std::size_t frame, std::size_t first, std::size_t rows, T* rgb) const {
+    std::vector<T> values(rows * m_facts.width * std::size_t(m_facts.channels));
+    const std::array<hsize_t, 5> from{frame / m_facts.columns, frame % m_facts.columns, first};
+    const std::array<hsize_t, 5> count{1, 1, rows, m_facts.width, hsize_t(m_facts.channels)};
+    const hid_t type = nativeType(m_facts.type);
+    const hid_t dataSet = m_dataSet.handle.id();
+    const Handle space(H5Dget_space(dataSet), H5Sclose);
+    const int rank = int(m_dataSet.shape.lengths.size());
+    const Handle memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, from.data(), nullptr, count.data(), nullptr);
+    if (H5Dread(dataSet, type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
+      throw InputError(m_dataSet.name + " is damaged", lastError());
+    const std::size_t copies = m_facts.channels == 3 ? 1 : 3;  // grey becomes all three
+    for (const T value : values) {
+      if (std::isnan(double(value))) throw InputError("", "has a value that is not a number");
+      if (std::isinf(double(value))) throw InputError("", "has an infinite value");
+      rgb = std::fill_n(rgb, copies, value);
+    }
+  }
+
+  DataSet m_dataSet;
+};
+
+}  // namespace
+
+bool isHdf5(const fs::path& file) {
+  constexpr std::string_view signature("\x89HDF\r\n\x1a\n");
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  std::array<char, signature.size()> begin{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(begin.data(), std::streamsize(begin.size()));
+  return in && std::string_view(begin.data(), begin.size()) == signature;
+}
+
+/// libhdf5 1.10 crashes on some damaged files.
+std::unique_ptr<ImageInput> openHdf5(const fs::path& file, const std::string& name) {
+  return isolatedInput(
+      file, [file, name] { return std::make_unique<Hdf5Input>(openDataSet(file, name)); });
+}
+
+}  // namespace hogelscope

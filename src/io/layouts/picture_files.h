@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shared by the layouts of light fields in pictures.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "io/files/system_limits.h"
+#include "io/layouts/light_field_file.h"
+
+namespace hogelscope {
+
+/// A light field in one file, or in files that are like the first one.
+class PictureFiles : public LightFieldFile {
+ public:
+  explicit PictureFiles(const LightFieldParams& params) : m_params(params) {}
+  [[nodiscard]] LightFieldSize size() const override { return m_size; }
+  [[nodiscard]] StoredType type() const override { return m_type; }
+  [[nodiscard]] int bits() const override { return m_bits; }
+  [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+    return {m_params.file};
+  }
+
+ protected:
+  /// Texels are like this one's pixels.
+  void takeTypeOf(const ImageFile& image) {
+    m_type = image.type();
+    m_bits = image.bits();
+  }
+  [[nodiscard]] LightField blank(int rows) const {
+    return blankLightField({m_size.nx, rows, m_size.du, m_size.dv}, m_type, m_params.file, packIt);
+  }
+
+  LightFieldParams m_params;
+  LightFieldSize m_size;
+
+ private:
+  StoredType m_type{};
+  int m_bits = 8;
+};
+
+/// Pictures whose rows of hogels are spread over all of them: if memory is too small for the whole,
+/// they are read once for each band of rows.
+class ScatteredFile : public PictureFiles {
+ public:
+  using PictureFiles::PictureFiles;
+
+  [[nodiscard]] LightField read(const Progress& progress) override {
+    return readBand(0, m_size.ny, progress);
+  }
+
+  void stream(const HogelRow& row, const Progress& progress) override {
+    const int ny = m_size.ny;
+    const int rows = rowsAtATime();
+    for (int begin = 0; begin < ny; begin += rows) {
+      const int end = std::min(ny, begin + rows);
+      const Progress ofBand = part(progress, double(begin) / ny, double(end) / ny);
+      handOut(readBand(begin, end, part(ofBand, 0, 0.5)), begin, row, part(ofBand, 0.5, 1));
+    }
+  }
+
+ private:
+  /// Fills a band of rows of hogels, of which the first one, j = 0 there, is row `begin` here.
+  virtual void fill(LightField& band, int begin, const Progress& progress) = 0;
+
+  [[nodiscard]] LightField readBand(int begin, int end, const Progress& progress) {
+    LightField band = blank(end - begin);
+    fill(band, begin, progress);
+    return band;
+  }
+
+  [[nodiscard]] int rowsAtATime() const {
+    constexpr double mostTexels = std::numeric_limits<std::uint32_t>::max() - 1.0;
+    const double texels =
+        std::min(mostTexels, double(allowedMemory()) / 2 / double(memoryBytes(type())));
+    const double fitting = texels / (double(m_size.width()) * m_size.dv);
+    return std::max(1, int(std::min(fitting, double(m_size.ny))));
+  }
+
+  static void handOut(const LightField& band, int begin, const HogelRow& row,
+                      const Progress& progress) {
+    for (int j = 0; j < band.size().ny; ++j) {
+      reportProgress(progress, double(j) / band.size().ny);
+      for (int v = 0; v < band.size().dv; ++v) handOutRow(band, j, v, row, begin + j);
+    }
+  }
+};
+
+/// Reads an image into the light field; `target(x, y)` returns the texel of pixel (x, y), or none.
+/// `incoming` flips directions that were recorded looking into the scene.
+template <class Target>
+void readTexels(ImageFile& image, LightField& lightField, bool incoming, Target target,
+                const Progress& progress) {
+  const auto [nx, ny, du, dv] = lightField.size();
+  const auto putRow = [&, du = du, dv = dv](int y, const auto* rgb) {
+    for (int x = 0; x < int(image.width()); ++x, rgb += 3) {
+      std::optional<TexelIndex> at = target(x, y);
+      if (!at) continue;
+      if (incoming) at = {at->i, at->j, du - 1 - at->u, dv - 1 - at->v};
+      lightField.set(*at, rgb);
+    }
+  };
+  image.read(
+      lightField.type(),
+      [&](std::size_t first, std::size_t rows, const StoredRows& values) {
+        std::visit(
+            [&](const auto* rgb) {
+              for (std::size_t row = 0; row < rows; ++row)
+                putRow(int(first + row), rgb + 3 * row * image.width());
+            },
+            values);
+      },
+      progress);
+}
+
+/// Returns the parameters with the views as they lie in the file: the usual order, no shear.
+inline LightFieldParams withoutOrder(LightFieldParams params) {
+  params.rows = RowOrder::topDown;
+  params.columns = ColumnOrder::leftRight;
+  params.shear = {0, 0};
+  return params;
+}
+
+/// Returns where pixel (x, y) of the view in this row and column of the grid goes within hogel rows
+/// [begin, begin + rows): its texel, or none.
+inline auto placeOfView(const LightFieldParams& params, const LightFieldSize& size, int row,
+                        int column, int begin, int rows) {
+  const int u = params.columns == ColumnOrder::leftRight ? column : size.du - 1 - column;
+  const int v = params.rows == RowOrder::topDown ? row : size.dv - 1 - row;
+  const int right = int(std::floor(params.shear[0] * (u - (size.du - 1) / 2.0) + 0.5));
+  const int down = int(std::floor(params.shear[1] * (v - (size.dv - 1) / 2.0) + 0.5));
+  return [=, nx = size.nx](int x, int y) -> std::optional<TexelIndex> {
+    const TexelIndex at{x + right, y + down - begin, u, v};
+    if (at.i < 0 || at.i >= nx || at.j < 0 || at.j >= rows) return std::nullopt;
+    return at;
+  };
+}
+
+}  // namespace hogelscope

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Layout "views": images of one direction of all hogels, in a folder or as the frames of a file.
+#include <algorithm>
+#include <string_view>
+
+#include "capture/names/view_grid.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "io/files/folders.h"
+#include "io/images/image_inputs.h"
+#include "io/layouts/layouts.h"
+#include "io/layouts/picture_files.h"
+
+namespace hogelscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class ViewsFolder : public ScatteredFile {
+ public:
+  ViewsFolder(const LightFieldParams& params, const DisplayParams& display)
+      : ScatteredFile(params), m_views(findViews(params, display.directions)) {
+    const ImageFile first(m_views.found().front(), params.yuv);
+    takeTypeOf(first);
+    m_size = {int(first.width()), int(first.height()), m_views.columns, m_views.rows};
+  }
+
+  [[nodiscard]] std::vector<fs::path> files() const override { return m_views.found(); }
+  [[nodiscard]] std::vector<std::string> warnings() const override {
+    if (m_views.missing.empty()) return {};
+    return {m_views.missing};
+  }
+
+ private:
+  void fill(LightField& band, int begin, const Progress& progress) override {
+    const std::size_t count = m_views.files.size();
+    for (std::size_t k = 0; k < count; ++k)
+      if (!m_views.files[k].empty())  // missing views stay black
+        readView(k, begin, band,
+                 part(progress, double(k) / double(count), double(k + 1) / double(count)));
+  }
+
+  void readView(std::size_t k, int begin, LightField& band, const Progress& progress) const {
+    ImageFile image(m_views.files[k], m_params.yuv);
+    if (image.width() != std::size_t(m_size.nx) || image.height() != std::size_t(m_size.ny))
+      throw InputError(image.file().string(), "size",
+                       "is " + pairText(image.width(), image.height()) +
+                           " px, but the first view is " + pairText(m_size.nx, m_size.ny) +
+                           "; lightField.exclude leaves out what is no view");
+    const int row = int(k) / m_views.columns;
+    const int column = int(k) % m_views.columns;
+    readTexels(image, band, m_params.incoming,
+               placeOfView(m_params, m_size, row, column, begin, band.size().ny), progress);
+  }
+
+  ViewFiles m_views;
+};
+
+bool isVideo(const fs::path& file) {
+  constexpr std::array<std::string_view, 6> extensions{".avi", ".mov", ".mp4",
+                                                       ".m4v", ".qt",  ".mj2"};
+  const std::string extension = lowerCase(file.extension().string());
+  return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+/// Frames of a video are decoded in their order: each needs those before it.
+class ViewSequence : public ScatteredFile {
+ public:
+  ViewSequence(const LightFieldParams& params, ImageFile image, const SequenceGrid& grid)
+      : ScatteredFile(params), m_image(std::move(image)), m_grid(grid) {
+    takeTypeOf(m_image);
+    m_size = {int(m_image.width()), int(m_image.height()), int(grid.columns), int(grid.rows)};
+  }
+
+ private:
+  void fill(LightField& band, int begin, const Progress& progress) override {
+    const std::size_t frames = m_image.frames();
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+      const std::size_t cell = m_grid.cellOf(frame);
+      m_image.select(frame);
+      readTexels(
+          m_image, band, m_params.incoming,
+          placeOfView(m_params, m_size, int(cell / m_grid.columns), int(cell % m_grid.columns),
+                      begin, band.size().ny),
+          part(progress, double(frame) / double(frames), double(frame + 1) / double(frames)));
+    }
+  }
+
+  ImageFile m_image;
+  SequenceGrid m_grid;
+};
+
+std::unique_ptr<LightFieldFile> openViews(const LightFieldParams& params,
+                                          const DisplayParams& display, const Progress&) {
+  if (!isViewSequence(params.file)) return std::make_unique<ViewsFolder>(params, display);
+  if (isHdf5(params.file)) {
+    auto views = openHdf5(params.file, params.pattern);
+    const SequenceGrid grid{views->facts().frames / views->facts().columns, views->facts().columns};
+    return std::make_unique<ViewSequence>(params, ImageFile(params.file, std::move(views)), grid);
+  }
+  ImageFile video(params.file);
+  const SequenceGrid grid = gridOfSequence(
+      video.frames(), {params.file, {}, display.directions, params.scan == ViewScan::serpentine});
+  return std::make_unique<ViewSequence>(params, std::move(video), grid);
+}
+
+}  // namespace
+
+bool isViewSequence(const std::string& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) && (isVideo(file) || isHdf5(file));
+}
+
+const LayoutType viewsLayout{
+    .open = openViews, .holder = Holder::views, .foundBy = [](const LightFieldParams& params) {
+      return FoundBy{isFolder(params.file) ? "a folder of pictures" : "frames of one file",
+                     "size and number of the pictures", "display.directions"};
+    }};
+
+}  // namespace hogelscope

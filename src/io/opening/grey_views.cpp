@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads views of a light field as grey pictures.
+#include "io/opening/grey_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "core/base/error.h"
+#include "io/files/system_limits.h"
+#include "io/images/image_file.h"
+#include "io/layouts/picture_files.h"
+#include "io/scene/scene.h"
+
+namespace hogelscope {
+
+namespace {
+
+template <class T>
+std::uint8_t greyOf(const T* rgb) {
+  constexpr double full = std::is_floating_point_v<T> ? 1.0 : double(std::numeric_limits<T>::max());
+  const double luma = 0.299 * double(rgb[0]) + 0.587 * double(rgb[1]) + 0.114 * double(rgb[2]);
+  return std::uint8_t(std::lround(std::clamp(luma / full, 0.0, 1.0) * 255));
+}
+
+GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
+                     const Progress& progress = {}) {
+  ImageFile image(file, yuv);
+  GreyPicture picture{int(image.width()), int(image.height()), {}};
+  checkFits(image.width() * image.height(), file, {});
+  picture.values.reserve(image.width() * image.height());
+  const auto take = [&](std::size_t, std::size_t rows, const StoredRows& values) {
+    const auto addAll = [&](const auto* rgb) {
+      for (std::size_t k = 0; k < rows * image.width(); ++k, rgb += 3)
+        picture.values.push_back(greyOf(rgb));
+    };
+    std::visit(addAll, values);
+  };
+  image.read(image.type(), take, progress);
+  return picture;
+}
+
+/// A file that is not like the first one is an error when all are read.
+GreyPicture fitted(GreyPicture picture, const GreyPicture& like) {
+  if (picture.width != like.width || picture.height != like.height) return like;
+  return picture;
+}
+
+GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& display) {
+  const auto files = std::make_shared<const ViewFiles>(findViews(params, display.directions));
+  GreyViews views;
+  views.columnsFromTo = files->columnsFromTo;
+  views.rowsFromTo = files->rowsFromTo;
+  for (const std::string& line : {files->missing, files->surplus})
+    if (!line.empty()) views.warnings.push_back(line);
+  const auto first =
+      std::make_shared<const GreyPicture>(readGrey(files->found().front(), params.yuv));
+  views.pattern = files->pattern;
+  views.grid = {files->rows, files->columns, [files, first, yuv = params.yuv](int row, int column) {
+                  const auto at =
+                      std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
+                  return fitted(readGrey(files->files[at], yuv), *first);
+                }};
+  if (!files->missing.empty())
+    for (const auto& file : files->files) views.grid.isMissing.push_back(file.empty());
+  return views;
+}
+
+GreyPicture tileOf(const GreyPicture& image, int width, int height, int column, int row) {
+  GreyPicture tile{width, height, {}};
+  tile.values.reserve(std::size_t(width) * std::size_t(height));
+  for (int y = 0; y < height; ++y) {
+    const auto from = image.values.begin() + (std::ptrdiff_t(row) * height + y) * image.width +
+                      std::ptrdiff_t(column) * width;
+    tile.values.insert(tile.values.end(), from, from + width);
+  }
+  return tile;
+}
+
+/// A mosaic's grid, or a quilt's one row of views, from the bottom left tile on.
+GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& size,
+                       const Progress& progress) {
+  const auto image =
+      std::make_shared<const GreyPicture>(readGrey(params.file, params.yuv, progress));
+  const int columns = image->width / size.nx;
+  const int rows = image->height / size.ny;
+  GreyViews views;
+  views.grid = {rows, columns,
+                [=](int row, int column) { return tileOf(*image, size.nx, size.ny, column, row); }};
+  if (params.layout == Layout::mosaic) return views;
+  views.tiles = views.grid;
+  views.grid = {1, size.du, [=, tile = views.grid.view](int, int view) {
+                  return tile(rows - 1 - view / columns, view % columns);
+                }};
+  return views;
+}
+
+/// Of a light field that is read whole.
+GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
+  const auto lightField = std::make_shared<const LightField>(file.read(progress));
+  const LightFieldSize size = lightField->size();
+  GreyViews views;
+  views.grid = {size.dv, size.du, [lightField, size](int v, int u) {
+                  GreyPicture picture{size.nx, size.ny, {}};
+                  for (int j = 0; j < size.ny; ++j)
+                    for (int i = 0; i < size.nx; ++i) {
+                      const Rgb colour = lightField->texel({i, j, u, v});
+                      const std::array rgb{float(colour.r / 255), float(colour.g / 255),
+                                           float(colour.b / 255)};
+                      picture.values.push_back(greyOf(rgb.data()));
+                    }
+                  return picture;
+                }};
+  return views;
+}
+
+}  // namespace
+
+std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const DisplayParams& display,
+                                     const Progress& progress) {
+  if (params.isLive()) return std::nullopt;
+  if (params.layout == Layout::views && !isViewSequence(params.file))
+    return viewsOfFolder(params, display);
+  LightFieldParams asStored = withoutOrder(params);
+  asStored.incoming = false;
+  const auto file = openLightField(asStored, display);
+  const LightFieldSize size = file->size();
+  constexpr double mostPixels = 3e8;  // a few seconds
+  if (double(size.width()) * double(size.height()) > mostPixels) return std::nullopt;
+  if (typeOf(params.layout).isOfTiles) return viewsOfTiles(params, size, progress);
+  if (!fitsInMemory(*file, allowedMemory())) return std::nullopt;
+  return viewsInMemory(*file, progress);
+}
+
+}  // namespace hogelscope

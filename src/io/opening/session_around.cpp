@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sessions around light fields.
+#include "io/opening/session_around.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "capture/order/picture_grids.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/cameras/state_list_edits.h"
+#include "io/documents/session_file.h"
+#include "io/files/folders.h"
+#include "io/opening/capture_geometry.h"
+#include "io/scene/live_file.h"
+#include "io/scene/scene.h"
+#include "io/store/light_field_store.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// 0.5 m is its longer side.
+std::array<double, 2> sizeOfShape(double width, double height) {
+  const double longest = std::max(width, height) / 0.5;
+  return {width / longest, height / longest};
+}
+
+/// A quilt has a few large views, a hogel image many small hogels.
+bool isLikeQuilt(const HogelGrid& grid) {
+  constexpr int mostViews = 20, leastPixels = 100;  // of each axis
+  return std::ranges::max(grid.hogels) <= mostViews &&
+         std::ranges::min(grid.directions) >= leastPixels;
+}
+
+/// Puts a quilt's or a mosaic's number of views into the session.
+void takeTiles(OrderedSession& result, const std::array<int, 2>& tiles, const std::string& how) {
+  const bool isMosaic = result.session.lightField.layout == Layout::mosaic;
+  if (isMosaic) {
+    result.session.display.directions = tiles;
+  } else {
+    result.session.lightField.layout = Layout::quilt;
+    result.session.lightField.quiltColumns = tiles[0];
+    result.session.lightField.quiltRows = tiles[1];
+  }
+  result.hogels = Sureness::likely;
+  result.assumed = (isMosaic ? "a mosaic of " : "a quilt of ") + pairText(tiles[0], tiles[1]) +
+                   " views, found by " + how;
+}
+
+/// Puts what a picture shows of its hogels, or of tiles of views, into the session; says so. The
+/// layout may be another one unless it is given.
+void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
+  const LightFieldParams& lightField = result.session.lightField;
+  const bool isTiled = typeOf(lightField.layout).isOfTiles;
+  ImageFile image(lightField.file, lightField.yuv);
+  const PictureRows picture{
+      image.width(), image.height(),
+      [&image](const PictureRows::Row& row, const Progress& hear) { image.readRows(row, hear); }};
+  const std::optional<HogelGrid> grid = findHogelGrid(picture, part(progress, 0, 0.5));
+  constexpr double clear = 8;  // standard errors
+  const bool isClear = grid && grid->standOut >= clear;
+  result.hogels = Sureness::unknown;
+  if (!isClear && (isTiled || !isLayoutGiven))
+    if (const auto tiles = findTileGrid(picture, part(progress, 0.5, 1)))
+      return takeTiles(result, *tiles, "how alike they are");
+  if (!grid) return;
+  const std::string how = "their borders in the picture";
+  if (isTiled || (!isLayoutGiven && isLikeQuilt(*grid)))
+    return takeTiles(result, grid->hogels, how);
+  result.hogels = isClear ? Sureness::sure : Sureness::likely;
+  result.session.display.hogels = grid->hogels;
+  result.session.display.directions = grid->directions;
+  result.assumed = pairText(grid->hogels[0], grid->hogels[1]) + " hogels of " +
+                   pairText(grid->directions[0], grid->directions[1]) + " directions, found by " +
+                   how;
+}
+
+/// Tiles that were taken for a quilt's, but show vertical parallax.
+void takeForMosaic(OrderedSession& result, Session& said, const Progress& progress) {
+  LightFieldParams& lightField = result.session.lightField;
+  const std::array tiles{std::exchange(lightField.quiltColumns, 0),
+                         std::exchange(lightField.quiltRows, 0)};
+  lightField.layout = Layout::mosaic;
+  takeTiles(result, tiles, "parallax along both axes");
+  said.lightField = lightField;
+  said.display.directions = tiles;
+  result.order = findLightFieldOrder(lightField, said.display, progress);
+}
+
+bool isLayoutGiven(const std::vector<std::string>& overrides) {
+  return std::ranges::any_of(
+      overrides, [](const std::string& text) { return text.starts_with("lightField.layout="); });
+}
+
+/// `given` may say how many directions the views of one running number have.
+DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
+  DisplayParams display;
+  if (lightField.layout == Layout::hogels) {
+    const ImageFile image(lightField.file, lightField.yuv);
+    display.size = sizeOfShape(double(image.width()), double(image.height()));
+    return display;
+  }
+  if (typeOf(lightField.layout).holder == Holder::store)
+    if (const auto known = LightFieldStore(lightField.file).header().display) return *known;
+  const LightFieldSize size = openLightField(lightField, given)->size();
+  const double aspect =
+      lightField.layout == Layout::quilt ? quiltNameOf(lightField.file).aspect : 0;
+  display.size = aspect > 0 ? sizeOfShape(aspect, 1) : sizeOfShape(size.nx, size.ny);
+  return display;
+}
+
+/// Views whose capture says where its cameras stood are put on a panel where they were in focus.
+/// Returns whether it says so.
+bool takeGeometry(Session& session, const DisplayParams& given) {
+  LightFieldParams& lightField = session.lightField;
+  if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
+  const ViewFiles views = findViews(lightField, given.directions);
+  const ImageFile first(views.found().front(), lightField.yuv);
+  const auto [width, height] = std::pair(int(first.width()), int(first.height()));
+  const auto geometry = captureGeometry(lightField.file, views, width, height);
+  if (!geometry) return false;
+  const auto rounded = [](std::array<double, 2> pair) {  // for readers of the session
+    for (double& value : pair) value = std::round(value * 1e6) / 1e6;
+    return pair;
+  };
+  session.display.size = rounded(geometry->panel);
+  session.display.fov = rounded(geometry->fovOf(views.columns, views.rows));
+  lightField.viewingDistance = geometry->distance;
+  lightField.shear = rounded(geometry->shearOf(width, height));
+  return true;
+}
+
+}  // namespace
+
+OrderedSession orderedSessionAround(const std::string& file,
+                                    const std::vector<std::string>& overrides,
+                                    const Progress& progress) {
+  OrderedSession result;
+  Session& session = result.session;
+  session.lightField = lightFieldOf(file);
+  addState(session, inFrontOf(session.display));
+  if (session.lightField.isLive()) {
+    fitMesh(session.lightField, session.display, progress);
+  } else {
+    Session said = overridden(session, overrides);  // which may say how to read it
+    session.lightField = said.lightField;
+    const auto isWhole = [&said] {
+      return typeOf(said.lightField.layout).isWhole(said.lightField, said.display);
+    };
+    const bool isGuessed = !isWhole() && !isLayoutGiven(overrides);
+    if (!isWhole()) {
+      findHogels(result, !isGuessed, part(progress, 0, 0.5));
+      said.lightField = session.lightField;
+      said.display.hogels = session.display.hogels;
+      said.display.directions = session.display.directions;
+    }
+    if (isWhole()) {
+      result.order = findLightFieldOrder(said.lightField, said.display, part(progress, 0.5, 0.8));
+      if (result.order.isLikeMosaic && isGuessed)
+        takeForMosaic(result, said, part(progress, 0.8, 1));
+      session.lightField = result.order.found;
+    }
+    session.display = displayAround(session.lightField, said.display);
+    const Layout layout = session.lightField.layout;
+    if (layout == Layout::hogels || layout == Layout::mosaic) {
+      session.display.hogels = said.display.hogels;
+      session.display.directions = said.display.directions;
+    }
+    if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
+        distance > 0)
+      session.lightField.viewingDistance = distance;
+    if (takeGeometry(session, said.display)) {
+      result.order.found.viewingDistance = session.lightField.viewingDistance;
+      result.order.found.shear = session.lightField.shear;
+    }
+  }
+  session.cameras = {inFrontOf(displayOf(session))};
+  session = overridden(session, overrides);
+  const bool isOrderGiven = session.lightField.rows != result.order.found.rows ||
+                            session.lightField.columns != result.order.found.columns;
+  if (isGridOfViews(session.lightField.layout) && isOrderGiven) {
+    session.lightField = withOrderOf(session.lightField, result.order);
+    session = overridden(session, overrides);
+  }
+  return result;
+}
+
+Session sessionAround(const std::string& file, const std::vector<std::string>& overrides,
+                      const Progress& progress) {
+  return orderedSessionAround(file, overrides, progress).session;
+}
+
+Session withLightField(const Session& session, const std::string& file) {
+  Session result = session;
+  if (isSessionFile(file)) {
+    const Session other = loadSession(file);
+    result.display = other.display;
+    result.lightField = other.lightField;
+  } else {
+    result.lightField = withFile(session.lightField, file);
+    check(result);
+  }
+  return result;
+}
+
+}  // namespace hogelscope
