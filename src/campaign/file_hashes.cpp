@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cached hashes of files.
 #include "campaign/file_hashes.h"
 
 #include <fcntl.h>
@@ -27,7 +26,7 @@ constexpr std::size_t hashDigits = 32;
 Descriptor lockedCache(const fs::path& cache, const Progress& progress) {
   for (;;) {
     if (auto descriptor = openLocked(cache, O_APPEND)) return std::move(*descriptor);
-    hearStop(progress);
+    throwIfCancelled(progress);
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
 }
@@ -35,7 +34,7 @@ Descriptor lockedCache(const fs::path& cache, const Progress& progress) {
 }  // namespace
 
 FileHashes::FileHashes(const fs::path& folder) : m_cache(folder / "report.hashes") {
-  requireOurs(m_cache, cacheHead);
+  requireOwnFile(m_cache, cacheHead);
   read();
 }
 

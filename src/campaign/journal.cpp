@@ -136,7 +136,7 @@ std::string endingOf(const std::optional<Shard>& shard) {
 
 Journal::Journal(const fs::path& folder, const JournalHead& head, const std::optional<Shard>& shard)
     : m_file(folder / (std::string(fileName) + endingOf(shard))) {
-  requireOurs(m_file, headOfAny);
+  requireOwnFile(m_file, headOfAny);
   auto descriptor = openLocked(m_file, O_APPEND);
   if (!descriptor)
     throw InputError(m_file.string(), "is in use",

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a long run.
 #include "campaign/rows.h"
 
 #include "core/base/error.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images of many camera states.
 #include "campaign/state_images.h"
 
 #include "core/base/error.h"
@@ -12,9 +11,10 @@ StateImages::StateImages(const Session& session, LightFieldFile& file,
     : m_states(states) {
   const auto& [use, shard, bits, keepsUnrounded, rows] = options;
   const bool isStreamed = mustStream(file, use.memory);
-  m_scene = isStreamed ? unloadedScene(session, file) : loadScene(session, file, progress, use);
-  m_scene.bits = bits;
-  m_scene.keepsUnrounded = keepsUnrounded;
+  m_source =
+      isStreamed ? unloadedViewSource(session, file) : loadViewSource(session, file, progress, use);
+  m_source.bits = bits;
+  m_source.keepsUnrounded = keepsUnrounded;
   if (!isStreamed) return;
   std::vector<RenderJob> views;
   for (std::size_t k = 0; k < states.size(); ++k)

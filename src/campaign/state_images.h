@@ -7,7 +7,7 @@
 #include "campaign/streamed_images.h"
 #include "core/base/shard.h"
 #include "core/engine/renderer.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -24,8 +24,8 @@ class StateImages {
   };
 
   /// Takes a scene whose light field is open.
-  StateImages(Scene scene, const std::vector<CameraState>& states)
-      : m_scene(std::move(scene)), m_states(states) {}
+  StateImages(ViewSource source, const std::vector<CameraState>& states)
+      : m_source(std::move(source)), m_states(states) {}
   /// Reads `file`, the light field of `session`. Throws InputError, Cancelled.
   StateImages(const Session& session, LightFieldFile& file, const std::vector<CameraState>& states,
               const Options& options, const Progress& progress);
@@ -38,14 +38,14 @@ class StateImages {
     return renderer.renderFloat(job(state), progress);
   }
 
-  [[nodiscard]] RenderJob job(std::size_t state) const { return m_scene.job(m_states[state]); }
+  [[nodiscard]] RenderJob job(std::size_t state) const { return m_source.job(m_states[state]); }
   [[nodiscard]] bool areStreamed() const { return !m_streamed.empty(); }
-  [[nodiscard]] const Scene& scene() const { return m_scene; }
+  [[nodiscard]] const ViewSource& source() const { return m_source; }
   /// Switches to ideal views.
-  void showIdeal() { m_scene.isIdeal = true; }
+  void showIdeal() { m_source.isIdeal = true; }
 
  private:
-  Scene m_scene;
+  ViewSource m_source;
   std::vector<CameraState> m_states;
   std::vector<StateImage> m_streamed;  ///< of all states; empty if they are rendered on request
 };

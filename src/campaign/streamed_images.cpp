@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of a streamed light field.
 #include "campaign/streamed_images.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 #include "core/base/text.h"
 #include "core/engine/streaming_renderer.h"
 #include "io/files/system_limits.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -19,7 +18,7 @@ InputError tooLarge(std::size_t bytes, std::size_t memory) {
                         bytesText(memory) + " are allowed: allow more"};
 }
 
-struct Passenger {
+struct StreamedView {
   std::size_t state;
   std::unique_ptr<StreamingRenderer> job;
 };
@@ -30,7 +29,7 @@ class Group {
   explicit Group(std::size_t memory) : m_memory(memory) {}
 
   /// Adds a view. Returns false if it does not fit beside the others.
-  bool add(Passenger& passenger) {
+  bool add(StreamedView& passenger) {
     const StreamingRenderer& job = *passenger.job;
     const auto& lens = job.lens();
     const bool isNew = lens && std::find(m_lenses.begin(), m_lenses.end(), *lens) == m_lenses.end();
@@ -46,13 +45,13 @@ class Group {
     return true;
   }
 
-  [[nodiscard]] std::vector<Passenger>& passengers() { return m_passengers; }
+  [[nodiscard]] std::vector<StreamedView>& passengers() { return m_passengers; }
 
  private:
   std::size_t m_memory;
   std::size_t m_bytes = 0;
   std::vector<LensKey> m_lenses;
-  std::vector<Passenger> m_passengers;
+  std::vector<StreamedView> m_passengers;
 };
 
 /// Adds each state to the current group, or to a new one if it does not fit.
@@ -63,8 +62,8 @@ std::vector<Group> grouped(const std::vector<RenderJob>& views, std::size_t memo
   groups.emplace_back(memory);
   for (std::size_t k = 0; k < views.size(); ++k) {
     try {
-      Passenger next{k,
-                     std::make_unique<StreamingRenderer>(views[k], tables, parallelRows, progress)};
+      StreamedView next{
+          k, std::make_unique<StreamingRenderer>(views[k], tables, parallelRows, progress)};
       if (!groups.back().add(next)) groups.emplace_back(memory).add(next);
     } catch (const InputError& error) {
       pictures[k].problem = error.what();
@@ -91,10 +90,10 @@ void checkRoom(const std::vector<RenderJob>& views) {
                                     ": take fewer states, or pack the light field into a store");
 }
 
-void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progress& progress) {
+void pass(LightFieldFile& file, std::vector<StreamedView>& passengers, const Progress& progress) {
   int current = 0;
   const auto finish = [&] {
-    for (const Passenger& passenger : passengers) passenger.job->finish(current);
+    for (const StreamedView& passenger : passengers) passenger.job->finish(current);
   };
   file.stream(
       [&](int j, int v, const StoredRows& rgb) {
@@ -102,7 +101,7 @@ void pass(LightFieldFile& file, std::vector<Passenger>& passengers, const Progre
         current = j;
         std::visit(
             [&](const auto* values) {
-              for (const Passenger& passenger : passengers) passenger.job->take(j, v, values);
+              for (const StreamedView& passenger : passengers) passenger.job->take(j, v, values);
             },
             rgb);
       },
@@ -125,11 +124,11 @@ std::vector<StateImage> renderStreamed(LightFieldFile& file, const std::vector<R
   std::vector<Group> groups = grouped(views, memory, tables, parallelRows, pictures, progress);
   std::erase_if(groups, [](Group& group) { return group.passengers().empty(); });
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    for (const Passenger& passenger : groups[g].passengers())
+    for (const StreamedView& passenger : groups[g].passengers())
       passenger.job->begin(tables, parallelRows);
     const auto count = double(groups.size());
     pass(file, groups[g].passengers(), part(progress, double(g) / count, double(g + 1) / count));
-    for (const Passenger& passenger : groups[g].passengers())
+    for (const StreamedView& passenger : groups[g].passengers())
       pictures[passenger.state].image = passenger.job->takeImage();
     groups[g].passengers().clear();
   }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The maps of lenses.png.
 #include "chart/lens_pictures.h"
 
 #include <QImage>

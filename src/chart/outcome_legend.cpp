@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours and texts of a lens inverse's outcomes.
 #include "chart/outcome_legend.h"
 
 #include <QStringList>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export of charts to files.
 #include "chart/painting.h"
 
 #include <QBuffer>

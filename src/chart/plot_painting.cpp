@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paints a plot of the report's page.
 #include "chart/plot_painting.h"
 
 #include <QObject>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The maps of stability.png.
 #include "chart/stability_map.h"
 
 #include <QImage>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Axes of the chart of speed against accuracy.
 #include "chart/tradeoff_axes.h"
 
 #include <QFontMetricsF>

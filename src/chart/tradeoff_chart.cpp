@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Painting of the chart of speed against accuracy.
 #include "chart/tradeoff_chart.h"
 
 #include <QFontMetricsF>

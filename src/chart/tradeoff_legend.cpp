@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Legend of the chart of speed against accuracy: numbered methods with their values.
 #include "chart/tradeoff_legend.h"
 
 #include <QFontMetricsF>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of the methods beside the points of the chart.
 #include "chart/tradeoff_numbers.h"
 
 #include <QFontMetricsF>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Batch mode: the jobs of the command line.
 #include "cli/batch.h"
 
 #include "cli/jobs.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line as a value.
 #include "cli/command_line.h"
 
 #include <charconv>

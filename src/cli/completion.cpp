@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bash completion, generated from the tables of jobs and flags.
 #include "cli/completion.h"
 
 #include "cli/flags.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: the plan, the remaining work and the lens' certificate as text.
 #include "cli/explain.h"
 
 #include <cmath>
@@ -70,9 +69,10 @@ std::string explanation(const RenderJob& asked, const Progress& progress) {
 
 }  // namespace
 
-std::string explanations(const Scene& scene, const Session& session, const Progress& progress) {
+std::string explanations(const ViewSource& source, const Session& session,
+                         const Progress& progress) {
   std::string text;
-  for (const CameraState& state : session.cameras) text += explanation(scene.job(state), progress);
+  for (const CameraState& state : session.cameras) text += explanation(source.job(state), progress);
   return text;
 }
 

@@ -6,12 +6,13 @@
 
 #include "core/base/progress.h"
 #include "core/optics/simulate.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
 /// Returns, for all states of a session, what is modelled, what is omitted and why. Throws
 /// Cancelled.
-std::string explanations(const Scene& scene, const Session& session, const Progress& progress);
+std::string explanations(const ViewSource& source, const Session& session,
+                         const Progress& progress);
 
 }  // namespace hogelscope

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of the command line.
 #include "cli/flags.h"
 
 #include <algorithm>

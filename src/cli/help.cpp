@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of --help.
 #include "cli/help.h"
 
 #include <algorithm>

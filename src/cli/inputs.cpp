@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input sessions and light fields of the jobs.
 #include "cli/inputs.h"
 
 #include <fnmatch.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The jobs of the command line.
 #include "cli/jobs.h"
 
 #include <algorithm>

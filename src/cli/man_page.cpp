@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The man page, generated from the tables of jobs and flags.
 #include "cli/man_page.h"
 
 #include "cli/flags.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Notes on stderr.
 #include "cli/notes.h"
 
 #include <iostream>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The common start of both programs, batch mode and the window.
 #include "cli/program.h"
 
 #include <csignal>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar with the remaining time on a terminal.
 #include "cli/progress_bar.h"
 
 #include <unistd.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SIGINT and SIGTERM in batch mode.
 #include "cli/stop_signals.h"
 
 #include <poll.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Common elements of the report's page.
 #include "page/html.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables as LaTeX.
 #include "page/latex.h"
 
 #include <algorithm>

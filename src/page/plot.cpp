@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plots of series of points, and their SVG.
 #include "page/plot.h"
 
 #include <algorithm>

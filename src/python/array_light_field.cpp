@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field in an array of views.
 #include "python/array_light_field.h"
 
 #include <algorithm>
@@ -50,7 +49,7 @@ void copyRows(const ViewArray& array, const Footprint& footprint, LightField& ta
       for (int j = begin; j < end; ++j) {
         const CellRange& ofRow = footprint.v[std::size_t(j)];
         for (int v = ofRow.first; v <= ofRow.last; ++v) {
-          hearStop(heard);
+          throwIfCancelled(heard);
           for (int i = 0; i < size.nx; ++i) {
             const CellRange& ofColumn = footprint.u[std::size_t(i)];
             for (int u = ofColumn.first; u <= ofColumn.last; ++u)
@@ -139,7 +138,7 @@ void checkFinite(const ViewArray& array, const Progress& progress) {
     for (int v = begin; v < end; ++v)
       for (int u = 0; u < du; ++u)
         for (int j = 0; j < ny; ++j) {
-          hearStop(heard);
+          throwIfCancelled(heard);
           for (int i = 0; i < nx; ++i)
             for (const float value : values({i, j, u, v}))
               if (!std::isfinite(value))

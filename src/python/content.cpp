@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field opened by Python.
 #include "python/content.h"
 
 #include "core/base/parallel.h"
 #include "io/files/content_hash.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 

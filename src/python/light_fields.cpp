@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "python/array_light_field.h"
 #include "python/bindings.h"
 #include "python/content.h"

@@ -24,7 +24,7 @@ using Tests = std::vector<std::pair<std::string, LightChoice>>;
 using Groups = std::vector<std::pair<std::string, std::vector<std::pair<std::string, double>>>>;
 
 /// A report's request from Python.
-struct Wishes {
+struct ReportArguments {
   const Document& document;
   const LightChoice& reference;
   const Tests& tests;
@@ -83,7 +83,7 @@ RateGroup groupOf(const std::string& name, const Groups::value_type::second_type
   return group;
 }
 
-ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
+ReportRequest requestOf(const ReportArguments& wishes, const Progress& progress) {
   ReportRequest request;
   const Session session = sessionOf(wishes.document);
   request.name = wishes.document.name.empty() ? "a session of Python" : wishes.document.name;
@@ -92,7 +92,7 @@ ReportRequest requestOf(const Wishes& wishes, const Progress& progress) {
   request.file = std::move(reference.file);
   request.isAgainstIdeal = wishes.isAgainstIdeal;
   if (request.isAgainstIdeal) {
-    requireScene(request.session);
+    requireLive(request.session);
     request.tests.push_back({"display", request.session, request.file});
   }
   for (const auto& [name, light] : wishes.tests)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work that Ctrl-C can stop.
 #include "python/stoppable.h"
 
 #include <pthread.h>
@@ -145,7 +144,7 @@ void runStoppable(const py::object& listener, const std::function<void(const Pro
 
 std::unique_lock<std::timed_mutex> lockFor(std::timed_mutex& mutex, const Progress& progress) {
   std::unique_lock lock(mutex, std::defer_lock);
-  while (!lock.try_lock_for(pause)) hearStop(progress);
+  while (!lock.try_lock_for(pause)) throwIfCancelled(progress);
   return lock;
 }
 

@@ -13,7 +13,7 @@
 #include "io/files/output_folder.h"
 #include "io/images/image_writer.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "python/bindings.h"
 #include "python/content.h"
 #include "python/stoppable.h"
@@ -85,7 +85,7 @@ RenderedViews SessionViews::render(const RenderRequest& request, const Progress&
   const auto lock = lockFor(m_mutex, progress);
   const bool isOwn = !request.light || request.light->lightField().isLive();
   const Session session = request.light ? request.light->in(request.session) : request.session;
-  if (request.isIdeal) requireScene(session);
+  if (request.isIdeal) requireLive(session);
   const std::shared_ptr<Content> content =
       isOwn ? ownOf(session, part(progress, 0, 0.1)) : request.light;
   const auto contentLock = lockFor(content->mutex(), progress);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A test's error projected onto the panel.
 #include "report/panel_projection.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output files of a report.
 #include "report/report_files.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include "core/metrics/report_rows.h"
 #include "core/metrics/summary.h"
 #include "io/files/system_limits.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -40,8 +40,8 @@ struct ReportRequest {
   /// The part of one of several processes: its states' rows and sums stay in the folder for the run
   /// without a shard, which writes the report.
   std::optional<Shard> shard{};
-  std::size_t memory = allowedMemory();  ///< bytes for light fields, in addition to the images
-  std::optional<Scene> reference{};      ///< the session's light field, if already in memory
+  std::size_t memory = allowedMemory();   ///< bytes for light fields, in addition to the images
+  std::optional<ViewSource> reference{};  ///< the session's light field, if already in memory
 };
 
 /// The order of a report's rows: by state, then by test.
@@ -57,7 +57,7 @@ struct ReportOrder {
 /// Callbacks of a run. Each may be empty; all are called from several threads, one at a time.
 struct ReportListener {
   Progress progress;
-  std::function<void(const Scene&)> loaded;
+  std::function<void(const ViewSource&)> loaded;
   /// Called when row `index` (ReportOrder) is finished.
   std::function<void(std::size_t index, const ReportRow& row)> finished;
 };

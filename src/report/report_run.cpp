@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The testing procedure: test by test, with the states in parallel.
 #include "report/report_run.h"
 
 #include <algorithm>

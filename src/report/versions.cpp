@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Versions of the program and its libraries.
 #include "report/versions.h"
 
 #include "core/base/version.h"

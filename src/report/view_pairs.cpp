@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The image pairs that a report compares.
 #include "report/view_pairs.h"
 
 #include <array>
@@ -43,9 +42,9 @@ StateImages ViewPairs::imagesOf(const Session& session, LightFieldFile& file,
 namespace {
 
 /// The joint progress of two threads; if one fails, the other stops.
-class Halves {
+class JointProgress {
  public:
-  explicit Halves(const Progress& whole) : m_whole(whole) {}
+  explicit JointProgress(const Progress& whole) : m_whole(whole) {}
 
   template <class Work>
   auto run(std::size_t half, Work work) {
@@ -69,7 +68,7 @@ class Halves {
 }  // namespace
 
 void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress) {
-  Halves halves(progress);
+  JointProgress halves(progress);
   auto reading = std::async([&] {  // runs sequentially if no thread can be started
     return halves.run(0, [&](const Progress& half) { return imagesOf(m_session, m_file, half); });
   });

@@ -28,8 +28,8 @@ class ViewPairs {
   /// `rowsWithin` distributes the rows of one image.
   ViewPairs(const ReportRequest& request, std::size_t workers, const ParallelRows& rowsWithin);
 
-  void setReference(const Scene& scene) {
-    Scene deep = scene;
+  void setReference(const ViewSource& source) {
+    ViewSource deep = source;
     deep.isIdeal = m_isAgainstIdeal;
     deep.bits = m_file.bits();
     deep.keepsUnrounded = m_keepsUnrounded;
@@ -46,8 +46,8 @@ class ViewPairs {
   /// Cancelled.
   [[nodiscard]] std::vector<double> viewErrors(const Progress& progress) const;
   [[nodiscard]] RenderJob job(std::size_t state) const { return m_reference->job(state); }
-  [[nodiscard]] const Scene& reference() const { return m_reference->scene(); }
-  [[nodiscard]] const Scene& test() const { return m_test->scene(); }
+  [[nodiscard]] const ViewSource& reference() const { return m_reference->source(); }
+  [[nodiscard]] const ViewSource& test() const { return m_test->source(); }
   /// Returns the viewing geometry of a state's reference.
   [[nodiscard]] Viewing viewing(std::size_t state) const;
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }

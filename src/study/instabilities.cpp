@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Instabilities of leakage and of means.
 #include "study/instabilities.h"
 
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Methods of inverting a lens.
 #include "study/inverse_methods.h"
 
 #include <opencv2/calib3d.hpp>

@@ -37,7 +37,7 @@ bool isOneToOne(const DistortionParams& lens, const std::vector<Vec2>& border,
                 const Progress& progress) {
   const Distortion distortion(lens);
   return std::all_of(border.begin(), border.end(), [&](const Vec2& p) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     return distortion.undistort(p).has_value();
   });
 }

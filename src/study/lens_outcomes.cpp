@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outcomes of inverting a lens.
 #include "study/lens_outcomes.h"
 
 #include <algorithm>
@@ -31,7 +30,7 @@ LensTrial::LensTrial(const LensKey& lens, int columns, int rows, Progress progre
   const Distortion distortion(lens.distortion);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      hearStop(m_progress);
+      throwIfCancelled(m_progress);
       const double px = double(column) * (lens.res[0] - 1) / (columns - 1);
       const double py = double(row) * (lens.res[1] - 1) / (rows - 1);
       m_distorted.push_back(

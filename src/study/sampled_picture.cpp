@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of which only some rows are rendered.
 #include "study/sampled_picture.h"
 
 #include <algorithm>
@@ -68,7 +67,7 @@ Image sampledReference(const RenderJob& job, int step, const ParallelRows& paral
     parallelRows(band.end - band.begin, [&](int begin, int end) {
       for (int y = band.begin + begin; y < band.begin + end; ++y)
         for (int x = 0; x < image.width; ++x) {
-          hearStop(heard);
+          throwIfCancelled(heard);
           simulation.render(x, y, image);
         }
     });

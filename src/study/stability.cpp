@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the failures of methods, and writes the table.
 #include "study/stability.h"
 
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distribution of a budget of wall time among methods.
 #include "study/time_budget.h"
 
 #include <algorithm>

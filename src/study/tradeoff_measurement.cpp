@@ -112,7 +112,7 @@ class Measurement {
 
   Tradeoff run() {
     look();
-    m_done = lookPart;
+    m_done = trialShare;
     measureErrors();
     m_done = errorPart;
     return timed();
@@ -120,7 +120,7 @@ class Measurement {
 
  private:
   // Parts of the budget. No view's errors start after the limit, even if the trial was inaccurate.
-  static constexpr double lookPart = 0.1;
+  static constexpr double trialShare = 0.1;
   static constexpr double errorPart = 0.4;
   static constexpr double errorLimit = 0.5;
   static constexpr double planned = 0.8;  // of the time for runs: the trial is imprecise
@@ -162,21 +162,21 @@ class Measurement {
 
   /// Measures the costs of all methods on as many views as fit.
   void look() {
-    const double allowed = lookPart / 2 * m_budget.seconds / double(m_methods.size() + 1);
-    m_looks.resize(m_methods.size());
+    const double allowed = trialShare / 2 * m_budget.seconds / double(m_methods.size() + 1);
+    m_trials.resize(m_methods.size());
     m_errorCosts.resize(m_methods.size() + 1);
     // Warms up code, pages, threads and the processor's clock.
     (void)timedPicture(applyMethod(m_methods.front(), m_views.front()), 16);
     double pixels = 0;
     for (const RenderJob& job : m_views) {
-      if (pixels > 0 && left(lookPart) <= 0) break;
+      if (pixels > 0 && left(trialShare) <= 0) break;
       pixels += pixelsOf(job);
       for (std::size_t m = 0; m < m_methods.size(); ++m) {
         const RenderJob used = applyMethod(m_methods[m], job);
-        m_looks[m].push_back(
+        m_trials[m].push_back(
             costOf(allowed, [&](int divisor) { return timedPicture(used, divisor); }));
         PictureCost& cost = m_errorCosts[m + 1];
-        (isSampled(used) ? cost.bands : cost.whole) += m_looks[m].back().seconds;
+        (isSampled(used) ? cost.bands : cost.whole) += m_trials[m].back().seconds;
       }
       m_errorCosts.front().bands +=
           costOf(allowed, [&](int divisor) { return timedReference(job, divisor); }).seconds;
@@ -210,12 +210,12 @@ class Measurement {
   Tradeoff timed() {
     std::vector<std::vector<double>> costs(m_methods.size());
     for (std::size_t m = 0; m < m_methods.size(); ++m)
-      for (const Cost& cost : m_looks[m]) costs[m].push_back(cost.seconds);
+      for (const Cost& cost : m_trials[m]) costs[m].push_back(cost.seconds);
     const TimePlan plan = planTimes(costs, planned * left(1));
     for (std::size_t m = 0; m < m_methods.size(); ++m)
       for (std::size_t k = 0; k < plan.views && !plan.repeats[m]; ++k)
-        if (plan.divisors[m] < m_looks[m][k].divisor && left(1) > 0)
-          m_looks[m][k] = timedPicture(applyMethod(m_methods[m], m_views[k]), plan.divisors[m]);
+        if (plan.divisors[m] < m_trials[m][k].divisor && left(1) > 0)
+          m_trials[m][k] = timedPicture(applyMethod(m_methods[m], m_views[k]), plan.divisors[m]);
     m_done = (1 + errorPart) / 2;
     const std::vector<std::vector<double>> runs = repeated(plan);
     Tradeoff result;
@@ -254,10 +254,10 @@ class Measurement {
     double pixels = 0;
     for (std::size_t k = 0; k < views; ++k) {
       const RenderJob used = applyMethod(m_methods[m], m_views[k]);
-      const int divisor = runs.empty() ? m_looks[m][k].divisor : 1;
+      const int divisor = runs.empty() ? m_trials[m][k].divisor : 1;
       row.timedPixels += pixelsOf(smaller(used, divisor));
       rays += megaRays(used);
-      seconds += m_looks[m][k].seconds;
+      seconds += m_trials[m][k].seconds;
       pixels += pixelsOf(used);
     }
     if (runs.empty()) runs.push_back(1000 * seconds / double(views));
@@ -274,11 +274,11 @@ class Measurement {
   double m_start;
   const ParallelRows& m_parallelRows;
   Progress m_pulse;
-  double m_done = 0;                       ///< the share done, if the work ends before the budget
-  double m_pixels = 0;                     ///< of all views
-  std::vector<std::vector<Cost>> m_looks;  ///< of each method and the first views
-  std::vector<PictureCost> m_errorCosts;   ///< of all views, the reference's first
-  std::vector<ErrorSum> m_errors;          ///< of each method
+  double m_done = 0;                        ///< the share done, if the work ends before the budget
+  double m_pixels = 0;                      ///< of all views
+  std::vector<std::vector<Cost>> m_trials;  ///< of each method and the first views
+  std::vector<PictureCost> m_errorCosts;    ///< of all views, the reference's first
+  std::vector<ErrorSum> m_errors;           ///< of each method
   std::size_t m_errorViews = 0;
 };
 

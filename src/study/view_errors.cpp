@@ -93,12 +93,12 @@ InstabilityRow row(const char* kind, const std::string& method, double x, const 
 
 void addEye(const char* kind, double x, const RenderJob& job, const Progress& progress,
             std::vector<InstabilityRow>& rows) {
-  hearStop(progress);
+  throwIfCancelled(progress);
   const Image reference = simulate(job);
-  hearStop(progress);
+  throwIfCancelled(progress);
   rows.push_back(row(kind, "fast engine", x, reference, Renderer(serialRows).render(job)));
   rows.push_back(row(kind, "float", x, reference, pictureIn<float>(job)));
-  hearStop(progress);
+  throwIfCancelled(progress);
   rows.push_back(row(kind, "eye 10 um aside", x, reference, simulate(eyeAside(job))));
 }
 

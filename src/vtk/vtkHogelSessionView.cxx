@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/documents/session_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 vtkStandardNewMacro(vtkHogelSessionView);
 
@@ -32,7 +32,7 @@ bool vtkHogelSessionView::SetSession(const std::string& file, const std::string&
   {
     const hogelscope::Session session = hogelscope::loadSession(file);
     const hogelscope::CameraState& wanted = stateOf(session, file, state);
-    this->SetJob(hogelscope::loadScene(session, {}).job(wanted));
+    this->SetJob(hogelscope::loadViewSource(session, {}).job(wanted));
     return true;
   }
   catch (const std::exception& error)

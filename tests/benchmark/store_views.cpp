@@ -11,7 +11,7 @@
 #include "core/engine/renderer.h"
 #include "core/engine/scaled_view.h"
 #include "io/documents/session_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace {
 
@@ -41,9 +41,9 @@ void print(const char* what, ViewAt viewAt, Renderer& renderer) {
 
 void measure(const char* file) {
   const Session session = loadSession(file);
-  std::optional<Scene> scene;
+  std::optional<ViewSource> scene;
   std::printf("%-46s %8.1f ms\n", "open",
-              milliseconds([&] { scene = loadScene(session, {}, {.memory = 1000000000}); }));
+              milliseconds([&] { scene = loadViewSource(session, {}, {.memory = 1000000000}); }));
   Renderer renderer;
   const RenderJob job = scene->job(session.cameras.front());
   const auto moved = [&job](double x) {

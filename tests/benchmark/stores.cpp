@@ -12,7 +12,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // Images of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
 #include "campaign/streamed_images.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -62,7 +62,7 @@ Session sessionOf(const QByteArray& file, const QByteArray& more = {}) {
   return session;
 }
 
-std::vector<RenderJob> viewsOf(const Session& session, const Scene& scene) {
+std::vector<RenderJob> viewsOf(const Session& session, const ViewSource& scene) {
   std::vector<RenderJob> views;
   for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
   return views;
@@ -118,9 +118,9 @@ void TestStreamedImages::sameImages() {
   QFETCH(QByteArray, more);
   const Session session = sessionOf(file, more);
   const auto input = openLightField(session.lightField, session.display);
-  const auto made = renderStreamed(*input, viewsOf(session, unloadedScene(session, *input)), plenty,
-                                   serialRows, {});
-  const std::vector<RenderJob> views = viewsOf(session, loadScene(session, {}));
+  const auto made = renderStreamed(*input, viewsOf(session, unloadedViewSource(session, *input)),
+                                   plenty, serialRows, {});
+  const std::vector<RenderJob> views = viewsOf(session, loadViewSource(session, {}));
   QCOMPARE(made.size(), views.size());
   for (const std::size_t k : {0U, 1U, 2U, 4U}) {
     QCOMPARE(QString::fromStdString(made[k].problem), QString());
@@ -132,7 +132,7 @@ void TestStreamedImages::sameImages() {
 void TestStreamedImages::readOnce() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  const std::vector<RenderJob> views = viewsOf(session, unloadedScene(session, file));
+  const std::vector<RenderJob> views = viewsOf(session, unloadedViewSource(session, file));
   (void)renderStreamed(file, views, plenty, serialRows, {});
   QCOMPARE(file.rows, 192);
 }
@@ -140,7 +140,7 @@ void TestStreamedImages::readOnce() {
 void TestStreamedImages::readTwiceWhereMemoryIsShort() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  const std::vector<RenderJob> views = viewsOf(session, unloadedScene(session, file));
+  const std::vector<RenderJob> views = viewsOf(session, unloadedViewSource(session, file));
   const auto whole = renderStreamed(file, views, plenty, serialRows, {});
   file.rows = 0;
   // The lens of "c" alone takes 150·120·16 = 288 000 bytes.
@@ -152,8 +152,8 @@ void TestStreamedImages::readTwiceWhereMemoryIsShort() {
 void TestStreamedImages::tooLittleForOneView() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  const auto made =
-      renderStreamed(file, viewsOf(session, unloadedScene(session, file)), 100000, serialRows, {});
+  const auto made = renderStreamed(file, viewsOf(session, unloadedViewSource(session, file)),
+                                   100000, serialRows, {});
   QVERIFY(made[0].problem.empty());
   QCOMPARE(QString::fromStdString(made[2].problem).left(33),
            QString("memory: a view needs 290.9 kB of "));
@@ -163,7 +163,7 @@ void TestStreamedImages::tooLittleForOneView() {
 void TestStreamedImages::tooManyPictures() {
   const Session session = sessionOf("bytes.png");
   CountedFile file(openLightField(session.lightField, session.display));
-  RenderJob large = viewsOf(session, unloadedScene(session, file)).front();
+  RenderJob large = viewsOf(session, unloadedViewSource(session, file)).front();
   large.state.camera.res = {16384, 16384};
   const double most = double(machineMemory()) / (2.0 * Image::bytesPerPixel * 16384 * 16384);
   const std::vector<RenderJob> views(std::size_t(most) + 1, large);
@@ -190,8 +190,8 @@ void TestStreamedImages::damagedRow() {
   const Session session = sessionOf("cut.png");
   const auto file = openLightField(session.lightField, session.display);
   try {
-    (void)renderStreamed(*file, viewsOf(session, unloadedScene(session, *file)), plenty, serialRows,
-                         {});
+    (void)renderStreamed(*file, viewsOf(session, unloadedViewSource(session, *file)), plenty,
+                         serialRows, {});
     QFAIL("a file that is cut was read");
   } catch (const InputError& error) {
     const QString line = error.what();
@@ -204,7 +204,7 @@ void TestStreamedImages::stops() {
   const auto file = openLightField(session.lightField, session.display);
   const auto tillHalf = [](double done) { return done < 0.5; };
   QVERIFY_THROWS_EXCEPTION(
-      Cancelled, (void)renderStreamed(*file, viewsOf(session, unloadedScene(session, *file)),
+      Cancelled, (void)renderStreamed(*file, viewsOf(session, unloadedViewSource(session, *file)),
                                       plenty, serialRows, tillHalf));
 }
 

@@ -120,7 +120,7 @@ void TestRender::exrHoldsTheValues() {
   QCOMPARE(namesIn("out"), (QStringList{"Fig 1.exr", "Fig 1.mask.png"}));
   QVERIFY(specOf("out/Fig 1.exr").format == OIIO::TypeDesc::FLOAT);
   const std::vector<float> values = valuesOf<float>("out/Fig 1.exr");
-  const Scene scene = loadScene(m_session, {});
+  const ViewSource scene = loadViewSource(m_session, {});
   const Simulation simulation(scene.job(m_session.cameras[0]));
   int fractions = 0;
   for (int y = 0; y < 64; ++y) {
@@ -141,7 +141,7 @@ void TestRender::tiffHoldsSixteenBits() {
   QCOMPARE(namesIn("out"), QStringList{"Fig 1.tif"});
   QVERIFY(specOf("out/Fig 1.tif").format == OIIO::TypeDesc::UINT16);
   const std::vector<std::uint16_t> values = valuesOf<std::uint16_t>("out/Fig 1.tif");
-  const Scene scene = loadScene(m_session, {});
+  const ViewSource scene = loadViewSource(m_session, {});
   const Simulation simulation(scene.job(m_session.cameras[0]));
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {

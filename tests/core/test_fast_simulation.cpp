@@ -133,7 +133,8 @@ void TestFastSimulation::codeValuesAreTheReferences() {
   }
 }
 
-/// Halves and their neighbours, of which a half more may be a whole number in single precision.
+/// JointProgress and their neighbours, of which a half more may be a whole number in single
+/// precision.
 void TestFastSimulation::roundsAsTheReference() {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   std::vector<float> values{std::numeric_limits<float>::quiet_NaN(), -infinity, infinity, 1e30F};

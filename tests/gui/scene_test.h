@@ -13,7 +13,7 @@
 #include "gui/scene/scene_controller.h"
 #include "gui/scene/vtk_widget.h"
 #include "io/documents/session_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/gui/pattern_file.h"
 #include "tests/gui/window_test.h"
 
@@ -45,7 +45,7 @@ class SceneTest : public WindowTest {
     const QString file = m_folder.filePath("session.json");
     hogelscope::saveSession(file.toStdString(), session);
     m_session = session;
-    m_loaded = hogelscope::loadScene(session, {});
+    m_loaded = hogelscope::loadViewSource(session, {});
     WindowTest::open(file);
     QTest::qWait(100);
   }
@@ -95,5 +95,5 @@ class SceneTest : public WindowTest {
   }
 
   hogelscope::Session m_session;
-  hogelscope::Scene m_loaded;
+  hogelscope::ViewSource m_loaded;
 };

@@ -26,7 +26,7 @@
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
 #include "io/scene/light_field_export.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/gui/window_files.h"
 
 using namespace hogelscope;

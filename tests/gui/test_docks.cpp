@@ -16,7 +16,7 @@
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_image.h"
@@ -30,7 +30,7 @@ class TestDocks : public DocksTest {
  private:
   Image expected() const {
     const Session& session = m_model->session();
-    return rendered(loadScene(session, {}).job(m_model->current()));
+    return rendered(loadViewSource(session, {}).job(m_model->current()));
   }
 
   void nothingReplacesWhatIsRead(const QString& lightField) {

@@ -19,7 +19,7 @@ class TestLiveScenes : public SceneTest {
 
  private:
   ImageWidget* view() const { return child<ImageWidget>("pictureView"); }
-  Scene sceneNow() const { return loadScene(m_model->session(), {}); }
+  ViewSource sceneNow() const { return loadViewSource(m_model->session(), {}); }
   bool showsWhatIsTrue() const {
     return equals(view()->image(), rendered(sceneNow().job(m_model->current())));
   }
@@ -151,7 +151,7 @@ class TestLiveScenes : public SceneTest {
     compare->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull(), patience);
     const auto isIdeal = [this] {
-      Scene ideal = sceneNow();
+      ViewSource ideal = sceneNow();
       ideal.isIdeal = true;
       return equals(view()->otherImage(), rendered(ideal.job(m_model->current())));
     };

@@ -23,7 +23,7 @@
 #include "gui/view/image_widget.h"
 #include "gui/widgets/task.h"
 #include "io/documents/session_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_image.h"
@@ -66,7 +66,7 @@ class TestMainWindow : public QObject {
   void opensAndShowsTheReferenceImage() {
     waitForSample();
     const Session session = loadSession(sampleFile.toStdString());
-    const Scene scene = loadScene(session, {});
+    const ViewSource scene = loadViewSource(session, {});
     const Image expected = simulate(scene.job(session.cameras[0]));
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
     QVERIFY(m_window->windowTitle().startsWith("table1.json"));
@@ -103,7 +103,7 @@ class TestMainWindow : public QObject {
 
     Session session = loadSession(sampleFile.toStdString());
     session.cameras[0].psf.windowSize = 1;
-    const Scene scene = loadScene(session, {});
+    const ViewSource scene = loadViewSource(session, {});
     const Image expected = simulate(scene.job(session.cameras[0]));
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
   }
@@ -161,7 +161,7 @@ class TestMainWindow : public QObject {
     QTest::mouseClick(chart, Qt::LeftButton, {}, name.center().toPoint());
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("method: half size"), patience);
 
-    const Scene scene = loadScene(session, {});
+    const ViewSource scene = loadViewSource(session, {});
     RenderJob small = scene.job(session.cameras[0]);
     const Image exact = simulate(small);
     small.method.scale = 2;
@@ -235,7 +235,7 @@ class TestMainWindow : public QObject {
     auto* widget = m_window->findChild<TradeoffWidget*>();
     auto* measure = m_window->findChild<QPushButton*>("measureButton");
     const Session session = loadSession(sampleFile.toStdString());
-    const std::vector<RenderJob> jobs{loadScene(session, {}).job(session.cameras[0])};
+    const std::vector<RenderJob> jobs{loadViewSource(session, {}).job(session.cameras[0])};
     int calls = 0;
     widget->setViews([&] {
       ++calls;
@@ -272,7 +272,7 @@ class TestMainWindow : public QObject {
     Session session = loadSession(sampleFile.toStdString());
     session.cameras[0].distortion.k1 = editor<QDoubleSpinBox>("distortionArea", "k1")->value();
     QVERIFY(std::abs(session.cameras[0].distortion.k1) < 1e-9);
-    const Scene scene = loadScene(session, {});
+    const ViewSource scene = loadViewSource(session, {});
     const Image expected = simulate(scene.job(session.cameras[0]));
     QTRY_VERIFY_WITH_TIMEOUT(equals(view(), expected), patience);
   }

@@ -19,7 +19,7 @@
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/shown_image.h"
 #include "tests/gui/window_test.h"
@@ -65,7 +65,7 @@ class TestNotices : public WindowTest {
            !QFileInfo::exists("saved.png");
   }
   Image expected() const {
-    return rendered(loadScene(m_model->session(), {}).job(m_model->current()));
+    return rendered(loadViewSource(m_model->session(), {}).job(m_model->current()));
   }
   /// After each step of the events that come until the light field was found not to be readable,
   /// and a little longer.

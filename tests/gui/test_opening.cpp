@@ -12,7 +12,7 @@
 #include "gui/files/opening_dialog.h"
 #include "gui/view/image_widget.h"
 #include "io/opening/opening.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/store_writer.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"

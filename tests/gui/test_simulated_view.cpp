@@ -80,7 +80,8 @@ class TestSimulatedView : public QObject {
   Image expected(const QString& lightField, const CameraState& state, int samples = 1) const {
     Session session = loadSession(m_sampleFile.toStdString());
     session.sampling.samplesPerPixel = samples;
-    return rendered(loadScene(withLightField(session, lightField.toStdString()), {}).job(state));
+    return rendered(
+        loadViewSource(withLightField(session, lightField.toStdString()), {}).job(state));
   }
 
  private Q_SLOTS:

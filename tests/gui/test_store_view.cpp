@@ -27,7 +27,7 @@ class TestStoreView : public QObject {
  private:
   QTemporaryDir m_folder;
   QString m_session;
-  Scene m_whole;
+  ViewSource m_whole;
   std::vector<CameraState> m_states;
   std::vector<RenderedView> m_views;  ///< all that came to the window
   std::unique_ptr<MainWindow> m_window;
@@ -52,7 +52,7 @@ class TestStoreView : public QObject {
 void TestStoreView::initTestCase() {
   QVERIFY(QDir::setCurrent(m_folder.path()));
   Session session = loadSession(HOGELSCOPE_SOURCE_DIR "/data/table1.json");
-  m_whole = loadScene(session, {});
+  m_whole = loadViewSource(session, {});
   m_states = session.cameras;
   const auto file = openLightField(session.lightField, session.display);
   pack(*file, planPack(session.lightField, *file, session.display, 100000000), "store.tif", 0, {});

@@ -12,7 +12,7 @@ foreach(file bin/hogelscope bin/hogelscope-window ${LIBRARIES}/hogelscope/plugin
     ${LIBRARIES}/hogelscope/plugins-2/ms-ssim/ms-ssim.so ${LIBRARIES}/hogelscope/lib/libhogelscope_vtk.so
     ${LIBRARIES}/libhogelscope_core.a ${LIBRARIES}/libhogelscope_codecs.a ${LIBRARIES}/libhogelscope_io.a
     ${LIBRARIES}/cmake/Hogelscope/HogelscopeConfig.cmake include/hogelscope-1/hogelscope/plugin.h
-    include/hogelscope-1/hogelscope/core/engine/renderer.h include/hogelscope-1/hogelscope/io/scene/scene.h
+    include/hogelscope-1/hogelscope/core/engine/renderer.h include/hogelscope-1/hogelscope/io/scene/view_source.h
     include/hogelscope-1/vtk/vtkHogelSessionView.h share/applications/${app}.desktop
     share/metainfo/${app}.metainfo.xml share/icons/hicolor/scalable/apps/${app}.svg
     share/mime/packages/${app}.xml share/man/man1/hogelscope.1.gz share/man/man1/hogelscope-window.1.gz

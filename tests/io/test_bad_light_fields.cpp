@@ -5,7 +5,7 @@
 
 #include "io/images/image_file.h"
 #include "io/images/library_versions.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/any_images.h"
 #include "tests/io/refusal.h"
 
@@ -56,7 +56,7 @@ void checkReading() {
   QFETCH(QByteArray, document);
   QFETCH(QByteArray, line);
   writeFile("s.json", document);
-  const auto load = [] { (void)loadScene(loadSession("s.json"), {}); };
+  const auto load = [] { (void)loadViewSource(loadSession("s.json"), {}); };
   QCOMPARE(errorOf(load).toUtf8(), line);
 }
 

@@ -8,7 +8,7 @@
 #include "io/documents/session_file.h"
 #include "io/opening/capture_geometry.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/core/random.h"
 #include "tests/core/rendered.h"
 #include "tests/io/documents.h"
@@ -80,7 +80,7 @@ void TestCaptureGeometry::displayOfHci() {
 
 void TestCaptureGeometry::aCameraSeesItsFile() {
   const Session session = sessionAround("hci");
-  const Scene scene = loadScene(session, {});
+  const ViewSource scene = loadViewSource(session, {});
   for (int view = 0; view < columns * rows; ++view) {
     const double x = 0.05 * (view % columns - 1);
     const double y = -0.05 * (view / columns - 1);  // the first row is the top one

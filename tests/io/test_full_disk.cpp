@@ -12,7 +12,7 @@
 #include "io/documents/panel_error_file.h"
 #include "io/documents/session_file.h"
 #include "io/images/image_writer.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/store_writer.h"
 #include "tests/io/documents.h"
 

@@ -10,7 +10,7 @@
 #include "io/opening/light_field_order.h"
 #include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/any_images.h"
 #include "tests/io/documents.h"
 #include "tests/io/lenslet_camera.h"

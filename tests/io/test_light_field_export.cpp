@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "io/files/system_limits.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/store_writer.h"
 #include "tests/core/random.h"
 #include "tests/io/any_images.h"

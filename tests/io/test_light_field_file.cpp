@@ -7,7 +7,7 @@
 #include "io/documents/session_file.h"
 #include "io/layouts/layouts.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/any_images.h"
 #include "tests/io/texels.h"
 
@@ -302,7 +302,7 @@ void TestLightFieldFile::displayTakesTheFilesSize() {
   writeImageFile("q.png", size.nx * quiltColumns, size.ny * quiltRows, quilt);
   Session session;
   session.lightField = quiltOf("q.png", quiltColumns, quiltRows);
-  const Scene scene = loadScene(session, {});
+  const ViewSource scene = loadViewSource(session, {});
   QCOMPARE(scene.display.hogels, (std::array<int, 2>{size.nx, size.ny}));
   QCOMPARE(scene.display.directions, (std::array<int, 2>{6, 1}));
   QVERIFY(scene.lightField->size() == (LightFieldSize{size.nx, size.ny, 6, 1}));

@@ -8,7 +8,7 @@
 #include "io/opening/light_field_order.h"
 #include "io/opening/opening.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
 #include "tests/io/layered_views.h"

@@ -8,7 +8,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/system_limits.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/documents.h"
 
 using namespace hogelscope;
@@ -168,8 +168,8 @@ void TestLiveFile::readsAndStreams() {
 
 /// No ideal view of what is not live.
 void TestLiveFile::whatTheSessionDoesNotName() {
-  requireScene(loaded(live));
-  QVERIFY(errorOf([&] { requireScene(loaded({})); }).contains("only a 3-D scene"));
+  requireLive(loaded(live));
+  QVERIFY(errorOf([&] { requireLive(loaded({})); }).contains("only a 3-D scene"));
 }
 
 QTEST_APPLESS_MAIN(TestLiveFile)

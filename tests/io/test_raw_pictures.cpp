@@ -7,7 +7,7 @@
 #include "core/base/random_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/images/image_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/documents.h"
 #include "tests/io/texels.h"
 

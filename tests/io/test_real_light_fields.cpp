@@ -6,7 +6,7 @@
 
 #include "core/optics/camera.h"
 #include "io/documents/session_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/documents.h"
 #include "tests/io/texels.h"
 
@@ -23,7 +23,7 @@ cv::Mat real(const cv::Mat& grey) {
 }
 
 /// What a camera saw of the panel, seen from straight ahead again: one pixel for one hogel.
-cv::Mat onPanel(const Scene& scene, const CameraState& state) {
+cv::Mat onPanel(const ViewSource& scene, const CameraState& state) {
   const Image image = simulate(scene.job(state));
   const cv::Mat rgb(image.height, image.width, CV_8UC3,
                     const_cast<std::uint8_t*>(image.rgb.data()));
@@ -96,7 +96,7 @@ class TestRealLightFields : public QObject {
   int shopNumber(const char* name) const;
 
   Session m_shop;
-  Scene m_shopScene;
+  ViewSource m_shopScene;
 };
 
 /// 10 bits, code values are fractions.
@@ -126,7 +126,7 @@ void TestRealLightFields::loadShop() {
   if (m_shopScene.lightField) return;
   m_shop =
       loadSession(HOGELSCOPE_SOURCE_DIR "/tests/real/shop_13x13.json", {"camera.res=[540,360]"});
-  m_shopScene = loadScene(m_shop, {});
+  m_shopScene = loadViewSource(m_shop, {});
 }
 
 CameraState TestRealLightFields::state(const Session& session, const QString& name) const {
@@ -233,7 +233,7 @@ void TestRealLightFields::quiltStatesShowTheirViews() {
   if (!isHere("quilt_kirurobo")) QSKIP("no ../shared/data/quilt_kirurobo here");
   const Session session = loadSession(HOGELSCOPE_SOURCE_DIR "/tests/real/quilt_kirurobo.json",
                                       {"camera.res=[400,200]"});
-  const Scene scene = loadScene(session, {});
+  const ViewSource scene = loadViewSource(session, {});
   const CameraState camera = state(session, QTest::currentDataTag());
   const cv::Mat picture = onPanel(scene, camera);
   const cv::Mat tiles = cv::imread(session.lightField.file, cv::IMREAD_GRAYSCALE);

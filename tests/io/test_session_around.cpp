@@ -7,7 +7,7 @@
 #include "io/documents/session_file.h"
 #include "io/opening/session_around.h"
 #include "io/plugins/display_json.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"
 
@@ -30,7 +30,7 @@ class TestSessionAround : public QObject {
     QVERIFY(session.lightField.layout == Layout::views);
     QVERIFY((session.display.size == std::array{0.5, 0.125}));  // as wide and high as a view
     QCOMPARE(session.cameras.size(), std::size_t(1));
-    const Scene scene = loadScene(session, {});
+    const ViewSource scene = loadViewSource(session, {});
     QVERIFY((scene.lightField->size() == LightFieldSize{40, 10, 3, 2}));
     const Image image = simulate(scene.job(session.cameras[0]));
     QVERIFY(image.seen[std::size_t(300) * 600 + 300] > 0);
@@ -40,7 +40,7 @@ class TestSessionAround : public QObject {
     writeGrey(file("q_qs4x3a0.5.png"), 80, 90);
     const Session session = sessionAround(file("q_qs4x3a0.5.png").toStdString());
     check(session);
-    QVERIFY((loadScene(session, {}).lightField->size() == LightFieldSize{20, 30, 12, 1}));
+    QVERIFY((loadViewSource(session, {}).lightField->size() == LightFieldSize{20, 30, 12, 1}));
     QCOMPARE(session.display.size[1], 0.5);
   }
 
@@ -53,7 +53,7 @@ class TestSessionAround : public QObject {
         folder, {"lightField.pattern=cam* CC RR.png", "display.size=[0.3,0.1]", "camera.fov=33"});
     QVERIFY((session.display.size == std::array{0.3, 0.1}));
     QCOMPARE(session.cameras.front().camera.fov, 33.0);
-    QVERIFY((loadScene(session, {}).lightField->size() == LightFieldSize{40, 10, 2, 1}));
+    QVERIFY((loadViewSource(session, {}).lightField->size() == LightFieldSize{40, 10, 2, 1}));
   }
 
   void aHogelImageNeedsItsHogels() {
@@ -61,12 +61,12 @@ class TestSessionAround : public QObject {
     Session session = sessionAround(file("hogels.png").toStdString());
     QVERIFY(session.lightField.layout == Layout::hogels);
     QVERIFY((session.display.size == std::array{0.5, 0.25}));
-    const QString error = errorOf([&] { (void)loadScene(session, {}); });
+    const QString error = errorOf([&] { (void)loadViewSource(session, {}); });
     QVERIFY2(error.contains("is 80×40 px; how many of them are hogels"), qPrintable(error));
     session.display.hogels = {8, 4};
     session.display.directions = {10, 10};
     check(session);
-    (void)loadScene(session, {});
+    (void)loadViewSource(session, {});
     session.display.directions = {10, 0};
     QVERIFY(errorOf([&] { check(session); }).startsWith("display.directions: has one number"));
   }
@@ -121,7 +121,7 @@ class TestSessionAround : public QObject {
     QCOMPARE(around.assumed, std::to_string(nx) + "×" + std::to_string(ny) + " hogels of " +
                                  std::to_string(du) + "×" + std::to_string(dv) +
                                  " directions, found by their borders in the picture");
-    (void)loadScene(around.session, {});
+    (void)loadViewSource(around.session, {});
   }
 
   /// What is on the panel repeats four times across and three times down, as tiles of views do.
@@ -223,7 +223,7 @@ class TestSessionAround : public QObject {
     QVERIFY((session.display.size == std::array{0.5, 0.25}));
     QVERIFY((session.display.hogels == std::array{256, 128}));
     QVERIFY((session.display.directions == std::array{100, 100}));
-    const Scene scene = loadScene(session, {});
+    const ViewSource scene = loadViewSource(session, {});
     const std::vector<float> points = scene.lightField->triangles().points;
     const auto s = float(0.1125 * (1 - 0.05 / 0.559));
     const std::vector<float> wanted{-2 * s, -s, 0.05F - 4 * s, 2 * s, -s, 0.05F - 4 * s,
@@ -246,7 +246,7 @@ class TestSessionAround : public QObject {
     for (const auto& [mesh, least] : meshes) {
       writeFile(file("b.obj"), mesh);
       const Session session = sessionAround(file("b.obj").toStdString());
-      const Scene scene = loadScene(session, {});
+      const ViewSource scene = loadViewSource(session, {});
       const Vec3 eye = session.cameras.front().camera.eye;
       const std::vector<float> points = scene.lightField->triangles().points;
       double filled = 0;

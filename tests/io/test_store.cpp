@@ -11,7 +11,7 @@
 
 #include "io/documents/session_file.h"
 #include "io/opening/session_around.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"
 #include "tests/io/any_images.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"
 #include "tests/io/documents.h"

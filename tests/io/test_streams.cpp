@@ -3,7 +3,7 @@
 // there is for it.
 #include <QTemporaryDir>
 
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 #include "io/store/store_writer.h"
 #include "tests/io/any_images.h"

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/any_images.h"
 #include "tests/io/documents.h"
 #include "tests/io/light_fields.h"
@@ -232,7 +232,7 @@ void TestViewFolders::displayTakesTheFoldersSize() {
   writeViews("v", 2, 3);
   Session session;
   session.lightField = viewsIn("v");
-  const Scene scene = loadScene(session, {});
+  const ViewSource scene = loadViewSource(session, {});
   QCOMPARE(scene.display.hogels, (std::array<int, 2>{width, height}));
   QCOMPARE(scene.display.directions, (std::array<int, 2>{3, 2}));
 }

@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 #include "io/opening/light_field_order.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/io/documents.h"
 #include "tests/io/layered_views.h"
 #include "tests/io/light_fields.h"

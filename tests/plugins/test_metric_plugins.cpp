@@ -11,7 +11,7 @@
 #include "io/opening/session_around.h"
 #include "io/plugins/metric_plugins.h"
 #include "io/plugins/plugin_library.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
@@ -145,8 +145,8 @@ void TestMetricPlugins::areTold() {
   std::vector<std::string> changes{"camera.res=[200,170]"};
   if (options.contains("--memory")) QVERIFY2(told.err.contains("read from the top"), told.err);
   const Session session = loadSession(sampleSession.toStdString(), changes);
-  const Scene scene = loadScene(session, {});
-  const Scene dark = loadScene(withLightField(session, "dark.png"), {});
+  const ViewSource scene = loadViewSource(session, {});
+  const ViewSource dark = loadViewSource(withLightField(session, "dark.png"), {});
   const auto meanOf = [](const FloatImage& image) {
     return std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0) / double(image.rgb.size());
   };

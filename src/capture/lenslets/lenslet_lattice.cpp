@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the lenslets lie in a picture.
 #include "capture/lenslets/lenslet_lattice.h"
 
 #include <algorithm>

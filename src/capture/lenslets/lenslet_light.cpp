@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light under lenslets.
 #include "capture/lenslets/lenslet_light.h"
 
 #include <algorithm>

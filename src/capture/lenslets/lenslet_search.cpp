@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the lenslets in a picture of even light.
 #include "capture/lenslets/lenslet_search.h"
 
 #include <algorithm>
@@ -243,7 +242,7 @@ FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& par
   double radius = 4 * lattice.pitch();
   std::vector<Lenslet> lenslets;
   for (int more = 2; more > 0; radius *= 2) {  // twice with all
-    hearStop(progress);
+    throwIfCancelled(progress);
     if (radius > whole) --more;
     lenslets = lensletsWithin(radius, picture, lattice);
     if (lenslets.size() < 4) refuse(params);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patterns of file names.
 #include "capture/names/name_pattern.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Series of file names that agree in all but their numbers.
 #include "capture/names/name_series.h"
 
 #include <algorithm>

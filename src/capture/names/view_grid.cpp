@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid of views made of what the file names say of their places.
 #include "capture/names/view_grid.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds by their content alone how views lie in a grid.
 #include "capture/order/view_order.h"
 
 #include <algorithm>
@@ -94,7 +93,7 @@ class Direction {
     const int most =
         std::max(1, before > 0 && after > 0 ? std::min(before, after) : std::max(before, after));
     for (m_step = 1;; m_step = std::min(2 * m_step, most)) {
-      hearStop(progress);
+      throwIfCancelled(progress);
       Neighbours result = neighbours(centre, m_step);
       const DenseMotion motion = motionPerView(result);
       std::vector<double> lengths;
@@ -457,7 +456,7 @@ class Finder {
     if (m_columns.hasNeighbours())
       m_measured.alongColumns +=
           m_columns.occlusions(around.centre, around.columns, around.repeats, axis);
-    hearStop(progress);
+    throwIfCancelled(progress);
     if (m_rows.hasNeighbours())
       m_measured.alongRows +=
           m_rows.occlusions(around.centre, around.rows, around.repeats, 1 - axis);

@@ -11,7 +11,7 @@
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/scene/light_field_export.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 

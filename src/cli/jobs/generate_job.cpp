@@ -20,7 +20,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/degradation.h"
 #include "io/images/image_writer.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -40,7 +40,7 @@ Band makeBand(const Pattern& pattern, const LightFieldSize& size, int j,
   Band band(rowBytes * std::size_t(size.dv));
   parallelRows(size.dv, [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
-      hearStop(progress);
+      throwIfCancelled(progress);
       pattern.row(j * size.dv + v, &band[std::size_t(v) * rowBytes]);
     }
   });
@@ -51,7 +51,7 @@ Band makeBand(const Pattern& pattern, const LightFieldSize& size, int j,
 void writeBand(ImageRowWriter& writer, const Band& band, std::size_t rowBytes,
                const Progress& progress) {
   for (std::size_t at = 0; at < band.size(); at += rowBytes) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     writer.write(band.data() + at);
   }
 }

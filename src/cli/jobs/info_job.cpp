@@ -18,7 +18,7 @@
 #include "io/opening/light_field_order.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {

@@ -12,7 +12,7 @@
 #include "io/files/output_folder.h"
 #include "io/files/random_access_file.h"
 #include "io/files/system_limits.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/store_writer.h"
 
 namespace hogelscope {

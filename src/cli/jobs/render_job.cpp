@@ -64,7 +64,7 @@ void renderAll(LightFieldFile& file, const Session& session, const RenderOutput&
                      part(progress, 0, reading));
   if (output.isIdeal) images.showIdeal();
   if (output.isExplained)
-    std::cout << explanations(images.scene(), session, part(progress, reading, reading));
+    std::cout << explanations(images.source(), session, part(progress, reading, reading));
   Renderer renderer;
   const double each = (1 - reading) / double(session.cameras.size());
   std::optional<InputError> first;
@@ -102,7 +102,7 @@ int runRender(const CommandLine& line) {
   const auto file = openLightField(session.lightField, session.display);
   const RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),
                             line.has("explain"), line.has("ideal")};
-  if (output.isIdeal) requireScene(session);
+  if (output.isIdeal) requireLive(session);
   checkOutputs(output.allFiles(session.cameras),
                inputFiles({line.text("session"), line.text("calibration")}, session, *file));
   keepSession(line, session);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --rate and --group of a report.
 #include "cli/jobs/report_groups.h"
 
 #include <algorithm>

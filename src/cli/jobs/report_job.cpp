@@ -69,8 +69,8 @@ Report makeWithProgress(const ReportRequest& request, const CommandLine& line) {
   listener.progress = bar.progress();
   listener.finished = [&](std::size_t, const ReportRow&) { ++finished; };
   if (line.has("explain"))
-    listener.loaded = [&](const Scene& scene) {
-      std::cout << explanations(scene, request.session, listener.progress);
+    listener.loaded = [&](const ViewSource& source) {
+      std::cout << explanations(source, request.session, listener.progress);
     };
   try {
     Report report = makeReport(request, listener);
@@ -96,7 +96,7 @@ int runReport(const CommandLine& line) {
   request.file = openLightField(request.session.lightField, request.session.display);
   request.isAgainstIdeal = line.has("against");
   if (request.isAgainstIdeal) {
-    requireScene(request.session);
+    requireLive(request.session);
     request.tests.push_back({"display", request.session, request.file});
   }
   std::ranges::move(openTests(request.session, line.texts("test")),

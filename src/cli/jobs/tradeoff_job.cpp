@@ -14,7 +14,7 @@
 #include "core/base/unicode.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "study/tradeoff.h"
 
 namespace hogelscope {
@@ -46,9 +46,9 @@ int runTradeoff(const CommandLine& line) {
   keepSession(line, session);
   makeFolder(folder);
   ProgressBar bar("measuring", line.has("quiet"));
-  const Scene scene = loadScene(session, part(bar.progress(), 0, 0.05));
+  const ViewSource source = loadViewSource(session, part(bar.progress(), 0, 0.05));
   std::vector<RenderJob> views;
-  for (const CameraState& state : session.cameras) views.push_back(scene.job(state));
+  for (const CameraState& state : session.cameras) views.push_back(source.job(state));
   Budget budget;
   budget.seconds = line.number("budget").value_or(budget.seconds) - (steadySeconds() - start);
   const Tradeoff result =

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The axes of charts and their ticks, on round values.
 #include "core/base/axis.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours of plots.
 #include "core/base/colour_map.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of an input error.
 #include "core/base/error.h"
 
 #include "core/base/unicode.h"

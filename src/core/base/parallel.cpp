@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parallel execution on several threads.
 #include "core/base/parallel.h"
 
 #include <algorithm>

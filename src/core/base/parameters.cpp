@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Suggestion for a mistyped name.
 #include "core/base/parameters.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plugin names.
 #include "core/base/plugin_name.h"
 
 #include <algorithm>

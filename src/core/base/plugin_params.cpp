@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameter values of plugin objects.
 #include "core/base/plugin_params.h"
 
 namespace hogelscope {

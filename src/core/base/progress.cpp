@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress reporting and cancellation.
 #include "core/base/progress.h"
 
 #include <array>

@@ -19,7 +19,7 @@ inline void reportProgress(const Progress& progress, double done) {
 }
 
 /// Throws Cancelled likewise, without reporting a fraction; for steps too small to measure.
-inline void hearStop(const Progress& progress) {
+inline void throwIfCancelled(const Progress& progress) {
   reportProgress(progress, 0.0);
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress of work in steps on several threads.
 #include "core/base/step_progress.h"
 
 namespace hogelscope {

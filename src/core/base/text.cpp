@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text of numbers, sizes and CSV cells.
 #include "core/base/text.h"
 
 #include <algorithm>

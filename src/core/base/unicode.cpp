@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// UTF-8 and invisible characters.
 #include "core/base/unicode.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stepwise moves and turns of a camera.
 #include "core/cameras/camera_motion.h"
 
 #include <algorithm>

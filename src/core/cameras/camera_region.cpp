@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The positions and look-at points of the cameras of a set.
 #include "core/cameras/camera_region.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets, which add many states to a session.
 #include "core/cameras/camera_set.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits of the list of a session's camera states.
 #include "core/cameras/state_list_edits.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Traces the texels that a view reads, tile after tile.
 #include "core/content/live_source.h"
 
 #include <algorithm>
@@ -154,7 +153,7 @@ void LiveSource::fillRows(int j0, int j1, const std::vector<std::uint8_t>& marks
   work.rays.resize(most * m_samples.size());
   std::size_t waiting = 0;
   const auto trace = [&] {
-    hearStop(progress);
+    throwIfCancelled(progress);
     traceTexels<T>(work, waiting, texels);
     waiting = 0;
   };

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Test content in closed form.
 #include "core/content/pattern.h"
 
 namespace hogelscope {

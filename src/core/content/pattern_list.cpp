@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of patterns by name.
 #include "core/content/pattern_list.h"
 
 #include <algorithm>

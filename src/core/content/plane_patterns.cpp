@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Patterns with one formula per pixel.
 #include "core/content/plane_patterns.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The "scene" pattern as content of a live light field.
 #include "core/content/scene_content.h"
 
 namespace hogelscope {

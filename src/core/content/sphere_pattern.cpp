@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The "spheres" pattern, drawn run by run.
 #include "core/content/sphere_pattern.h"
 
 #include <algorithm>

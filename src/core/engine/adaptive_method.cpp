@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the cheapest method for an image whose error is within sampling.tolerance.
 #include "core/engine/adaptive_method.h"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ FastSimulation::FastSimulation(const RenderJob& job, LensTables& tables,
       m_filter(m_texels, job, m_rays.plan()) {}
 
 void FastSimulation::row(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const {
-  hearStop(m_rays.progress());
+  throwIfCancelled(m_rays.progress());
   const auto count = std::size_t(x1 - x0);
   std::memset(rgb, 0, 3 * count);
   std::memset(seen, 0, count);

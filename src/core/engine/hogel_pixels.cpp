@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pixels of a view that see a hogel.
 #include "core/engine/hogel_pixels.h"
 
 #include <algorithm>

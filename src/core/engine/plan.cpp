@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plan of a view.
 #include "core/engine/plan.h"
 
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan in words.
 #include "core/engine/plan_words.h"
 
 #include "core/base/text.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders views.
 #include "core/engine/renderer.h"
 
 #include <atomic>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views of fewer pixels, and their enlargement to full size.
 #include "core/engine/scaled_view.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders a view of a light field that is streamed once.
 #include "core/engine/streaming_renderer.h"
 
 #include <algorithm>

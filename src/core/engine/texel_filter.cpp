@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of a batch of rays as a sum over taps along four axes.
 #include "core/engine/texel_filter.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a view and the cells of the display that they meet.
 #include "core/engine/view_rays.h"
 
 #include <algorithm>
@@ -112,7 +111,7 @@ std::int64_t ViewRays::count() const {
 }
 
 void ViewRays::points(int y, int x0, int count, const RaySample& sample, Points& points) const {
-  hearStop(m_progress);
+  throwIfCancelled(m_progress);
   points.x = points.madeX.data();
   points.y = points.madeY.data();
   if (m_lens) {

@@ -76,7 +76,7 @@ BatchUndistort::BatchUndistort(const Distortion& distortion, Progress progress)
   constexpr double farthest = 100;  // beyond any image but those of nearly 180°
   double radius = 0;
   while (radius < farthest) {
-    hearStop(m_progress);
+    throwIfCancelled(m_progress);
     const double longest = std::min(0.2 * radius + 0.05, farthest - radius);
     const double step = m_distortion.safeStep(radius, 0.9 * leastEigenvalue(radius), longest);
     if (!(step > 1e-9 * (1 + radius))) break;

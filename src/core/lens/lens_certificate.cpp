@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The range in which a lens model is valid.
 #include "core/lens/lens_certificate.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ double singularAt(const Distortion& distortion, double angle, double farthest,
                   const Progress& progress) {
   double radius = 0;
   while (radius < farthest) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     const Vec2 here{radius * std::cos(angle), radius * std::sin(angle)};
     const double step = distortion.safeStep(radius, leastEigenvalue(distortion.jacobian(here)),
                                             0.2 * radius + 0.05);
@@ -82,7 +81,7 @@ LensCertificate certify(const LensKey& lens, const ParallelRows& parallelRows,
     std::vector<double> y(x.size());
     LensCertificate part;
     for (int row = begin; row < end; ++row) {
-      hearStop(heard);
+      throwIfCancelled(heard);
       rays.row(row, {}, 0, key.res[0], x.data(), y.data());
       add(key, row, x.data(), y.data(), part);
     }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid of straight lines as a lens images it.
 #include "core/lens/lens_grid.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a lens for an image, row by row.
 #include "core/lens/lens_rays.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a lens, one for each (sub-)pixel of an image.
 #include "core/lens/lens_table.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ LensTable::LensTable(const LensKey& key, const ParallelRows& parallelRows, const
   const int n = int(samples.size());
   parallelRows(key.res[1] * n, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
-      hearStop(heard);
+      throwIfCancelled(heard);
       const std::size_t first = std::size_t(row) * std::size_t(key.res[0]);
       rays.row(row / n, samples[std::size_t(row % n)], 0, key.res[0], &m_x[first], &m_y[first]);
     }

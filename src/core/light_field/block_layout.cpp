@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order of directional pixels in memory.
 #include "core/light_field/block_layout.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The directional pixels that a view may read.
 #include "core/light_field/footprint.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light field: every hogel's directional pixels, in memory.
 #include "core/light_field/light_field.h"
 
 #include <stdexcept>

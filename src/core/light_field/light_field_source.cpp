@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface of content.
 #include "core/light_field/light_field_source.h"
 
 #include <algorithm>

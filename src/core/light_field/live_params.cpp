@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of a live scene.
 #include "core/light_field/live_params.h"
 
 namespace hogelscope {

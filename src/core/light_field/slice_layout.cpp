@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layout of a footprint's directional pixels in memory.
 #include "core/light_field/slice_layout.h"
 
 #include <algorithm>

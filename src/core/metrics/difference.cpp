@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The difference of two images as an image.
 #include "core/metrics/difference.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a test image against its reference as an image.
 #include "core/metrics/error_map.h"
 
 #include <algorithm>

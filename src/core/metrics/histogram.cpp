@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Luma histogram of an image.
 #include "core/metrics/histogram.h"
 
 namespace hogelscope {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The standard metrics, and metric sets.
 #include "core/metrics/metric.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The squared error of views, back-projected onto the panel.
 #include "core/metrics/panel_error.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Summary figures of the error on the panel.
 #include "core/metrics/panel_error_figures.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spearman's rank correlation.
 #include "core/metrics/rank_correlation.h"
 
 #include <algorithm>

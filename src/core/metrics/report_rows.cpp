@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CSV output of a report's rows.
 #include "core/metrics/report_rows.h"
 
 #include <algorithm>

@@ -126,7 +126,7 @@ double psnrYuv(const std::array<double, 3>& mseYuv) {
 SquaredError squaredError(const Image& reference, const Image& test, const Progress& progress) {
   BothSquares sums;
   for (std::size_t from = 0; from < reference.pixelCount(); from += pieceSize) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     addPiece(reference, test, from, std::min(pieceSize, reference.pixelCount() - from), sums);
   }
   const auto& [all, seen] = sums;

@@ -184,7 +184,7 @@ Ssim ssim(const Image& reference, const Image& test, const ParallelRows& paralle
     Strip pixels(width);
     for (std::size_t first = strip * std::size_t(begin);
          first < std::min(strip * std::size_t(end), rowCount); first += strip) {
-      hearStop(heard);
+      throwIfCancelled(heard);
       const std::size_t count = std::min(strip, rowCount - first);
       pixels.read(reference, test, first * width, (count + windowSize - 1) * width);
       for (std::size_t y = 0; y < count; ++y) {

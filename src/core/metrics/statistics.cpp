@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The percentile bootstrap.
 #include "core/metrics/statistics.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Summary of a report's rows.
 #include "core/metrics/summary.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a light field's own views, compared with the perceived one.
 #include "core/metrics/view_error.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pinhole camera of a state.
 #include "core/optics/camera.h"
 
 #include <cmath>

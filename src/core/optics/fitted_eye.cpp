@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The position of an eye whose image is filled by given points.
 #include "core/optics/fitted_eye.h"
 
 #include <algorithm>

@@ -288,7 +288,7 @@ class Walk {
   Branch run(const Progress& progress) {
     if (!m_lines.canBeFollowed()) return m_branch;
     while (m_reached < 1) {
-      hearStop(progress);
+      throwIfCancelled(progress);
       const Place place(m_lens, m_branch.ideal);
       if (!place.isRegular()) return m_branch;
       const Moves moves = movesAt(place);
@@ -334,8 +334,8 @@ class Walk {
     return true;
   }
 
-  /// Halves the step until it is certain. Returns whether that is useful: parts of lines that are
-  /// wider than the step is long get farther.
+  /// JointProgress the step until it is certain. Returns whether that is useful: parts of lines
+  /// that are wider than the step is long get farther.
   bool shorten(const Place& place, const Moves& moves) {
     constexpr double shortestStep = 1e-13;  // of the reached part; a nearer point is on the fold
     do {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The view of an eye as a texture of the panel.
 #include "core/optics/panel_view.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The data behind a traced pixel.
 #include "core/optics/pixel_inspection.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trace of one pixel.
 #include "core/optics/pixel_trace.h"
 
 #include <array>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The session's `sampling`.
 #include "core/optics/sampling.h"
 
 namespace hogelscope {

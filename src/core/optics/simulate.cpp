@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference engine, to be read against docs/formulas.md.
 #include "core/optics/simulate.h"
 
 #include <algorithm>

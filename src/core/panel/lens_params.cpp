@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens the lenses of plugins.
 #include "core/panel/lens_params.h"
 
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display's viewing zone.
 #include "core/panel/viewing_zone.h"
 
 #include <algorithm>

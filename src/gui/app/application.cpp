@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Starts the desktop app.
 #include "gui/app/application.h"
 
 #include <QApplication>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colour schemes of View ▸ Colours.
 #include "gui/app/colours.h"
 
 #include <QActionGroup>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Help menu.
 #include "gui/app/help_commands.h"
 
 #include <QAction>

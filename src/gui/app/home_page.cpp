@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page shown while no session is open.
 #include "gui/app/home_page.h"
 
 #include <QAction>

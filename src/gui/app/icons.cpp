@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The icons of the window and its commands.
 #include "gui/app/icons.h"
 
 #include <QApplication>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The main window: connects scene, simulated view, docks and menus.
 #include "gui/app/main_window.h"
 
 #include <vtkObject.h>
@@ -69,7 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectWorker();
   m_loader = new ContentLoader(m_model, m_worker, this);
   connectLoader();
-  addHabits();
+  addHelpers();
   addEditing();
   showTitle();
 }
@@ -212,7 +211,7 @@ void MainWindow::connectWorker() {
 
 /// After connectWorker(): an older reading's messages go before those of a new one come.
 void MainWindow::connectLoader() {
-  connect(m_loader, &ContentLoader::sceneChanged, this, &MainWindow::showScene);
+  connect(m_loader, &ContentLoader::sourceChanged, this, &MainWindow::showScene);
   connect(m_loader, &ContentLoader::loaded, this, [this] {
     if (std::exchange(m_isNew, false)) m_scene->scene().reset();
   });
@@ -233,7 +232,7 @@ void MainWindow::connectLoader() {
 
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
-  m_worker->render({m_model->current(), m_loader->scene()->display, m_model->session().sampling,
+  m_worker->render({m_model->current(), m_loader->source()->display, m_model->session().sampling,
                     m_method, m_imageCommands->other()});
 }
 
@@ -262,7 +261,7 @@ void MainWindow::forgetMeasurement() {
 std::vector<RenderJob> MainWindow::views() const {
   std::vector<RenderJob> views;
   for (const CameraState& state : m_model->session().cameras)
-    views.push_back(m_loader->scene()->job(state));
+    views.push_back(m_loader->source()->job(state));
   return views;
 }
 
@@ -281,7 +280,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 /// Creates the helpers for files, help, colours and layout, which need no further connections.
-void MainWindow::addHabits() {
+void MainWindow::addHelpers() {
   m_files = new FileCommands(*m_ui, m_model, this);
   connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
@@ -305,7 +304,7 @@ void MainWindow::addHabits() {
 
 /// Shows an error in place of the image until an image is rendered again.
 void MainWindow::showFailure(const QString& line) {
-  const bool isRead = m_loader->scene().has_value();
+  const bool isRead = m_loader->source().has_value();
   const QString what =
       isRead ? tr("This state cannot be rendered.") : tr("The light field cannot be read.");
   QString advice = tr("Correct it in the docks, undo the edit, or choose another state.");
@@ -346,13 +345,13 @@ void MainWindow::showContent() {
 }
 
 void MainWindow::showScene() {
-  const std::optional<Scene>& scene = m_loader->scene();
-  m_lightField->setScene(scene);
-  if (scene) m_psf->setScene(*scene);
-  m_scene->setScene(scene);
-  m_imageCommands->setScene(scene);
-  m_ui->reportPanel->setReference(scene);
-  if (!scene) return;
+  const std::optional<ViewSource>& source = m_loader->source();
+  m_lightField->setSource(source);
+  if (source) m_psf->setSource(*source);
+  m_scene->setSource(source);
+  m_imageCommands->setSource(source);
+  m_ui->reportPanel->setReference(source);
+  if (!source) return;
   forgetMeasurement();
   showCurrent();
 }

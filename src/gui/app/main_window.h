@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
   void connectWorker();
   void connectLoader();
   void addEditing();
-  void addHabits();
+  void addHelpers();
   void closeEvent(QCloseEvent* event) override;
   void leaveForm();
   void showFailure(const QString& line);

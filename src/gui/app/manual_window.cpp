@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Help ▸ Manual.
 #include "gui/app/manual_window.h"
 
 #include <QAbstractTextDocumentLayout>

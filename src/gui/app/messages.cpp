@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages of the window.
 #include "gui/app/messages.h"
 
 #include <QApplication>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Installation of translations.
 #include "gui/app/translations.h"
 
 #include <QCoreApplication>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layout of the window and its docks.
 #include "gui/app/window_layout.h"
 
 #include <QAction>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera dock.
 #include "gui/docks/camera_dock.h"
 
 #include <QCheckBox>

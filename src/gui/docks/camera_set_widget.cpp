@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera set dock.
 #include "gui/docks/camera_set_widget.h"
 
 #include <QComboBox>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display dock.
 #include "gui/docks/display_dock.h"
 
 #include <QVBoxLayout>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lens distortion dock.
 #include "gui/docks/distortion_dock.h"
 
 #include <QHBoxLayout>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inspector.
 #include "gui/docks/inspector.h"
 
 #include <QHBoxLayout>

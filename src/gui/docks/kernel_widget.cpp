@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawing of the light leakage.
 #include "gui/docks/kernel_widget.h"
 
 #include <QHelpEvent>

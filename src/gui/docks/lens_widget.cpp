@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing of a lens.
 #include "gui/docks/lens_widget.h"
 
 #include <QPainter>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light field dock.
 #include "gui/docks/light_field_dock.h"
 
 #include <QHBoxLayout>
@@ -16,7 +15,7 @@
 #include "io/opening/session_around.h"
 #include "io/plugins/plugin_library.h"
 #include "io/scene/live_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -75,7 +74,7 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   enable();
   connect(m_model, &SessionModel::opened, m_task, &Task::abandon);
   connect(m_task, &Task::failed, this, &LightFieldDock::failed);
-  setScene(std::nullopt);
+  setSource(std::nullopt);
 }
 
 /// Creates a form for the light field or a part of it.
@@ -89,11 +88,11 @@ void LightFieldDock::showForms() {
   for (QWidget* part : m_liveForms) part->setVisible(isLive);
 }
 
-void LightFieldDock::setScene(const std::optional<Scene>& scene) {
-  if (!scene) return m_contents->setText(tr("Nothing is in memory."));
-  const LightFieldSize size = scene->lightField->size();
+void LightFieldDock::setSource(const std::optional<ViewSource>& source) {
+  if (!source) return m_contents->setText(tr("Nothing is in memory."));
+  const LightFieldSize size = source->lightField->size();
   const std::array<QString, 3> types{tr("8 bit"), tr("16 bit"), tr("floating point")};
-  const LightFieldSource& lightField = *scene->lightField;
+  const LightFieldSource& lightField = *source->lightField;
   const QString where =
       lightField.isInMemory()
           ? tr("%1 in memory")

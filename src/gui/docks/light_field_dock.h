@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 class QLabel;
 
@@ -25,7 +25,7 @@ class LightFieldDock : public QWidget {
   explicit LightFieldDock(SessionModel* model, QWidget* parent = nullptr);
 
   /// Sets the light field in memory; none while it is read or if it cannot be read.
-  void setScene(const std::optional<Scene>& scene);
+  void setSource(const std::optional<ViewSource>& source);
   /// Sets another file or folder for the session. The layout changes to one that the file can have.
   /// A mesh is set after it has been read, with a display that fits it.
   void choose(const QString& file);

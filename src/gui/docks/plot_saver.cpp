@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export of a plot of the window.
 #include "gui/docks/plot_saver.h"
 
 #include <QWidget>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The PSF dock.
 #include "gui/docks/psf_dock.h"
 
 #include <QLabel>
@@ -8,7 +7,7 @@
 
 #include "gui/docks/kernel_widget.h"
 #include "gui/session/session_forms.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -35,8 +34,8 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
   showKernel();
 }
 
-void PsfDock::setScene(const Scene& scene) {
-  const LightFieldSize size = scene.lightField->size();
+void PsfDock::setSource(const ViewSource& source) {
+  const LightFieldSize size = source.lightField->size();
   m_form->slideTo("windowSize", 2.0 * std::max(size.du, size.dv) - 1);
 }
 

@@ -11,7 +11,7 @@ namespace hogelscope {
 class KernelWidget;
 class ParameterForm;
 class SessionModel;
-struct Scene;
+struct ViewSource;
 
 class PsfDock : public QWidget {
   Q_OBJECT
@@ -20,7 +20,7 @@ class PsfDock : public QWidget {
   explicit PsfDock(SessionModel* model, QWidget* parent = nullptr);
 
   /// Sets the current light field. A window wider than 2·directions − 1 has no further effect.
-  void setScene(const Scene& scene);
+  void setSource(const ViewSource& source);
 
  private:
   void showKernel();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock.
 #include "gui/docks/report_dock.h"
 
 #include <QDesktopServices>
@@ -212,8 +211,8 @@ void ReportDock::noteEdits() {
   m_stale->setVisible(m_request.session != m_model->session());
 }
 
-void ReportDock::setReference(const std::optional<Scene>& scene) {
-  m_reference = scene;
+void ReportDock::setReference(const std::optional<ViewSource>& source) {
+  m_reference = source;
 }
 
 void ReportDock::askTest() {

@@ -31,7 +31,7 @@ class ReportDock : public QWidget {
 
   void setModel(SessionModel* model);
   /// Sets the light field that is in memory; none while it is read.
-  void setReference(const std::optional<Scene>& scene);
+  void setReference(const std::optional<ViewSource>& source);
   void addTest(const QString& file);
   /// Offers the test compared in the view, to be added by one click; "": none.
   void offerTest(const QString& file);
@@ -71,7 +71,7 @@ class ReportDock : public QWidget {
   [[nodiscard]] ReportOrder order() const { return {m_tests.size()}; }
 
   SessionModel* m_model = nullptr;
-  std::optional<Scene> m_reference;
+  std::optional<ViewSource> m_reference;
   ReportRequest m_request;           ///< the request of the current rows
   std::vector<std::string> m_tests;  ///< the tests of the current rows
   std::size_t m_test = 0;            ///< the test of the chosen row

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock's plots.
 #include "gui/docks/report_plots.h"
 
 #include <QComboBox>

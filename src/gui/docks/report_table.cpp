@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report's rows as a table.
 #include "gui/docks/report_table.h"
 
 #include <cmath>

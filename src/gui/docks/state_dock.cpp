@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The states dock.
 #include "gui/docks/state_dock.h"
 
 #include <QDragEnterEvent>

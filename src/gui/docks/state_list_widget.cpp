@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The list of camera states.
 #include "gui/docks/state_list_widget.h"
 
 #include <QDrag>

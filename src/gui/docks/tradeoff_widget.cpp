@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The speed-accuracy dock.
 #include "gui/docks/tradeoff_widget.h"
 
 #include <QHBoxLayout>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Automatic saving of the edited session.
 #include "gui/files/autosave.h"
 
 #include <QFile>

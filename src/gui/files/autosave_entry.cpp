@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A saved copy of an edited session.
 #include "gui/files/autosave_entry.h"
 
 #include <QDir>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The File menu.
 #include "gui/files/file_commands.h"
 
 #include <QAction>
@@ -19,7 +18,7 @@
 #include "io/documents/session_file.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {

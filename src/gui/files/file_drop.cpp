@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dropping of files and folders onto the window.
 #include "gui/files/file_drop.h"
 
 #include <QDropEvent>

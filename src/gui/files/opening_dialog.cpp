@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dialog of the assumptions about a light field that is opened without a session.
 #include "gui/files/opening_dialog.h"
 
 #include <QComboBox>
@@ -11,7 +10,7 @@
 #include "gui/session/session_forms.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "ui_opening_dialog.h"
 
 namespace hogelscope {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The submenu of recent sessions.
 #include "gui/files/recent_files.h"
 
 #include <QFileInfo>

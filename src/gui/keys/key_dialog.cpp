@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dialog of all keys.
 #include "gui/keys/key_dialog.h"
 
 #include <QHBoxLayout>

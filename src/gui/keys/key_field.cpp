@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A field that records the key pressed in it.
 #include "gui/keys/key_field.h"
 
 #include <QKeyEvent>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All commands of a window and their keys.
 #include "gui/keys/key_map.h"
 
 #include <QDockWidget>

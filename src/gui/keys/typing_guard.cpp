@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps single-key shortcuts out of fields, and lets undo through if a field has nothing to undo.
 #include "gui/keys/typing_guard.h"
 
 #include <QAbstractSpinBox>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene: its parts, its own camera, and picking.
 #include "gui/scene/display_scene.h"
 
 #include <vtkAxesActor.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frusta of all states in the 3-D scene.
 #include "gui/scene/frustum_actors.h"
 
 #include <vtkActor.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversion of geometry and cameras to glTF.
 #include "gui/scene/gltf_text.h"
 
 #include <vtkActor.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of a live scene in the 3-D scene.
 #include "gui/scene/mesh_actors.h"
 
 #include <vtkCellArray.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The panel in the 3-D scene.
 #include "gui/scene/panel_actors.h"
 
 #include <vtkAxesActor.h>

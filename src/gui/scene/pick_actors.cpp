@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picked objects in the 3-D scene.
 #include "gui/scene/pick_actors.h"
 
 #include <vtkCellArray.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour scale of the states' PSNR.
 #include "gui/scene/psnr_scale.h"
 
 #include <vtkLookupTable.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unlit parts and labels of the 3-D scene.
 #include "gui/scene/scene_actor.h"
 
 #include <vtkCoordinate.h>

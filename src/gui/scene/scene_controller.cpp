@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Connects the 3-D scene with the session, its rendering thread and the Scene menu.
 #include "gui/scene/scene_controller.h"
 
 #include <QToolTip>
@@ -117,7 +116,7 @@ void SceneController::connectModel() {
   connect(m_model, &SessionModel::opened, this, [this] {
     m_scene->frusta().showPsnr({});
     forgetPicks();
-    setScene(std::nullopt);
+    setSource(std::nullopt);
     m_scene->reset();
   });
   connect(m_model, &SessionModel::currentChanged, this, [this] {
@@ -165,10 +164,10 @@ void SceneController::connectScene() {
   connect(&m_scene->handles(), &SceneHandles::lookatDragged, this, moved(&CameraParams::lookat));
 }
 
-void SceneController::setScene(const std::optional<Scene>& scene) {
+void SceneController::setSource(const std::optional<ViewSource>& scene) {
   m_loaded = scene;
   m_display = scene ? scene->display : displayOf(m_model->session());
-  m_worker->setScene(scene);
+  m_worker->setSource(scene);
   if (!scene) {
     m_scene->panel().setImage(nullptr);
     m_scene->frusta().clearImages();
@@ -300,7 +299,7 @@ void SceneController::nameAt(int x, int y) {
 void SceneController::forgetPicks() {
   m_pixel.reset();
   m_hogel.reset();
-  m_seers.abandon();
+  m_pixelSearch.abandon();
   m_pickText.clear();
   m_form.pictureView->markPixels({});
   m_scene->picked().hideHogel();
@@ -328,14 +327,15 @@ void SceneController::showHogel(int i, int j) {
 void SceneController::markHogel() {
   const std::optional<RenderJob> view = job();
   if (!m_hogel || !view) return;
-  m_seers.start([this, job = *view, hogel = *m_hogel](const Progress& progress) -> Task::Answer {
-    try {
-      const auto runs = pixelsSeeing(job, hogel.x(), hogel.y(), parallelRows, progress);
-      return [this, region = regionOf(runs)] { m_form.pictureView->markPixels(region); };
-    } catch (const InputError&) {  // a camera without a frame, reported by the simulated view
-      return [this] { m_form.pictureView->markPixels({}); };
-    }
-  });
+  m_pixelSearch.start(
+      [this, job = *view, hogel = *m_hogel](const Progress& progress) -> Task::Answer {
+        try {
+          const auto runs = pixelsSeeing(job, hogel.x(), hogel.y(), parallelRows, progress);
+          return [this, region = regionOf(runs)] { m_form.pictureView->markPixels(region); };
+        } catch (const InputError&) {  // a camera without a frame, reported by the simulated view
+          return [this] { m_form.pictureView->markPixels({}); };
+        }
+      });
 }
 
 std::optional<RenderJob> SceneController::job() const {

@@ -11,7 +11,7 @@
 
 #include "gui/scene/scene_worker.h"
 #include "gui/widgets/task.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace Ui {
 class MainWindow;
@@ -31,7 +31,7 @@ class SceneController : public QObject {
   ~SceneController() override;
 
   /// Sets the session's light field with its display; none while it is read.
-  void setScene(const std::optional<Scene>& scene);
+  void setSource(const std::optional<ViewSource>& scene);
   /// Colours the frusta by the states' PSNR in dB; empty: no colours. Infinite: identical; NaN: no
   /// view.
   void showPsnr(const std::vector<double>& dB);
@@ -78,13 +78,13 @@ class SceneController : public QObject {
   SessionModel* m_model;
   SceneWorker* m_worker;
   std::unique_ptr<DisplayScene> m_scene;
-  DisplayParams m_display;        ///< resolved once the light field has been read
-  std::optional<Scene> m_loaded;  ///< none while a light field is read
-  std::optional<QPoint> m_pixel;  ///< picked in the current state's view
+  DisplayParams m_display;             ///< resolved once the light field has been read
+  std::optional<ViewSource> m_loaded;  ///< none while a light field is read
+  std::optional<QPoint> m_pixel;       ///< picked in the current state's view
   std::optional<QPoint> m_hogel;
   QString m_pickText;
   bool m_isPanelDark = false;  ///< no light reaches the scene's eye, so the grid marks the panel
-  Task m_seers;                ///< finds the pixels that see the hogel
+  Task m_pixelSearch;          ///< finds the pixels that see the hogel
 };
 
 }  // namespace hogelscope

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export of the 3-D scene for other programs.
 #include "gui/scene/scene_export.h"
 
 #include <vtkAppendPolyData.h>

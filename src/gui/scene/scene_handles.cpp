@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draggable handles in the 3-D scene.
 #include "gui/scene/scene_handles.h"
 
 #include <vtkActor.h>

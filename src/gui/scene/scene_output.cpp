@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of the 3-D scene to files.
 #include "gui/scene/scene_output.h"
 
 #include <QFileInfo>

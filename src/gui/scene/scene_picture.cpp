@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3-D scene as an image of any size.
 #include "gui/scene/scene_picture.h"
 
 #include <vtkActor.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts of the read-out under the 3-D scene.
 #include "gui/scene/scene_text.h"
 
 #include <cmath>

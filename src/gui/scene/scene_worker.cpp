@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders the contents of the 3-D scene on its own thread.
 #include "gui/scene/scene_worker.h"
 
 #include <algorithm>
@@ -48,7 +47,7 @@ SceneWorker::SceneWorker(QObject* parent) : QObject(parent) {
 
 SceneWorker::~SceneWorker() = default;
 
-void SceneWorker::setScene(const std::optional<Scene>& scene) {
+void SceneWorker::setSource(const std::optional<ViewSource>& scene) {
   m_thread.ask([&] {
     m_newScene = scene;
     m_isSceneNew = true;

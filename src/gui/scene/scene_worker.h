@@ -15,7 +15,7 @@
 
 #include "gui/scene/mesh_actors.h"
 #include "gui/widgets/latest_wins.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
@@ -36,7 +36,7 @@ class SceneWorker : public QObject {
 
   /// Sets the scene that is rendered; none stops rendering. The old scene's memory is released when
   /// the current rendering stops.
-  void setScene(const std::optional<Scene>& scene);
+  void setSource(const std::optional<ViewSource>& scene);
   /// Renders the panel. The newest request wins, but a running one is finished, so that a turning
   /// scene keeps updating.
   void renderPanel(const CameraState& state);
@@ -59,7 +59,7 @@ class SceneWorker : public QObject {
   [[nodiscard]] bool mustStop();
 
   // The requests, which m_thread guards.
-  std::optional<Scene> m_newScene;
+  std::optional<ViewSource> m_newScene;
   bool m_isSceneNew = false;
   int m_asked = 0;  ///< the number of the latest setScene()
   std::optional<CameraState> m_panel;
@@ -67,8 +67,8 @@ class SceneWorker : public QObject {
   std::vector<std::optional<CameraState>> m_done;  ///< as rendered last
   std::size_t m_first = 0;
 
-  std::optional<Scene> m_scene;  ///< used by the thread only, as is the next
-  int m_number = 0;              ///< the number of the setScene() that is served
+  std::optional<ViewSource> m_scene;  ///< used by the thread only, as is the next
+  int m_number = 0;                   ///< the number of the setScene() that is served
   std::weak_ptr<const LightFieldSource> m_meshOf;
   VtkMesh m_mesh;
   vtkNew<vtkHogelViewFilter> m_filter;

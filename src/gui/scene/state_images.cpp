@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The small images of the states in one texture.
 #include "gui/scene/state_images.h"
 
 #include <vtkImageData.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversion of images to textures of the 3-D scene.
 #include "gui/scene/vtk_image.h"
 
 #include <vtkDataArray.h>

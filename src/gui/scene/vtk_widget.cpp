@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A Qt 6 widget that hosts a VTK render window.
 #include "gui/scene/vtk_widget.h"
 
 #include <vtkCommand.h>

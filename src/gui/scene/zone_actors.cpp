@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display's viewing zone in the 3-D scene.
 #include "gui/scene/zone_actors.h"
 
 #include <vtkCellArray.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Camera menu.
 #include "gui/session/camera_commands.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Edit menu.
 #include "gui/session/edit_commands.h"
 
 #include "gui/keys/key_dialog.h"

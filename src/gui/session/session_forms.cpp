@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forms for the session's parts.
 #include "gui/session/session_forms.h"
 
 #include <QPushButton>

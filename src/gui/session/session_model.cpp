@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The session shown and edited in the window.
 #include "gui/session/session_model.h"
 
 #include <QElapsedTimer>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The States menu.
 #include "gui/session/state_commands.h"
 
 #include <QFileInfo>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dialog of the settings of an animation along the states.
 #include "gui/view/animation_dialog.h"
 
 #include <QCheckBox>

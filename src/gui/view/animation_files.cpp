@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An animation along camera states.
 #include "gui/view/animation_files.h"
 
 #include <unistd.h>

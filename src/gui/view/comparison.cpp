@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second light field, compared with the session's own.
 #include "gui/view/comparison.h"
 
 #include <QFileInfo>
@@ -21,8 +20,8 @@ void Comparison::start(const Session& session, const QString& file) {
   const bool hasOwnDisplay = isSessionFile(file.toStdString());
   m_file = file;
   m_task.start([=, this](const Progress& progress) {
-    return [=, this, scene = loadScene(other, progress)] {
-      m_other = scene;
+    return [=, this, source = loadViewSource(other, progress)] {
+      m_other = source;
       m_isIdeal = false;
       m_name = QFileInfo(file).fileName();
       m_hasOwnDisplay = hasOwnDisplay;
@@ -49,21 +48,21 @@ void Comparison::stop() {
   Q_EMIT changed();
 }
 
-std::optional<Scene> Comparison::other(const Session& session) const {
+std::optional<ViewSource> Comparison::other(const Session& session) const {
   if (m_isIdeal) {
-    std::optional<Scene> ideal = m_own;
+    std::optional<ViewSource> ideal = m_own;
     if (!session.lightField.isLive()) ideal.reset();
     if (ideal) ideal->isIdeal = true;
     return ideal;
   }
-  std::optional<Scene> scene = m_other;
-  if (!scene) return scene;
-  scene->sampling = session.sampling;
-  if (m_hasOwnDisplay) return scene;
-  scene->display = displayOf(session);
-  scene->display.hogels = m_other->display.hogels;
-  scene->display.directions = m_other->display.directions;
-  return scene;
+  std::optional<ViewSource> source = m_other;
+  if (!source) return source;
+  source->sampling = session.sampling;
+  if (m_hasOwnDisplay) return source;
+  source->display = displayOf(session);
+  source->display.hogels = m_other->display.hogels;
+  source->display.directions = m_other->display.directions;
+  return source;
 }
 
 }  // namespace hogelscope

@@ -8,7 +8,7 @@
 
 #include "core/optics/session.h"
 #include "gui/widgets/task.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -25,11 +25,11 @@ class Comparison : public QObject {
   void startIdeal();
   void stop();
   /// Sets the session's own light field; none while it is read.
-  void setScene(const std::optional<Scene>& own) { m_own = own; }
+  void setSource(const std::optional<ViewSource>& own) { m_own = own; }
 
   /// Returns the second light field with the session's sampling, and with the session's display
   /// unless it has its own; none without a comparison.
-  [[nodiscard]] std::optional<Scene> other(const Session& session) const;
+  [[nodiscard]] std::optional<ViewSource> other(const Session& session) const;
   /// The file's name, or a description.
   [[nodiscard]] const QString& name() const { return m_name; }
   /// The file that is compared or being read; "" if there is none.
@@ -44,8 +44,8 @@ class Comparison : public QObject {
   void failed(const QString& line);
 
  private:
-  std::optional<Scene> m_own;
-  std::optional<Scene> m_other;
+  std::optional<ViewSource> m_own;
+  std::optional<ViewSource> m_other;
   bool m_isIdeal = false;
   QString m_name;
   QString m_file;

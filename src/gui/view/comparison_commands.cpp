@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Commands for comparing two images.
 #include "gui/view/comparison_commands.h"
 
 #include <QActionGroup>

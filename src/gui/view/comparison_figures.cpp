@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metrics of the images shown.
 #include "gui/view/comparison_figures.h"
 
 #include <QStringList>

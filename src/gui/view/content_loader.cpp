@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the session's light field open while the session is edited.
 #include "gui/view/content_loader.h"
 
 #include <utility>
@@ -22,8 +21,8 @@ ContentLoader::ContentLoader(SessionModel* model, ViewWorker* worker, QObject* p
 
 /// The memory is free then.
 void ContentLoader::forget() {
-  m_scene.reset();
-  Q_EMIT sceneChanged();
+  m_source.reset();
+  Q_EMIT sourceChanged();
 }
 
 /// Without a light field, if one was being read.
@@ -37,7 +36,7 @@ void ContentLoader::end() {
 /// that come faster than images wait for the next one (followImage()): else none would ever come.
 void ContentLoader::load() {
   const auto isLive = [](const Session& session) { return session.lightField.isLive(); };
-  const bool isEdit = m_scene && isLive(m_asked) && isLive(m_model->session());
+  const bool isEdit = m_source && isLive(m_asked) && isLive(m_model->session());
   if (isEdit && m_isAwaited) return;
   m_asked = m_model->session();
   m_isReading = m_isAwaited = true;
@@ -64,20 +63,20 @@ bool ContentLoader::follow() {
 
 void ContentLoader::followImage() {
   m_isAwaited = false;
-  if (m_scene && !readTheSame(m_asked, m_model->session())) load();
+  if (m_source && !readTheSame(m_asked, m_model->session())) load();
 }
 
 /// The display and sampling of the session as they are now.
 void ContentLoader::showSession() {
-  m_scene->display = resolved(displayOf(m_model->session()), m_scene->lightField->size());
-  m_scene->sampling = m_model->session().sampling;
-  Q_EMIT sceneChanged();
+  m_source->display = resolved(displayOf(m_model->session()), m_source->lightField->size());
+  m_source->sampling = m_model->session().sampling;
+  Q_EMIT sourceChanged();
 }
 
 /// A live scene may have been edited since it was asked for.
-void ContentLoader::onLoaded(const Scene& scene) {
+void ContentLoader::onLoaded(const ViewSource& source) {
   m_isReading = false;
-  m_scene = scene;
+  m_source = source;
   if (m_delay.isActive())
     m_delay.stop();
   else
@@ -85,7 +84,7 @@ void ContentLoader::onLoaded(const Scene& scene) {
   if (readTheSame(m_asked, m_model->session()))
     showSession();
   else
-    Q_EMIT sceneChanged();
+    Q_EMIT sourceChanged();
   Q_EMIT loaded();
 }
 

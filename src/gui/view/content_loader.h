@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/optics/session.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -24,19 +24,19 @@ class ContentLoader : public QObject {
 
   /// Returns the light field with the session's display and sampling; none while it is read, or if
   /// it cannot be read.
-  [[nodiscard]] const std::optional<Scene>& scene() const { return m_scene; }
+  [[nodiscard]] const std::optional<ViewSource>& source() const { return m_source; }
   /// Whether scene() is what the session asks for.
-  [[nodiscard]] bool isReady() const { return m_scene && !m_isReading; }
+  [[nodiscard]] bool isReady() const { return m_source && !m_isReading; }
 
   /// Reads the session's light field.
   void load();
-  /// Follows an edit of the session's content. Returns whether sceneChanged() was emitted for it.
+  /// Follows an edit of the session's content. Returns whether sourceChanged() was emitted for it.
   bool follow();
   /// Reads what was edited while the image was rendered that has now been shown.
   void followImage();
 
  Q_SIGNALS:
-  void sceneChanged();  ///< to another one, or to none
+  void sourceChanged();  ///< to another one, or to none
   void loaded();
   /// Reading has begun, or takes longer than a moment.
   void reading(const QString& line);
@@ -51,16 +51,16 @@ class ContentLoader : public QObject {
   void end();
   void sayReading();
   void showSession();
-  void onLoaded(const Scene& scene);
+  void onLoaded(const ViewSource& source);
   void onFailed(const QString& line);
   void onStopped();
 
   SessionModel* m_model;
   ViewWorker* m_worker;
   QTimer m_delay;  ///< until reading a live scene's edit is reported
-  std::optional<Scene> m_scene;
+  std::optional<ViewSource> m_source;
   Session m_asked;           ///< the session whose light field is being read or was read last
-  bool m_isReading = false;  ///< m_asked is being read; m_scene is an older light field, if any
+  bool m_isReading = false;  ///< m_asked is being read; m_source is an older light field, if any
   bool m_isAwaited = false;  ///< the first image of m_asked has not been rendered yet
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tone changes of images, and error images.
 #include "gui/view/error_image.h"
 
 #include <QStringList>

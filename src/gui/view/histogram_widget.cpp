@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Histograms of the images shown.
 #include "gui/view/histogram_widget.h"
 
 #include <QPainter>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Picture menu.
 #include "gui/view/image_commands.h"
 
 #include <QClipboard>
@@ -13,7 +12,7 @@
 #include "gui/widgets/reading_bar.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_writer.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
@@ -54,12 +53,12 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
   drop(tr("No view yet: open a session (Ctrl+O)"));
 }
 
-void ImageCommands::setScene(const std::optional<Scene>& own) {
-  m_comparison->setScene(own);
-  m_output->setScene(own);
+void ImageCommands::setSource(const std::optional<ViewSource>& own) {
+  m_comparison->setSource(own);
+  m_output->setSource(own);
 }
 
-std::optional<Scene> ImageCommands::other() const {
+std::optional<ViewSource> ImageCommands::other() const {
   return m_comparison->other(m_model->session());
 }
 

@@ -25,9 +25,9 @@ class ImageCommands : public QObject {
   ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
   /// Sets the session's own light field; none while it is read.
-  void setScene(const std::optional<Scene>& own);
+  void setSource(const std::optional<ViewSource>& own);
   /// Returns the light field that is rendered for comparison.
-  [[nodiscard]] std::optional<Scene> other() const;
+  [[nodiscard]] std::optional<ViewSource> other() const;
   void show(const RenderedView& view);
   /// Shows on the image why it is outdated. Until the next image is shown, it can be neither saved
   /// nor copied.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Marks painted on an image.
 #include "gui/view/image_marks.h"
 
 #include <algorithm>

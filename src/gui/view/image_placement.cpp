@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zoom and pan: the placement of an image in a part of a widget.
 #include "gui/view/image_placement.h"
 
 #include <algorithm>

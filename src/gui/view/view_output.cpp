@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of simulated views to files.
 #include "gui/view/view_output.h"
 
 #include <QStandardPaths>
@@ -73,15 +72,15 @@ ViewOutput::ViewOutput(const Ui::MainWindow& ui, SessionModel* model, QObject* p
   showState();
 }
 
-void ViewOutput::setScene(const std::optional<Scene>& scene) {
-  m_scene = scene;
+void ViewOutput::setSource(const std::optional<ViewSource>& source) {
+  m_source = source;
   showState();
 }
 
 void ViewOutput::showState() {
   m_bar->setVisible(m_task->isRunning());
   for (QAction* action : {m_ui.saveViewAction, m_ui.saveAnimationAction})
-    action->setEnabled(m_scene && !m_task->isRunning());
+    action->setEnabled(m_source && !m_task->isRunning());
 }
 
 void ViewOutput::start(const Task::Job& job) {
@@ -91,7 +90,8 @@ void ViewOutput::start(const Task::Job& job) {
 
 void ViewOutput::saveView(const QString& file, const QSize& size) {
   const CameraState state = resized(m_model->current(), {size.width(), size.height()});
-  const std::optional<RenderJob> job = m_scene ? std::optional(m_scene->job(state)) : std::nullopt;
+  const std::optional<RenderJob> job =
+      m_source ? std::optional(m_source->job(state)) : std::nullopt;
   if (!job)  // removed while the name was asked for
     return Q_EMIT failed(tr("%1: not written: there is no light field").arg(file));
   start([this, job, file, session = m_model->session()](const Progress& progress) {
@@ -107,12 +107,12 @@ void ViewOutput::saveView(const QString& file, const QSize& size) {
 
 void ViewOutput::saveAnimation(const QString& folder, double scale, const QString& ffmpeg,
                                int framesPerSecond) {
-  if (!m_scene) return Q_EMIT failed(tr("%1: not written: there is no light field").arg(folder));
+  if (!m_source) return Q_EMIT failed(tr("%1: not written: there is no light field").arg(folder));
   AnimationRequest request{{}, folder.toStdString(), framesPerSecond, ffmpeg.toStdString()};
   for (const CameraState& state : m_model->session().cameras) {
     const auto scaled = [scale](int side) { return std::max(1, int(std::lround(scale * side))); };
     const auto [width, height] = state.camera.res;
-    request.views.push_back(m_scene->job(resized(state, {scaled(width), scaled(height)})));
+    request.views.push_back(m_source->job(resized(state, {scaled(width), scaled(height)})));
   }
   start([this, folder, request](const Progress& progress) {
     for (const RenderJob& view : request.views) check(view.state, view.state.camera.name);

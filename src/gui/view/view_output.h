@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "gui/widgets/task.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace Ui {
 class MainWindow;
@@ -30,7 +30,7 @@ class ViewOutput : public QObject {
   ViewOutput(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
 
   /// Sets the session's light field; none while it is read. A running job keeps its own.
-  void setScene(const std::optional<Scene>& scene);
+  void setSource(const std::optional<ViewSource>& source);
   /// Saves the current state's view of the same field at another size, as `--render` writes it: PNG
   /// of 8 bits, TIFF of 16, EXR of unrounded floats, by extension. done() or failed() follows
   /// later.
@@ -52,7 +52,7 @@ class ViewOutput : public QObject {
 
   const Ui::MainWindow& m_ui;
   SessionModel* m_model;
-  std::optional<Scene> m_scene;
+  std::optional<ViewSource> m_source;
   Task* m_task;
   ReadingBar* m_bar;
 };

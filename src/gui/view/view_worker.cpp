@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads light fields and renders views on its own thread.
 #include "gui/view/view_worker.h"
 
 #include <vtkDataArray.h>
@@ -47,12 +46,12 @@ QImage toMask(vtkImageData& output) {
 /// Returns the job of a view. For a light field in a store, the coarse image has fewer hogels and
 /// directions instead of fewer pixels, because fetching them dominates. For a live one, where each
 /// texel is expensive after every edit, it has no leakage, which reads the most texels.
-RenderJob viewOf(const Scene& scene, const CameraState& state,
+RenderJob viewOf(const ViewSource& source, const CameraState& state,
                  const std::optional<NamedMethod>& method, int scale) {
-  const bool isLive = dynamic_cast<const LiveSource*>(scene.lightField.get()) != nullptr;
-  if (scale > 1 && !scene.isIdeal && !scene.lightField->isInMemory() && !isLive)
-    return overview(viewOf(scene, state, method, 1));
-  RenderJob view = method ? applyMethod(*method, scene.job(state)) : scene.job(state);
+  const bool isLive = dynamic_cast<const LiveSource*>(source.lightField.get()) != nullptr;
+  if (scale > 1 && !source.isIdeal && !source.lightField->isInMemory() && !isLive)
+    return overview(viewOf(source, state, method, 1));
+  RenderJob view = method ? applyMethod(*method, source.job(state)) : source.job(state);
   if (scale > 1 && isLive) view.state.psf.windowSize = 1;
   view.method.scale = std::max(view.method.scale, scale);
   return view;
@@ -113,7 +112,7 @@ bool ViewWorker::mustStop() {
 }
 
 /// Waits a moment. Returns false if a newer request arrives.
-bool ViewWorker::handRests() {
+bool ViewWorker::staysIdle() {
   constexpr std::chrono::milliseconds rest(60);
   return !m_thread.mustStopWithin(rest, [this] { return m_toLoad || m_toRender; });
 }
@@ -126,7 +125,7 @@ void ViewWorker::serve(LatestWins::Lock& lock) {
   lock.unlock();
   try {
     if (session) loadNow(*session);
-    if (request && m_scene) {
+    if (request && m_source) {
       renderNow(*request);
       if (!hasNewer(false)) certifyNow(*request);
     }
@@ -139,10 +138,10 @@ void ViewWorker::serve(LatestWins::Lock& lock) {
 }
 
 void ViewWorker::loadNow(const Session& session) {
-  m_scene.reset();  // frees the old one's memory before the new one is read
-  m_lens.reset();   // its result may have been dropped
+  m_source.reset();  // frees the old one's memory before the new one is read
+  m_lens.reset();    // its result may have been dropped
   try {
-    m_scene = loadScene(session, [this](double done) {
+    m_source = loadViewSource(session, [this](double done) {
       if (hasNewer(true)) return false;  // the share belongs to the newer request now
       m_readShare = done;
       return true;
@@ -153,8 +152,8 @@ void ViewWorker::loadNow(const Session& session) {
   }
   m_readShare = 1;
   const bool isLive = session.lightField.isLive();
-  if (!isLive && !m_scene->lightField->isInMemory()) m_pace.stopped(firstFetch);
-  send([this, scene = *m_scene] { Q_EMIT loaded(scene); });
+  if (!isLive && !m_source->lightField->isInMemory()) m_pace.stopped(firstFetch);
+  send([this, source = *m_source] { Q_EMIT loaded(source); });
 }
 
 /// Renders a view. A coarse image is finished even if newer requests arrive, so that the view keeps
@@ -165,7 +164,7 @@ void ViewWorker::renderNow(const ViewRequest& request) {
   const int scale = m_pace.firstScale();
   if (scale == 1) return renderAt(1, ViewPace::quick, request);
   renderAt(scale, std::numeric_limits<double>::infinity(), request);
-  if (handRests()) renderAt(1, 0, request);
+  if (staysIdle()) renderAt(1, 0, request);
 }
 
 void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request) {
@@ -173,10 +172,10 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   m_patience = patience;
   m_timer.start();
   RenderedView result;
-  Scene scene = *m_scene;
-  scene.display = resolved(request.display, scene.lightField->size());
-  scene.sampling = request.sampling;
-  const RenderJob view = viewOf(scene, request.state, request.method, scale);
+  ViewSource source = *m_source;
+  source.display = resolved(request.display, source.lightField->size());
+  source.sampling = request.sampling;
+  const RenderJob view = viewOf(source, request.state, request.method, scale);
   try {
     if (request.other) {
       m_filter->SetJob(viewOf(*request.other, request.state, request.method, scale));
@@ -195,7 +194,7 @@ void ViewWorker::renderAt(int scale, double patience, const ViewRequest& request
   result.image = toQImage(*m_filter->GetOutput());
   result.seen = toMask(*m_filter->GetOutput());
   result.scale = scale;
-  result.isOverview = view.lightField != scene.lightField;
+  result.isOverview = view.lightField != source.lightField;
   result.plan = planOf(m_filter->GetChoice().job);
   send([this, result] { Q_EMIT rendered(result); });
 }

@@ -19,7 +19,7 @@
 #include "core/optics/session.h"
 #include "gui/view/view_pace.h"
 #include "gui/widgets/latest_wins.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "study/tradeoff.h"
 #include "vtk/vtkHogelViewFilter.h"
 
@@ -50,7 +50,7 @@ struct ViewRequest {
   DisplayParams display;
   SamplingParams sampling;
   std::optional<NamedMethod> method;  ///< none: the session's own
-  std::optional<Scene> other;         ///< the second light field
+  std::optional<ViewSource> other;    ///< the second light field
 };
 
 /// Emits all signals on the thread that the object lives in. No signal of an older light field
@@ -76,7 +76,7 @@ class ViewWorker : public QObject {
   void render(const ViewRequest& request);
 
  Q_SIGNALS:
-  void loaded(const hogelscope::Scene& scene);
+  void loaded(const hogelscope::ViewSource& source);
   void readingStopped();  ///< after stopReading()
   void rendered(const hogelscope::RenderedView& view);
   /// Emitted after the image if its lens has changed.
@@ -93,7 +93,7 @@ class ViewWorker : public QObject {
   void certifyNow(const ViewRequest& request);
   [[nodiscard]] bool hasNewer(bool isLoading);
   [[nodiscard]] bool mustStop();
-  [[nodiscard]] bool handRests();
+  [[nodiscard]] bool staysIdle();
 
   // The requests, which m_thread guards.
   std::optional<Session> m_toLoad;
@@ -104,7 +104,7 @@ class ViewWorker : public QObject {
   std::atomic<double> m_readShare = 0;
 
   int m_number = 0;  ///< the number of the load() that is served; the thread's own, as all below
-  std::optional<Scene> m_scene;
+  std::optional<ViewSource> m_source;
   std::optional<LensKey> m_lens;  ///< the one certified last
   ViewPace m_pace;
   QElapsedTimer m_timer;  ///< since the rendering started

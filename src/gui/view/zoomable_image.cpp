@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An image painted at any zoom: its own pixels above one to one, averages below.
 #include "gui/view/zoomable_image.h"
 
 #include <algorithm>

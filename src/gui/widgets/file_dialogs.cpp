@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File dialogs.
 #include "gui/widgets/file_dialogs.h"
 
 #include <QAbstractItemView>

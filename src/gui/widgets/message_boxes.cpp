@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Modal message boxes.
 #include "gui/widgets/message_boxes.h"
 
 #include <vtkVersion.h>

@@ -210,7 +210,7 @@ void ParameterForm::walkDefaults(Pass pass, const QString& key) {
   m_defaults(*this);
 }
 
-bool ParameterForm::passesBy(const QWidget* row) const {
+bool ParameterForm::skipsRow(const QWidget* row) const {
   const bool isOfDefaults = m_pass == Pass::sayDefault || m_pass == Pass::showDefault;
   return isOfDefaults && row->property("row").toString() != m_wanted;
 }
@@ -311,7 +311,7 @@ void ParameterForm::addSlider(const Field& field, Box* box, QWidget* row) {
 template <class Box, class Number>
 void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isList) {
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
-  if (passesBy(row)) return;
+  if (skipsRow(row)) return;
   for (std::size_t k = 0; k < values.size(); ++k) {
     Box* box = row->boxes[k];
     if (m_pass == Pass::sayDefault) {
@@ -354,7 +354,7 @@ void ParameterForm::flag(const Field& field, bool& value) {
     connect(created, &QCheckBox::toggled, this, [this, created] { applyEdit(created); });
     return created;
   });
-  if (passesBy(box)) return;
+  if (skipsRow(box)) return;
   if (m_pass == Pass::sayDefault) m_default << (value ? tr("on") : tr("off"));
   if (m_pass == Pass::apply && box == m_edited) value = box->isChecked();
   const QSignalBlocker quiet(box);
@@ -368,7 +368,7 @@ void ParameterForm::text(const Field& field, std::string& value) {
     connect(created, &QLineEdit::editingFinished, this, [this, created] { applyEdit(created); });
     return created;
   });
-  if (passesBy(line)) return;
+  if (skipsRow(line)) return;
   if (m_pass == Pass::sayDefault) m_default << "\"" + QString::fromStdString(value) + "\"";
   if (m_pass == Pass::apply && line == m_edited) value = line->text().toStdString();
   const QSignalBlocker quiet(line);
@@ -385,7 +385,7 @@ void ParameterForm::choice(const Field& field, int& index) {
             [this, created] { applyEdit(created); });
     return created;
   });
-  if (passesBy(box)) return;
+  if (skipsRow(box)) return;
   if (m_pass == Pass::sayDefault) m_default << toQString(field.choices[std::size_t(index)]);
   if (m_pass == Pass::apply && box == m_edited) index = box->currentIndex();
   const QSignalBlocker quiet(box);

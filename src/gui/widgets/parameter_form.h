@@ -73,7 +73,7 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   [[nodiscard]] QString keyOf(const Field& field, const char* kind) const;
   void applyEdit(QObject* editor);
   void walkDefaults(Pass pass, const QString& key);
-  [[nodiscard]] bool passesBy(const QWidget* row) const;
+  [[nodiscard]] bool skipsRow(const QWidget* row) const;
   [[nodiscard]] bool shows() const { return m_pass == Pass::show || m_pass == Pass::showDefault; }
   void showMenu(QWidget* on, const QString& key, const QPoint& at);
   void offerDefault(QMenu* menu, const QString& key);

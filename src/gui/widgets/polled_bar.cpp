@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar that polls the progress.
 #include "gui/widgets/polled_bar.h"
 
 #include <utility>

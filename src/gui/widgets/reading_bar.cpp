@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar with a stop button for the status bar.
 #include "gui/widgets/reading_bar.h"
 
 #include <QHBoxLayout>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dialog of the size of an image.
 #include "gui/widgets/size_dialog.h"
 
 #include <QDialogButtonBox>

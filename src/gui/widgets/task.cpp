@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs one long job at a time on its own thread.
 #include "gui/widgets/task.h"
 
 #include <utility>

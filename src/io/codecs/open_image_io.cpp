@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Common functions of input and output by OpenImageIO.
 #include "io/codecs/open_image_io.h"
 
 namespace hogelscope {

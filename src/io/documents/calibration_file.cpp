@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera calibrations as OpenCV writes them.
 #include "io/documents/calibration_file.h"
 
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera sets from documents (JSON), traces and names of distributions.
 #include "io/documents/camera_set_file.h"
 
 #include "core/base/error.h"

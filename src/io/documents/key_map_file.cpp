@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The file of the keys that a user has assigned to commands.
 #include "io/documents/key_map_file.h"
 
 #include "core/base/error.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fields of a session's light field.
 #include "io/documents/light_field_params.h"
 
 namespace hogelscope {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of partial panel errors.
 #include "io/documents/panel_error_file.h"
 
 #include <cstring>
@@ -60,7 +59,7 @@ void savePanelError(const fs::path& file, const std::string& key, const SavedPan
 
 std::optional<SavedPanelError> loadPanelError(const fs::path& file, const std::string& key,
                                               const LightFieldSize& size, bool isDeep) {
-  requireOurs(file, headOfPanelError);
+  requireOwnFile(file, headOfPanelError);
   Cells hogels(std::size_t(size.nx) * std::size_t(size.ny));
   Cells directions(std::size_t(size.du) * std::size_t(size.dv));
   std::error_code error;

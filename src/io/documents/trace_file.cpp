@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Viewers' traces: CSV of time and position.
 #include "io/documents/trace_file.h"
 
 #include <algorithm>

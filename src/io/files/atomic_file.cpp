@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are either complete or absent.
 #include "io/files/atomic_file.h"
 
 #include <fcntl.h>
@@ -169,7 +168,7 @@ void makeFolder(const fs::path& folder) {
   checkWritable(folder);
 }
 
-void requireOurs(const fs::path& path, std::string_view head) {
+void requireOwnFile(const fs::path& path, std::string_view head) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0 && errno == ENOENT) return;
   std::string found(head.size(), '\0');

@@ -59,7 +59,7 @@ void makeFolder(const std::filesystem::path& folder);
 /// Checks a file whose name the program has chosen, before it is replaced or deleted without
 /// asking: throws InputError unless `path` is missing, or is a regular file (not a link) that
 /// begins with `head`, or with a part of it left by a crash.
-void requireOurs(const std::filesystem::path& path, std::string_view head);
+void requireOwnFile(const std::filesystem::path& path, std::string_view head);
 
 /// Opens a file for reading and writing, creates it if missing, never follows a symbolic link, and
 /// locks it until it is closed; none if another process has the lock. Throws InputError.

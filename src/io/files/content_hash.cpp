@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// XXH3 by libxxhash.
 #include "io/files/content_hash.h"
 
 #include <fcntl.h>
@@ -53,7 +52,7 @@ std::string hashOf(const fs::path& path, const Progress& progress) {
   ContentHash hash;
   std::vector<std::byte> block(std::size_t{1} << 20);
   while (true) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     const ssize_t bytes = ::read(file.get(), block.data(), block.size());
     if (bytes == 0) return hash.hex();
     if (bytes > 0)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Queries of files and folders that throw only InputError.
 #include "io/files/folders.h"
 
 #include <algorithm>

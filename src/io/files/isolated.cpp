@@ -174,7 +174,7 @@ void Isolated::stop() {
 
 void Isolated::receive(char* to, std::size_t bytes, const Progress& progress) const {
   while (bytes > 0) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     pollfd waiting{m_socket, POLLIN, 0};
     constexpr int patience = 50;  // ms between checks for cancellation
     if (::poll(&waiting, 1, patience) <= 0) continue;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that several threads read at any position.
 #include "io/files/random_access_file.h"
 
 #include <fcntl.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Resources of this machine, and the program's share of them.
 #include "io/files/system_limits.h"
 
 #include <sys/statvfs.h>

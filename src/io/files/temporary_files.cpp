@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A list of temporary files.
 #include "io/files/temporary_files.h"
 
 #include <mutex>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pages of BigTIFF files of this program.
 #include "io/images/big_tiff.h"
 
 #include <array>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the bytes of a new image and keeps the first error.
 #include "io/images/checked_file.h"
 
 #include <fcntl.h>

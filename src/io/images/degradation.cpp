@@ -19,7 +19,7 @@ using Kind = Degradation::Kind;
 void throughJpeg(int quality, const cv::Mat& band, const Progress& progress) {
   constexpr int longest = 65488;  // the format's limit in whole blocks of 16
   for (int x = 0; x < band.cols; x += longest) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     codecs().throughJpeg(quality, std::min(longest, band.cols - x), band.rows,
                          band.data + 3 * std::size_t(x), band.step);
   }
@@ -42,7 +42,7 @@ void addNoise(double sigma, std::uint64_t start, std::span<std::uint8_t> band,
               const Progress& progress) {
   constexpr std::size_t piece = 65536;
   for (std::size_t k = 0; k < band.size(); ++k) {
-    if (k % piece == 0) hearStop(progress);
+    if (k % piece == 0) throwIfCancelled(progress);
     band[k] = quantised(band[k] + sigma * normal(start + k));
   }
 }
@@ -50,7 +50,7 @@ void addNoise(double sigma, std::uint64_t start, std::span<std::uint8_t> band,
 void blurHogels(double sigma, const LightFieldSize& size, const cv::Mat& band,
                 const Progress& progress) {
   for (int i = 0; i < size.nx; ++i) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     const cv::Mat hogel = band.colRange(i * size.du, (i + 1) * size.du);
     cv::Mat blurred;
     cv::GaussianBlur(hogel.clone(), blurred, {}, sigma, sigma, cv::BORDER_REPLICATE);

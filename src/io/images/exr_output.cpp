@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// EXR output through OpenEXR.
 #include "io/images/exr_output.h"
 
 #include <Iex.h>

@@ -104,7 +104,7 @@ void writeRows(ImageOutput& image, const ImageSpec& spec, const T* values,
   constexpr std::size_t band = 64;
   const std::size_t row = spec.width * spec.channels.size();
   for (std::size_t y = 0; y < spec.height; y += band) {
-    hearStop(progress);
+    throwIfCancelled(progress);
     image.write(values + y * row, std::min(band, spec.height - y));
   }
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Versions of the libraries used by `io`.
 #include "io/images/library_versions.h"
 
 #include <OpenImageIO/oiioversion.h>

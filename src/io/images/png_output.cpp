@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG output row by row through libspng.
 #include "io/images/png_output.h"
 
 #include <spng.h>

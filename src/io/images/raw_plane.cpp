@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uncompressed samples in a file.
 #include "io/images/raw_plane.h"
 
 #include <string>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JSON as a visitor of the parameter descriptions.
 #include "io/json/json_parameters.h"
 
 #include <algorithm>

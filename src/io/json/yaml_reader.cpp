@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// YAML as cv::FileStorage writes it, read from untrusted files.
 #include "io/json/yaml_reader.h"
 
 #include <yaml.h>

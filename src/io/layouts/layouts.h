@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The layouts of light fields in pictures and videos. A file for each of them has its reader and
-// its row of the table; io/scene/scene.h has the table, with the rows of stores and live scenes.
+// its row of the table; io/scene/view_source.h has the table, with the rows of stores and live
+// scenes.
 #pragma once
 
 #include <array>

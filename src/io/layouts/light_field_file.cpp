@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field's files, of any layout.
 #include "io/layouts/light_field_file.h"
 
 #include <stdexcept>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry of captures.
 #include "io/opening/capture_geometry.h"
 
 #include <algorithm>

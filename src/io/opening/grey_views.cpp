@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads views of a light field as grey pictures.
 #include "io/opening/grey_views.h"
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
 #include "io/layouts/picture_files.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order and shear of a light field's views.
 #include "io/opening/light_field_order.h"
 
 #include <algorithm>

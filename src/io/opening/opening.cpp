@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A light field that is opened without a session.
 #include "io/opening/opening.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/plugins/display_json.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 namespace hogelscope {
 

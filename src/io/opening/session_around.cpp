@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sessions around light fields.
 #include "io/opening/session_around.h"
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 #include "io/files/folders.h"
 #include "io/opening/capture_geometry.h"
 #include "io/scene/live_file.h"
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 #include "io/store/light_field_store.h"
 
 namespace hogelscope {

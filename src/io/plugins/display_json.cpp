@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display in JSON documents.
 #include "io/plugins/display_json.h"
 
 #include "core/base/error.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metrics of plugins.
 #include "io/plugins/metric_plugins.h"
 
 #include <algorithm>
@@ -51,7 +50,7 @@ Metric metricOf(const std::string& name) {
                  .unit = metric->unit()}},
       .compare = [metric](const Image& reference, const Image& test, const ParallelRows&,
                           const Progress& progress, const Viewing& viewing) -> std::vector<double> {
-        hearStop(progress);
+        throwIfCancelled(progress);
         return {compared(*metric, reference, test, viewing)};
       },
       .readsUnrounded = true};

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The installed plugins, as described by plugin.json.
 #include "io/plugins/plugin_list.h"
 
 #include <algorithm>

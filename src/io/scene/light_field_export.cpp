@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a light field in another layout.
 #include "io/scene/light_field_export.h"
 
 #include <algorithm>

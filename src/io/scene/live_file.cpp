@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Live scenes as light fields that can be opened.
 #include "io/scene/live_file.h"
 
 #include <algorithm>

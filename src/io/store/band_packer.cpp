@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Creates a store's pages from the rows of a hogel image.
 #include "io/store/band_packer.h"
 
 #include <algorithm>

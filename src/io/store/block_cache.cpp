@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cache of a store's decoded blocks, limited in bytes.
 #include "io/store/block_cache.h"
 
 namespace hogelscope {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A store, of which only the requested blocks are read.
 #include "io/store/light_field_store.h"
 
 #include <algorithm>
@@ -185,7 +184,7 @@ void LightFieldStore::blocks(std::span<const BlockIndex> wanted, const BlockUse&
   std::vector<Reader> readers;
   while (readers.size() < std::clamp<std::size_t>(pieces, 1, std::size_t(m_threads)))
     readers.emplace_back(m_file);
-  hearStop(progress);  // the other threads may have left no blocks for this one
+  throwIfCancelled(progress);  // the other threads may have left no blocks for this one
   sideBySide(pieces, int(readers.size()), [&](std::size_t k, std::size_t worker) {
     if (worker == 0) reportProgress(progress, double(k) / double(pieces));
     const std::size_t end = std::min((k + 1) * piece, wanted.size());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The metadata of a store, as JSON.
 #include "io/store/store_header.h"
 
 #include <algorithm>

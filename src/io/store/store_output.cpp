@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of a store to disk.
 #include "io/store/store_output.h"
 
 #include <fcntl.h>
@@ -23,7 +22,7 @@ fs::path partOf(const fs::path& file) {
     throw InputError(file.string(), "cannot be written", "it is there, and is not a file");
   fs::path part = file;
   part += ".part";
-  requireOurs(part, tiffHeader().substr(0, firstLinkAt));
+  requireOwnFile(part, tiffHeader().substr(0, firstLinkAt));
   return part;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Packs a light field of any layout into a store.
 #include "io/store/store_writer.h"
 
 #include <strings.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gathering and compression of a store's tiles.
 #include "io/store/tile_codec.h"
 
 #include <zstd.h>

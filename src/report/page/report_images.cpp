@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of the report's page.
 #include "report/page/report_images.h"
 
 #include <cmath>

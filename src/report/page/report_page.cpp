@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report as a self-contained page.
 #include "report/page/report_page.h"
 
 #include "core/base/text.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of the report's page, except the means.
 #include "report/page/report_tables.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The summary as text.
 #include "report/page/summary_page.h"
 
 #include <algorithm>

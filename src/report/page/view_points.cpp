@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of a report's views in plots.
 #include "report/page/view_points.h"
 
 #include <algorithm>

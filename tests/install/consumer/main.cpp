@@ -10,7 +10,7 @@
 #include <hogelscope/core/engine/renderer.h>
 #include <hogelscope/io/documents/session_file.h>
 #include <hogelscope/io/images/image_writer.h>
-#include <hogelscope/io/scene/scene.h>
+#include <hogelscope/io/scene/view_source.h>
 
 namespace {
 
@@ -26,7 +26,7 @@ bool isEqual(const hogelscope::Image& image, vtkImageData* output) {
 
 int run(const char* file, const std::string& name, const char* picture) {
   const hogelscope::Session session = hogelscope::loadSession(file);
-  const hogelscope::Scene scene = hogelscope::loadScene(session, {});
+  const hogelscope::ViewSource scene = hogelscope::loadViewSource(session, {});
   for (const hogelscope::CameraState& state : session.cameras) {
     if (state.camera.name != name) continue;
     hogelscope::Renderer renderer;

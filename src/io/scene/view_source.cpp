@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens light fields, and makes the views of a session's states.
-#include "io/scene/scene.h"
+#include "io/scene/view_source.h"
 
 #include <array>
 
@@ -26,7 +25,7 @@ std::unique_ptr<LightFieldFile> openLive(const LightFieldParams& params,
 }
 
 const LayoutType packLayout{.open = openStore, .holder = Holder::store};
-const LayoutType liveLayout{.open = openLive, .holder = Holder::scene};
+const LayoutType liveLayout{.open = openLive, .holder = Holder::source};
 
 }  // namespace
 
@@ -39,13 +38,13 @@ const LayoutType& typeOf(Layout layout) {
 
 Holder holderOf(const std::string& file) {
   if (isFolder(file) || isViewSequence(file)) return Holder::views;
-  if (isMeshFile(file)) return Holder::scene;
+  if (isMeshFile(file)) return Holder::source;
   return LightFieldStore::isStore(file) ? Holder::store : Holder::picture;
 }
 
 LightFieldParams lightFieldOf(const std::string& file) {
   const Holder holder = holderOf(file);
-  if (holder == Holder::scene) return lightFieldOfMesh(file);
+  if (holder == Holder::source) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
   if (holder == Holder::views)
@@ -84,24 +83,24 @@ bool readTheSame(const Session& a, const Session& b) {
          ours.directions == others.directions && (haveSameRays || !a.lightField.isLive());
 }
 
-Scene unloadedScene(const Session& session, const LightFieldFile& file) {
-  Scene scene{std::make_shared<const StreamedLightField>(file.size(), file.type()),
-              resolved(displayOf(session), file.size()), session.sampling, false};
-  scene.sampling.tolerance = 0;
-  return scene;
+ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file) {
+  ViewSource source{std::make_shared<const StreamedLightField>(file.size(), file.type()),
+                    resolved(displayOf(session), file.size()), session.sampling, false};
+  source.sampling.tolerance = 0;
+  return source;
 }
 
-void requireScene(const Session& session) {
+void requireLive(const Session& session) {
   if (!session.lightField.isLive()) throw InputError("lightField.layout", noIdealView);
 }
 
-Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use) {
-  return loadScene(session, *openLightField(session.lightField, session.display, progress),
-                   progress, use);
+ViewSource loadViewSource(const Session& session, const Progress& progress, const SourceUse& use) {
+  return loadViewSource(session, *openLightField(session.lightField, session.display, progress),
+                        progress, use);
 }
 
-Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
-                const SourceUse& use) {
+ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
+                          const SourceUse& use) {
   return {file.source(use, progress), resolved(displayOf(session), file.size()), session.sampling,
           false};
 }

@@ -24,7 +24,7 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const Progress& progress = {});
 
 /// The common part of the views of a session's states, read once and shared.
-struct Scene {
+struct ViewSource {
   std::shared_ptr<const LightFieldSource> lightField;
   DisplayParams display;  ///< resolved
   SamplingParams sampling;
@@ -39,15 +39,16 @@ struct Scene {
 
 /// Reads the session's light field, or opens it if it is a store that is larger than `use.memory`
 /// bytes, or a live scene. Throws InputError, or Cancelled.
-Scene loadScene(const Session& session, const Progress& progress, const SourceUse& use = {});
+ViewSource loadViewSource(const Session& session, const Progress& progress,
+                          const SourceUse& use = {});
 /// Reads a light field that is open already: `file` is the session's.
-Scene loadScene(const Session& session, LightFieldFile& file, const Progress& progress,
-                const SourceUse& use = {});
+ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
+                          const SourceUse& use = {});
 /// Throws InputError unless the session's light field is live, so that it has ideal views.
-void requireScene(const Session& session);
+void requireLive(const Session& session);
 /// Makes a scene for StreamingRenderer: the light field has no texels. The tolerance is 0, since no
 /// view can be probed before the texels have been read.
-Scene unloadedScene(const Session& session, const LightFieldFile& file);
+ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file);
 
 /// Whether both sessions read the same light field; their displays may differ otherwise. A live one
 /// is traced along the display's own rays.
