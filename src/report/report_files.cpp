@@ -161,7 +161,7 @@ void writeImages(const fs::path& folder, std::size_t test, const std::string& st
 
 ReportPanel writePanelError(const fs::path& folder, std::size_t test, const ReportRequest& request,
                             const PanelError& error, const std::vector<double>& viewErrors,
-                            const DisplayParams& display) {
+                            const PanelParams& display) {
   makeFolder(folder / "panel_error");
   const LightFieldSize& size = error.size();
   const Image hogels = hogelErrorImage(error, display);

@@ -38,7 +38,7 @@ void writeImages(const std::filesystem::path& folder, std::size_t test, const st
 /// page, scaled down like those of views.
 ReportPanel writePanelError(const std::filesystem::path& folder, std::size_t test,
                             const ReportRequest& request, const PanelError& error,
-                            const std::vector<double>& viewErrors, const DisplayParams& display);
+                            const std::vector<double>& viewErrors, const PanelParams& display);
 
 /// A view for the page: its row, its test and "worst", "median" or "best".
 struct ChosenView {

@@ -265,7 +265,7 @@ std::vector<ReportLens> certifyAll(const Session& session, const Progress& progr
 void ReportRun::writeAll() {
   m_report.summaries = summariseTests(m_report.rows, m_request.metrics, m_request.groups);
   m_report.comparisons = bdRows(m_report.summaries, m_request.metrics, m_request.groups);
-  const DisplayParams& display = m_pairs.reference().display;
+  const PanelParams& display = m_pairs.reference().display;
   ReportPage page{m_request.name,
                   m_facts.lines,
                   display,

@@ -74,7 +74,7 @@ struct Geometry {
     return slope / (2 * std::tan(field / 2));
   }
 
-  DisplayParams display;
+  PanelParams display;
   Display panel;  ///< for a plugin's lens, which exists in one precision only
   Vector<Real> eye, right{}, down{}, forward{};
 };

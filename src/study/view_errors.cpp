@@ -16,8 +16,8 @@ namespace {
 constexpr double paperDistance = 0.559;
 
 /// Returns the paper's panel with fewer hogels and lenses with an angular field of almost 180°.
-DisplayParams panel() {
-  DisplayParams display;
+PanelParams panel() {
+  PanelParams display;
   display.size = {0.5, 0.5};
   display.hogels = {64, 64};
   display.directions = {64, 64};
@@ -28,7 +28,7 @@ DisplayParams panel() {
 
 /// Returns a light field that encodes each directional pixel's number as its colour. There are 2^24
 /// of them, as many as colours.
-std::shared_ptr<const LightField> numbered(const DisplayParams& display,
+std::shared_ptr<const LightField> numbered(const PanelParams& display,
                                            const ParallelRows& parallelRows) {
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};

@@ -21,7 +21,7 @@ namespace
 class Field
 {
 public:
-  Field(const hogelscope::DisplayParams& params, int i, int j, double length)
+  Field(const hogelscope::PanelParams& params, int i, int j, double length)
     : Display(params)
     , Size(Display.size())
     , WorldFromDisplay(hogelscope::transformFromPose(params.position, params.orientation))
@@ -133,7 +133,7 @@ vtkHogelFieldSource::vtkHogelFieldSource()
   this->SetNumberOfOutputPorts(2);
 }
 
-void vtkHogelFieldSource::SetHogel(const hogelscope::DisplayParams& display, int i, int j)
+void vtkHogelFieldSource::SetHogel(const hogelscope::PanelParams& display, int i, int j)
 {
   if (this->Display == display && this->I == i && this->J == j)
   {

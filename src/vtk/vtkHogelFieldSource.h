@@ -25,7 +25,7 @@ public:
   /**
    * Set the hogel (i, j) of a display whose hogels and directions are given.
    */
-  void SetHogel(const hogelscope::DisplayParams& display, int i, int j);
+  void SetHogel(const hogelscope::PanelParams& display, int i, int j);
 
   /**
    * Get the distance from the panel to the field's end in metres. It makes the end about half as
@@ -49,7 +49,7 @@ private:
   vtkHogelFieldSource(const vtkHogelFieldSource&) = delete;
   void operator=(const vtkHogelFieldSource&) = delete;
 
-  hogelscope::DisplayParams Display;
+  hogelscope::PanelParams Display;
   int I = 0;
   int J = 0;
 };

@@ -126,7 +126,7 @@ class Recorder : public plugin::ContentSource {
 /// The mesh, the plugin's scene and a bare one of Embree, made once.
 struct Scene {
   Mesh mesh = makeMesh();
-  DisplayParams display;
+  PanelParams display;
   std::shared_ptr<mesh::MeshSource> content = std::make_shared<mesh::MeshSource>();
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene bare = rtcNewScene(device);

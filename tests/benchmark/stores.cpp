@@ -35,7 +35,7 @@ double seconds() {
 Bytes middleOf(const char* file) {
   LightFieldParams params;
   params.file = file;
-  DisplayParams display;
+  PanelParams display;
   display.hogels = {band.nx, band.ny};
   display.directions = {band.du, band.dv};
   Bytes kept(stride * band.height());

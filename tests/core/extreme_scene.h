@@ -19,8 +19,8 @@ inline double pick(Random& random, double usual, double low, double high) {
   return random.flip() ? usual : random.flip() ? low : high;
 }
 
-inline hogelscope::DisplayParams display(Random& random) {
-  hogelscope::DisplayParams display = randomDisplay(random);
+inline hogelscope::PanelParams display(Random& random) {
+  hogelscope::PanelParams display = randomDisplay(random);
   for (double& fov : display.fov) fov = pick(random, fov, 0.01, 179.9);
   if (random.flip())
     for (double& size : display.size) size = anyScale(random, 1e-6, 1e6);
@@ -105,7 +105,7 @@ struct Look {
   double extent;
 };
 
-inline double distanceOf(Random& random, const hogelscope::DisplayParams& display, Eye kind) {
+inline double distanceOf(Random& random, const hogelscope::PanelParams& display, Eye kind) {
   const auto [width, height] = display.size;
   if (kind == Eye::close) return anyScale(random, 1e-9, 1e-3);
   if (kind == Eye::distant) return anyScale(random, 1, 1e6);
@@ -121,7 +121,7 @@ inline brute::Vector along(Random& random, double descent) {
 }
 
 /// Returns a look at a point of the panel, from within its angular field.
-inline Look look(Random& random, const hogelscope::DisplayParams& display, Eye kind) {
+inline Look look(Random& random, const hogelscope::PanelParams& display, Eye kind) {
   const bool isSteep = kind == Eye::grazing;
   const auto slope = [&](double fov) {
     const double end = random.uniform(isSteep ? 0.99 : -1, 1);
@@ -148,7 +148,7 @@ inline Look look(Random& random, const hogelscope::DisplayParams& display, Eye k
 }
 
 /// Transforms a point from the display frame to the world, limited to the range of documents.
-inline hogelscope::Vec3 inWorld(const hogelscope::DisplayParams& display, const brute::Vector& p) {
+inline hogelscope::Vec3 inWorld(const hogelscope::PanelParams& display, const brute::Vector& p) {
   const brute::Vector turned = brute::times(brute::rotation(display.orientation), p);
   const auto limited = [](double metres) { return std::clamp(metres, -1e6, 1e6); };
   return {limited(turned[0] + display.position.x), limited(turned[1] + display.position.y),

@@ -50,7 +50,7 @@ class LivePlanes : public hogelscope::plugin::ContentSource {
 
 inline std::shared_ptr<hogelscope::LiveSource> liveSource(
     std::shared_ptr<const hogelscope::plugin::ContentSource> content,
-    const hogelscope::DisplayParams& display, const hogelscope::LiveParams& params = {},
+    const hogelscope::PanelParams& display, const hogelscope::LiveParams& params = {},
     hogelscope::StoredType type = hogelscope::StoredType::real) {
   return std::make_shared<hogelscope::LiveSource>(std::move(content), display, params, type,
                                                   std::size_t{1} << 30, hogelscope::serialRows);

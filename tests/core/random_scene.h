@@ -42,8 +42,8 @@ inline void fillDisplay(Random& random, RandomScene& scene) {
   fillWithNoise(random, scene);
 }
 
-inline hogelscope::DisplayParams randomDisplay(Random& random) {
-  hogelscope::DisplayParams display;
+inline hogelscope::PanelParams randomDisplay(Random& random) {
+  hogelscope::PanelParams display;
   display.position = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
   display.orientation = {random.uniform(-180, 180), random.uniform(-180, 180),
                          random.uniform(-180, 180)};
@@ -59,7 +59,7 @@ inline hogelscope::DisplayParams randomDisplay(Random& random) {
 
 /// Returns a camera that looks at a point of the panel from inside that point's angular field.
 inline hogelscope::CameraParams randomCamera(Random& random,
-                                             const hogelscope::DisplayParams& display) {
+                                             const hogelscope::PanelParams& display) {
   const auto& [width, height] = display.size;
   const auto slope = [&](double fov) {
     return random.uniform(-0.6, 0.6) * std::min(std::tan(fov / 2 * brute::degree), 1.5);

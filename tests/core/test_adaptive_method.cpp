@@ -17,7 +17,7 @@ using namespace hogelscope;
 namespace {
 
 /// The content of the sample session, where errors gather at edges.
-std::shared_ptr<const LightField> sampleContent(const DisplayParams& display) {
+std::shared_ptr<const LightField> sampleContent(const PanelParams& display) {
   const ScenePattern pattern(display);
   const LightFieldSize size{display.hogels[0], display.hogels[1], display.directions[0],
                             display.directions[1]};

@@ -182,7 +182,7 @@ void TestCameraSet::statesStandInFrontOfATurnedPanel() {
   const CameraSet set = arcSet(CameraSpread::random, 20);
   const Session made = withCameras(session, set);
   const std::vector<CameraPose> poses = posesOf(set, session.display.size);
-  const Display display(session.display);
+  const Display display(displayOf(session));
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const CameraParams& camera = made.cameras[2 + k].camera;
     QVERIFY(near(display.displayFromWorld().point(camera.eye), poses[k].eye, 2e-9));

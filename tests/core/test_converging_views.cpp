@@ -13,8 +13,8 @@ using namespace hogelscope;
 
 namespace {
 
-DisplayParams convergingDisplay() {
-  DisplayParams display;
+PanelParams convergingDisplay() {
+  PanelParams display;
   display.size = {0.4, 0.3};
   display.hogels = {36, 25};
   display.directions = {7, 5};
@@ -24,7 +24,7 @@ DisplayParams convergingDisplay() {
 }
 
 /// Looks straight ahead from where the camera of view (u, v) stood, with a pixel for each hogel.
-CameraState cameraOfView(const DisplayParams& display, int u, int v) {
+CameraState cameraOfView(const PanelParams& display, int u, int v) {
   const double distance = display.viewingDistance;
   const auto coordinate = [&](int k, int count, double fov) {
     const double part = (k + 0.5) / count - 0.5;
@@ -90,7 +90,7 @@ void TestConvergingViews::aCameraSeesItsView() {
 /// Live content: a bar behind the panel is where a pinhole at the eye projects it, for eyes at the
 /// viewing distance, nearer and farther.
 void TestConvergingViews::pointsStayTogether() {
-  DisplayParams display = convergingDisplay();
+  PanelParams display = convergingDisplay();
   display.hogels = {200, 3};
   display.directions = {400, 3};
   constexpr double depth = -0.15;

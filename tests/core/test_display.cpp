@@ -21,8 +21,8 @@ double tanDegrees(double angle) {
   return std::tan(angle * std::acos(-1.0) / 180);
 }
 
-DisplayParams smallDisplay(int lens) {
-  DisplayParams params;
+PanelParams smallDisplay(int lens) {
+  PanelParams params;
   params.size = {0.4, 0.2};
   params.hogels = {4, 2};
   params.directions = {8, 6};
@@ -150,7 +150,7 @@ void TestDisplay::outsideTheFieldIsNoHit() {
 }
 
 void TestDisplay::bordersBelongToTheNextCell() {
-  DisplayParams params = smallDisplay(rectilinear);
+  PanelParams params = smallDisplay(rectilinear);
   params.size = {1, 1};  // its borders, and the rays through them, are exact
   const Display display(params);
   const auto at = [&](double x, double y) { return display.hit({x, y, 1}, {0, 0, -1}); };
@@ -174,7 +174,7 @@ void TestDisplay::rayOfIsTheInverse() {
   QFETCH(const int, lens);
   Random random(4);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    DisplayParams params = smallDisplay(lens);
+    PanelParams params = smallDisplay(lens);
     params.size = {random.uniform(0.01, 2), random.uniform(0.01, 2)};
     params.hogels = {random.integer(1, 6), random.integer(1, 6)};
     params.directions = {random.integer(1, 6), random.integer(1, 6)};
@@ -195,7 +195,7 @@ void TestDisplay::rayOfIsTheInverse() {
 
 /// All hogels send a direction's light to one point of the plane at the viewing distance.
 void TestDisplay::fieldsCoincide() {
-  DisplayParams params = smallDisplay(rectilinear);
+  PanelParams params = smallDisplay(rectilinear);
   params.viewingDistance = 0.7;
   const Display display(params);
   const auto pointOf = [&](const TexelIndex& at) {
@@ -222,7 +222,7 @@ void TestDisplay::rayOfByHand() {
 }
 
 void TestDisplay::standsAtItsPose() {
-  DisplayParams params = smallDisplay(rectilinear);
+  PanelParams params = smallDisplay(rectilinear);
   params.position = {1, 2, 3};
   params.orientation = {0, 90, 0};  // faces +x
   const Display display(params);

@@ -22,22 +22,22 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A display whose hogels are not square, with more directions across than down.
-DisplayParams displayOf(int hogels, int directions) {
-  DisplayParams display;
+PanelParams displayOf(int hogels, int directions) {
+  PanelParams display;
   display.size = {0.5, 0.5};
   display.hogels = {hogels, hogels};
   display.directions = {directions, directions};
   return display;
 }
 
-double pitchOf(const DisplayParams& display) {
+double pitchOf(const PanelParams& display) {
   return display.size[0] / display.hogels[0];
 }
-double slopeStepOf(const DisplayParams& display) {
+double slopeStepOf(const PanelParams& display) {
   return 2 * std::tan(display.fov[0] * pi / 360) / display.directions[0];
 }
 
-std::shared_ptr<SceneContent> openScene(const DisplayParams& display) {
+std::shared_ptr<SceneContent> openScene(const PanelParams& display) {
   class Silent : public plugin::Progress {
    public:
     [[nodiscard]] bool go(double) const override { return true; }
@@ -52,7 +52,7 @@ std::shared_ptr<SceneContent> openScene(const DisplayParams& display) {
 }
 
 /// A camera on the panel's axis, all of whose image plane is the panel from distance `d`.
-CameraState cameraAt(double d, const Vec3& eye, int pixels, const DisplayParams& display) {
+CameraState cameraAt(double d, const Vec3& eye, int pixels, const PanelParams& display) {
   CameraState state;
   state.camera.eye = eye;
   state.camera.lookat = {eye.x, eye.y, 0};
@@ -61,7 +61,7 @@ CameraState cameraAt(double d, const Vec3& eye, int pixels, const DisplayParams&
   return state;
 }
 
-RenderJob jobOf(std::shared_ptr<const LightFieldSource> source, const DisplayParams& display,
+RenderJob jobOf(std::shared_ptr<const LightFieldSource> source, const PanelParams& display,
                 const CameraState& state) {
   RenderJob job;
   job.lightField = std::move(source);
@@ -183,7 +183,7 @@ void TestLiveSource::tracesWhatIsRead() {
 }
 
 void TestLiveSource::blocksAndThreadsChangeNothing() {
-  const DisplayParams display = displayOf(30, 12);
+  const PanelParams display = displayOf(30, 12);
   const LiveSource source(openScene(display), display, {8, {1, 1}, {-10, 10}}, StoredType::uint8,
                           std::size_t{1} << 30, parallelRows);
   const auto whole = wholeOf(source);
@@ -197,7 +197,7 @@ void TestLiveSource::blocksAndThreadsChangeNothing() {
 
 /// A card before a wall: which of them a texel shows, from the line's own equation.
 void TestLiveSource::occlusionIsExact() {
-  const DisplayParams display = displayOf(24, 18);
+  const PanelParams display = displayOf(24, 18);
   for (const double z : {0.11, 0.0, -0.2}) {
     const auto card = [](double x, double) { return std::abs(x - 0.013) < 0.04 ? 200.0 : -1.0; };
     const auto wall = [](double x, double y) { return 90 + 30 * (std::sin(37 * x) + y); };
@@ -221,7 +221,7 @@ void TestLiveSource::occlusionIsExact() {
 /// From the distance pitch / slope step, over a hogel's corner, every camera ray through a hogel's
 /// middle is a ray of the display: the view is the scene at every depth.
 void TestLiveSource::alignedEyeSeesTheScene() {
-  const DisplayParams display = displayOf(64, 40);
+  const PanelParams display = displayOf(64, 40);
   const double d = pitchOf(display) / slopeStepOf(display);
   const auto source = liveSource(openScene(display), display, {}, StoredType::uint8);
   RenderJob job = jobOf(source, display, cameraAt(d, {0, 0, d}, 64, display));
@@ -248,7 +248,7 @@ void TestLiveSource::errorHasItsBound_data() {
 /// rms of √((p² + z² δ²)/12).
 void TestLiveSource::errorHasItsBound() {
   QFETCH(const double, z);
-  const DisplayParams display = displayOf(256, 150);
+  const PanelParams display = displayOf(256, 150);
   const double p = pitchOf(display), step = slopeStepOf(display);
   constexpr double gain = 50;  // code values a metre
   const auto ramp = [](double x, double) { return 128 + gain * x; };
@@ -283,7 +283,7 @@ void TestLiveSource::contrastOfGratings_data() {
 void TestLiveSource::contrastOfGratings() {
   QFETCH(const double, z);
   QFETCH(const double, cycles);
-  const DisplayParams display = displayOf(256, 150);
+  const PanelParams display = displayOf(256, 150);
   const double p = pitchOf(display), step = slopeStepOf(display);
   const double frequency = cycles / std::max(p, std::abs(z) * step);
   const auto grating = [=](double x, double) {
@@ -322,7 +322,7 @@ void TestLiveSource::contrastOfGratings() {
 
 /// The mean of a plane's light over a hogel and a direction, by a brute-force lattice.
 void TestLiveSource::samplesAreTheMean() {
-  const DisplayParams display = displayOf(8, 6);
+  const PanelParams display = displayOf(8, 6);
   const Display panel(display);
   const auto light = [](double x, double y) { return 100 + 80 * x + 300 * x * y; };
   const auto content = std::make_shared<LivePlanes>(std::vector<LivePlane>{{-0.2, light}});
@@ -346,7 +346,7 @@ void TestLiveSource::samplesAreTheMean() {
 }
 
 void TestLiveSource::depthCuts() {
-  const DisplayParams display = displayOf(8, 6);
+  const PanelParams display = displayOf(8, 6);
   const auto flat = [](double value) { return [value](double, double) { return value; }; };
   const auto content = std::make_shared<LivePlanes>(
       std::vector<LivePlane>{{0.1, flat(10)}, {0, flat(20)}, {-0.1, flat(30)}});
@@ -363,7 +363,7 @@ void TestLiveSource::depthCuts() {
 
 /// A ray of the display meets content behind the eye; the eye does not.
 void TestLiveSource::contentBehindTheEye() {
-  const DisplayParams display = displayOf(32, 20);
+  const PanelParams display = displayOf(32, 20);
   const auto flat = [](double value) { return [value](double, double) { return value; }; };
   RenderJob job = jobOf(liveSource(std::make_shared<LivePlanes>(
                                        std::vector<LivePlane>{{0.9, flat(200)}, {-0.1, flat(50)}}),
@@ -409,11 +409,11 @@ void TestLiveSource::idealHasTheMaskAndTheLens() {
 }
 
 void TestLiveSource::overviewIsCoarse() {
-  const DisplayParams display = displayOf(100, 20);
+  const PanelParams display = displayOf(100, 20);
   const auto source = liveSource(openScene(display), display);
   const LightFieldSize size = source->overview()->size();
   QVERIFY((size == LightFieldSize{64, 64, 16, 16}));
-  DisplayParams coarse = display;
+  PanelParams coarse = display;
   coarse.hogels = {64, 64};
   coarse.directions = {16, 16};
   QVERIFY(source->overview()->texel({20, 40, 3, 9}) ==
@@ -422,7 +422,7 @@ void TestLiveSource::overviewIsCoarse() {
 
 /// A plugin's mistake is no black pixel.
 void TestLiveSource::lightThatIsNoNumber() {
-  const DisplayParams display = displayOf(16, 8);
+  const PanelParams display = displayOf(16, 8);
   const auto bad = [](double x, double) { return x > 0.1 ? INFINITY : 9.0; };
   RenderJob job =
       jobOf(liveSource(std::make_shared<LivePlanes>(std::vector<LivePlane>{{0, bad}}), display),
@@ -433,7 +433,7 @@ void TestLiveSource::lightThatIsNoNumber() {
 }
 
 void TestLiveSource::memoryAndStop() {
-  const DisplayParams display = displayOf(64, 40);
+  const PanelParams display = displayOf(64, 40);
   const CameraState camera = cameraAt(0.6, {0, 0, 0.6}, 200, display);
   const LiveSource small(openScene(display), display, {}, StoredType::uint8, 1000, serialRows);
   RenderJob job = jobOf({std::shared_ptr<void>(), &small}, display, camera);

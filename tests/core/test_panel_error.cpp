@@ -19,7 +19,7 @@ namespace {
 
 using Cells = std::vector<PanelError::Cell>;
 
-LightFieldSize sizeOf(const DisplayParams& display) {
+LightFieldSize sizeOf(const PanelParams& display) {
   return {display.hogels[0], display.hogels[1], display.directions[0], display.directions[1]};
 }
 
@@ -70,8 +70,8 @@ void onThreeThreads(int count, const std::function<void(int, int)>& rows) {
   for (std::thread& thread : threads) thread.join();
 }
 
-DisplayParams displayOf(std::array<int, 2> hogels, std::array<int, 2> directions) {
-  DisplayParams display;
+PanelParams displayOf(std::array<int, 2> hogels, std::array<int, 2> directions) {
+  PanelParams display;
   display.hogels = hogels;
   display.directions = directions;
   return display;
@@ -226,7 +226,7 @@ void TestPanelError::badSizes() {
 
 /// Four hogels seen of six: squares 600, 300, 150, 150 (of 1200): one holds half.
 void TestPanelError::figures() {
-  const DisplayParams display = displayOf({3, 2}, {4, 2});
+  const PanelParams display = displayOf({3, 2}, {4, 2});
   const Cells hogels{{150, 10}, {300, 100}, {}, {150, 10}, {600, 1}, {}};
   Cells directions(8, {300, 10});
   directions[3] = {301, 10};
@@ -246,7 +246,7 @@ void TestPanelError::figures() {
 }
 
 void TestPanelError::directionsAreThoseOfTheLens() {
-  DisplayParams display = displayOf({1, 1}, {4, 2});
+  PanelParams display = displayOf({1, 1}, {4, 2});
   display.lens = HogelLensModel::equiangular;
   display.fov = {80, 40};
   Cells directions(8);
@@ -258,7 +258,7 @@ void TestPanelError::directionsAreThoseOfTheLens() {
 }
 
 void TestPanelError::noError() {
-  const DisplayParams display = displayOf({2, 1}, {1, 1});
+  const PanelParams display = displayOf({2, 1}, {1, 1});
   const PanelError error(sizeOf(display), {{0, 5}, {}}, {{0, 5}});
   const PanelErrorFigures f = figuresOf(error, display);
   QCOMPARE(f.hogelShare, 0.0);
@@ -320,7 +320,7 @@ void TestPanelError::planes() {
 
 /// Row 0 is the top, every cell a block of its colour.
 void TestPanelError::pictures() {
-  const DisplayParams display = displayOf({2, 2}, {2, 2});
+  const PanelParams display = displayOf({2, 2}, {2, 2});
   const Cells cells{cell(10, 1), cell(5, 2), {}, cell(0, 3)};
   const Image image = hogelErrorImage(PanelError(sizeOf(display), cells, Cells(4)), display);
   QCOMPARE(image.width, 256);
@@ -352,7 +352,7 @@ void TestPanelError::shapes() {
   QFETCH(const int, rows);
   QFETCH(const double, height);
   QFETCH(const QSize, size);
-  DisplayParams display = displayOf({columns, rows}, {1, 1});
+  PanelParams display = displayOf({columns, rows}, {1, 1});
   display.size = {1, height};
   const Image image = hogelErrorImage(PanelError(sizeOf(display)), display);
   QCOMPARE(QSize(image.width, image.height), size);

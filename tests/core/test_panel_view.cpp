@@ -17,7 +17,7 @@ class TestPanelView : public QObject {
     int seen = 0;
     for (int k = 0; k < 200; ++k) {
       RandomScene scene = randomScene(random);
-      const DisplayParams& display = scene.job.display;
+      const PanelParams& display = scene.job.display;
       const Vec3 eye = scene.job.state.camera.eye;
       const std::array<int, 2> res{random.integer(1, 40), random.integer(1, 40)};
       const auto state = panelState(display, eye, res);
@@ -46,7 +46,7 @@ class TestPanelView : public QObject {
   void distanceIsToTheNearestPlace() {
     Random random(9);
     for (int k = 0; k < 100; ++k) {
-      const DisplayParams display = randomDisplay(random);
+      const PanelParams display = randomDisplay(random);
       const RigidTransform world = transformFromPose(display.position, display.orientation);
       const Vec3 p{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
       double least = 1e9;

@@ -11,9 +11,9 @@ using namespace hogelscope;
 
 namespace {
 
-DisplayParams display(int nx, int ny, int du, int dv,
-                      HogelLensModel lens = HogelLensModel::rectilinear) {
-  DisplayParams params;
+PanelParams display(int nx, int ny, int du, int dv,
+                    HogelLensModel lens = HogelLensModel::rectilinear) {
+  PanelParams params;
   params.size = {0.4, 0.3};
   params.hogels = {nx, ny};
   params.directions = {du, dv};
@@ -23,7 +23,7 @@ DisplayParams display(int nx, int ny, int du, int dv,
 }
 
 /// The whole hogel image.
-std::vector<std::uint8_t> imageOf(const Pattern& pattern, const DisplayParams& params) {
+std::vector<std::uint8_t> imageOf(const Pattern& pattern, const PanelParams& params) {
   const LightFieldSize size = Display(params).size();
   std::vector<std::uint8_t> image(3 * size.width() * size.height());
   for (int y = 0; y < int(size.height()); ++y)
@@ -31,7 +31,7 @@ std::vector<std::uint8_t> imageOf(const Pattern& pattern, const DisplayParams& p
   return image;
 }
 
-const std::uint8_t* at(const std::vector<std::uint8_t>& image, const DisplayParams& params, int i,
+const std::uint8_t* at(const std::vector<std::uint8_t>& image, const PanelParams& params, int i,
                        int j, int u, int v) {
   const std::size_t width = std::size_t(params.hogels[0]) * std::size_t(params.directions[0]);
   const std::size_t x = std::size_t(i) * std::size_t(params.directions[0]) + std::size_t(u);
@@ -55,7 +55,7 @@ class TestPatterns : public QObject {
 };
 
 void TestPatterns::codes() {
-  const DisplayParams params = display(5, 3, 300, 2);
+  const PanelParams params = display(5, 3, 300, 2);
   const auto directions = imageOf(*makePattern("directions", params, {}), params);
   const auto hogels = imageOf(*makePattern("hogels", params, {}), params);
   for (int i = 0; i < 5; ++i)
@@ -72,7 +72,7 @@ void TestPatterns::codes() {
 }
 
 void TestPatterns::crosstalk() {
-  const DisplayParams params = display(2, 2, 5, 2);
+  const PanelParams params = display(2, 2, 5, 2);
   const auto image = imageOf(*makePattern("crosstalk", params, {}), params);
   for (int u = 0; u < 5; ++u) {
     const std::uint8_t* c = at(image, params, 1, 1, u, 0);
@@ -84,7 +84,7 @@ void TestPatterns::crosstalk() {
 
 /// From docs/formulas.md, Display, not by its code.
 void TestPatterns::checkerboard() {
-  const DisplayParams params = display(8, 6, 10, 12);
+  const PanelParams params = display(8, 6, 10, 12);
   const double depth = -0.07;
   const auto image = imageOf(*makePattern("checkerboard", params, {depth, 0.05, 0}), params);
   int white = 0;
@@ -106,7 +106,7 @@ void TestPatterns::checkerboard() {
 
 /// At its depth the edge is where a viewer sees it from everywhere, turned by its angle.
 void TestPatterns::edge() {
-  const DisplayParams params = display(40, 30, 9, 7);
+  const PanelParams params = display(40, 30, 9, 7);
   const double angle = 10;
   const auto image = imageOf(*makePattern("edge", params, {0.1, 1, angle}), params);
   const Display geometry(params);
@@ -132,7 +132,7 @@ void TestPatterns::spheres_data() {
 /// Runs of slopes against tracing every ray.
 void TestPatterns::spheres() {
   QFETCH(int, lens);
-  const DisplayParams params = display(24, 18, 40, 30, HogelLensModel(lens));
+  const PanelParams params = display(24, 18, 40, 30, HogelLensModel(lens));
   const SpherePattern pattern(params, {});
   const auto image = imageOf(pattern, params);
   int lit = 0;

@@ -238,9 +238,9 @@ void TestSession::warnsOfCutWindows() {
 }
 
 void TestSession::resolvedTakesWhatIsLeftOut() {
-  DisplayParams display;
+  PanelParams display;
   display.size = {0.3, 0.2};
-  const DisplayParams taken = resolved(display, {4, 3, 5, 6});
+  const PanelParams taken = resolved(display, {4, 3, 5, 6});
   QVERIFY((taken.hogels == std::array{4, 3}) && (taken.directions == std::array{5, 6}));
   QVERIFY(taken.size == display.size);
   QVERIFY(resolved(taken, {4, 3, 5, 6}) == taken);
@@ -249,7 +249,7 @@ void TestSession::resolvedTakesWhatIsLeftOut() {
 }
 
 void TestSession::resolvedRefusesWhatDiffers() {
-  const DisplayParams display = goodSession().display;
+  const PanelParams display = displayOf(goodSession());
   QCOMPARE(errorOf([&] {
              resolved(display, {4, 2, 5, 6});
            }),

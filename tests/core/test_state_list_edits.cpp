@@ -114,7 +114,7 @@ class TestStates : public QObject {
 
   /// The panel's corners are in the image, its middle in the image's middle, its top on top.
   void aNewStateSeesTheWholePanel() {
-    DisplayParams display;
+    PanelParams display;
     display.position = {3, -2, 5};
     display.orientation = {20, 140, -35};
     display.size = {0.4, 0.9};

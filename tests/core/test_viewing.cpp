@@ -87,7 +87,7 @@ class TestViewing : public QObject {
   }
 
   void distances() {
-    DisplayParams display;
+    PanelParams display;
     display.position = {1, 2, 3};
     CameraState state;
     state.camera.eye = {1, 2 - 0.3, 3.4};

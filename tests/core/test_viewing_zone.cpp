@@ -10,7 +10,7 @@ using namespace hogelscope;
 namespace {
 
 /// Of n × n places of the panel, the share whose ray to the eye hits the display.
-double counted(const DisplayParams& params, const Vec3& eye, int n) {
+double counted(const PanelParams& params, const Vec3& eye, int n) {
   const Display display(params);
   const Vec3 e = display.displayFromWorld().point(eye);
   int seen = 0;
@@ -36,7 +36,7 @@ class TestViewingZone : public QObject {
     int none = 0;
     int part = 0;
     for (int k = 0; k < 400; ++k) {
-      const DisplayParams display = randomDisplay(random);
+      const PanelParams display = randomDisplay(random);
       const double size = std::max(display.size[0], display.size[1]);
       const Vec3 eye = transformFromPose(display.position, display.orientation)
                            .point({random.uniform(-2, 2) * size, random.uniform(-2, 2) * size,
@@ -51,7 +51,7 @@ class TestViewingZone : public QObject {
   }
 
   void isClosedForm() {
-    DisplayParams display;  // 0.5 m × 0.5 m, 60°
+    PanelParams display;  // 0.5 m × 0.5 m, 60°
     display.fov = {90, 90};
     QCOMPARE(shareSeenFrom(display, {0, 0, 0.25}), 1.0);
     QCOMPARE(shareSeenFrom(display, {0, 0, 0.125}), 0.25);
@@ -72,7 +72,7 @@ class TestViewingZone : public QObject {
     Random random(32);
     std::array<int, 4> points{};
     for (int k = 0; k < 400; ++k) {
-      const DisplayParams display = randomDisplay(random);
+      const PanelParams display = randomDisplay(random);
       const RigidTransform worldFromDisplay =
           transformFromPose(display.position, display.orientation);
       const double far = random.uniform(0.1, 4) * display.size[0];

@@ -10,7 +10,7 @@
 /// Writes all hogels of a display as one image, as `--generate` does.
 inline void writePattern(const std::string& pattern, const hogelscope::DisplayParams& display,
                          const std::string& file) {
-  const auto made = hogelscope::makePattern(pattern, display, {});
+  const auto made = hogelscope::makePattern(pattern, {display}, {});
   const int width = display.hogels[0] * display.directions[0];
   const int height = display.hogels[1] * display.directions[1];
   hogelscope::ImageRowWriter writer(file, width, height);

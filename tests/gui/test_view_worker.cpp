@@ -87,7 +87,7 @@ class TestViewWorker : public QObject {
 
  private:
   [[nodiscard]] ViewRequest request(const CameraState& state) const {
-    return {state, m_session.display, m_session.sampling, {}, {}};
+    return {state, displayOf(m_session), m_session.sampling, {}, {}};
   }
 
   Session m_session;

@@ -24,8 +24,8 @@ inline PictureValue hogelImage(const LightFieldSize& size) {
   };
 }
 
-inline DisplayParams displayOf(const LightFieldSize& size) {
-  DisplayParams display;
+inline PanelParams displayOf(const LightFieldSize& size) {
+  PanelParams display;
   display.hogels = {size.nx, size.ny};
   display.directions = {size.du, size.dv};
   return display;

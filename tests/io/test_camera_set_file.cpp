@@ -198,7 +198,7 @@ void TestCameraSetFile::recordings() {
 
 /// An eye at the place of view (u, v) has the direction (u, v) at every point of the panel.
 void TestCameraSetFile::viewIndices() {
-  DisplayParams params;
+  PanelParams params;
   params.hogels = {50, 40};
   params.directions = {9, 7};
   params.fov = {40, 30};

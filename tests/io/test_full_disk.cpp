@@ -56,7 +56,7 @@ void writeManyStates(const std::string& file) {
 void writeStore(const std::string& file) {
   LightFieldParams params;
   params.file = "source.png";
-  DisplayParams display;
+  PanelParams display;
   display.hogels = {15, 7};
   display.directions = {10, 10};
   const auto source = openLightField(params, display);

@@ -212,7 +212,7 @@ void TestLenslets::texelsAreTheScene() {
   LightFieldParams params = lenslets("scene.tif", "white.tif");
   params.lenslets.dark = "dark.tif";
   if (isHexagonal) params.lenslets.grid = LensletGrid::hexagonal;
-  DisplayParams display;
+  PanelParams display;
   display.directions = {directions, directions};
   const auto file = openLightField(params, display);
   const LightField lightField = file->read({});
@@ -298,7 +298,7 @@ void TestLenslets::rowsOfAHexagonalGrid() {
   params.lenslets.pitch = pitch;
   params.lenslets.rotation = 0;
   params.lenslets.origin = {36, 20};
-  DisplayParams display;
+  PanelParams display;
   display.directions = {7, 7};
   const LightField lightField = openLightField(params, display)->read({});
   QCOMPARE(lightField.type(), StoredType::real);
@@ -322,7 +322,7 @@ void TestLenslets::directionsAreBilinear() {
   params.lenslets.rotation = 20;
   params.lenslets.origin = {40.25, 12.5};
   params.lenslets.gain = 2;
-  DisplayParams display;
+  PanelParams display;
   display.hogels = {4, 3};
   display.directions = {10, 7};
   const LightField lightField = openLightField(params, display)->read({});
@@ -358,7 +358,7 @@ void TestLenslets::beyondALenslet() {
   params.lenslets.pitch = 10.3;
   params.lenslets.rotation = 12;
   params.lenslets.origin = {40, 30};
-  DisplayParams display;
+  PanelParams display;
   display.directions = {14, 13};
   const LightField lightField = openLightField(params, display)->read({});
   LensletCamera camera;
@@ -472,7 +472,7 @@ void TestLenslets::allWaysToReadAreOne() {
     exportHogels(*file, "hogels.png", {});
     LightFieldParams hogels;
     hogels.file = "hogels.png";
-    DisplayParams display;
+    PanelParams display;
     const auto [nx, ny, du, dv] = file->size();
     display.hogels = {nx, ny};
     display.directions = {du, dv};

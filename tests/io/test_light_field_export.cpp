@@ -16,8 +16,8 @@ using namespace hogelscope;
 
 namespace {
 
-DisplayParams displayOf(int du, int dv) {
-  DisplayParams display;
+PanelParams displayOf(int du, int dv) {
+  PanelParams display;
   display.hogels = {5, 4};
   display.directions = {du, dv};
   return display;
@@ -55,8 +55,7 @@ class TestLightFieldExport : public QObject {
     return m_folder->filePath(name).toStdString();
   }
   /// An image of hogels of noise.
-  std::unique_ptr<LightFieldFile> noise(const DisplayParams& display,
-                                        OIIO::TypeDesc::BASETYPE type) {
+  std::unique_ptr<LightFieldFile> noise(const PanelParams& display, OIIO::TypeDesc::BASETYPE type) {
     Random random(1);
     const QString file = m_folder->filePath(type == OIIO::TypeDesc::FLOAT ? "n.exr" : "n.png");
     writeImageFile(file, display.hogels[0] * display.directions[0],
@@ -67,7 +66,7 @@ class TestLightFieldExport : public QObject {
     return openLightField(params, display);
   }
   static std::unique_ptr<LightFieldFile> reopened(const std::string& file, Layout layout,
-                                                  const DisplayParams& display) {
+                                                  const PanelParams& display) {
     LightFieldParams params;
     params.file = file;
     params.layout = layout;
@@ -86,7 +85,7 @@ void TestLightFieldExport::readsBack_data() {
 
 void TestLightFieldExport::readsBack() {
   QFETCH(const int, type);
-  const DisplayParams display = displayOf(12, 3);
+  const PanelParams display = displayOf(12, 3);
   const auto file = noise(display, OIIO::TypeDesc::BASETYPE(type));
   const LightField whole = file->read({});
   const bool isReal = type == OIIO::TypeDesc::FLOAT;
@@ -131,7 +130,7 @@ void TestLightFieldExport::quilts_data() {
 void TestLightFieldExport::quilts() {
   QFETCH(const QString, name);
   QFETCH(const int, columns);
-  const DisplayParams display = displayOf(12, 1);
+  const PanelParams display = displayOf(12, 1);
   const auto file = noise(display, OIIO::TypeDesc::UINT8);
   const std::string quilt = path(qPrintable(name));
   QCOMPARE(quiltTilesFor(*file, quilt)[0], columns);

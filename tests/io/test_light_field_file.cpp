@@ -17,8 +17,8 @@ namespace {
 
 constexpr LightFieldSize size{4, 3, 3, 2};
 
-DisplayParams display() {
-  DisplayParams params;
+PanelParams display() {
+  PanelParams params;
   params.hogels = {size.nx, size.ny};
   params.directions = {size.du, size.dv};
   return params;
@@ -64,7 +64,7 @@ LightFieldParams quiltOf(const QString& file, int columns, int rows, bool incomi
   return params;
 }
 
-LightField read(const LightFieldParams& params, const DisplayParams& given = display()) {
+LightField read(const LightFieldParams& params, const PanelParams& given = display()) {
   return openLightField(params, given)->read({});
 }
 
@@ -162,7 +162,7 @@ void TestLightFieldFile::grey() {
 void TestLightFieldFile::jpeg() {
   const auto smooth = [](int x, int y, int c) { return float(x + y + 40 * c) / 255; };
   writeImageFile("smooth.jpg", 64, 48, smooth);
-  DisplayParams large;
+  PanelParams large;
   large.hogels = {16, 12};
   large.directions = {4, 4};
   const auto expected = [](const TexelIndex& at) {
@@ -254,7 +254,7 @@ void TestLightFieldFile::mosaics() {
                    const int v = isUp ? size.dv - 1 - y / size.ny : y / size.ny;
                    return channelOf(colourOf({x % size.nx, y % size.ny, u, v}), channel);
                  });
-  DisplayParams display;
+  PanelParams display;
   display.directions = {size.du, size.dv};
   const LightField lightField = read(params, display);
   QVERIFY(lightField.size() == size);
@@ -310,7 +310,7 @@ void TestLightFieldFile::displayTakesTheFilesSize() {
 
 void TestLightFieldFile::canBeStopped() {
   writeImageFile("large.png", 300, 200, [](int, int, int) { return 0.5F; });
-  DisplayParams large;
+  PanelParams large;
   large.hogels = {30, 20};
   large.directions = {10, 10};
   const auto file = openLightField(paramsOf("large.png"), large);

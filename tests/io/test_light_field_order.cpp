@@ -341,7 +341,7 @@ class TestLightFieldOrder : public QObject {
       });
       LightFieldParams params;
       params.file = "h.png";
-      DisplayParams display;
+      PanelParams display;
       display.hogels = {240, 180};
       display.directions = {5, 3};
       const LightFieldOrder order = findLightFieldOrder(params, display);

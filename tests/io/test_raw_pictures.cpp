@@ -213,7 +213,7 @@ void TestRawPictures::pgxAsHogels() {
   writeFile("hogels.pgx", component(0, 0, 0));
   LightFieldParams params;
   params.file = "hogels.pgx";
-  DisplayParams display;
+  PanelParams display;
   display.hogels = {5, 2};
   display.directions = {1, 2};
   const auto file = openLightField(params, display);

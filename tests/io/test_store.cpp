@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t plenty = std::size_t{1} << 30;
 
 /// Packs it as store.tif and returns the light field that it was.
-LightField packed(const LightFieldParams& params, const DisplayParams& display,
+LightField packed(const LightFieldParams& params, const PanelParams& display,
                   std::size_t memory = plenty) {
   const auto file = openLightField(params, display);
   const PackPlan plan = planPack(params, *file, display, memory);
@@ -352,7 +352,7 @@ void TestStore::sizeIsForetold() {
 void TestStore::displayIsKept() {
   constexpr LightFieldSize size{10, 9, 11, 7};
   writeImageFile("a.png", int(size.width()), int(size.height()), hogelImage(size));
-  DisplayParams display = displayOf(size);
+  PanelParams display = displayOf(size);
   display.fov = {47, 31};
   display.size = {0.3, 0.2};
   display.position = {1, 2, 3};
@@ -365,7 +365,7 @@ void TestStore::displayIsKept() {
   QCOMPARE(around.lightField.viewingDistance, 0.75);
   display.viewingDistance = 0.75;
   QVERIFY(LightFieldStore("store.tif").header().display == display);
-  DisplayParams other;
+  PanelParams other;
   other.hogels = {10, 8};
   QVERIFY_EXCEPTION_THROWN((void)openLightField(paramsOf("store.tif", Layout::pack), other),
                            InputError);
@@ -413,12 +413,12 @@ void TestStore::pageNames() {
 void TestStore::contentHash() {
   constexpr LightFieldSize size{19, 17, 20, 19};
   PictureValue image = hogelImage(size);
-  const auto hashOf = [&](const char* name, const DisplayParams& display) {
+  const auto hashOf = [&](const char* name, const PanelParams& display) {
     writeImageFile(name, int(size.width()), int(size.height()), image);
     (void)packed(paramsOf(name), display);
     return LightFieldStore("store.tif").contentHash();
   };
-  DisplayParams display = displayOf(size);
+  PanelParams display = displayOf(size);
   const std::string hash = hashOf("a.png", display);
   QCOMPARE(hash.size(), std::size_t(32));
   display.size[0] *= 2;

@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t plenty = std::size_t{1} << 30;
 constexpr LightFieldSize size{20, 40, 17, 18};
 
-DisplayParams display() {
-  DisplayParams params;
+PanelParams display() {
+  PanelParams params;
   params.hogels = {size.nx, size.ny};
   params.directions = {size.du, size.dv};
   return params;

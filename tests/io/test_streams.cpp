@@ -108,7 +108,7 @@ void TestStreams::anyMemory() {
   QFETCH(LightFieldParams, params);
   QFETCH(std::size_t, memory);
   const auto file =
-      openLightField(params, params.layout == Layout::quilt ? DisplayParams{} : displayOf(size));
+      openLightField(params, params.layout == Layout::quilt ? PanelParams{} : displayOf(size));
   const LightField whole = file->read({});
   allowMemory(memory);
   QCOMPARE(firstDifference(streamed(*file), whole), QString());

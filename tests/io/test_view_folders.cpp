@@ -173,7 +173,7 @@ void TestViewFolders::otherFilesAreLeftAlone() {
 /// One running number: row by row; a square, unless the display says otherwise.
 void TestViewFolders::numbersOfAnyGrid() {
   for (int k = 0; k < 6; ++k) writeView(QString("v/im%1.png").arg(k), k / 3, k % 3);
-  DisplayParams display;
+  PanelParams display;
   display.directions = {3, 2};
   LightFieldParams params = viewsIn("v/im%d.png");
   QCOMPARE(firstWrong(openLightField(params, display)->read({}), inPlace), QString());

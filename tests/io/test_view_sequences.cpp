@@ -108,7 +108,7 @@ std::unique_ptr<LightFieldFile> open(const char* file, const LightFieldParams& p
   LightFieldParams used = params;
   used.file = file;
   used.layout = lightFieldOf(file).layout;
-  DisplayParams display;
+  PanelParams display;
   display.directions = directions;
   return openLightField(used, display);
 }

@@ -38,9 +38,9 @@ QByteArray evenTable(double fov) {
   return table;
 }
 
-DisplayParams displayWith(const QByteArray& table, std::array<double, 2> fov) {
+PanelParams displayWith(const QByteArray& table, std::array<double, 2> fov) {
   writeFile("lens.csv", table);
-  DisplayParams display;
+  PanelParams display;
   display.fov = fov;
   display.lens = HogelLensModel::plugin;
   display.lensSource = "measured-lens";
@@ -121,7 +121,7 @@ void TestMeasuredLens::evenInAngle() {
     job.display.fov = {fov, fov};
     job.display.lens = HogelLensModel::equiangular;
     const Image expected = rendered(job);
-    DisplayParams measured = displayWith(evenTable(fov), {fov, fov});
+    PanelParams measured = displayWith(evenTable(fov), {fov, fov});
     job.display.lens = measured.lens;
     job.display.lensSource = measured.lensSource;
     job.display.lensParams = measured.lensParams;
@@ -136,7 +136,7 @@ void TestMeasuredLens::evenInAngle() {
 /// The fast engine against the reference engine, with a tilted lens.
 void TestMeasuredLens::enginesAgree() {
   Random random(12);
-  const DisplayParams measured = displayWith(tilted, {58, 58});
+  const PanelParams measured = displayWith(tilted, {58, 58});
   for (int repeat = 0; repeat < 40; ++repeat) {
     RandomScene scene = randomScene(random);
     RenderJob& job = scene.job;
@@ -155,7 +155,7 @@ void TestMeasuredLens::enginesAgree() {
 /// Of one field, but with tables of their own.
 void TestMeasuredLens::axes() {
   writeFile("down.csv", "direction,angle\n-0.5,-20\n0,-4\n0.5,38\n");
-  DisplayParams display = displayWith(tilted, {58, 58});
+  PanelParams display = displayWith(tilted, {58, 58});
   display.lensParams.set("fileDown", std::string("down.csv"));
   display.hogels = display.directions = {10, 10};
   const Display shown(display);
@@ -167,7 +167,7 @@ void TestMeasuredLens::axes() {
 }
 
 void TestMeasuredLens::withoutTable() {
-  DisplayParams display = displayWith(tilted, {70, 40});
+  PanelParams display = displayWith(tilted, {70, 40});
   display.lensParams.set("file", std::string());
   const auto rectilinear = makeHogelLens(HogelLensModel::rectilinear, 40);
   const auto lens = lensOf(display, 1);
@@ -179,7 +179,7 @@ void TestMeasuredLens::withoutTable() {
 
 /// Nobody writes into it, so that reading would not end.
 void TestMeasuredLens::aPipeIsNoTable() {
-  DisplayParams display = displayWith(tilted, {58, 58});
+  PanelParams display = displayWith(tilted, {58, 58});
   QCOMPARE(::mkfifo("pipe.csv", 0600), 0);
   display.lensParams.set("file", std::string("pipe.csv"));
   QVERIFY(errorOf([&] { (void)lensOf(display, 0); }).contains("pipe.csv: cannot be read"));
@@ -187,7 +187,7 @@ void TestMeasuredLens::aPipeIsNoTable() {
 
 /// A lens that looks to one side lights other points than one that looks straight ahead.
 void TestMeasuredLens::viewingZone() {
-  DisplayParams display = displayWith("direction,angle\n-0.5,10\n0.5,50\n", {40, 40});
+  PanelParams display = displayWith("direction,angle\n-0.5,10\n0.5,50\n", {40, 40});
   display.size = {0.01, 0.01};
   const double middle = std::tan(30 * perDegree);
   QVERIFY(shareSeenFrom(display, {middle, middle, 1}) == 1);
@@ -196,11 +196,11 @@ void TestMeasuredLens::viewingZone() {
 }
 
 void TestMeasuredLens::isReadOnce() {
-  const DisplayParams display = displayWith(tilted, {58, 58});
+  const PanelParams display = displayWith(tilted, {58, 58});
   const auto before = lensOf(display, 0);
   writeFile("lens.csv", "direction,angle\n-0.5,-29\n0.5,29\n");
   QCOMPARE(lensOf(display, 0), before);
-  const DisplayParams copy = display;
+  const PanelParams copy = display;
   QCOMPARE(lensOf(copy, 0), before);
   QVERIFY(lensOf(displayWith(tilted, {58, 58}), 0) != before);
 }
@@ -284,7 +284,7 @@ void TestMeasuredLens::mistakes_data() {
 void TestMeasuredLens::mistakes() {
   QFETCH(QByteArray, table);
   QFETCH(QByteArray, message);
-  const DisplayParams display = displayWith(table, {58, 58});
+  const PanelParams display = displayWith(table, {58, 58});
   const QByteArray wanted = "plugin measured-lens: lens.csv: " + message;
   try {
     (void)lensOf(display, 0);

@@ -26,8 +26,8 @@ ReportRow blind(const std::string& state) {
   return {state, "t.png", MetricSet().noValues(), {0, 0, -1}, 1, "sees <nothing>"};
 }
 
-DisplayParams displayOf() {
-  DisplayParams display;
+PanelParams displayOf() {
+  PanelParams display;
   display.hogels = {16, 12};
   display.directions = {8, 6};
   return display;

@@ -72,8 +72,8 @@ ReportRow blind(const std::string& state, const Vec3& eye) {
   return {state, "t.png", MetricSet().noValues(), eye, 1, "sees nothing"};
 }
 
-DisplayParams displayOf(double width = 0.5, double height = 0.5) {
-  DisplayParams display;
+PanelParams displayOf(double width = 0.5, double height = 0.5) {
+  PanelParams display;
   display.size = {width, height};
   display.hogels = display.directions = {4, 4};
   return display;
@@ -142,7 +142,7 @@ void TestReportPlots::circlesFollowTheEyes() {
 
 /// A display that stands elsewhere and looks along the world's +x.
 void TestReportPlots::displayFrame() {
-  DisplayParams display = displayOf();
+  PanelParams display = displayOf();
   display.position = {1, 2, 3};
   display.orientation = {0, 90, 0};
   const auto map = drawingsOf(cameraMaps({row("a", {1.6, 2.1, 3}, 30)}, display))[0];

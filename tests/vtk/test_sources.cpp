@@ -38,7 +38,7 @@ class TestSources : public QObject {
 
  private Q_SLOTS:
   void panelStandsAtItsPose() {
-    DisplayParams display;
+    PanelParams display;
     display.position = {1, 2, 3};
     display.orientation = {0, 90, 0};  // its right is now the world's -z
     display.size = {0.4, 0.2};
@@ -53,7 +53,7 @@ class TestSources : public QObject {
   }
 
   void gridThinsOut() {
-    DisplayParams display;  // 0.5 m × 0.5 m
+    PanelParams display;  // 0.5 m × 0.5 m
     display.hogels = {512, 3};
     const vtkNew<vtkHogelDisplaySource> source;
     source->SetDisplay(display);
@@ -133,7 +133,7 @@ class TestSources : public QObject {
 
   void hogelFieldIsWhereItsDirectionsGo() {
     for (const HogelLensModel lens : {HogelLensModel::rectilinear, HogelLensModel::equiangular}) {
-      DisplayParams display;
+      PanelParams display;
       display.position = {0.3, -0.2, 1};
       display.orientation = {20, 30, 40};
       display.size = {0.4, 0.2};
@@ -169,7 +169,7 @@ class TestSources : public QObject {
 
   void scaleBarIsRound() {
     const vtkNew<vtkScaleBarSource> source;
-    DisplayParams display;
+    PanelParams display;
     const std::array<std::array<double, 2>, 6> lengths{
         {{0.5, 0.2}, {0.2, 0.1}, {0.19, 0.05}, {1, 0.5}, {7, 2}, {0.003, 0.001}}};
     for (const auto& [width, length] : lengths) {

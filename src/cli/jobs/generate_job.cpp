@@ -118,7 +118,7 @@ void writeBands(const Pattern& pattern, const LightFieldSize& size, const Degrad
 /// Returns the display of a document, whose light field need not exist yet, or of a new session for
 /// a folder, an image or a mesh, with its hogel and direction counts. Adds the files read to
 /// `inputs`.
-DisplayParams displayToFill(const CommandLine& line, std::vector<fs::path>& inputs) {
+PanelParams displayToFill(const CommandLine& line, std::vector<fs::path>& inputs) {
   if (isSessionDocument(line.text("session")))
     return displayOf(loadSession(line.text("session"), line.texts("set")));
   const Session session = loadSessionOf(line);
@@ -131,7 +131,7 @@ DisplayParams displayToFill(const CommandLine& line, std::vector<fs::path>& inpu
 
 int runGenerate(const CommandLine& line) {
   std::vector<fs::path> inputs{line.subject, line.text("session")};
-  const DisplayParams display = displayToFill(line, inputs);
+  const PanelParams display = displayToFill(line, inputs);
   const auto pattern = makePattern(line.subject, display, patternParams(line.jobOverrides));
   Degradation degradation;
   if (line.has("degrade")) degradation = parseDegradation(line.text("degrade"));

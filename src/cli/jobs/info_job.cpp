@@ -32,7 +32,7 @@ std::string typeName(StoredType type, int bits) {
 }
 
 LightFieldSize sizeOf(const Session& session) {
-  return session.lightField.isLive() ? Display(session.display).size()
+  return session.lightField.isLive() ? Display(displayOf(session)).size()
                                      : openLightField(session.lightField, session.display)->size();
 }
 

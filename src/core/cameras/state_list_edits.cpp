@@ -30,7 +30,7 @@ std::string freeName(const Session& session, const std::string& wanted) {
   return name;
 }
 
-CameraState inFrontOf(const DisplayParams& display) {
+CameraState inFrontOf(const PanelParams& display) {
   // The distance of the paper's camera in units of its panel, or that of the views' cameras.
   const double longer = std::max(display.size[0], display.size[1]);
   const bool isConverging = display.viewingDistance > 0;

@@ -10,7 +10,7 @@ namespace hogelscope {
 std::string freeName(const Session& session, const std::string& wanted);
 
 /// Returns a state named "View" on the panel's axis, where the panel fills most of the image.
-CameraState inFrontOf(const DisplayParams& display);
+CameraState inFrontOf(const PanelParams& display);
 
 /// Appends a state, under a free name. Returns its index.
 std::size_t addState(Session& session, CameraState state);

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<const char*, 4> edgeNames{"left", "right", "upper", "lower"};
 
 /// Returns points of an edge, from end to end.
-std::vector<Vec2> pointsOf(std::size_t edge, const DisplayParams& display) {
+std::vector<Vec2> pointsOf(std::size_t edge, const PanelParams& display) {
   constexpr int most = 256;
   const bool isUpright = edge < 2;
   const double half = display.size[isUpright ? 0 : 1] / 2 * (edge == 0 || edge == 3 ? -1 : 1);
@@ -27,7 +27,7 @@ std::vector<Vec2> pointsOf(std::size_t edge, const DisplayParams& display) {
 
 }  // namespace
 
-std::string cutWarning(const plugin::ContentSource& content, const DisplayParams& display,
+std::string cutWarning(const plugin::ContentSource& content, const PanelParams& display,
                        const CameraState& state) {
   const Vec3 eye = Display(display).displayFromWorld().point(state.camera.eye);
   double back = 0;

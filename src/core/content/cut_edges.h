@@ -13,7 +13,7 @@ namespace hogelscope {
 /// Returns a line that names the edges of the panel at which a state's eye sees content in front of
 /// it cut, since no hogel is behind it there. Returns "" if there are none, the eye is not in front
 /// of the panel, or the content does not know its depths.
-std::string cutWarning(const plugin::ContentSource& content, const DisplayParams& display,
+std::string cutWarning(const plugin::ContentSource& content, const PanelParams& display,
                        const CameraState& state);
 
 }  // namespace hogelscope

@@ -62,7 +62,7 @@ void requireFinite(const std::vector<plugin::Colour>& colours) {
 }  // namespace
 
 LiveSource::LiveSource(std::shared_ptr<const plugin::ContentSource> content,
-                       const DisplayParams& display, const LiveParams& params, StoredType type,
+                       const PanelParams& display, const LiveParams& params, StoredType type,
                        std::size_t memory, ParallelRows rows)
     : m_content(std::move(content)),
       m_params(display),
@@ -219,7 +219,7 @@ std::shared_ptr<const LightField> LiveSource::slice(const ViewReads& reads,
 
 std::shared_ptr<const LightField> LiveSource::overview() const {
   std::call_once(m_overviewIsTraced, [this] {
-    DisplayParams coarse = m_params;
+    PanelParams coarse = m_params;
     for (int& count : coarse.hogels) count = std::min(count, 64);
     for (int& count : coarse.directions) count = std::min(count, 16);
     LiveParams quick = m_live;

@@ -20,7 +20,7 @@ class LiveSource : public LightFieldSource {
  public:
   /// `display` must have its hogels and directions, and `content` must be open for it. slice()
   /// allocates at most `memory` bytes for texels.
-  LiveSource(std::shared_ptr<const plugin::ContentSource> content, const DisplayParams& display,
+  LiveSource(std::shared_ptr<const plugin::ContentSource> content, const PanelParams& display,
              const LiveParams& params, StoredType type, std::size_t memory,
              ParallelRows rows = parallelRows);
 
@@ -52,7 +52,7 @@ class LiveSource : public LightFieldSource {
   void traceTexels(Work& work, std::size_t texelCount, LightField& texels) const;
 
   std::shared_ptr<const plugin::ContentSource> m_content;
-  DisplayParams m_params;
+  PanelParams m_params;
   LiveParams m_live;
   Display m_display;
   StoredType m_type;

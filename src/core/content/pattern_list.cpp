@@ -15,20 +15,20 @@ namespace {
 using Made = std::unique_ptr<Pattern>;
 
 template <CodePattern::Kind kind>
-Made codes(const DisplayParams& display, const PatternParams&) {
+Made codes(const PanelParams& display, const PatternParams&) {
   return std::make_unique<CodePattern>(display, kind);
 }
 
 template <PlanePattern::Kind kind>
-Made plane(const DisplayParams& display, const PatternParams& params) {
+Made plane(const PanelParams& display, const PatternParams& params) {
   return std::make_unique<PlanePattern>(display, params, kind);
 }
 
-Made scene(const DisplayParams& display, const PatternParams&) {
+Made scene(const PanelParams& display, const PatternParams&) {
   return std::make_unique<ScenePattern>(display);
 }
 
-Made spheres(const DisplayParams& display, const PatternParams& params) {
+Made spheres(const PanelParams& display, const PatternParams& params) {
   return std::make_unique<SpherePattern>(display, params);
 }
 
@@ -50,7 +50,7 @@ const std::vector<NamedPattern>& patterns() {
   return list;
 }
 
-std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParams& display,
+std::unique_ptr<Pattern> makePattern(const std::string& name, const PanelParams& display,
                                      const PatternParams& params) {
   if (display.hogels[0] < 1 || display.directions[0] < 1)
     throw InputError("display.hogels", "and directions are needed to make content");

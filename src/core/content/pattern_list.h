@@ -14,14 +14,14 @@ namespace hogelscope {
 struct NamedPattern {
   std::string_view name;
   std::string_view help;  ///< a description of the content
-  std::unique_ptr<Pattern> (*make)(const DisplayParams& display, const PatternParams& params);
+  std::unique_ptr<Pattern> (*make)(const PanelParams& display, const PatternParams& params);
 };
 
 const std::vector<NamedPattern>& patterns();
 
 /// Makes a pattern. Throws InputError for an unknown name, or a display without hogels or
 /// directions.
-std::unique_ptr<Pattern> makePattern(const std::string& name, const DisplayParams& display,
+std::unique_ptr<Pattern> makePattern(const std::string& name, const PanelParams& display,
                                      const PatternParams& params);
 
 }  // namespace hogelscope

@@ -20,7 +20,7 @@ void putCode(int a, int b, std::uint8_t* rgb) {
 
 }  // namespace
 
-CodePattern::CodePattern(const DisplayParams& display, Kind kind)
+CodePattern::CodePattern(const PanelParams& display, Kind kind)
     : m_size(Display(display).size()), m_kind(kind) {
   const bool isOfHogels = kind == hogels;
   const int largest = isOfHogels ? std::max(m_size.nx, m_size.ny) : std::max(m_size.du, m_size.dv);
@@ -46,7 +46,7 @@ void CodePattern::row(int y, std::uint8_t* rgb) const {
   }
 }
 
-PlanePattern::PlanePattern(const DisplayParams& display, const PatternParams& params, Kind kind)
+PlanePattern::PlanePattern(const PanelParams& display, const PatternParams& params, Kind kind)
     : m_display(display),
       m_params(params),
       m_kind(kind),

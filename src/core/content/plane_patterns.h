@@ -14,7 +14,7 @@ class CodePattern : public Pattern {
   enum Kind { directions, hogels, sides };  ///< sides: red (255, 0, 0) if u < du/2, else blue
 
   /// Throws InputError if an index does not fit.
-  CodePattern(const DisplayParams& display, Kind kind);
+  CodePattern(const PanelParams& display, Kind kind);
   void row(int y, std::uint8_t* rgb) const override;
 
  private:
@@ -29,7 +29,7 @@ class PlanePattern : public Pattern {
  public:
   enum Kind { checkerboard, edge };
 
-  PlanePattern(const DisplayParams& display, const PatternParams& params, Kind kind);
+  PlanePattern(const PanelParams& display, const PatternParams& params, Kind kind);
   void row(int y, std::uint8_t* rgb) const override;
 
  private:

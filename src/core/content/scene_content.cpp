@@ -10,7 +10,7 @@ void SceneContent::describe(ParameterVisitor& v) {
 
 void SceneContent::open(const plugin::Panel& panel, const plugin::Place& /*place*/,
                         const plugin::Progress& /*progress*/) {
-  DisplayParams display;
+  PanelParams display;
   display.size = {panel.size[0], panel.size[1]};
   display.hogels = {panel.hogels[0], panel.hogels[1]};
   display.directions = {panel.directions[0], panel.directions[1]};

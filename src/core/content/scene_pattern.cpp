@@ -116,7 +116,7 @@ Rgb wall(double x, double y) {
 
 }  // namespace
 
-ScenePattern::ScenePattern(const DisplayParams& display)
+ScenePattern::ScenePattern(const PanelParams& display)
     : m_display(display),
       m_scale(std::min(display.size[0], display.size[1]) / 2),
       m_hogelPitch{display.size[0] / display.hogels[0], display.size[1] / display.hogels[1]} {}

@@ -14,7 +14,7 @@ namespace hogelscope {
 /// side.
 class ScenePattern : public Pattern {
  public:
-  explicit ScenePattern(const DisplayParams& display);
+  explicit ScenePattern(const PanelParams& display);
 
   void row(int y, std::uint8_t* rgb) const override;
 

@@ -43,7 +43,7 @@ struct SpherePattern::Hogel {
   double turn;    ///< subtracted from slopes across, since hogels converge
 };
 
-SpherePattern::SpherePattern(const DisplayParams& display, const PatternParams& params)
+SpherePattern::SpherePattern(const PanelParams& display, const PatternParams& params)
     : m_display(display), m_square(params.period / 2) {
   const double s = std::min(display.size[0], display.size[1]) / 2;
   m_things = {Plane{{-0.5 * s, 0.45 * s, -0.8 * s}, {0.35 * s, 0.25 * s}, {120, 170, 230}},

@@ -15,7 +15,7 @@ namespace hogelscope {
 
 class SpherePattern : public Pattern {
  public:
-  SpherePattern(const DisplayParams& display, const PatternParams& params);
+  SpherePattern(const PanelParams& display, const PatternParams& params);
   void row(int y, std::uint8_t* rgb) const override;
 
   /// Returns the colour of one pixel by tracing its ray, for tests.

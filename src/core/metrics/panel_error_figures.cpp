@@ -114,7 +114,7 @@ double scaleEnd(const Cells& cells, int perCode) {
   return scaleEndOf(meansOf(cells, perCode));
 }
 
-PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display) {
+PanelErrorFigures figuresOf(const PanelError& error, const PanelParams& display) {
   PanelErrorFigures figures;
   figures.hogelScale = scaleEnd(error.hogels(), error.perCode());
   figures.directionScale = scaleEnd(error.directions(), error.perCode());
@@ -150,15 +150,15 @@ std::vector<float> pixelCounts(const Cells& cells) {
   return plane;
 }
 
-Image hogelErrorImage(const PanelError& error, const DisplayParams& display) {
+Image hogelErrorImage(const PanelError& error, const PanelParams& display) {
   return picture(sharesOf(error.hogels(), error.perCode()), display.hogels, display.size);
 }
 
-Image directionErrorImage(const PanelError& error, const DisplayParams& display) {
+Image directionErrorImage(const PanelError& error, const PanelParams& display) {
   return directionImage(sharesOf(error.directions(), error.perCode()), display);
 }
 
-Image directionImage(const std::vector<double>& shares, const DisplayParams& display) {
+Image directionImage(const std::vector<double>& shares, const PanelParams& display) {
   return picture(shares, display.directions, display.fov);
 }
 

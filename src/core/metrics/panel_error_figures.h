@@ -23,7 +23,7 @@ struct PanelErrorFigures {
   Vec2 direction;  ///< the costliest one, in degrees to the right and up as the light leaves
 };
 
-PanelErrorFigures figuresOf(const PanelError& error, const DisplayParams& display);
+PanelErrorFigures figuresOf(const PanelError& error, const PanelParams& display);
 
 /// Returns one sentence.
 std::string panelErrorText(const PanelErrorFigures& figures);
@@ -44,9 +44,9 @@ double scaleEndOf(std::vector<double> means);
 /// Returns false colours of the mean squared errors from 0 to the figures' scales, grey without
 /// pixels. Each cell is a block of pixels, so that the longer side of a small panel has at least
 /// 256, in the shape of the panel or of the angular field.
-Image hogelErrorImage(const PanelError& error, const DisplayParams& display);
-Image directionErrorImage(const PanelError& error, const DisplayParams& display);
+Image hogelErrorImage(const PanelError& error, const PanelParams& display);
+Image directionErrorImage(const PanelError& error, const PanelParams& display);
 /// Returns the same blocks for colours given as shares 0 … 1 of each direction; grey for NaN.
-Image directionImage(const std::vector<double>& shares, const DisplayParams& display);
+Image directionImage(const std::vector<double>& shares, const PanelParams& display);
 
 }  // namespace hogelscope

@@ -105,13 +105,11 @@ std::vector<std::string> warnings(const Session& session) {
   return lines;
 }
 
-DisplayParams displayOf(const Session& session) {
-  DisplayParams display = session.display;
-  display.viewingDistance = session.lightField.viewingDistance;
-  return display;
+PanelParams displayOf(const Session& session) {
+  return {session.display, session.lightField.viewingDistance};
 }
 
-DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile) {
+PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile) {
   const auto agree = [](std::array<int, 2> given, std::array<int, 2> found, const char* what) {
     if (given[0] > 0 && given != found) {
       const auto text = [](std::array<int, 2> n) {
@@ -122,7 +120,7 @@ DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromF
     }
     return found;
   };
-  DisplayParams result = display;
+  PanelParams result = display;
   result.hogels = agree(display.hogels, {fromFile.nx, fromFile.ny}, "display.hogels");
   result.directions = agree(display.directions, {fromFile.du, fromFile.dv}, "display.directions");
   return result;

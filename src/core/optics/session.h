@@ -44,9 +44,9 @@ std::vector<std::string> warnings(const Session& session);
 
 /// Returns the display; hogels and directions that it leaves out are taken from `fromFile`. Throws
 /// InputError if both give them and differ.
-DisplayParams resolved(const DisplayParams& display, const LightFieldSize& fromFile);
+PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile);
 
 /// Returns the session's display with the viewing distance of its light field.
-DisplayParams displayOf(const Session& session);
+PanelParams displayOf(const Session& session);
 
 }  // namespace hogelscope

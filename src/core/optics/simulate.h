@@ -16,7 +16,7 @@ namespace hogelscope {
 /// Everything that one image depends on. `display` has its hogels and directions resolved.
 struct RenderJob {
   std::shared_ptr<const LightFieldSource> lightField;
-  DisplayParams display;
+  PanelParams display;
   SamplingParams sampling;
   CameraState state;
   Method method{};       ///< for the fast engine; the reference engine ignores it

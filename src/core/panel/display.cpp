@@ -15,8 +15,7 @@ bool inside(double index, int count) {
 }  // namespace
 
 void describe(ParameterVisitor& v, DisplayParams& p) {
-  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams,
-         viewingDistance] = p;
+  auto& [position, orientation, size, hogels, directions, fov, lens, lensSource, lensParams] = p;
   v.group("display", "The panel: where it stands, its hogels and their directional pixels.");
   v.field("position", position, {-1e6, 1e6, 0.01}, "m", "The panel's centre in the world.");
   v.field("orientation", orientation, {-360, 360, 1}, "°",
@@ -42,7 +41,7 @@ std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t
                                                : makeHogelLens(params.lens, fov);
 }
 
-Display::Display(const DisplayParams& params)
+Display::Display(const PanelParams& params)
     : m_params(params),
       m_size{params.hogels[0], params.hogels[1], params.directions[0], params.directions[1]},
       m_displayFromWorld(transformFromPose(params.position, params.orientation).inverse()),

@@ -24,11 +24,14 @@ struct DisplayParams {
   std::array<double, 2> fov{60, 60};
   HogelLensModel lens = HogelLensModel::rectilinear;
   std::string lensSource;  ///< the name of the lens plugin
-  LensParams lensParams;   ///< the plugin's parameters
-  /// The light field's viewing distance in metres (LightFieldParams), which displayOf() copies
-  /// here.
-  double viewingDistance = notGiven;
+  LensParams lensParams;
   bool operator==(const DisplayParams&) const = default;
+};
+
+/// The display with what its light field says of it.
+struct PanelParams : DisplayParams {
+  double viewingDistance = notGiven;  ///< LightFieldParams::viewingDistance, metres
+  bool operator==(const PanelParams&) const = default;
 };
 
 /// Visits `lensSource` only if the lens is a plugin; `lensParams` are a separate object, named
@@ -60,7 +63,7 @@ struct Hit {
 class Display {
  public:
   /// `params.hogels` and `params.directions` must be given. Throws InputError as lensOf() does.
-  explicit Display(const DisplayParams& params);
+  explicit Display(const PanelParams& params);
 
   [[nodiscard]] const LightFieldSize& size() const { return m_size; }
   [[nodiscard]] const RigidTransform& displayFromWorld() const { return m_displayFromWorld; }
@@ -98,7 +101,7 @@ class Display {
   [[nodiscard]] PanelRay rayOf(const TexelIndex& at) const;
 
  private:
-  DisplayParams m_params;
+  PanelParams m_params;
   LightFieldSize m_size;
   RigidTransform m_displayFromWorld;
   std::array<std::shared_ptr<const HogelLens>, 2> m_lenses;

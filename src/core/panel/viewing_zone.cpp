@@ -21,7 +21,7 @@ double shareWithin(double side, double at, double z, double convergence, const H
   return std::max(0.0, to - from) / side;
 }
 
-double convergenceOf(const DisplayParams& display) {
+double convergenceOf(const PanelParams& display) {
   return display.viewingDistance > 0 ? 1 / display.viewingDistance : 0;
 }
 
@@ -44,7 +44,7 @@ struct ZoneSide {
   }
 };
 
-ZoneSide sideOf(const DisplayParams& display, std::size_t axis) {
+ZoneSide sideOf(const PanelParams& display, std::size_t axis) {
   const auto lens = lensOf(display, int(axis));
   return {display.size[axis], lens->slopeOf(-0.5), lens->slopeOf(0.5), convergenceOf(display)};
 }
@@ -52,7 +52,7 @@ ZoneSide sideOf(const DisplayParams& display, std::size_t axis) {
 }  // namespace
 
 /// The two axes are independent.
-double shareSeenFrom(const DisplayParams& display, const Vec3& point) {
+double shareSeenFrom(const PanelParams& display, const Vec3& point) {
   const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(point);
   if (!(p.z > 0)) return 0;
   const double convergence = convergenceOf(display);
@@ -60,8 +60,7 @@ double shareSeenFrom(const DisplayParams& display, const Vec3& point) {
          shareWithin(display.size[1], p.y, p.z, convergence, *lensOf(display, 1));
 }
 
-std::vector<ZoneSection> sectionsOf(const DisplayParams& display, ViewingZone zone,
-                                    double farthest) {
+std::vector<ZoneSection> sectionsOf(const PanelParams& display, ViewingZone zone, double farthest) {
   const std::array sides{sideOf(display, 0), sideOf(display, 1)};
   const bool isWhole = zone == ViewingZone::wholePanel;
   double from = 0;

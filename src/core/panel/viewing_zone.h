@@ -11,7 +11,7 @@ namespace hogelscope {
 
 /// Returns the share of the panel's area, 0 … 1, that sends light to a point of the world (metres):
 /// 1 if all of the panel can be seen from there, 0 if the point is outside the viewing zone.
-double shareSeenFrom(const DisplayParams& display, const Vec3& point);
+double shareSeenFrom(const PanelParams& display, const Vec3& point);
 
 /// The points reached by light of some part of the panel, or by light of every part.
 enum class ViewingZone { someOfThePanel, wholePanel };
@@ -26,7 +26,6 @@ struct ZoneSection {
 /// Returns sections of a viewing zone, from its point nearest to the panel to `farthest` metres in
 /// front of it, if it reaches so far; its sides are plane between two sections. Empty if there is
 /// no zone.
-std::vector<ZoneSection> sectionsOf(const DisplayParams& display, ViewingZone zone,
-                                    double farthest);
+std::vector<ZoneSection> sectionsOf(const PanelParams& display, ViewingZone zone, double farthest);
 
 }  // namespace hogelscope

@@ -91,7 +91,7 @@ vtkMTimeType DisplayScene::changedAt() const {
   return at;
 }
 
-void DisplayScene::show(const DisplayParams& display, const std::vector<CameraState>& states,
+void DisplayScene::show(const PanelParams& display, const std::vector<CameraState>& states,
                         std::size_t current) {
   m_display = display;
   m_panel.setDisplay(display);

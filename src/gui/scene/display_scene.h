@@ -41,7 +41,7 @@ class DisplayScene : public QObject {
 
   /// Shows display and states. `display` has resolved hogel counts. States without a camera frame
   /// are skipped.
-  void show(const DisplayParams& display, const std::vector<CameraState>& states,
+  void show(const PanelParams& display, const std::vector<CameraState>& states,
             std::size_t current);
   [[nodiscard]] FrustumActors& frusta() { return m_frusta; }
   [[nodiscard]] PanelActors& panel() { return m_panel; }
@@ -105,7 +105,7 @@ class DisplayScene : public QObject {
   vtkNew<vtkOrientationMarkerWidget> m_marker;
   QTimer* m_eyeTimer;
   std::optional<CameraParams> m_fitted;  ///< the eye that fit() or lookFrom() chose last
-  DisplayParams m_display;
+  PanelParams m_display;
   vtkMTimeType m_drawnAt = 0;  ///< changedAt() of the last requested drawing
 };
 

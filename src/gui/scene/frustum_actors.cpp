@@ -51,7 +51,7 @@ FrustumActors::FrustumActors(vtkRenderer* renderer) {
 
 FrustumActors::~FrustumActors() = default;
 
-void FrustumActors::show(const DisplayParams& display, const std::vector<CameraState>& states,
+void FrustumActors::show(const PanelParams& display, const std::vector<CameraState>& states,
                          std::size_t current) {
   m_display = display;
   m_states = states;

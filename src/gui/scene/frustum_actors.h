@@ -26,7 +26,7 @@ class FrustumActors {
   FrustumActors(const FrustumActors&) = delete;
   FrustumActors& operator=(const FrustumActors&) = delete;
 
-  void show(const DisplayParams& display, const std::vector<CameraState>& states,
+  void show(const PanelParams& display, const std::vector<CameraState>& states,
             std::size_t current);
   /// Shows the frusta of states that are not in the session yet.
   void showPreview(const std::vector<CameraState>& states);
@@ -48,7 +48,7 @@ class FrustumActors {
  private:
   void update();
 
-  DisplayParams m_display;
+  PanelParams m_display;
   std::vector<CameraState> m_states;
   std::vector<CameraState> m_preview;
   std::size_t m_current = 0;

@@ -36,7 +36,7 @@ PickActors::PickActors(vtkRenderer* renderer) {
 
 PickActors::~PickActors() = default;
 
-void PickActors::showHogel(const DisplayParams& display, int i, int j, vtkImageData* image) {
+void PickActors::showHogel(const PanelParams& display, int i, int j, vtkImageData* image) {
   m_field->SetHogel(display, i, j);
   m_image->SetInputData(image);
   const Vec3 below = m_field->GetLabelPosition();

@@ -27,7 +27,7 @@ class PickActors {
 
   /// Shows a hogel with its indices below it. `image` has a pixel for each of the hogel's
   /// directions.
-  void showHogel(const DisplayParams& display, int i, int j, vtkImageData* image);
+  void showHogel(const PanelParams& display, int i, int j, vtkImageData* image);
   /// Shows a ray between two points of the world, in metres.
   void showRay(const Vec3& from, const Vec3& to);
   void hideHogel();

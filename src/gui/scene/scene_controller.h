@@ -78,7 +78,7 @@ class SceneController : public QObject {
   SessionModel* m_model;
   SceneWorker* m_worker;
   std::unique_ptr<DisplayScene> m_scene;
-  DisplayParams m_display;             ///< resolved once the light field has been read
+  PanelParams m_display;               ///< resolved once the light field has been read
   std::optional<ViewSource> m_loaded;  ///< none while a light field is read
   std::optional<QPoint> m_pixel;       ///< picked in the current state's view
   std::optional<QPoint> m_hogel;

@@ -46,7 +46,7 @@ void setColour(vtkPolyData& part, const Colour& colour) {
   part.GetPointData()->SetScalars(colours);
 }
 
-std::array<VtkMesh, 2> panelAndGrid(const DisplayParams& display) {
+std::array<VtkMesh, 2> panelAndGrid(const PanelParams& display) {
   const vtkNew<vtkHogelDisplaySource> source;
   source->SetDisplay(display);
   source->Update();
@@ -71,7 +71,7 @@ VtkMesh frusta(const std::vector<CameraState>& states) {
 }
 
 /// Returns the mesh in the world.
-VtkMesh meshIn(const DisplayParams& display, vtkPolyData* mesh) {
+VtkMesh meshIn(const PanelParams& display, vtkPolyData* mesh) {
   VtkMesh part = bare(mesh);
   const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
   const vtkNew<vtkPoints> points;

@@ -14,7 +14,7 @@ namespace hogelscope {
 
 /// The exported objects, in the world; the file has metres.
 struct SceneParts {
-  DisplayParams display;  ///< resolved
+  PanelParams display;  ///< resolved
   std::vector<CameraState> states;
   VtkMesh mesh;         ///< in the display frame; null: none
   VtkImage panelImage;  ///< RGB over the whole panel; null: none. VTP has no images

@@ -19,7 +19,7 @@ int floorIndex(double index) {
 
 }  // namespace
 
-QString SceneText::eye(const CameraState& state, const DisplayParams& display) {
+QString SceneText::eye(const CameraState& state, const PanelParams& display) {
   const QString name = QString::fromStdString(state.camera.name);
   const double share = shareSeenFrom(display, state.camera.eye);
   if (share == 0) return tr("%1: ⚠ outside the viewing zone, no hogel lights this eye").arg(name);
@@ -60,7 +60,7 @@ QString SceneText::ray(const PixelTrace& trace) {
                          number(trace.slopes.x, 4), number(trace.slopes.y, 4));
 }
 
-QString SceneText::verdict(const PixelTrace& trace, const DisplayParams& display) {
+QString SceneText::verdict(const PixelTrace& trace, const PanelParams& display) {
   switch (fateOf(trace)) {
     case PixelFate::noRay:
       return tr(
@@ -90,7 +90,7 @@ QString SceneText::hogelName(int i, int j) {
   return tr("hogel %1, %2").arg(i).arg(j);
 }
 
-QString SceneText::hogel(const DisplayParams& display, int i, int j) {
+QString SceneText::hogel(const PanelParams& display, int i, int j) {
   const Vec2 middle = Display(display).position(i + 0.5, j + 0.5);
   return tr("Hogel i %1, j %2 at x %3 m, y %4 m: %5 × %6 directions over %7° × %8°")
       .arg(i)

@@ -14,17 +14,17 @@ class SceneText {
 
  public:
   /// Returns a state's name and the share of the panel that lights its eye.
-  static QString eye(const CameraState& state, const DisplayParams& display);
+  static QString eye(const CameraState& state, const PanelParams& display);
   /// Describes a pixel in one line.
   static QString pixel(int x, int y, const PixelTrace& trace);
   /// Describes the pixel's ray and where it ends, in further lines; "" without a ray.
   static QString ray(const PixelTrace& trace);
   /// Describes what the pixel shows and, if it is black, the reason.
-  static QString verdict(const PixelTrace& trace, const DisplayParams& display);
+  static QString verdict(const PixelTrace& trace, const PanelParams& display);
   /// Returns a hogel's indices as a short label.
   static QString hogelName(int i, int j);
   /// Describes a picked hogel.
-  static QString hogel(const DisplayParams& display, int i, int j);
+  static QString hogel(const PanelParams& display, int i, int j);
 };
 
 }  // namespace hogelscope

@@ -62,7 +62,7 @@ ZoneActors::ZoneActors(vtkRenderer* renderer) {
   setVisible(false);
 }
 
-void ZoneActors::show(const DisplayParams& display, double farthest) {
+void ZoneActors::show(const PanelParams& display, double farthest) {
   if (m_farthest == farthest && m_display == display) return;
   m_display = display;
   m_farthest = farthest;

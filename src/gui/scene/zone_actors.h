@@ -18,12 +18,12 @@ class ZoneActors {
   explicit ZoneActors(vtkRenderer* renderer);
 
   /// Shows the zone up to `farthest` metres in front of the panel.
-  void show(const DisplayParams& display, double farthest);
+  void show(const PanelParams& display, double farthest);
   void setVisible(bool isVisible);
   [[nodiscard]] bool isVisible() const { return m_body->GetVisibility() != 0; }
 
  private:
-  DisplayParams m_display;
+  PanelParams m_display;
   double m_farthest = 0;
   vtkNew<vtkPolyData> m_whole;
   vtkNew<vtkPolyData> m_some;

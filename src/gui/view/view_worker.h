@@ -47,7 +47,7 @@ struct CertifiedLens {
 /// The view to render.
 struct ViewRequest {
   CameraState state;
-  DisplayParams display;
+  PanelParams display;
   SamplingParams sampling;
   std::optional<NamedMethod> method;  ///< none: the session's own
   std::optional<ViewSource> other;    ///< the second light field

@@ -320,7 +320,7 @@ Session newSession() {
   session.lightField.layout = Layout::live;
   session.lightField.source = "scene";
   session.lightField.content = contentParamsOf(session.lightField.source);
-  session.cameras = {inFrontOf(session.display)};
+  session.cameras = {inFrontOf(displayOf(session))};
   return session;
 }
 

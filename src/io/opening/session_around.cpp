@@ -94,8 +94,8 @@ bool isLayoutGiven(const std::vector<std::string>& overrides) {
 }
 
 /// `given` may say how many directions the views of one running number have.
-DisplayParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
-  DisplayParams display;
+PanelParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
+  PanelParams display;
   if (lightField.layout == Layout::hogels) {
     const ImageFile image(lightField.file, lightField.yuv);
     display.size = sizeOfShape(double(image.width()), double(image.height()));
@@ -139,7 +139,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   OrderedSession result;
   Session& session = result.session;
   session.lightField = lightFieldOf(file);
-  addState(session, inFrontOf(session.display));
+  addState(session, inFrontOf(displayOf(session)));
   if (session.lightField.isLive()) {
     fitMesh(session.lightField, session.display, progress);
   } else {
@@ -161,15 +161,14 @@ OrderedSession orderedSessionAround(const std::string& file,
         takeForMosaic(result, said, part(progress, 0.8, 1));
       session.lightField = result.order.found;
     }
-    session.display = displayAround(session.lightField, said.display);
+    const PanelParams around = displayAround(session.lightField, said.display);
+    session.display = around;
     const Layout layout = session.lightField.layout;
     if (layout == Layout::hogels || layout == Layout::mosaic) {
       session.display.hogels = said.display.hogels;
       session.display.directions = said.display.directions;
     }
-    if (const double distance = std::exchange(session.display.viewingDistance, notGiven);
-        distance > 0)
-      session.lightField.viewingDistance = distance;
+    if (around.viewingDistance > 0) session.lightField.viewingDistance = around.viewingDistance;
     if (takeGeometry(session, said.display)) {
       result.order.found.viewingDistance = session.lightField.viewingDistance;
       result.order.found.shear = session.lightField.shear;

@@ -53,7 +53,7 @@ void shapePanel(DisplayParams& display, double width, double height) {
 double scaleWithin(const DisplayParams& display, const std::vector<float>& points, const Box& box,
                    double front, double scale) {
   const Vec3 middle = 0.5 * (box.least + box.most);
-  const double distance = length(inFrontOf(display).camera.eye - display.position);
+  const double distance = length(inFrontOf({display}).camera.eye - display.position);
   const auto limit = [&](double beside, double behind, double panel) {
     const double half = filled * panel / 2;
     const double growth = std::abs(beside) - half * behind / distance;

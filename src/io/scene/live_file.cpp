@@ -28,7 +28,7 @@ class Listener : public plugin::Progress {
   hogelscope::Progress m_progress;
 };
 
-plugin::Panel panelOf(const DisplayParams& params) {
+plugin::Panel panelOf(const PanelParams& params) {
   const Display display(params);
   const Vec2 first = display.slopes(0, 0);
   const Vec2 last = display.slopes(params.directions[0], params.directions[1]);
@@ -74,15 +74,14 @@ LightFieldParams lightFieldOfMesh(const std::string& file) {
 
 LiveFile::LiveFile(const LightFieldParams& params, const DisplayParams& display,
                    const Progress& progress)
-    : m_params(params), m_display(display) {
-  m_display.viewingDistance = params.viewingDistance;
+    : m_params(params), m_display{display, params.viewingDistance} {
   if (!params.content.isGiven())
     throw InputError("lightField.source", "is missing: name what computes the content");
   if (display.hogels[0] <= 0 || display.directions[0] <= 0)
     throw InputError(display.hogels[0] > 0 ? "display.directions" : "display.hogels",
                      "is missing: a scene does not say it");
   auto content = params.content.make();
-  content->open(panelOf(display), {".", std::int32_t(threadCount())}, Listener(progress));
+  content->open(panelOf(m_display), {".", std::int32_t(threadCount())}, Listener(progress));
   m_content = std::move(content);
 }
 

@@ -39,7 +39,7 @@ class LiveFile : public LightFieldFile {
 
  private:
   LightFieldParams m_params;
-  DisplayParams m_display;
+  PanelParams m_display;
   std::shared_ptr<const plugin::ContentSource> m_content;
 };
 

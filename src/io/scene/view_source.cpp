@@ -15,7 +15,8 @@ namespace {
 std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
                                           const DisplayParams& display, const Progress&) {
   auto store = std::make_unique<LightFieldStore>(params.file, params.incoming);
-  (void)resolved(display, store->size());  // both say the size: they must agree
+  (void)resolved({display, params.viewingDistance},
+                 store->size());  // both say the size: they must agree
   return store;
 }
 
@@ -25,7 +26,7 @@ std::unique_ptr<LightFieldFile> openLive(const LightFieldParams& params,
 }
 
 const LayoutType packLayout{.open = openStore, .holder = Holder::store};
-const LayoutType liveLayout{.open = openLive, .holder = Holder::source};
+const LayoutType liveLayout{.open = openLive, .holder = Holder::scene};
 
 }  // namespace
 
@@ -38,13 +39,13 @@ const LayoutType& typeOf(Layout layout) {
 
 Holder holderOf(const std::string& file) {
   if (isFolder(file) || isViewSequence(file)) return Holder::views;
-  if (isMeshFile(file)) return Holder::source;
+  if (isMeshFile(file)) return Holder::scene;
   return LightFieldStore::isStore(file) ? Holder::store : Holder::picture;
 }
 
 LightFieldParams lightFieldOf(const std::string& file) {
   const Holder holder = holderOf(file);
-  if (holder == Holder::source) return lightFieldOfMesh(file);
+  if (holder == Holder::scene) return lightFieldOfMesh(file);
   LightFieldParams params;
   params.file = file;
   if (holder == Holder::views)

@@ -26,7 +26,7 @@ std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
 /// The common part of the views of a session's states, read once and shared.
 struct ViewSource {
   std::shared_ptr<const LightFieldSource> lightField;
-  DisplayParams display;  ///< resolved
+  PanelParams display;  ///< resolved
   SamplingParams sampling;
   bool isIdeal = false;         ///< its views are ideal views
   int bits = 8;                 ///< of its views' values

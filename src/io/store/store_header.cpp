@@ -91,10 +91,8 @@ StoreHeader readHeader(const Json& object) {
     throw InputError("overview", "is too large");
   header.type = readType(object);
   header.source = object.at("source").get<std::string>();
-  if (object.contains("display")) {
-    header.display = readDisplay(object.at("display"));
-    header.display->viewingDistance = readDistance(object);
-  }
+  if (object.contains("display"))
+    header.display = PanelParams{readDisplay(object.at("display")), readDistance(object)};
   return header;
 }
 

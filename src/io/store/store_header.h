@@ -36,7 +36,7 @@ struct StoreHeader {
   BlockIndex block;         ///< cells along each axis; i·u and j·v are 64
   LightFieldSize overview;  ///< size of the overview, the last page
   std::string source;       ///< identifies the source, so that an unfinished store can be resumed
-  std::optional<DisplayParams> display;  ///< if known
+  std::optional<PanelParams> display;  ///< if known
 
   /// Returns the number of blocks along each axis.
   [[nodiscard]] BlockIndex blocks() const;

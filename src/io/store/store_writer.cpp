@@ -148,8 +148,7 @@ PackPlan planPack(const LightFieldParams& params, const LightFieldFile& file,
   header.overview = overviewSize(header.size, header.type);
   header.source = sourceOf(params, file);
   if (display) {
-    header.display = resolved(*display, header.size);
-    header.display->viewingDistance = params.viewingDistance;
+    header.display = resolved({*display, params.viewingDistance}, header.size);
     header.display->lensParams.changeFiles(
         [](const std::string& lens) { return fs::absolute(lens).string(); });
   }

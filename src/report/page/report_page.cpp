@@ -16,7 +16,7 @@ std::string fact(const std::string& name, const std::string& value) {
   return "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
 }
 
-std::string displayWords(const DisplayParams& d) {
+std::string displayWords(const PanelParams& d) {
   const auto pair = [](const auto& values) {
     return numberText(values[0]) + " × " + numberText(values[1]);
   };

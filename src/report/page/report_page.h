@@ -23,7 +23,7 @@ struct ReportFact {
 struct ReportPage {
   std::string session;  ///< the name, from its document's name if it has one
   std::vector<ReportFact> facts;
-  DisplayParams display;  ///< with its hogel and direction counts
+  PanelParams display;  ///< with its hogel and direction counts
   MetricSet metrics;
   std::vector<ReportRow> rows;
   std::vector<TestSummary> summaries;

@@ -10,7 +10,8 @@ namespace hogelscope {
 
 std::vector<ViewPoint> pointsOf(const std::vector<ReportRow>& rows, const std::string& test,
                                 const DisplayParams& display) {
-  const RigidTransform displayFromWorld = Display(display).displayFromWorld();
+  const RigidTransform displayFromWorld =
+      transformFromPose(display.position, display.orientation).inverse();
   std::vector<ViewPoint> points;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const ReportRow& row = rows[k];
