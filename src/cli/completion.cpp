@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/completion.h"
+#include "cli/help.h"
 
 #include "cli/flags.h"
-#include "cli/help.h"
 #include "cli/jobs.h"
 #include "core/content/pattern_list.h"
 

@@ -5,11 +5,8 @@
 #include <array>
 #include <cctype>
 
-#include "cli/completion.h"
 #include "cli/flags.h"
 #include "cli/jobs.h"
-#include "cli/man_page.h"
-#include "cli/manual.h"
 #include "core/base/error.h"
 #include "core/base/parameters.h"
 

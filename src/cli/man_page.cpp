@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/man_page.h"
+#include "cli/help.h"
 
 #include "cli/flags.h"
 #include "cli/jobs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/manual.h"
+#include "cli/help.h"
 
 #include "core/base/text.h"
 #include "core/cameras/camera_set.h"
