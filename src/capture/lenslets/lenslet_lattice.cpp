@@ -12,7 +12,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Whether a lenslet's directions are all in the picture.
+/// Tests whether a lenslet's directions are all in the image.
 class WholeLenslets {
  public:
   WholeLenslets(const LensletLattice& lattice, const LensletArea& area) : m_lattice(lattice) {
@@ -56,13 +56,13 @@ struct Rows {
   [[nodiscard]] int count() const { return std::max(0, last - first + 1); }
 };
 
-/// How many lenslets further left a column that goes straight down meets a row: every second row of
-/// a hexagonal grid's column lies half a pitch to the right.
+/// Returns by how many lenslets a straight column shifts to the left at a row, because every second
+/// row of a hexagonal grid's column lies half a pitch to the right.
 int shiftOf(LensletGrid grid, int row) {
   return grid == LensletGrid::square ? 0 : (row - (row & 1)) / 2;
 }
 
-/// Rows of whole lenslets of a column around row 0.
+/// Returns the rows of whole lenslets of a column around row 0.
 Rows rowsOfColumn(const WholeLenslets& whole, const LensletLattice& lattice, int column) {
   const auto isWhole = [&](int j) {
     return whole.hasLenslet(column - shiftOf(lattice.grid, j), j);
@@ -133,7 +133,7 @@ HogelBlock blockFromOrigin(const LensletLattice& lattice, const LensletArea& are
 }
 
 HogelBlock largestBlock(const LensletLattice& lattice, const LensletArea& area) {
-  // Row 0 is moved to the picture's middle, so that every column of a good block has it.
+  // Row 0 is moved to the image's middle, so that every column of a good block has it.
   LensletLattice moved = lattice;
   const PicturePoint centre((area.width - 1) / 2.0, (area.height - 1) / 2.0);
   const auto [n, row] = lattice.nearestTo(centre);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the lenslets lie in a picture (docs/formulas.md, Lenslets).
+// The lattice of the lenslets in an image (docs/formulas.md, Lenslets).
 #pragma once
 
 #include <complex>
@@ -9,10 +9,10 @@
 
 namespace hogelscope {
 
-/// A point of a picture, x + i·y in pixels, y downwards; the middle of the top left pixel is 0.
+/// A point of an image, x + i·y in pixels, y downwards; the middle of the top left pixel is 0.
 using PicturePoint = std::complex<double>;
 
-/// Lenslet n of a row.
+/// The index of a lenslet: number n of a row.
 struct LensletPlace {
   int n = 0;
   int row = 0;
@@ -24,7 +24,7 @@ struct LensletLattice {
   PicturePoint step;    ///< to the next lenslet of the row
 
   [[nodiscard]] double pitch() const { return std::abs(step); }
-  [[nodiscard]] double rotation() const;  ///< degrees, clockwise in the picture
+  [[nodiscard]] double rotation() const;  ///< degrees, clockwise in the image
   /// Returns the step from a lenslet to one of the next row, in steps of a row: i, or ½ + i·√3/2.
   [[nodiscard]] PicturePoint rowStep() const;
   /// Returns the distance of rows in pitches, which is that of the hogels too.
@@ -36,18 +36,18 @@ struct LensletLattice {
   }
   /// Returns the lenslet of the row that is nearest to a point.
   [[nodiscard]] LensletPlace nearestTo(const PicturePoint& point) const;
-  /// Returns where hogel i of row j lies among the row's lenslets: always lenslet i if the grid is
+  /// Returns the position of hogel i of row j in the row, counted in lenslets: i if the grid is
   /// square.
   [[nodiscard]] double lensletOfHogel(int i, int j) const {
     return i * rowDistance() - j * rowStep().real();
   }
 };
 
-/// Makes one of these parameters, of which all are given.
+/// Returns the lattice of parameters that are all given.
 LensletLattice latticeOf(const LensletParams& params);
 
-/// A picture with lenslets, and the rectangle of directions around the middle of each that hogels
-/// take from it, at most one pitch wide and high.
+/// The size of an image with lenslets, and of the rectangle of directions around each lenslet's
+/// middle, of which hogels use at most one pitch in width and height.
 struct LensletArea {
   int width = 0;
   int height = 0;
@@ -55,7 +55,7 @@ struct LensletArea {
   int dv = 0;
 };
 
-/// Hogels nx × ny, of which (0, 0) is at the lattice's origin.
+/// A block of nx × ny hogels; hogel (0, 0) is at the lattice's origin.
 struct HogelBlock {
   LensletLattice lattice;
   int nx = 0;
@@ -63,9 +63,9 @@ struct HogelBlock {
 };
 
 /// Returns the largest block of hogels that begins at the lattice's origin and has only lenslets
-/// whose directions are all in the picture. Empty if there is none.
+/// whose directions are all in the image. Empty if there is none.
 HogelBlock blockFromOrigin(const LensletLattice& lattice, const LensletArea& area);
-/// Returns the largest one that begins anywhere.
+/// Returns the largest such block that begins at any lenslet.
 HogelBlock largestBlock(const LensletLattice& lattice, const LensletArea& area);
 
 }  // namespace hogelscope

@@ -12,8 +12,8 @@ namespace hogelscope {
 
 namespace {
 
-/// Bilinear between the middles of pixels; `put(pixel, weight)` takes up to four. Half a pixel
-/// beyond the outer ones is still theirs, and nothing lies farther out.
+/// Interpolates bilinearly between the middles of pixels: calls `put(pixel, weight)` for up to
+/// four. The outer pixels extend half a pixel beyond their middles; there are none farther out.
 template <class Put>
 void bilinear(int width, int height, const PicturePoint& at, const Put& put) {
   constexpr double edge = 0.5 + 1e-6;

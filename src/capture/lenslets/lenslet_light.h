@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light under lenslets: pictures without their dark frame and vignetting, and what a direction
-// of a hogel is of them (docs/formulas.md, Lenslets).
+// The light under lenslets: removes dark frame and vignetting from images, and samples the
+// directions of hogels (docs/formulas.md, Lenslets).
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace hogelscope {
 
-/// A picture's values, of which 1 is full scale: one or three for a pixel, in rows from the top.
+/// The values of an image, where 1 is full scale: one or three per pixel, in rows from the top.
 struct LensletLight {
   int width = 0;
   int height = 0;
@@ -18,24 +18,24 @@ struct LensletLight {
   std::vector<float> values;
 };
 
-/// Subtracts a dark frame, if there is one; nothing is darker than 0.
+/// Subtracts a dark frame, if there is one; values below 0 become 0.
 void subtract(LensletPlane& plane, const LensletPlane& dark);
 
-/// Divides a picture of even light by its mean over the lenslets' middles. Throws InputError that
-/// names no file: they are dark.
+/// Divides an image of even light by its mean over the lenslets' middles. Throws InputError
+/// without a file name if they are black.
 void normalise(LensletPlane& white, const LensletLattice& lattice, const LightFieldSize& size);
 
-/// What of a pixel's light the white picture at least has: less would only show noise.
+/// The least white value that light is divided by; less would only amplify noise.
 inline constexpr float leastWhite = 0.2F;
 
 /// Samples the directions of hogels.
 class LensletSampler {
  public:
-  /// Directions that are dark in the white picture are black.
+  /// Makes directions black that are dark in the white image.
   LensletSampler(LensletLight light, const LensletPlane& white, const LensletLattice& lattice,
                  const LightFieldSize& size);
 
-  /// Sets red, green and blue, of which 1 is full scale.
+  /// Sets red, green and blue; 1 is full scale.
   void sample(const TexelIndex& at, std::array<double, 3>& rgb) const;
 
  private:
@@ -46,8 +46,8 @@ class LensletSampler {
   LensletLight m_light;
   LensletLattice m_lattice;
   LightFieldSize m_size;
-  std::vector<PicturePoint> m_offsets;  ///< of directions from the middle of a lenslet
-  std::vector<bool> m_isLit;            ///< directions
+  std::vector<PicturePoint> m_offsets;  ///< of each direction from a lenslet's middle
+  std::vector<bool> m_isLit;            ///< for each direction
 };
 
 }  // namespace hogelscope

@@ -14,14 +14,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// A lenslet: its place on the lattice in steps, and its middle in the picture.
+/// A lenslet: its place on the lattice in steps, and its middle in the image.
 struct Lenslet {
   PicturePoint steps;
   PicturePoint middle;
   double contrast = 0;  ///< of the weaker of the two waves
 };
 
-/// The two waves that a lattice is the crests of, in cycles per pixel along x and y.
+/// Returns the two waves whose crests form a lattice, in cycles per pixel along x and y.
 std::array<PicturePoint, 2> wavesOf(const LensletLattice& lattice) {
   // They have a whole number of cycles along both steps of the lattice.
   const PicturePoint a = lattice.step;
@@ -30,10 +30,10 @@ std::array<PicturePoint, 2> wavesOf(const LensletLattice& lattice) {
   return {PicturePoint(b.imag(), -b.real()) / area, PicturePoint(-a.imag(), a.real()) / area};
 }
 
-/// Finds the crests of a lattice's waves near a guess: phases under a Hann window.
+/// Finds the crests of a lattice's waves near a guess by their phases under a Hann window.
 class Crests {
  public:
-  /// The window reaches `reach` pitches to both sides.
+  /// Uses a window that extends `reach` pitches to both sides.
   Crests(const LensletPlane& picture, const LensletLattice& lattice, double reach)
       : m_picture(picture),
         m_lattice(lattice),
@@ -49,7 +49,7 @@ class Crests {
     const Axis x = axis(guess.real(), 0);
     const Axis y = axis(guess.imag(), 1);
     std::array<PicturePoint, 2> sums{};
-    std::array<PicturePoint, 2> flat{};  // those of a picture of value 1
+    std::array<PicturePoint, 2> flat{};  // those of an image of value 1
     double light = 0;
     double weights = 0;
     for (std::size_t row = 0; row < y.weight.size(); ++row) {
@@ -102,7 +102,8 @@ class Crests {
     return result;
   }
 
-  /// A crest that is d away has the phases −2π k·d, and d is a sum of steps: k·d are its factors.
+  /// Returns the lenslet: a crest at distance d has the phases −2π k·d, and d is a sum of steps
+  /// with the factors k·d.
   [[nodiscard]] Lenslet lensletAt(const PicturePoint& guess,
                                   const std::array<PicturePoint, 2>& sums) const {
     const double along = -std::arg(sums[0]) / (2 * pi);
@@ -118,8 +119,8 @@ class Crests {
   double m_reach;
 };
 
-/// The lenslets of a lattice within `radius` of the picture's middle, at most some ten thousand
-/// evenly spread ones, where the lattice has them.
+/// Returns the lenslets of a lattice within `radius` of the image's middle at the places that the
+/// lattice gives, at most some ten thousand, evenly spread.
 std::vector<Lenslet> guessesWithin(double radius, const LensletPlane& picture,
                                    const LensletLattice& lattice, const Crests& crests) {
   constexpr double most = 1e4;
@@ -142,7 +143,7 @@ std::vector<Lenslet> guessesWithin(double radius, const LensletPlane& picture,
   return lenslets;
 }
 
-/// Those lenslets where they are, without those of little contrast.
+/// Returns these lenslets at their measured places, without those of low contrast.
 std::vector<Lenslet> lensletsWithin(double radius, const LensletPlane& picture,
                                     const LensletLattice& lattice) {
   const Crests crests(picture, lattice, 1);
@@ -165,7 +166,7 @@ std::vector<Lenslet> lensletsWithin(double radius, const LensletPlane& picture,
   return lenslets;
 }
 
-/// Fits origin + step · steps to the middles by least squares, with what is given kept.
+/// Fits origin + step · steps to the middles by least squares; given figures are kept.
 LensletLattice fitted(LensletLattice lattice, const std::vector<Lenslet>& lenslets,
                       const LensletParams& params, bool isOriginGiven) {
   PicturePoint middle = lattice.origin;
@@ -216,7 +217,8 @@ double rmsDistance(const LensletLattice& lattice, const std::vector<Lenslet>& le
           (isOneGiven ? ", or other figures, or none" : ", or pitch, rotation and origin"));
 }
 
-/// Around the picture's middle, from a guess of its step; the origin is a crest there.
+/// Returns a lattice with a first estimate of the step; its origin is a crest near the image's
+/// middle.
 LensletLattice firstLattice(const LensletPlane& picture, const LensletParams& params) {
   const auto guess = stepFromSpectrum(picture, params);
   if (!guess) refuse(params);
@@ -241,7 +243,7 @@ FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& par
   const double whole = std::hypot(picture.width, picture.height);
   double radius = 4 * lattice.pitch();
   std::vector<Lenslet> lenslets;
-  for (int more = 2; more > 0; radius *= 2) {  // twice with all
+  for (int more = 2; more > 0; radius *= 2) {  // twice with all lenslets
     throwIfCancelled(progress);
     if (radius > whole) --more;
     lenslets = lensletsWithin(radius, picture, lattice);

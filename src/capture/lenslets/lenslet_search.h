@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the lenslets in a picture of even light (docs/formulas.md, Lenslets).
+// Finds the lenslets in an image (docs/formulas.md, Lenslets), best in one of even light. The
+// search is a pure function of a grey image. It runs whenever the image is opened, so there is no
+// document of a calibration; figures that a session gives are used as they are.
 #pragma once
 
 #include <optional>
@@ -10,7 +12,7 @@
 
 namespace hogelscope {
 
-/// A grey picture, in rows from the top.
+/// A grey image, in rows from the top.
 struct LensletPlane {
   int width = 0;
   int height = 0;
@@ -19,18 +21,18 @@ struct LensletPlane {
 
 struct FoundLenslets {
   LensletLattice lattice;
-  int count = 0;        ///< lenslets that it was fitted to; 0: all was given
+  int count = 0;        ///< lenslets in the fit; 0 if all figures were given
   double residual = 0;  ///< rms distance of their middles from the lattice, pixels
 };
 
-/// Finds what the parameters do not give. Throws InputError, which names no file: there is no
-/// regular grid of lenslets in it. Throws Cancelled.
+/// Finds the figures that the parameters do not give. Throws InputError without a file name if the
+/// image has no regular grid of lenslets; Cancelled.
 FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& params,
                            const Progress& progress = {});
 
-/// Returns a first guess at the step of a row from the peaks of the spectrum of the picture's
-/// middle, good to some hundredths of a pixel; a pitch or rotation that is given restricts where
-/// they are looked for. None if there are none.
+/// Returns a first estimate of the step of a row from the peaks of the spectrum of the image's
+/// middle, accurate to some hundredths of a pixel. A given pitch or rotation restricts the search.
+/// None if there are no such peaks.
 std::optional<PicturePoint> stepFromSpectrum(const LensletPlane& picture,
                                              const LensletParams& params);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A first guess at the lenslets of a picture, from the peaks of its spectrum.
+// A first estimate of the lenslets' step from the peaks of an image's spectrum.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ using std::numbers::pi;
 /// A wave in cycles per pixel, along x and y.
 using Wave = std::complex<double>;
 
-/// Of the picture's middle, at most 1024×1024 pixels of it under a Hann window.
+/// The spectrum of the image's middle, at most 1024×1024 pixels under a Hann window.
 class Spectrum {
  public:
   explicit Spectrum(const LensletPlane& picture)
@@ -52,7 +52,7 @@ class Spectrum {
     return at(x, y) > 0;
   }
 
-  /// How far a cell stands above what surrounds it: a picture's own content has no sharp peaks.
+  /// Returns how far a cell exceeds its surroundings; other content has no sharp peaks.
   [[nodiscard]] double prominence(const std::array<int, 2>& cell) const {
     constexpr int inner = 3;
     constexpr int outer = 6;
@@ -67,7 +67,7 @@ class Spectrum {
     return double(at(cell[0], cell[1])) - 3 * sum / count;
   }
 
-  /// The strongest cell within one of a wave.
+  /// Returns the strongest cell within one cell of a wave.
   [[nodiscard]] std::array<int, 2> cellNear(const Wave& wave) const {
     const int cx = int(std::lround(wave.real() * m_width));
     const int cy = int(std::lround(wave.imag() * m_height));
@@ -78,7 +78,8 @@ class Spectrum {
     return best;
   }
 
-  /// Between the cells: the top of a parabola through the logarithms, along x and y.
+  /// Returns the place between the cells: the top of a parabola through the logarithms, along x and
+  /// y.
   [[nodiscard]] Wave refined(const std::array<int, 2>& cell) const {
     const auto [x, y] = cell;
     return waveOf(x + top(at(x - 1, y), at(x, y), at(x + 1, y)),
@@ -102,7 +103,7 @@ class Spectrum {
   cv::Mat m_magnitude;
 };
 
-/// The waves of a grid are as long, and turned against each other by this.
+/// Returns the rotation between the waves of a grid, which have equal lengths.
 Wave turnOf(LensletGrid grid) {
   return std::polar(1.0, grid == LensletGrid::square ? pi / 2 : pi / 3);
 }
@@ -117,7 +118,8 @@ PicturePoint stepOf(LensletGrid grid, const Wave& wave) {
   return std::polar(pitch, std::remainder(angle, symmetry));
 }
 
-/// Whether a guess is near what the parameters give, and has three lenslets across the picture.
+/// Whether a step is near the given figures, and the image is at least three lenslets wide and
+/// high.
 bool isPossible(const PicturePoint& step, const LensletParams& params, const Spectrum& spectrum) {
   const double pitch = std::abs(step);
   if (pitch < 2.5 || 3 * pitch > std::min(spectrum.width(), spectrum.height())) return false;

@@ -32,8 +32,8 @@ void checkMeaning(const NamePattern& pattern) {
                        "(NNN) nor coordinates (x, y)");
 }
 
-/// Matches a name with a pattern. No position is tried twice, so that many stars cost no more than
-/// name times pattern.
+/// Matches a name with a pattern. No position is tried twice, so that even with many stars the time
+/// grows as name times pattern.
 class NameMatch {
  public:
   NameMatch(const NamePattern& pattern, const std::string& name)
@@ -53,7 +53,7 @@ class NameMatch {
     const std::size_t state = token * (m_name.size() + 1) + at;
     if (m_failed[state]) return false;
     const auto [least, most] = lengths(m_tokens[token], at);
-    // A star takes as little as it can, so that the numbers after it are the first ones.
+    // A star matches as little as possible, so that the numbers after it are the first ones.
     const bool isStar = m_tokens[token].kind == Token::Kind::anything;
     for (std::size_t k = least; k <= most; ++k) {
       const std::size_t length = isStar ? k : most + least - k;

@@ -25,7 +25,7 @@ bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Reads a name from its beginning.
+/// Splits a name into texts and numbers.
 class PartReader {
  public:
   explicit PartReader(const std::string& name) : m_name(name), m_stem(name.rfind('.')) {
@@ -59,7 +59,7 @@ class PartReader {
   }
   [[nodiscard]] static bool isSign(char c) { return c == '+' || c == '-'; }
 
-  /// A minus that joins words, as in view-01, is none.
+  /// Whether there is a sign; a hyphen between words, as in view-01, is none.
   [[nodiscard]] bool isSignAt(std::size_t place) const {
     if (!isSign(at(place)) || !isDigit(at(place + 1))) return false;
     if (place == 0) return true;
@@ -94,11 +94,11 @@ struct NumberColumn {
   bool varies = false;
   bool areIntegers = true;
   bool areNumbers = true;  ///< short enough to be read
-  std::size_t digits = 0;  ///< 0 unless all have the same
-  char axis = ' ';         ///< C or R where the text before says column (x) or row (y)
+  std::size_t digits = 0;  ///< of each; 0 if they differ
+  char axis = ' ';         ///< C or R if the text before it means column (x) or row (y)
 };
 
-/// What the last word of a text says of the number after it: "…_x", "col-".
+/// Returns the axis of a number from the last word of the text before it, such as "…_x", "col-".
 char axisOf(std::string text) {
   if (!text.empty() && !isLetter(text.back())) text.pop_back();
   std::size_t begin = text.size();
@@ -172,7 +172,7 @@ class Readings {
     return false;
   }
 
-  /// Whether the numbers are those of a count: each of them once, none left out.
+  /// Whether the numbers are consecutive, each of them once.
   [[nodiscard]] bool isCounting(const NumberColumn& column) const {
     std::set<std::int64_t> numbers;
     for (const NameParts& parts : m_series.parts)
@@ -181,7 +181,7 @@ class Readings {
            *numbers.rbegin() - *numbers.begin() + 1 == std::int64_t(numbers.size());
   }
 
-  /// Rows before columns, as all known names have them, or x before y.
+  /// Adds pairs: rows before columns, as in all known names, or x before y.
   void addPairs(bool areNumbers) {
     for (std::size_t b = 1; b < m_varying.size(); ++b)
       for (std::size_t a = 0; a < b; ++a) {
@@ -197,7 +197,7 @@ class Readings {
       }
   }
 
-  /// Adds y and x, in this order as Stanford's names have them, if just two more numbers vary.
+  /// Adds y and x, in the order of Stanford's names, if exactly two more numbers vary.
   void addPositions(SeriesReading& reading) const {
     std::vector<NumberColumn> others;
     for (const NumberColumn& column : m_varying)
@@ -208,7 +208,7 @@ class Readings {
     reading['x'] = others[isXFirst ? 0 : 1].part;
   }
 
-  /// One row or column whose other number is always the same: 004_000, 004_001, …
+  /// Adds a single row or column, whose other number is constant: 004_000, 004_001, …
   void addRow() {
     for (std::size_t k = 1; k < m_columns.size(); ++k) {
       const NumberColumn& first = m_columns[k - 1];
@@ -272,7 +272,7 @@ bool isRead(const NamePattern& pattern, const std::string& name, const NameParts
          });
 }
 
-/// Whether a pattern says the text as it is, between what stands before and after it.
+/// Whether a pattern can contain the text unchanged, between the letters before and after it.
 bool isPlain(const std::string& text, char before, char after) {
   if (text.empty()) return true;
   const auto touches = [](char letter, char meaning) {

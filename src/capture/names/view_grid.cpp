@@ -29,7 +29,7 @@ class NumberAxis {
     m_step = std::max<std::int64_t>(m_step, 1);
   }
 
-  /// Counts those that are missing between the first and the last, too.
+  /// Returns the number of rows or columns, including those missing between first and last.
   [[nodiscard]] double size() const {
     return double(m_values.back() - m_values.front()) / double(m_step) + 1;
   }
@@ -56,12 +56,13 @@ std::string nameOf(const NamedView& view) {
   return view.file.filename().string();
 }
 
-/// Whether so few views may be a cross or a star of a grid: one in a hundred is there.
+/// Whether so few views may be a cross or a star in a grid: at least one in a hundred.
 bool mayBeSparse(const std::vector<NamedView>& views, double cells) {
   return 100 * double(views.size()) >= cells;
 }
 
-/// `columns` and `rows` are those of the grid that most is missing of, as far as they can be told.
+/// Throws InputError because too many views are missing; `columns` and `rows` are an estimate of
+/// the grid.
 [[noreturn]] void refuseHoles(const std::vector<NamedView>& views, const GridSource& source,
                               double cells, double columns, double rows) {
   std::string advice;
@@ -100,7 +101,7 @@ Cells placed(const std::vector<NamedView>& views, std::size_t count, const Place
   return cells;
 }
 
-/// "3 of 81 views are missing, …: (row, column) 0 0, 0 1, 0 7"; `numbersOf` names a cell.
+/// Returns "3 of 81 views are missing, …: (row, column) 0 0, 0 1, 0 7"; `numbersOf` names a cell.
 std::string missingText(const Cells& cells, const char* what,
                         const std::function<std::string(std::size_t)>& numbersOf) {
   constexpr std::size_t mostNamed = 8;
@@ -126,7 +127,7 @@ ViewFiles filesOf(const Cells& cells, std::size_t rows, std::size_t columns) {
   return grid;
 }
 
-/// The mean coordinate of the `count` cells from `first` on, each `step` further.
+/// Returns the mean coordinate of `count` cells from `first` on, `step` apart.
 std::optional<double> meanOf(const Cells& cells, std::optional<double> NamedView::*coordinate,
                              std::size_t first, std::size_t step, int count) {
   double sum = 0;
@@ -187,22 +188,22 @@ ViewFiles gridOfNumbers(const std::vector<NamedView>& views, const GridSource& s
   return grid;
 }
 
-/// How a running number counts, once it is divided by its step.
+/// The grid of running numbers that are divided by their step.
 struct Running {
   std::int64_t first = 0;
   std::size_t rows = 1;
   std::size_t columns = 1;
 };
 
-/// Whether so many numbers make the given grid: some of the last row may be missing at the end, or
-/// of the first one at the beginning.
+/// Whether `count` numbers form the given grid; a part of the last row may be missing at the end,
+/// or of the first row at the beginning.
 bool isCount(std::size_t count, const GridSource& source) {
   const auto columns = std::size_t(std::max(source.directions[0], 0));
   const std::size_t cells = columns * std::size_t(std::max(source.directions[1], 0));
   return columns == 0 || (count <= cells && count + columns > cells);
 }
 
-/// Of `count` numbers from `first` on, those missing between them too.
+/// Returns the grid of `count` numbers from `first` on, including missing ones.
 Running runningOf(std::int64_t first, std::size_t count, const GridSource& source) {
   const auto columns = std::size_t(std::max(source.directions[0], 0));
   const auto rows = std::size_t(std::max(source.directions[1], 0));
@@ -222,9 +223,9 @@ Running runningOf(std::int64_t first, std::size_t count, const GridSource& sourc
   return {last < cellCount ? 0 : last + 1 - cellCount, rows, columns};
 }
 
-/// Of a given grid with holes, whose numbers count from 0 or from 1; none if its views are not in
-/// it, or are nearly all. What is there is taken to be symmetric, as a cross, a star and a circle
-/// are.
+/// Returns a given grid with missing views, which are counted from 0 or from 1; none if the views
+/// are not in it, or are nearly all. The views that exist are assumed to be symmetric, as in a
+/// cross, a star or a circle.
 std::optional<Running> sparseRunning(const std::vector<NamedView>& views, const NumberAxis& numbers,
                                      const GridSource& source) {
   const auto [columns, rows] = source.directions;
@@ -242,7 +243,7 @@ std::optional<Running> sparseRunning(const std::vector<NamedView>& views, const 
   return Running{begin, std::size_t(rows), std::size_t(columns)};
 }
 
-/// Advice where one file too many may keep a square of views from being one.
+/// Returns advice if one file too many may prevent a square grid; otherwise "".
 std::string surplusText(const std::vector<NamedView>& views, const GridSource& source) {
   constexpr std::size_t leastSide = 5;  // rows of 10 and 17 cameras are usual
   const std::size_t count = views.size();
@@ -320,10 +321,10 @@ ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& s
   return grid;
 }
 
-/// A way to gather coordinates that lie near one another.
+/// A division of coordinates into groups of close values.
 struct Gathering {
-  std::vector<double> begins;  ///< of all groups but the first
-  double spread = 0;           ///< the longest group's
+  std::vector<double> begins;  ///< least values of all groups but the first
+  double spread = 0;           ///< range of the widest group
 
   [[nodiscard]] std::size_t size() const { return begins.size() + 1; }
   [[nodiscard]] std::size_t placeOf(double value) const {
@@ -344,7 +345,7 @@ Gathering gatheringOf(const std::vector<double>& sorted, double leastGap) {
   return result;
 }
 
-/// All in one group, and the few that have the clearest gaps between groups.
+/// Returns all values as one group, and the few divisions that have the clearest gaps.
 std::vector<Gathering> gatheringsOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const double range = values.back() - values.front();
@@ -376,7 +377,8 @@ bool isEachAlone(const std::vector<NamedView>& views, const Gathering& x, const 
   return true;
 }
 
-/// Few holes and narrow groups: one row of all would have none, but be as high as the grid.
+/// Returns the division with few missing views and narrow groups; a single row would have none
+/// missing, but would be as high as the grid.
 std::optional<std::pair<Gathering, Gathering>> bestGathering(const std::vector<NamedView>& views) {
   std::vector<double> xs;
   std::vector<double> ys;

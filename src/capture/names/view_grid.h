@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid of views made of what the file names say of their places.
-// docs/formulas.md, Places of views in names.
+// Arranges views in a grid by the numbers in their file names (docs/formulas.md, Places of views in
+// names). The grid has an empty path for a missing view: its texels are black, no optical flow is
+// computed from or to it, and one warning reports all of them. If half of the grid is missing, the
+// names were probably misread.
 #pragma once
 
 #include <array>
@@ -14,7 +16,7 @@
 
 namespace hogelscope {
 
-/// A file, and what its name says: row and column, one running number, or coordinates alone.
+/// A file and the numbers in its name: row and column, one running number, or only coordinates.
 struct NamedView {
   std::filesystem::path file;
   std::optional<std::int64_t> row;
@@ -25,59 +27,60 @@ struct NamedView {
 };
 
 /// Reads the numbers and coordinates of a name by their letters: R row, C column, N running number,
-/// x and y. Coordinates that are no finite numbers are left out.
+/// x and y. Coordinates that are not finite numbers are left out.
 NamedView viewNamed(const std::filesystem::path& file, const std::map<char, std::string>& numbers);
 
-/// A grid of views, row by row, both numbers ascending as the file names have them.
+/// A grid of views, row by row; the numbers of rows and columns in the file names ascend.
 struct ViewFiles {
   int rows = 0;
   int columns = 0;
-  std::vector<std::filesystem::path> files;  ///< an empty path for a view that is missing
-  std::string pattern;  ///< the one that their names alone fit; "" if none can be told
-  /// The coordinate x in the names of the first column and of the last one, on average, and y of
-  /// the first and the last row; absent if the pattern has no x or no y.
+  std::vector<std::filesystem::path> files;  ///< an empty path for a missing view
+  std::string pattern;                       ///< fits only the names of views; "" if there is none
+  /// The mean coordinate x in the names of the first and of the last column, and y of the first and
+  /// the last row; absent if the pattern has no x or no y.
   std::optional<std::array<double, 2>> columnsFromTo;
   std::optional<std::array<double, 2>> rowsFromTo;
-  std::string missing;  ///< a line for the user that names the missing views; "" if all are there
-  /// A line for the user where one view fewer would make a square; "" elsewhere.
+  std::string missing;  ///< a warning that names the missing views; "" if there are none
+  /// A warning if one view fewer would make a square; otherwise "".
   std::string surplus;
-  std::vector<std::string> others;  ///< names of the folder's files that are no views
+  std::vector<std::string> others;  ///< names of the folder's files that are not views
 
-  /// Returns the files of the views that are there; one at least.
+  /// Returns the files of the views that are not missing, at least one.
   [[nodiscard]] std::vector<std::filesystem::path> found() const;
 };
 
-/// What messages call the views, and the grid's size if the session gives it (columns, rows; 0: it
-/// does not).
+/// The names of the views in messages, and the grid's size if the session gives it (columns, rows;
+/// otherwise 0).
 struct GridSource {
   std::filesystem::path folder;
   std::string pattern;
   std::array<int, 2> directions{0, 0};
-  bool isSerpentine = false;    ///< one running number counts every second row from its end
-  bool isPatternGiven = false;  ///< by the session
+  bool isSerpentine = false;    ///< a running number counts every second row from its end
+  bool isPatternGiven = false;  ///< the session gives the pattern
 };
 
-/// The rows and columns of views that count row by row.
+/// The rows and columns of a grid whose views are counted row by row.
 struct SequenceGrid {
   std::size_t rows = 1;
   std::size_t columns = 1;
   bool isSerpentine = false;
 
-  /// Returns the cell of view k, row · columns + column; of cell k its view.
+  /// Returns the cell of view k, row · columns + column; also the view of cell k.
   [[nodiscard]] std::size_t cellOf(std::size_t k) const {
     const bool isReversed = isSerpentine && k / columns % 2 == 1;
     return isReversed ? k - k % columns + columns - 1 - k % columns : k;
   }
 };
 
-/// Makes the grid of `count` views: a square, or else one row, unless the directions are given.
-/// Throws InputError where they do not fit.
+/// Returns the grid of `count` views: a square, or else one row, unless the directions are given.
+/// Throws InputError if they do not fit.
 SequenceGrid gridOfSequence(std::size_t count, const GridSource& source);
 
-/// Makes the grid; `views` is not empty, and all names say the same things. Numbers in equal steps
-/// make rows and columns; so do coordinates that lie near one another. One running number counts
-/// row by row: a square, or else one row, unless the directions are given. Throws InputError: two
-/// files are one view, half of the views or more are missing and the directions do not say so.
+/// Returns the grid of views; there is at least one, and all names have the same kinds of numbers.
+/// Numbers in equal steps form rows and columns; so do coordinates that lie close together. One
+/// running number counts row by row: a square, or else one row, unless the directions are given.
+/// Throws InputError if two files are the same view, or if half of the views or more are missing
+/// and the given directions do not confirm that.
 ViewFiles gridOf(const std::vector<NamedView>& views, const GridSource& source);
 
 }  // namespace hogelscope

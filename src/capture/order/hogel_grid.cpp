@@ -49,8 +49,8 @@ double deviationOf(const std::vector<double>& values) {
   return std::sqrt(squares / double(values.size()));
 }
 
-/// How far the mean of the values at k ≡ period - 1 is above that of the others, in standard
-/// errors: multiples of the hogels' period have fewer values there, and divisors have others too.
+/// Returns how far the mean of the values at k ≡ period - 1 exceeds that of the others, in standard
+/// errors. Multiples of the hogels' period have fewer values there, and divisors include others.
 double standOut(const std::vector<double>& values, std::size_t period) {
   double at = 0, others = 0;
   std::size_t count = 0;
@@ -63,7 +63,7 @@ double standOut(const std::vector<double>& values, std::size_t period) {
   return (at / n - others / m) / (deviationOf(values) * std::sqrt(1 / n + 1 / m));
 }
 
-/// Takes out what values have in common every 8: JPEG's blocks of 8 pixels have borders too.
+/// Subtracts the mean of every eighth value, because JPEG's blocks of 8 pixels have borders too.
 std::vector<double> withoutBlocks(std::vector<double> values) {
   constexpr std::size_t block = 8;
   for (std::size_t phase = 0; phase < std::min(block, values.size()); ++phase) {
@@ -80,8 +80,8 @@ struct Tile {
   double standOut = 0;
 };
 
-/// The period whose borders stand out most, of those that do without JPEG's blocks too if there are
-/// any; a period of 0 if none does.
+/// Returns the period whose borders stand out most, preferably one that stands out without JPEG's
+/// blocks too; a period of 0 if there is none.
 Tile tileOf(const std::vector<double>& differences) {
   const double mean = meanOf(differences);
   if (!(mean > 0)) return {};
@@ -99,7 +99,7 @@ Tile tileOf(const std::vector<double>& differences) {
     if (height > bestOfAll) bestOfAll = height, foundOfAll = period;
     if (height > best && standOut(rest, period) > least) best = height, found = period;
   }
-  // Of hogels of 8 directions there is no more than chance without the blocks.
+  // For hogels of 8 directions only noise remains without the blocks.
   constexpr double share = 0.6;
   return best > share * bestOfAll ? Tile{found, best} : Tile{foundOfAll, bestOfAll};
 }

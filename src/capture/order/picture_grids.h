@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many hogels, or views as tiles, a picture has, by what it shows.
+// Finds the number of hogels, or of views as tiles, in an image by its content.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace hogelscope {
 
-/// A picture that is read once, from the top; `read` calls `row` with three values per pixel.
+/// An image that is read from the top; `read` calls `row` with three values per pixel.
 struct PictureRows {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -22,19 +22,19 @@ struct PictureRows {
 struct HogelGrid {
   std::array<int, 2> hogels{};      ///< across, down
   std::array<int, 2> directions{};  ///< across, down
-  double standOut = 0;  ///< of the borders' differences, standard errors; of the lesser axis
+  double standOut = 0;  ///< of the borders' differences, standard errors; the lesser of both axes
 };
 
-/// Reads the picture: at the borders of hogels neighbouring pixels differ more than within, since
-/// the one hogel ends with its last direction where the next begins with its first. None where no
-/// grid stands out along both axes. Content that has a grid of its own on the panel's plane can be
-/// taken for hogels. Throws what `read` throws.
+/// Finds the borders of hogels, where neighbouring pixels differ more than elsewhere, because one
+/// hogel ends with its last direction and the next begins with its first. None if no grid stands
+/// out along both axes. Content with a grid of its own in the panel's plane can be mistaken for
+/// hogels. Throws what `read` throws.
 std::optional<HogelGrid> findHogelGrid(const PictureRows& picture, const Progress& progress);
 
-/// Reads the picture: views of one scene lie where it is much more like itself one tile further
-/// than a bit less or more. Returns the tiles across and down, at most 20 of at least 100 pixels
-/// each; none where no such grid stands out along both axes, or beyond 300 million pixels. Throws
-/// what `read` throws, Cancelled.
+/// Finds the tiles, which show one scene: the image is much more similar to itself one tile further
+/// than slightly less or more. Returns the tiles across and down, at most 20 of at least 100 pixels
+/// each; none if no such grid stands out along both axes, or beyond 300 million pixels. Throws what
+/// `read` throws, Cancelled.
 std::optional<std::array<int, 2>> findTileGrid(const PictureRows& picture,
                                                const Progress& progress);
 

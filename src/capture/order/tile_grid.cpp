@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the period of views in a picture of tiles.
+// Finds the period of views in an image of tiles.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -31,7 +31,7 @@ class Lines {
     m_values[line / m_step * m_length + at] = grey;
   }
 
-  /// The mean difference of values that are `shift` apart.
+  /// Returns the mean difference of values that are `shift` apart.
   [[nodiscard]] double difference(std::size_t shift) const {
     double sum = 0;
     for (std::size_t line = 0; line < m_values.size(); line += m_length) {
@@ -50,14 +50,15 @@ class Lines {
   std::vector<float> m_values;
 };
 
-/// By what part values one period further differ less than those a bit less or more further.
+/// Returns the fraction by which values differ less at a shift of one period than at slightly
+/// smaller and larger shifts.
 double likeness(const Lines& lines, std::size_t period) {
   const std::size_t off = std::max<std::size_t>(1, period / 8);
   const double beside = std::min(lines.difference(period - off), lines.difference(period + off));
   return beside > 0 ? 1 - lines.difference(period) / beside : 0;
 }
 
-/// Returns the number of tiles along the lines, or 0. Periods of a few tiles are periods too, so
+/// Returns the number of tiles along the lines, or 0. Multiples of the period are periods too, so
 /// the shortest of the clear ones counts; that of hogels is too short for a view.
 int tilesAlong(const Lines& lines, const Progress& progress) {
   constexpr double least = 0.3;

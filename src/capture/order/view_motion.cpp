@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dense optical flow between views, and votes on what hides what.
 #include "capture/order/view_motion.h"
 
 #include <algorithm>
@@ -13,14 +12,14 @@ namespace hogelscope {
 namespace {
 
 cv::Mat1f smoothed(const cv::Mat1b& picture) {
-  constexpr double sigma = 0.7;  // takes the edge off noise and resampling
+  constexpr double sigma = 0.7;  // reduces noise and effects of resampling
   cv::Mat1f result;
   picture.convertTo(result, CV_32F);
   cv::GaussianBlur(result, result, {}, sigma);
   return result;
 }
 
-/// Where each pixel arrives.
+/// Returns the place that each pixel moves to.
 cv::Mat2f arrivals(const cv::Mat2f& shift) {
   cv::Mat2f map(shift.size());
   for (int y = 0; y < map.rows; ++y)
@@ -30,7 +29,7 @@ cv::Mat2f arrivals(const cv::Mat2f& shift) {
 
 template <class Picture>
 Picture fetched(const Picture& picture, const cv::Mat2f& map) {
-  constexpr double nowhere = 1e4;  // no value and no motion
+  constexpr double nowhere = 1e4;  // neither a value nor a motion
   Picture result;
   cv::remap(picture, result, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT,
             cv::Scalar::all(nowhere));
@@ -53,7 +52,7 @@ Occlusions& Occlusions::operator+=(const Occlusions& more) {
 
 MotionFinder::MotionFinder()
     : m_flow(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM)) {
-  m_flow->setFinestScale(0);  // every pixel: what hides what is seen at edges alone
+  m_flow->setFinestScale(0);  // every pixel, because only edges show occlusions
 }
 
 cv::Mat2f MotionFinder::flow(const cv::Mat1b& from, const cv::Mat1b& to) {
@@ -82,7 +81,7 @@ DenseMotion MotionFinder::between(const cv::Mat1b& from, const cv::Mat1b& to) {
 cv::Mat1b repetitions(const cv::Mat1b& picture, int axis) {
   constexpr int nearest = 4;
   constexpr int farthest = 28;
-  constexpr float mostOfContrast = 0.4F;  // of a window's standard deviation; chance has 1.1
+  constexpr float mostOfContrast = 0.4F;  // of a window's standard deviation; noise has 1.1
   const cv::Size window(17, 17);
   const cv::Mat1f values = smoothed(picture);
   cv::Mat1f mean;
@@ -111,7 +110,7 @@ DenseMotion motionPerView(const Neighbours& neighbours) {
   if (!neighbours.hasBefore()) return {after.shift / step, after.isSure};
   if (!neighbours.hasAfter()) return {before.shift / -step, before.isSure};
   DenseMotion motion{(after.shift - before.shift) / (2 * step), after.isSure & before.isSure};
-  constexpr double mostDifference = 0.25;  // of the motion, and of a pixel: cameras stand unevenly
+  constexpr double mostDifference = 0.25;  // of the motion, beyond 1 px: cameras stand unevenly
   for (int y = 0; y < view.rows; ++y)
     for (int x = 0; x < view.cols; ++x)
       if (cv::norm(after.shift(y, x) + before.shift(y, x)) >
@@ -122,7 +121,7 @@ DenseMotion motionPerView(const Neighbours& neighbours) {
 
 namespace {
 
-/// The two pixels of a view that arrive at one pixel of another and differ most in motion.
+/// The two pixels of a view that move to one pixel of another and differ most in motion.
 struct Arrivals {
   cv::Mat1f least;  ///< motion along the axis from one view to the next
   cv::Mat1f most;
@@ -130,7 +129,7 @@ struct Arrivals {
   cv::Mat2i fromMost;
 };
 
-/// `motion` leads `factor` times as far to the other view, which is `t` steps away.
+/// Returns the arrivals in the view `t` steps away, to which the motion is `factor` times `motion`.
 Arrivals arrivalsOf(const DenseMotion& motion, double factor, int t, int axis) {
   const cv::Size size = motion.shift.size();
   constexpr float far = 1e9F;
@@ -155,7 +154,7 @@ Arrivals arrivalsOf(const DenseMotion& motion, double factor, int t, int axis) {
   return result;
 }
 
-/// Mean absolute difference of 3×3 pixels around `a` and `b`.
+/// Returns the mean absolute difference of 3×3 pixels around `a` and `b`.
 double difference(const cv::Mat1f& one, const cv::Vec2i& a, const cv::Mat1f& other,
                   const cv::Point& b) {
   double sum = 0;
@@ -167,7 +166,7 @@ double difference(const cv::Mat1f& one, const cv::Vec2i& a, const cv::Mat1f& oth
   return sum / 9;
 }
 
-/// One vote for a square of pixels, since neighbours are not independent.
+/// Returns one vote per square of pixels, because neighbours are not independent.
 Occlusions votesOf(const cv::Mat1f& view, const cv::Mat1f& other, const Arrivals& arrivals, int t) {
   constexpr double leastWay = 3;    // pixels apart, more than motion can be wrong
   constexpr double mostOfSeen = 9;  // code values
@@ -197,7 +196,7 @@ Occlusions votesOf(const cv::Mat1f& view, const cv::Mat1f& other, const Arrivals
   return votes;
 }
 
-/// By how many pixels a view's content moves apart from one view to the next.
+/// Returns the range of the content's motion from one view to the next, in pixels.
 double spreadOf(const DenseMotion& motion, int axis) {
   std::vector<float> values;
   for (int y = 0; y < motion.shift.rows; y += 2)

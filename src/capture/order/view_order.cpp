@@ -14,13 +14,13 @@ namespace hogelscope {
 
 namespace {
 
-/// A view of the grid whose neighbours are looked at.
+/// A view of the grid whose neighbours are examined.
 struct Centre {
   int row;
   int column;
 };
 
-/// The views, made small or large enough for the flow, each fetched once.
+/// The views, scaled to a size for the flow, each fetched once.
 class Views {
  public:
   explicit Views(const GreyGrid& grid) : m_grid(grid) {}
@@ -33,7 +33,7 @@ class Views {
   DenseMotion motion(const cv::Mat1b& from, const cv::Mat1b& to) {
     return m_finder.between(from, to);
   }
-  /// Our pixels for one of the pictures'.
+  /// Returns the scale: pixels here per pixel of the original images.
   [[nodiscard]] double scale() const { return m_scale; }
 
  private:
@@ -65,7 +65,7 @@ double percentile(std::vector<double> values, double part) {
   return *at;
 }
 
-/// Of a view along x and y.
+/// The repetitions() of a view along x and y.
 using Repetitions = std::array<cv::Mat1b, 2>;
 
 /// One direction of the grid: along its columns (within a row) or along its rows.
@@ -86,7 +86,8 @@ class Direction {
     return result;
   }
 
-  /// The same at a step for which content moves by about a pixel, if views are that far apart.
+  /// Returns the neighbours at a step at which content moves by about a pixel, if views are that
+  /// far apart.
   Neighbours neighboursThatMove(const Centre& centre, const Progress& progress) {
     constexpr double leastMotion = 0.8;  // pixels
     const int before = reach(centre, -1), after = reach(centre, 1);
@@ -117,7 +118,7 @@ class Direction {
     return m_isAlongColumns ? m_grid.has(centre.row, centre.column + by)
                             : m_grid.has(centre.row + by, centre.column);
   }
-  /// How far views follow one another that way.
+  /// Returns the number of consecutive views that way.
   [[nodiscard]] int reach(const Centre& centre, int way) const {
     int steps = 0;
     while (has(centre, way * (steps + 1))) ++steps;
@@ -135,7 +136,7 @@ class Direction {
   int m_step = 1;
 };
 
-/// Motions of squares of pixels that have structure in all directions.
+/// Returns the motions of squares of pixels that have structure in all directions.
 std::vector<PlaceMotion> placesOf(const cv::Mat1b& view, const Repetitions& repetitions,
                                   const DenseMotion& alongColumns, const DenseMotion& alongRows) {
   constexpr int side = 16;          // pixels of a square
@@ -175,7 +176,8 @@ std::vector<PlaceMotion> placesOf(const cv::Mat1b& view, const Repetitions& repe
   return places;
 }
 
-/// Pearson's, of values within their 2nd to 98th percentile; 0 where either is constant.
+/// Returns Pearson's correlation of values within their 2nd to 98th percentile; 0 if either is
+/// constant.
 double correlationOf(const std::vector<double>& a, const std::vector<double>& b) {
   const auto range = [](const std::vector<double>& v) {
     return std::pair(percentile(v, 0.02), percentile(v, 0.98));
@@ -198,7 +200,7 @@ double correlationOf(const std::vector<double>& a, const std::vector<double>& b)
   return va > 0 && vb > 0 ? (n * sab - sa * sb) / std::sqrt(va * vb) : 0;
 }
 
-/// All that is measured, of all centres.
+/// All measurements, for all centres.
 struct Measured {
   std::vector<std::vector<PlaceMotion>> places;  ///< for each centre
   Occlusions alongColumns;
@@ -227,14 +229,14 @@ double rowsY(const PlaceMotion& place) {
   return place.alongRows[1];
 }
 
-/// How much there is of a motion.
+/// Returns the 90th percentile of a motion's absolute values.
 double amountOf(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
   return percentile(std::move(values), 0.9);
 }
 
-/// Whether along the files' columns content moves up or down, along their rows sideways; none where
-/// it moves as much one way as the other.
+/// Whether content moves up or down along the files' columns and sideways along their rows; none if
+/// neither way is clearly stronger.
 std::optional<bool> isTransposed(const std::vector<std::vector<PlaceMotion>>& places) {
   constexpr double clearly = 2;
   const double straight = amountOf(all(places, columnsX)) + amountOf(all(places, rowsY));
@@ -244,8 +246,8 @@ std::optional<bool> isTransposed(const std::vector<std::vector<PlaceMotion>>& pl
   return std::nullopt;
 }
 
-/// The nearest view to a place that is there and has neighbours on all sides, as far as the grid
-/// goes on; or fewer, if none near has.
+/// Returns the existing view nearest to a place, preferably one with neighbours on all sides within
+/// the grid.
 Centre nearest(const GreyGrid& grid, const Centre& place) {
   constexpr int forLackOfOne = 16;  // a view four further away is better
   Centre best = place;
@@ -273,8 +275,8 @@ Centre middleOf(const GreyGrid& grid) {
   return nearest(grid, {grid.rows / 2, grid.columns / 2});
 }
 
-/// The view in the middle and one or two off it, in rows of both parities: what the camera's way to
-/// and fro would tell.
+/// Returns the view in the middle and one or two off it, in rows of both parities, which would show
+/// a serpentine scan.
 std::vector<Centre> centresOf(const GreyGrid& grid) {
   const auto [row, column] = middleOf(grid);
   std::vector<Centre> centres{{row, column}};
@@ -298,14 +300,14 @@ Sureness surenessOf(const Occlusions& votes, int forSure, double partForSure) {
   return Sureness::unknown;
 }
 
-/// Whether one direction's own votes do not speak against what both say together.
+/// Whether one direction's own votes do not contradict the decision for both.
 bool agrees(const Occlusions& own, bool isReversed) {
   constexpr int few = 6;
   constexpr double part = 0.7;
   return own.count() < few || (isReversed ? own.reversed : own.ordered) >= part * own.count();
 }
 
-/// One direction alone has no second witness, so more is asked of it.
+/// Decides one direction alone, which needs more votes, because no other one confirms it.
 void decideAlone(ViewOrder& order, const Occlusions& votes, bool& isReversed) {
   constexpr int forSure = 30;
   constexpr double partForSure = 0.9;
@@ -313,8 +315,8 @@ void decideAlone(ViewOrder& order, const Occlusions& votes, bool& isReversed) {
   isReversed = order.sureness != Sureness::unknown && votes.reversed > votes.ordered;
 }
 
-/// Depths move along columns as they do along rows, which leaves two orders, each the other
-/// backwards; what hides what chooses.
+/// Decides both directions: depths move along columns as along rows, which leaves two orders, each
+/// the reverse of the other; occlusions decide.
 void decideTogether(ViewOrder& order, bool& isUp, bool& isLeft) {
   constexpr int forSure = 30;
   constexpr double partForSure = 0.85;
@@ -333,8 +335,8 @@ void decideTogether(ViewOrder& order, bool& isUp, bool& isLeft) {
   isUp = !areAlike;
 }
 
-/// Whether one row of the grid says the opposite of another, or its neighbours do not continue it
-/// though they do elsewhere.
+/// Whether one row of the grid contradicts another, or hardly any place moves to the neighbours of
+/// one centre although many do at another.
 bool isToAndFro(const std::vector<std::vector<PlaceMotion>>& places) {
   constexpr double clear = 0.5;
   constexpr std::size_t many = 60;
@@ -355,7 +357,7 @@ bool isToAndFro(const std::vector<std::vector<PlaceMotion>>& places) {
 
 /// Whether different depths move differently enough to be compared.
 bool isDeep(const std::vector<double>& motion, int step) {
-  constexpr double least = 0.25;  // pixels, which the flow can tell apart
+  constexpr double least = 0.25;  // pixels, which the flow distinguishes
   return (percentile(motion, 0.95) - percentile(motion, 0.05)) * step >= least;
 }
 
@@ -366,7 +368,7 @@ void transpose(Measured& measured) {
     for (PlaceMotion& place : places) std::swap(place.alongColumns, place.alongRows);
 }
 
-/// Measures the grid, and decides.
+/// Measures the grid and decides its order.
 class Finder {
  public:
   Finder(const GreyGrid& grid, Views views, const Progress& progress)
@@ -401,7 +403,7 @@ class Finder {
     Neighbours rows;
   };
 
-  /// The first centre chooses the step.
+  /// Returns the neighbours at the step that the first centre determines.
   Neighbours neighboursOf(Direction& direction, const Centre& centre, const Progress& progress) {
     if (!direction.hasNeighbours()) return {};
     return m_around.empty() ? direction.neighboursThatMove(centre, progress)
@@ -420,7 +422,7 @@ class Finder {
     m_around.push_back({centre, std::move(repeats), std::move(columns), std::move(rows)});
   }
 
-  /// Puts the middle view's motions into the result, in the pictures' own pixels.
+  /// Puts the middle view's motions into the result, in pixels of the original images.
   void describePlaces() {
     m_order.motions = m_measured.places.front();
     m_order.middleRow = m_around.front().centre.row;
@@ -444,7 +446,7 @@ class Finder {
                  amount(rowsX, rowsY, m_rows.step())) < least)
       return false;
     const std::optional<bool> transposed = hogelscope::isTransposed(m_measured.places);
-    constexpr int enough = 60;  // to tell disorder from noise
+    constexpr int enough = 60;  // to distinguish disorder from noise
     m_order.isInconsistent = !transposed && m_order.places >= enough;
     m_order.isTransposed = transposed.value_or(false);
     return transposed.has_value();
@@ -462,7 +464,7 @@ class Finder {
           m_rows.occlusions(around.centre, around.rows, around.repeats, 1 - axis);
   }
 
-  /// From here on rows and columns are those of cameras.
+  /// Decides the order; rows and columns are now those of cameras.
   void decide() {
     const std::vector<double> x = all(m_measured.places, columnsX);
     const std::vector<double> y = all(m_measured.places, rowsY);
@@ -505,7 +507,7 @@ class Finder {
 }  // namespace
 
 bool hasVerticalParallax(const ViewOrder& order) {
-  constexpr std::size_t fewest = 4;  // places: of views far apart few are found again
+  constexpr std::size_t fewest = 4;  // places; few are found again in views far apart
   constexpr double least = 0.1;      // pixels per view
   constexpr double clearly = 4;
   if (order.motions.size() < fewest) return false;
@@ -517,7 +519,7 @@ bool hasVerticalParallax(const ViewOrder& order) {
 }
 
 ViewOrder findViewOrder(const GreyGrid& grid, const Progress& progress) {
-  constexpr int leastSide = 32;  // of what the flow looks at
+  constexpr int leastSide = 32;  // of the scaled views
   if (grid.rows * grid.columns < 2) return {};
   Views views(grid);
   const Centre middle = middleOf(grid);

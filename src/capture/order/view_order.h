@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds by their content alone how views lie in a grid: which end of a row was taken from the left,
-// which end of a column from the top, and by how much the middle depth moves.
-// docs/formulas.md, Order of views.
+// Finds the order of views in a grid by their content: which end of a row was taken from the left,
+// which end of a column from the top, and how far the middle depth moves (docs/formulas.md, Order
+// of views). The order is judged by occlusions, the only cue that distinguishes depth from reversed
+// depth. findViewOrder() is a pure function of grey images, and returns `sure` only where
+// independent places agree.
 #pragma once
 
 #include <array>
@@ -15,14 +17,14 @@
 
 namespace hogelscope {
 
-/// An 8-bit grey picture, row by row from the top.
+/// An 8-bit grey image, row by row from the top.
 struct GreyPicture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> values;
 };
 
-/// Views in the order of their files. `view` is called for a few of them, for some more than once.
+/// Views in the order of their files. `view` is called for a few of them, some more than once.
 struct GreyGrid {
   int rows = 0;
   int columns = 0;
@@ -38,13 +40,13 @@ struct GreyGrid {
 
 enum class Sureness { unknown, likely, sure };
 
-/// Counts places where one surface hides another. In the right order the hiding one moves left (of
-/// columns) or up (of rows) relative to the hidden one.
+/// The number of places where one surface hides another. In the right order the hiding surface
+/// moves left (along columns) or up (along rows) relative to the hidden one.
 struct Occlusions {
-  using Areas = std::bitset<64>;  ///< 8×8 parts of the picture
-  int ordered = 0;                ///< as in the right order
-  int reversed = 0;               ///< as in the reversed one
-  Areas orderedAreas;             ///< that have such a place: one object alone may deceive
+  using Areas = std::bitset<64>;  ///< 8×8 parts of the image
+  int ordered = 0;                ///< places as in the right order
+  int reversed = 0;               ///< places as in the reversed order
+  Areas orderedAreas;             ///< with such places: a single object may mislead
   Areas reversedAreas;
 
   [[nodiscard]] int count() const { return ordered + reversed; }
@@ -52,8 +54,8 @@ struct Occlusions {
   Occlusions& operator+=(const Occlusions& more);
 };
 
-/// The motion of a place of the picture, in pixels from one view to the next along the files'
-/// columns and rows: {x, y} each.
+/// The motion {x, y} of a place of the image, in pixels from one view to the next, along the files'
+/// columns and along their rows.
 struct PlaceMotion {
   std::array<double, 2> at{};  ///< pixel
   std::array<double, 2> alongColumns{};
@@ -61,35 +63,36 @@ struct PlaceMotion {
 };
 
 struct ViewOrder {
-  /// The files' rows are columns of cameras: exchange both first; all else here is said of the
-  /// grid after that.
+  /// The files' rows are columns of cameras. The other members, except `motions` and the middle
+  /// view, describe the grid after both are exchanged.
   bool isTransposed = false;
   RowOrder rows = RowOrder::topDown;
   ColumnOrder columns = ColumnOrder::leftRight;
   Sureness sureness = Sureness::unknown;
   /// The motion of the middle depth from one view to the next, in pixels, x along columns and y
-  /// along rows, as the files count them.
+  /// along rows, in the order of the files.
   std::array<double, 2> middleMotion{0, 0};
-  /// Of x along columns with y along rows: near +1 where both run the same way, near -1 where one
-  /// is reversed. 0 where it was not measured.
+  /// The correlation of x along columns with y along rows: near +1 if both have the same order,
+  /// near -1 if one is reversed, 0 if it was not measured.
   double correlation = 0;
-  int places = 0;  ///< with structure, where the motion was measured
+  int places = 0;  ///< places with structure whose motion was measured
   Occlusions alongColumns;
   Occlusions alongRows;
-  /// Neighbouring rows contradict each other, as in a grid that was taken to and fro.
+  /// Neighbouring rows contradict each other, as in a serpentine scan.
   bool isInconsistent = false;
-  /// The measured places of the view in the middle, or next to it if that is missing, of the
-  /// pictures' own pixels.
+  /// The measured places of the middle view, or of one next to it if that is missing, in pixels of
+  /// the original images.
   std::vector<PlaceMotion> motions;
-  int middleRow = -1;  ///< where that view lies among the files; -1 if nothing was measured
+  int middleRow = -1;  ///< row of that view in the files; -1 if nothing was measured
   int middleColumn = -1;
 };
 
 /// Whether content moves up or down, and little sideways, from one column or row of the files to
-/// the next: what a row of cameras never shows.
+/// the next, which a row of cameras never shows.
 bool hasVerticalParallax(const ViewOrder& order);
 
-/// Never throws for any pictures of one size; Cancelled, and what `view` throws.
+/// Finds the order of views. Throws only Cancelled and what `view` throws, if the images have one
+/// size.
 ViewOrder findViewOrder(const GreyGrid& grid, const Progress& progress = {});
 
 }  // namespace hogelscope
