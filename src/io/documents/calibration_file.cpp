@@ -56,7 +56,7 @@ std::vector<double> matrix(const Json& document, Names names) {
   throw InputError(*names.begin(), "is missing; it may also be called:" + others);
 }
 
-/// Ranges are those of the parameters' description.
+/// Returns the parameters, whose ranges are those of their description.
 template <class Params>
 Params checked(const Json& object, const std::string& section) {
   Params params;

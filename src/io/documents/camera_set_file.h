@@ -17,9 +17,10 @@ namespace hogelscope {
 ///   "path": [{"eye": …}, …],
 ///   "trace": {"file": "tracks.csv", "time": "Timestamp", "timeUnit": 0.001, …};
 /// or FILE.csv, which is {"trace": {"file": FILE.csv}}: lines of time, x, y[, z] in seconds and
-/// metres, with or without these names above them; without z it is that of cameraRegion.centre.
-/// `overrides` are as for loadSession(), of cameraSet, cameraRegion and trace; those of the region
-/// apply to every part of a mixture too. Throws InputError that names the file and the place in it.
+/// metres, with or without a first line of these names; a missing z is that of cameraRegion.centre.
+/// `overrides` are as for loadSession(), for cameraSet, cameraRegion and trace; those for the
+/// region apply to every part of a mixture too. Throws InputError that names the file and the place
+/// in it.
 CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides = {});
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the field of a camera state or a session that an edit changes, for its name in the undo
-// menu.
+// Finds the field of a camera state or a session that an edit changes; the undo menu names the edit
+// after it.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace hogelscope {
 /// Key sequences by the name of the command; "" for a command without a key.
 using KeyTexts = std::map<std::string, std::string>;
 
-/// Reads the file. Throws InputError: it cannot be read, or is not such a file.
+/// Reads the file. Throws InputError if it cannot be read or is not such a file.
 KeyTexts loadKeyTexts(const std::filesystem::path& file);
 
 /// Writes the file, and creates its folder. Throws InputError.

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 2> samplingNames{"4:2:0", "4:4:4"};
 constexpr std::array<std::string_view, 2> matrixNames{"bt709", "bt601"};
 constexpr std::array<std::string_view, 2> rangeNames{"limited", "full"};
 
-/// Whether the names of its files say that they are raw YUV.
+/// Whether the names of its files are those of raw YUV.
 bool isYuv(const LightFieldParams& params) {
   if (params.layout == Layout::pack || params.isLive()) return false;
   return params.file.ends_with(".yuv") ||

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of partial panel errors, with the states in them, so that a report can be resumed.
+// Files of partial panel errors, with the states that they include, so that a report can be
+// resumed.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +21,8 @@ struct SavedPanelError {
 /// machine's 64-bit numbers. Throws InputError.
 void savePanelError(const std::filesystem::path& file, const std::string& key,
                     const SavedPanelError& saved);
-/// Reads it; none if there is no complete file with this key and size. Throws InputError if there
-/// is a file that is not a panel error, since it would be replaced.
+/// Reads the file; none if there is no complete one with this key and size. Throws InputError if
+/// the file is not a panel error, because it would be replaced.
 std::optional<SavedPanelError> loadPanelError(const std::filesystem::path& file,
                                               const std::string& key, const LightFieldSize& size,
                                               bool isDeep = false);

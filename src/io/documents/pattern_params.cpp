@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Overrides of a pattern's parameters, read as a document's section would be.
+// Reads overrides of a pattern's parameters in the same way as a section of a document.
 #include "io/documents/pattern_params.h"
 
 #include "core/base/error.h"

@@ -99,8 +99,8 @@ Session readSession(const Json& document) {
   return session;
 }
 
-/// Returns the object that has the field of a path like "mesh.file", made where it is missing; null
-/// if something else is there.
+/// Returns the object that has the field of a path like "mesh.file", which is created if it is
+/// missing; null if something else is in its place.
 Json* objectAt(Json& object, const std::string& path) {
   if (!object.is_object() && !object.is_null()) return nullptr;
   const std::size_t dot = path.find('.');
@@ -175,7 +175,7 @@ std::string besideDocument(const fs::path& folder, const std::string& file) {
   const fs::path joined = folder / file;
   fs::path shorter = joined.lexically_normal();
   if (!shorter.has_filename()) shorter = shorter.parent_path();  // "views/" is "views"
-  // ".." after a link leads elsewhere than it reads.
+  // ".." after a link leads to another folder than its text.
   const bool isSame = !fs::exists(joined, error) || fs::equivalent(joined, shorter, error);
   return isSame ? shorter.string() : joined.string();
 }
@@ -190,7 +190,7 @@ std::string relativeTo(const fs::path& document, const std::string& file) {
   return relative.empty() ? target.string() : relative.string();
 }
 
-/// Names all files of a session anew.
+/// Applies a change to all file names of a session.
 template <class Change>
 void changeFiles(Session& session, const Change& change) {
   LightFieldParams& lightField = session.lightField;
@@ -201,7 +201,7 @@ void changeFiles(Session& session, const Change& change) {
   session.display.lensParams.changeFiles(change);
 }
 
-/// What is wrong with a plugin's lens is said when its document is read.
+/// Opens the lenses of plugins, so that their errors are reported when the document is read.
 void openLenses(const DisplayParams& display) {
   for (const std::size_t axis : {0, 1}) (void)lensOf(display, axis);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Session documents: reading, and writing without losing the old one.
+// Reads and writes session documents; the old one is kept until the new one is complete.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@
 namespace hogelscope {
 
 /// Reads a session. `overrides` are of the form section.field=value, value as in JSON (a text needs
-/// no quotes); camera, intrinsics, distortion and psf apply to every state. A calibration applies
-/// to every state before them. The light field's file becomes relative to the current folder
-/// instead of the document. Throws InputError that names the document.
+/// no quotes); camera, intrinsics, distortion and psf apply to every state. A calibration is
+/// applied to every state before the overrides. The light field's file becomes relative to the
+/// current folder instead of the document. Throws InputError that names the document.
 Session loadSession(const std::filesystem::path& file,
                     const std::vector<std::string>& overrides = {},
                     const std::optional<Calibration>& calibration = {});
 
-/// Reads the text of a session, which names its files relative to `folder`; otherwise as
+/// Reads the text of a session, whose file names are relative to `folder`; otherwise as
 /// loadSession(). Throws InputError that names no document.
 Session parseSession(const std::string& text, const std::filesystem::path& folder,
                      const std::vector<std::string>& overrides = {},
@@ -39,7 +39,7 @@ std::vector<CameraState> loadStates(const std::filesystem::path& file);
 /// file is replaced atomically. Throws InputError.
 void appendStates(const std::filesystem::path& file, const std::vector<CameraState>& states);
 
-/// A display with one state in front of it, whose content is the built-in scene.
+/// Returns a session of a display that shows the built-in scene, with one state in front of it.
 Session newSession();
 
 /// Returns the session with overrides as above. Throws InputError that names the light field's

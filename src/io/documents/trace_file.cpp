@@ -48,7 +48,7 @@ std::string shown(std::string_view cell) {
   return "\"" + text + (cell.size() > longest ? "…\"" : "\"");
 }
 
-/// The lines of a trace, one after the other.
+/// Reads a trace line by line.
 class TraceReader {
  public:
   TraceReader(double distance, const TraceParams& params) : m_params(params), m_distance(distance) {
@@ -92,7 +92,7 @@ class TraceReader {
   static constexpr std::size_t none = std::size_t(-1);
   static constexpr std::array<const char*, 4> axes{"time", "x", "y", "z"};
 
-  /// A file without names: its columns are time, x, y[, z].
+  /// Sets the columns of a file without names: time, x, y[, z].
   void takeFirstColumns(std::string_view line) {
     const TraceParams standard;
     const bool isNamed = m_params.time != standard.time || m_params.x != standard.x ||
@@ -135,7 +135,7 @@ class TraceReader {
     m_trace.points.push_back({elapsed(cells, time), {x, y, z}});
   }
 
-  /// Returns the time since the first line, without that between recordings.
+  /// Returns the time since the first line, without the time between recordings.
   double elapsed(const std::vector<std::string_view>& cells, double time) {
     const std::string_view recording =
         m_recordingAt == none ? std::string_view() : cells[m_recordingAt];
