@@ -19,8 +19,8 @@ namespace {
 
 constexpr double metresPerMillimetre = 1e-3;
 
-/// The words of a file's lines by the line's first word; "=" counts as a space, "#" and "[" begin
-/// lines that say nothing.
+/// The second word of each line of a file by its first; "=" counts as a space, lines that begin
+/// with "#" or "[" are ignored.
 class Settings {
  public:
   explicit Settings(const fs::path& file) : m_file(file) {
@@ -36,7 +36,7 @@ class Settings {
     }
   }
 
-  /// None if it is not there. Throws InputError unless it is a number above 0.
+  /// Returns a value, none if it is missing. Throws InputError unless it is a number above 0.
   [[nodiscard]] std::optional<double> find(const std::string& name) const {
     const auto found = m_values.find(name);
     if (found == m_values.end()) return std::nullopt;
@@ -57,7 +57,8 @@ class Settings {
   std::map<std::string, std::string> m_values;
 };
 
-/// `sensor` is as long as the longer side of the view, in the unit of `focal`.
+/// Returns what a camera sees at a distance; `sensor` is the longer side of the view, in the unit
+/// of `focal`.
 std::array<double, 2> seenOf(double distance, double focal, double sensor, int width, int height) {
   const double longer = std::max(width, height);
   return {distance * sensor / focal * width / longer, distance * sensor / focal * height / longer};
@@ -75,7 +76,7 @@ std::optional<CaptureGeometry> ofHci(const fs::path& file, int width, int height
       seenOf(*distance, *focal, *sensor, width, height), {metres, metres}, *distance, true};
 }
 
-/// The last two numbers of a name like "…_369.2_307.7_30_36.jpg".
+/// Returns the last two numbers of a name like "…_369.2_307.7_30_36.jpg".
 std::optional<std::array<double, 2>> lastNumbers(const fs::path& file) {
   std::string stem = file.stem().string();
   std::array<double, 2> numbers{};

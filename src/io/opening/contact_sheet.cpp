@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of a light field's views as they are put on the display, with arrows.
+// Draws a light field's views in the order of the display, with arrows.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -17,7 +17,8 @@ const cv::Scalar white(255, 255, 255);
 const cv::Scalar yellow(255, 210, 0);
 const cv::Scalar blue(80, 190, 255);
 
-/// Which of `count` views are shown: the first, the last, some evenly between, and `middle`.
+/// Returns which of `count` views are shown: the first, the last, some evenly between, and
+/// `middle`.
 std::vector<int> shownOf(int count, int middle) {
   constexpr int most = 5;
   const int shown = std::min(count, most);
@@ -80,7 +81,7 @@ class Sheet {
   static constexpr int leastWidth = 640;
   static constexpr int adviceHeight = 64;
 
-  /// There is one: more than half of the views are.
+  /// Returns the first view that is not missing; there is at least one.
   [[nodiscard]] GreyPicture firstThere() const {
     for (int row = 0; row < m_views.grid.rows; ++row)
       for (int column = 0; column < m_views.grid.columns; ++column)
@@ -110,7 +111,7 @@ class Sheet {
     if (m_middle == std::array{row, column} && m_isAsMeasured) putArrows(place);
   }
 
-  /// As long as the motion over some views, so that it can be seen.
+  /// Draws arrows as long as the motion over some views, so that it is visible.
   void putArrows(const cv::Rect& place) {
     double longest = 0;
     for (const PlaceMotion& motion : m_motions)
@@ -171,7 +172,7 @@ class Sheet {
   std::vector<int> m_columns;
   double m_scale = 1;
   cv::Size m_tile;
-  int m_bottom = 0;  ///< of the views
+  int m_bottom = 0;  ///< below the views
   cv::Mat3b m_sheet;
 };
 

@@ -40,7 +40,7 @@ GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
   return picture;
 }
 
-/// A file that is not like the first one is an error when all are read.
+/// Returns the view, or `like` if the sizes differ: that is an error when all views are read.
 GreyPicture fitted(GreyPicture picture, const GreyPicture& like) {
   if (picture.width != like.width || picture.height != like.height) return like;
   return picture;
@@ -77,7 +77,7 @@ GreyPicture tileOf(const GreyPicture& image, int width, int height, int column, 
   return tile;
 }
 
-/// A mosaic's grid, or a quilt's one row of views, from the bottom left tile on.
+/// Returns a mosaic's grid, or a quilt's one row of views, from the bottom left tile on.
 GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& size,
                        const Progress& progress) {
   const auto image =
@@ -95,7 +95,7 @@ GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& siz
   return views;
 }
 
-/// Of a light field that is read whole.
+/// Returns the views of a light field that is read whole.
 GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
   const auto lightField = std::make_shared<const LightField>(file.read(progress));
   const LightFieldSize size = lightField->size();

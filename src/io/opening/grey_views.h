@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads views of a light field as grey pictures, in the order of its files.
+// Reads views of a light field as grey images, in the order of its files.
 #pragma once
 
 #include <array>
@@ -12,21 +12,20 @@
 
 namespace hogelscope {
 
-/// The views of a light field's files as they lie there: `rows`, `columns`, `shear` and `incoming`
+/// The views of a light field in the order of its files: `rows`, `columns`, `shear` and `incoming`
 /// are not applied.
 struct GreyViews {
   GreyGrid grid;
-  std::string pattern;  ///< of the names of its files
-  /// Where the first and the last column (x) and row (y) were taken from, as the file names have
-  /// it.
+  std::string pattern;  ///< of the file names
+  /// The positions of the first and the last column (x) and row (y), from the file names.
   std::optional<std::array<double, 2>> columnsFromTo;
   std::optional<std::array<double, 2>> rowsFromTo;
-  /// Of a quilt: its tiles as they lie in the picture.
+  /// The tiles of a quilt as they lie in the image; none for other layouts.
   std::optional<GreyGrid> tiles;
-  std::vector<std::string> warnings;  ///< for the user: missing views, and one too many
+  std::vector<std::string> warnings;  ///< for the user: missing views, a surplus view
 };
 
-/// None for a light field without files, or of more pixels than are looked at on the way. Throws
+/// Opens the views; none for a live light field, or if it is too large to be read here. Throws
 /// InputError as openLightField() does.
 std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const DisplayParams& display,
                                      const Progress& progress);

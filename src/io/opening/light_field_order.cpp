@@ -40,7 +40,7 @@ struct Order {
   bool operator==(const Order&) const = default;
 };
 
-/// The order that a session's parameters say of the files.
+/// Returns the order of the files that a session's parameters give.
 Order orderSaidBy(const LightFieldParams& params) {
   Order order;
   if (isGridOfViews(params.layout)) order = {params.rows, params.columns};
@@ -52,8 +52,8 @@ bool areCoordinatesAlone(const std::string& pattern) {
   return !pattern.empty() && namePattern(pattern).meaning().find_first_of("xy") == 0;
 }
 
-/// Names have x to the right and y downwards, as Stanford's and light-field-renderer's do. A grid
-/// of coordinates that is transposed has them exchanged.
+/// Returns the order from positions in names: x to the right and y downwards, as in those of
+/// Stanford and light-field-renderer; exchanged in a transposed grid of coordinates.
 std::optional<Order> orderSaidByNames(const GreyViews& views, bool isTransposed) {
   if (!views.columnsFromTo || !views.rowsFromTo) return std::nullopt;
   if (isTransposed && !areCoordinatesAlone(views.pattern)) return std::nullopt;
@@ -66,15 +66,15 @@ std::optional<Order> orderSaidByNames(const GreyViews& views, bool isTransposed)
 
 constexpr double clearCorrelation = 0.5;
 
-/// Whether the motion of depths allows an order: x along columns goes with y along rows if both run
-/// the same way.
+/// Whether the motion of depths allows an order: x along columns correlates with y along rows if
+/// both have the same order.
 bool fitsMotion(const Order& order, double correlation) {
   const bool areAlike =
       (order.rows == RowOrder::topDown) == (order.columns == ColumnOrder::leftRight);
   return std::abs(correlation) < clearCorrelation || areAlike == (correlation > 0);
 }
 
-/// What the pictures, the names and the session say, made one.
+/// Combines the evidence of images, names and session.
 class Judgement {
  public:
   Judgement(const ViewOrder& measured, const std::optional<Order>& names, const Order& said)
@@ -117,13 +117,13 @@ class Judgement {
       m_reason = "positions in the file names, and " + m_reason;
     else
       m_reason += "; the positions in the file names say the opposite";
-    // Where both agree on what depths and occlusions say, a likely order is a sure one.
+    // If the names agree with motion and occlusions, a likely order becomes a sure one.
     if (names == seen && isMeasured && m_sureness == Sureness::likely) m_sureness = Sureness::sure;
     if (names != seen) m_sureness = std::min(m_sureness, Sureness::likely);
   }
 
-  /// Motion alone allows an order and its opposite. One of them is said, or is the usual one; that
-  /// is no evidence.
+  /// Decides without occlusions: motion alone allows an order and its reverse. One of them is given
+  /// or the default, which is no evidence.
   void withoutEvidence(const Order& seen) {
     const double correlation = m_measured.correlation;
     if (m_measured.places == 0) {
@@ -138,7 +138,7 @@ class Judgement {
     }
   }
 
-  /// Of what hides what, as the order has it.
+  /// Returns the occlusions, counted for this order.
   [[nodiscard]] Occlusions votes() const {
     Occlusions all = m_order.columns == ColumnOrder::leftRight
                          ? m_measured.alongColumns
@@ -149,7 +149,7 @@ class Judgement {
   }
 
   [[nodiscard]] bool isOutvoted() const {
-    constexpr int clearly = 3;  // one or two places may deceive
+    constexpr int clearly = 3;  // one or two places may mislead
     return votes().reversed >= votes().ordered + clearly;
   }
 
@@ -173,8 +173,8 @@ double roundedShear(double pixels) {
   return std::round(100 * pixels) / 100 + 0.0;  // 0, not −0
 }
 
-/// What takes the middle depth's motion away, in the order of the parameters; cameras at a given
-/// distance keep their own geometry.
+/// Returns the shear that cancels the middle depth's motion, in the order of the parameters;
+/// cameras at a given distance keep their own geometry.
 std::array<double, 2> shearOf(const LightFieldParams& params, const ViewOrder& measured) {
   if (params.viewingDistance > 0) return params.shear;
   const auto [x, y] = measured.middleMotion;
@@ -182,7 +182,7 @@ std::array<double, 2> shearOf(const LightFieldParams& params, const ViewOrder& m
           roundedShear(params.rows == RowOrder::topDown ? -y : y)};
 }
 
-/// Puts the order into what the layout's parameters can say.
+/// Expresses the order by the layout's parameters.
 class Finding {
  public:
   Finding(const LightFieldParams& params, const GreyViews& views, const ViewOrder& measured)
@@ -214,7 +214,7 @@ class Finding {
     found.shear = shearOf(found, m_result.measured);
   }
 
-  /// Returns false if the names cannot be read the other way round.
+  /// Exchanges rows and columns in the pattern; returns false if this is not possible.
   bool sayTransposed() {
     const std::string pattern = transposedPattern(m_views.pattern);
     if (!pattern.empty()) {
@@ -243,7 +243,8 @@ class Finding {
     return false;
   }
 
-  /// Of images of hogels, quilts and stores: `incoming` alone, which flips both.
+  /// Sets `incoming`, which flips both: images of hogels, quilts and stores have no other
+  /// parameter.
   void sayDirections() {
     const bool isUp = m_result.rows == RowOrder::bottomUp;
     const bool isLeft = m_result.columns == ColumnOrder::rightLeft;
@@ -266,7 +267,7 @@ class Finding {
   LightFieldOrder m_result;
 };
 
-/// A quilt that is none.
+/// Returns the order of a quilt that is a mosaic.
 LightFieldOrder likeMosaic(const LightFieldParams& params, const GreyGrid& tiles) {
   LightFieldOrder order;
   order.found = params;
@@ -325,7 +326,7 @@ std::vector<std::string> mendingOf(const LightFieldParams& used, const LightFiel
 }
 
 std::string contradictionOf(const LightFieldParams& used, const LightFieldOrder& order) {
-  LightFieldOrder ofShear = order;  // another shear is a choice
+  LightFieldOrder ofShear = order;  // another shear is the user's choice
   ofShear.found.shear = used.shear;
   if (mendingOf(used, ofShear).empty()) return {};
   const bool isCertain = order.sureness == Sureness::sure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order and shear of a light field's views, from its pictures and the positions in its file
-// names; what a session says against them.
+// Finds the order and shear of a light field's views from its images and the positions in its file
+// names, and compares them with a session. What was found changes new sessions alone; a session's
+// own order stays, with a warning.
 #pragma once
 
 #include <optional>
@@ -15,40 +16,40 @@ namespace hogelscope {
 
 struct LightFieldOrder {
   /// The light field's parameters with the order and shear that were found, as far as its layout
-  /// can say them; the given ones where nothing was found.
+  /// has parameters for them; the given ones if nothing was found.
   LightFieldParams found;
-  /// Of the files: for views as `rows` and `columns` of a session say it, else as hogels,
-  /// directions and tiles lie in the file.
+  /// The order of the files: for views that of a session's `rows` and `columns`, otherwise that of
+  /// hogels, directions or tiles in the file.
   RowOrder rows = RowOrder::topDown;
   ColumnOrder columns = ColumnOrder::leftRight;
   Sureness sureness = Sureness::unknown;
-  std::string reason;                 ///< what the order was found by, or why it was not
-  std::vector<std::string> warnings;  ///< what no parameter of the layout can mend, and the like
+  std::string reason;                 ///< evidence for the order, or why it was not found
+  std::vector<std::string> warnings;  ///< such as errors that no parameter of the layout corrects
   ViewOrder measured;
-  bool isExchanged = false;  ///< what was measured has columns for the rows of `found`
-  /// Of a quilt: its tiles show vertical parallax, as a mosaic's do.
+  bool isExchanged = false;  ///< rows and columns of `measured` are exchanged in `found`
+  /// The tiles of a quilt show vertical parallax, as those of a mosaic do.
   bool isLikeMosaic = false;
 };
 
-/// Looks at some of the views. Throws InputError as openLightField() does, or Cancelled.
+/// Finds the order by some of the views. Throws InputError as openLightField() does, or Cancelled.
 LightFieldOrder findLightFieldOrder(const LightFieldParams& params, const DisplayParams& display,
                                     const Progress& progress = {});
 
-/// Returns the overrides that turn order and shear of `used` into those that were found:
-/// "lightField.rows=bottom-up" and the like; none where they are the same.
+/// Returns the overrides that turn order and shear of `used` into those that were found, such as
+/// "lightField.rows=bottom-up"; none if they are the same.
 std::vector<std::string> mendingOf(const LightFieldParams& used, const LightFieldOrder& order);
 
-/// Returns a line for the user if `used` contradicts what was found, with what mends it; else "".
+/// Returns a warning with the correction if `used` contradicts what was found; otherwise "".
 std::string contradictionOf(const LightFieldParams& used, const LightFieldOrder& order);
 
-/// Returns all lines for the user: the warnings, and contradictionOf() if there is one.
+/// Returns all warnings, with contradictionOf() if there is one.
 std::vector<std::string> warningsOf(const LightFieldParams& used, const LightFieldOrder& order);
 
-/// Returns the parameters that were found with the order that `used` has, and the shear that puts
-/// the middle depth on the panel in that order.
+/// Returns the parameters that were found, with the order of `used` and the shear that puts the
+/// middle depth on the panel in that order.
 LightFieldParams withOrderOf(const LightFieldParams& used, const LightFieldOrder& order);
 
-/// What is assumed of a light field, and how sure that is.
+/// The order that is assumed for a light field, and its confidence.
 struct AssumedOrder {
   LightFieldParams used;
   LightFieldSize size;
@@ -56,20 +57,22 @@ struct AssumedOrder {
   ColumnOrder columns = ColumnOrder::leftRight;
   Sureness sureness = Sureness::unknown;
   std::vector<std::string> warnings;
-  std::optional<FoundLenslets> lenslets;  ///< of the layout of that name
-  bool isChosen = false;                  ///< by the user, whatever the pictures say
+  std::optional<FoundLenslets> lenslets;  ///< only for the layout of that name
+  bool isChosen = false;                  ///< by the user, regardless of the images
 };
 
-/// Says what `used` assumes. What contradicts the content is unknown, with a warning that mends it.
+/// Returns the order in `used`. If it contradicts the content, it is `unknown`, with a warning that
+/// contains the correction.
 AssumedOrder assumedOrder(const LightFieldParams& used, const LightFieldSize& size,
                           const LightFieldOrder& order);
 
-/// {"layout", "hogels", "directions", "rows", "columns", "shear", "confidence", "warnings"}
+/// Returns a JSON object of layout, hogels, directions, rows, columns, shear, confidence, lenslets
+/// if there are any, and warnings.
 std::string orderDocument(const AssumedOrder& assumed);
 
 RowOrder reversed(RowOrder order);
 ColumnOrder reversed(ColumnOrder order);
-/// "top-down", "left-right", "sure" and the like.
+/// Returns "top-down", "left-right", "sure" or another name.
 const char* nameOf(RowOrder order);
 const char* nameOf(ColumnOrder order);
 const char* nameOf(Sureness sureness);

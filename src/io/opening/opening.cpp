@@ -36,14 +36,14 @@ std::vector<std::string> overridesOf(const SaidFields& said) {
 
 bool isPicture(const fs::path& file) {
   try {
-    if (file.extension() == ".yuv") return true;  // of which only a session knows the size
+    if (file.extension() == ".yuv") return true;  // only a session gives its size
     return ImageFile(file).width() > 0;
   } catch (const InputError&) {
     return false;
   }
 }
 
-/// Whether it is a picture, or a folder with one among its first files.
+/// Whether it is an image, or a folder with one among its first files.
 bool hasPictures(const std::string& file) {
   if (!isFolder(file)) return isPicture(file);
   std::vector<fs::path> files = filesIn(file);
@@ -52,7 +52,7 @@ bool hasPictures(const std::string& file) {
   return std::ranges::any_of(files, isPicture);
 }
 
-/// Whether the light field is one picture that ImageFile reads.
+/// Whether the light field is one image that ImageFile reads.
 bool isOnePicture(const LightFieldParams& params) {
   return typeOf(params.layout).holder == Holder::picture;
 }
@@ -67,7 +67,7 @@ std::array<int, 2> pictureSize(const LightFieldParams& params) {
   }
 }
 
-/// Makes the list, in the order of the session's fields.
+/// Lists the assumptions in the order of the session's fields.
 class Assumptions {
  public:
   Assumptions(const Opening& opening, const SaidFields& said)
@@ -143,7 +143,7 @@ class Assumptions {
   std::vector<Assumption> m_list;
 };
 
-/// A whole picture, made so small that its longer side has `side` pixels.
+/// Returns a whole image, reduced so that its longer side has at most `side` pixels.
 Image smaller(const LightFieldParams& params, int side, const Progress& progress) {
   ImageFile file(params.file, params.yuv);
   const std::size_t longest = std::max(file.width(), file.height());
@@ -161,7 +161,7 @@ Image smaller(const LightFieldParams& params, int side, const Progress& progress
   return image;
 }
 
-/// Of one section of the session.
+/// Adds the changes in one section of the session.
 void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
                 const Json& edited) {
   const auto field = [&section](const std::string& key) {
@@ -173,7 +173,7 @@ void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
     if (!edited.contains(key)) said.erase(field(key));  // to be found again
 }
 
-/// What is said of tiles that were guessed holds for their layout alone, and for all their numbers.
+/// Adds layout and numbers of guessed tiles, because what the user gave holds only for these.
 void sayTiles(SaidFields& said, const LightFieldParams& params) {
   const Json fields = written(params);
   said["lightField.layout"] = fields["layout"].dump();
@@ -182,7 +182,8 @@ void sayTiles(SaidFields& said, const LightFieldParams& params) {
       said[std::string("lightField.") + name] = fields[name].dump();
 }
 
-/// How often one goes into the other; one that does not go into it is refused when it is read.
+/// Returns how often `part` fits into `whole`, rounded; a number that does not divide it is refused
+/// when the file is read.
 std::array<int, 2> parts(const std::array<int, 2>& whole, const std::array<int, 2>& part) {
   const auto along = [&](std::size_t axis) {
     return std::max(1, int(std::lround(double(whole[axis]) / part[axis])));
@@ -190,7 +191,7 @@ std::array<int, 2> parts(const std::array<int, 2>& whole, const std::array<int, 
   return {along(0), along(1)};
 }
 
-/// The display with the numbers that follow from the one that was edited.
+/// Returns the display with the numbers that follow from the one that was edited.
 DisplayParams completed(DisplayParams display, const DisplayParams& shown,
                         const std::array<int, 2>& picture) {
   auto& [across, down] = display.hogels;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order of a light field's views for programs.
+// The order of a light field's views as a document for other programs.
 #include "io/documents/light_field_params.h"
 #include "io/json/json_parameters.h"
 #include "io/opening/light_field_order.h"

@@ -20,13 +20,13 @@ namespace hogelscope {
 
 namespace {
 
-/// 0.5 m is its longer side.
+/// Returns a size of this shape whose longer side is 0.5 m.
 std::array<double, 2> sizeOfShape(double width, double height) {
   const double longest = std::max(width, height) / 0.5;
   return {width / longest, height / longest};
 }
 
-/// A quilt has a few large views, a hogel image many small hogels.
+/// Whether a grid has a few large tiles, like a quilt; a hogel image has many small hogels.
 bool isLikeQuilt(const HogelGrid& grid) {
   constexpr int mostViews = 20, leastPixels = 100;  // of each axis
   return std::ranges::max(grid.hogels) <= mostViews &&
@@ -48,8 +48,8 @@ void takeTiles(OrderedSession& result, const std::array<int, 2>& tiles, const st
                    " views, found by " + how;
 }
 
-/// Puts what a picture shows of its hogels, or of tiles of views, into the session; says so. The
-/// layout may be another one unless it is given.
+/// Finds hogels, or tiles of views, in the image, puts them into the session and describes them.
+/// May change the layout unless it is given.
 void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
   const LightFieldParams& lightField = result.session.lightField;
   const bool isTiled = typeOf(lightField.layout).isOfTiles;
@@ -76,7 +76,7 @@ void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& prog
                    how;
 }
 
-/// Tiles that were taken for a quilt's, but show vertical parallax.
+/// Changes a quilt whose tiles show vertical parallax into a mosaic.
 void takeForMosaic(OrderedSession& result, Session& said, const Progress& progress) {
   LightFieldParams& lightField = result.session.lightField;
   const std::array tiles{std::exchange(lightField.quiltColumns, 0),
@@ -93,7 +93,8 @@ bool isLayoutGiven(const std::vector<std::string>& overrides) {
       overrides, [](const std::string& text) { return text.starts_with("lightField.layout="); });
 }
 
-/// `given` may say how many directions the views of one running number have.
+/// Returns the display; `given` may contain the number of directions for views with one running
+/// number.
 PanelParams displayAround(const LightFieldParams& lightField, const DisplayParams& given) {
   PanelParams display;
   if (lightField.layout == Layout::hogels) {
@@ -110,8 +111,8 @@ PanelParams displayAround(const LightFieldParams& lightField, const DisplayParam
   return display;
 }
 
-/// Views whose capture says where its cameras stood are put on a panel where they were in focus.
-/// Returns whether it says so.
+/// Puts the panel into the plane in focus if the capture gives the positions of its cameras.
+/// Returns whether it does.
 bool takeGeometry(Session& session, const DisplayParams& given) {
   LightFieldParams& lightField = session.lightField;
   if (lightField.layout != Layout::views || !isFolder(lightField.file)) return false;
@@ -143,7 +144,7 @@ OrderedSession orderedSessionAround(const std::string& file,
   if (session.lightField.isLive()) {
     fitMesh(session.lightField, session.display, progress);
   } else {
-    Session said = overridden(session, overrides);  // which may say how to read it
+    Session said = overridden(session, overrides);  // which may contain how to read it
     session.lightField = said.lightField;
     const auto isWhole = [&said] {
       return typeOf(said.lightField.layout).isWhole(said.lightField, said.display);
