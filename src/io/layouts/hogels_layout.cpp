@@ -11,7 +11,7 @@ namespace hogelscope {
 
 namespace {
 
-/// Flips directions that were recorded looking into the scene: each hogel's row backwards.
+/// Reverses each hogel's row, for directions that were recorded looking into the scene.
 template <class T>
 void turnHogels(const LightFieldSize& size, const T* rgb, std::vector<T>& turned) {
   turned.resize(3 * size.width());

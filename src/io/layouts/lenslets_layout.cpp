@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layout "lenslets": a picture taken through an array of lenslets.
+// Layout "lenslets": an image taken through an array of lenslets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Full scale is 1.
+/// Returns a value as it is stored; full scale is 1.
 template <class T>
 T stored(double value) {
   if constexpr (std::is_floating_point_v<T>)
@@ -27,7 +27,7 @@ T stored(double value) {
     return T(std::lround(std::clamp(value, 0.0, 1.0) * std::numeric_limits<T>::max()));
 }
 
-/// The mean of the channels.
+/// Reads an image as the mean of its channels.
 LensletPlane readGreyPlane(ImageFile& image, const Progress& progress) {
   checkFits(sizeof(float) * image.width() * image.height(), image.file(), {});
   LensletPlane plane{int(image.width()), int(image.height()), {}};
@@ -41,7 +41,7 @@ LensletPlane readGreyPlane(ImageFile& image, const Progress& progress) {
   return plane;
 }
 
-/// Of a picture of even light, or without light, that belongs to `like`.
+/// Reads an image of even light, or without light, of the same size as `like`.
 LensletPlane readPlaneLike(const std::string& file, const ImageFile& like,
                            const Progress& progress) {
   ImageFile image(file);
@@ -53,7 +53,7 @@ LensletPlane readPlaneLike(const std::string& file, const ImageFile& like,
   return readGreyPlane(image, progress);
 }
 
-/// Without its dark frame, times gain, divided by the white picture where there is one.
+/// Reads an image less its dark frame, times gain, divided by the white image if there is one.
 LensletLight readLight(ImageFile& image, const LensletPlane& dark, const LensletPlane& white,
                        double gain, const Progress& progress) {
   const std::size_t channels = image.channels() < 3 ? 1 : 3;
@@ -171,7 +171,7 @@ class LensletPicture : public PictureFiles {
             m_found.lattice, m_size};
   }
 
-  /// Directions (·, v) of hogels (·, j), into a row of a light field that has one, or all.
+  /// Writes directions (·, v) of hogels (·, j) into a light field of one row, or of all.
   template <class T>
   void takeRow(const LensletSampler& sampler, int j, int v, LightField& lightField) const {
     std::array<double, 3> light{};

@@ -16,7 +16,7 @@
 
 namespace hogelscope {
 
-/// Options for the texels of views that are fetched or computed when a view asks for them.
+/// Options for texels that are fetched or computed when a view needs them.
 struct SourceUse {
   std::size_t memory = allowedMemory();  ///< bytes for texels
   /// Bytes of decoded blocks of a store that are kept for a moving eye: two views of the paper's
@@ -33,43 +33,43 @@ class LightFieldFile {
   [[nodiscard]] virtual LightFieldSize size() const = 0;
   [[nodiscard]] virtual std::vector<std::filesystem::path> files() const = 0;
   [[nodiscard]] virtual StoredType type() const = 0;
-  /// The bits of a value of the content, 8 … 16; by default all of its type, 16 of floats.
+  /// Returns the bits of a value of the content, 8 … 16; by default all of its type, 16 for floats.
   [[nodiscard]] virtual int bits() const { return type() == StoredType::uint8 ? 8 : 16; }
-  /// Returns lines for the user on what it lacks, such as missing views.
+  /// Returns warnings about what is missing, such as views.
   [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
-  /// Returns a line on what of a scene the panel cuts, as a state's eye sees it, or "".
+  /// Returns a warning if a state's eye sees the scene cut by the panel's edges; otherwise "".
   [[nodiscard]] virtual std::string cutWarning(const CameraState& /*state*/) const { return {}; }
-  /// Returns what the files themselves say of their content (io/files/content_hash.h), if they do.
+  /// Returns the hash of the content (io/files/content_hash.h) that the files contain, or "".
   [[nodiscard]] virtual std::string contentHash() const { return {}; }
-  /// Reads it into memory. Throws InputError, or Cancelled.
+  /// Reads the light field into memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual LightField read(const Progress& progress) = 0;
 
   /// Returns the light field for views: by default in memory. Throws InputError, or Cancelled.
   [[nodiscard]] virtual std::shared_ptr<const LightFieldSource> source(const SourceUse& use,
                                                                        const Progress& progress);
 
-  /// Called with directions (·, v) of hogels (·, j): three values each, in the order of i·du + u.
+  /// Receives directions (·, v) of hogels (·, j): three values each, in the order of i·du + u.
   using HogelRow = std::function<void(int j, int v, const StoredRows& rgb)>;
-  /// Whether one pass in bounded memory suffices for stream().
+  /// Whether stream() reads the files once, in bounded memory.
   [[nodiscard]] virtual bool isStream() const { return false; }
-  /// Streams all of it, hogel row after hogel row from the top, with v of a hogel row in any order.
-  /// If isStream() is false it uses half of allowedMemory(), and may read more than once. Throws
-  /// InputError, or Cancelled.
+  /// Streams the light field, one row of hogels after the other from the top, with v of a row in
+  /// any order. If isStream() is false, it uses half of allowedMemory(), and may read more than
+  /// once. Throws InputError, or Cancelled.
   virtual void stream(const HogelRow& row, const Progress& progress) = 0;
 };
 
 /// Whether the whole light field takes at most `memory` bytes.
 bool fitsInMemory(const LightFieldFile& file, std::size_t memory);
 
-/// Passes directions (·, v) of hogels (·, j) of a light field or of a slice to `use`, as row `to`.
+/// Calls `use` with directions (·, v) of hogels (·, j) of a light field or of a slice, as row `to`.
 void handOutRow(const LightField& texels, int j, int v, const LightFieldFile::HogelRow& use,
                 int to);
 
 /// Advice for a light field that is too large.
 inline constexpr const char* packIt = ": pack it into a store, and use that";
 
-/// Makes a black light field, to be filled. Throws InputError that names the file if the machine's
-/// memory is too small; `hint` tells the user what to do.
+/// Returns a black light field, to be filled. Throws InputError that names the file if the
+/// machine's memory is too small; `hint` is advice for the user.
 LightField blankLightField(const LightFieldSize& size, StoredType type,
                            const std::filesystem::path& file, const std::string& hint = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shared by the layouts of light fields in pictures.
+// Readers shared by the layouts of light fields in images. Views are sheared by whole pixels, so
+// that a codec's own values reach the metrics.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace hogelscope {
 
-/// A light field in one file, or in files that are like the first one.
+/// A light field in one file, or in several, whose first one gives type and size.
 class PictureFiles : public LightFieldFile {
  public:
   explicit PictureFiles(const LightFieldParams& params) : m_params(params) {}
@@ -24,7 +25,7 @@ class PictureFiles : public LightFieldFile {
   }
 
  protected:
-  /// Texels are like this one's pixels.
+  /// Gives texels the type and bits of an image.
   void takeTypeOf(const ImageFile& image) {
     m_type = image.type();
     m_bits = image.bits();
@@ -41,8 +42,8 @@ class PictureFiles : public LightFieldFile {
   int m_bits = 8;
 };
 
-/// Pictures whose rows of hogels are spread over all of them: if memory is too small for the whole,
-/// they are read once for each band of rows.
+/// Images each of which has a part of every row of hogels: if memory is too small for all, they are
+/// read once for each band of rows.
 class ScatteredFile : public PictureFiles {
  public:
   using PictureFiles::PictureFiles;
@@ -62,7 +63,7 @@ class ScatteredFile : public PictureFiles {
   }
 
  private:
-  /// Fills a band of rows of hogels, of which the first one, j = 0 there, is row `begin` here.
+  /// Fills a band of rows of hogels; its row j = 0 is row `begin` of the light field.
   virtual void fill(LightField& band, int begin, const Progress& progress) = 0;
 
   [[nodiscard]] LightField readBand(int begin, int end, const Progress& progress) {
@@ -115,7 +116,7 @@ void readTexels(ImageFile& image, LightField& lightField, bool incoming, Target 
       progress);
 }
 
-/// Returns the parameters with the views as they lie in the file: the usual order, no shear.
+/// Returns the parameters with the views as they lie in the file: the default order, no shear.
 inline LightFieldParams withoutOrder(LightFieldParams params) {
   params.rows = RowOrder::topDown;
   params.columns = ColumnOrder::leftRight;
@@ -123,8 +124,8 @@ inline LightFieldParams withoutOrder(LightFieldParams params) {
   return params;
 }
 
-/// Returns where pixel (x, y) of the view in this row and column of the grid goes within hogel rows
-/// [begin, begin + rows): its texel, or none.
+/// Returns a function from pixel (x, y) of the view in this row and column of the grid to its texel
+/// within hogel rows [begin, begin + rows), or none.
 inline auto placeOfView(const LightFieldParams& params, const LightFieldSize& size, int row,
                         int column, int begin, int rows) {
   const int u = params.columns == ColumnOrder::leftRight ? column : size.du - 1 - column;

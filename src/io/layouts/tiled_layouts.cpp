@@ -16,7 +16,8 @@ namespace {
 
 class TiledImage : public ScatteredFile {
  public:
-  /// As many tiles across and down; a quilt has one row of views, from its bottom left tile on.
+  /// Opens an image of `tiles` across and down; a quilt has one row of views, from its bottom left
+  /// tile on.
   TiledImage(const LightFieldParams& params, const std::array<int, 2>& tiles, bool isQuilt)
       : ScatteredFile(params),
         m_image(params.file, params.yuv),

@@ -42,7 +42,7 @@ bool isExcluded(const std::string& name, const std::string& exclude) {
   return false;
 }
 
-/// The files that may be views: folders and hidden files are none.
+/// Returns the files that may be views: neither folders nor hidden files.
 std::vector<fs::path> candidatesIn(const fs::path& folder, const LightFieldParams& params) {
   std::vector<fs::path> files = filesIn(folder);
   std::erase_if(files, [&](const fs::path& file) {
@@ -64,7 +64,7 @@ void checkFolder(const fs::path& folder) {
                          : "is a file; layout \"views\" reads a folder");
 }
 
-/// "a.png and 3 more files are there"
+/// Returns a text such as "a.png and 3 more files are there".
 std::string thereText(const std::vector<fs::path>& files) {
   if (files.empty()) return "the folder has no files that could be views";
   const std::size_t others = files.size() - 1;
@@ -77,17 +77,17 @@ std::string thereText(const std::vector<fs::path>& files) {
 
 struct KnownNames {
   const char* pattern;
-  bool isExact;  ///< no other names are so written
+  bool isExact;  ///< no other names have this form
 };
 
-/// Of Stanford with and without the last stroke, HCI, JPEG Pleno, light-field-renderer.
+/// Names of Stanford without and with the last underscore, HCI, JPEG Pleno, light-field-renderer.
 constexpr std::array<KnownNames, 5> knownNames{{{"out_RR_CC_y_x", true},
                                                 {"out_RR_CC_y_x_", true},
                                                 {"input_CamNNN", true},
                                                 {"RRR_CCC", true},
                                                 {"*_RR_CC_y_x_*", false}}};
 
-/// What speaks for a series.
+/// The evidence that a series is the views.
 struct Claim {
   NameSeries series;
   const KnownNames* known = nullptr;
@@ -129,7 +129,7 @@ std::vector<Claim> claimsOf(const std::vector<fs::path>& files) {
   return claims;
 }
 
-/// Whether a series' files are pictures; one of them may be damaged.
+/// Throws InputError unless a series' files are images; one of them may be damaged.
 void checkArePictures(const std::vector<fs::path>& files, const YuvParams& yuv) {
   try {
     const ImageFile first(files.front(), yuv);
@@ -141,7 +141,7 @@ void checkArePictures(const std::vector<fs::path>& files, const YuvParams& yuv) 
 
 using PictureSize = std::array<std::size_t, 2>;
 
-/// {0, 0} if the file cannot be read.
+/// Returns the size of an image, {0, 0} if the file cannot be read.
 PictureSize sizeOf(const fs::path& file, const YuvParams& yuv) {
   try {
     const ImageFile image(file, yuv);
@@ -151,8 +151,9 @@ PictureSize sizeOf(const fs::path& file, const YuvParams& yuv) {
   }
 }
 
-/// Splits a series of pictures of several sizes, such as view_512_07 and view_128_07: the one with
-/// the most comes first, or the larger pictures. A size that one file alone has is its own error.
+/// Splits a series of images of several sizes, such as view_512_07 and view_128_07; the one with
+/// the most images comes first, or that with the larger ones. If a size occurs only once, the
+/// series stays whole, because that file is an error.
 std::vector<NameSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv) {
   const std::vector<fs::path>& files = series.files;
   const std::size_t count = files.size();
@@ -178,7 +179,7 @@ std::vector<NameSeries> seriesOfOneSize(NameSeries series, const YuvParams& yuv)
   return result;
 }
 
-/// The first series that makes a grid of pictures; else the first error is kept.
+/// Finds the first series that forms a grid of images; otherwise keeps the first error.
 class SeriesSearch {
  public:
   SeriesSearch(const std::vector<fs::path>& files, const LightFieldParams& params,
@@ -199,7 +200,7 @@ class SeriesSearch {
   [[nodiscard]] const std::optional<InputError>& error() const { return m_error; }
 
  private:
-  /// The pattern that is told has an extension where other files would fit it, too.
+  /// Tries a known pattern; the one that is reported has an extension if other files fit it too.
   std::optional<ViewFiles> asKnown(const NameSeries& series, const NamePattern& pattern) {
     const std::vector<NamedView> views = matches(series.files, pattern);
     const std::string extension = series.files.front().extension().string();
@@ -249,8 +250,9 @@ void nameOthers(ViewFiles& grid, const std::vector<fs::path>& files) {
       grid.others.push_back(file.filename().string());
 }
 
-/// JPEG Pleno's reference software has the views of a component in a folder; openPgx() finds those
-/// of the others. It is looked at once: it may be a link to its own folder.
+/// Returns the folder of the first component. JPEG Pleno's reference software has the views of a
+/// component in a folder; openPgx() finds those of the others. It is searched only once, because it
+/// may be a link to its own folder.
 fs::path firstComponentsOf(const fs::path& folder) {
   return folder / "0";
 }
@@ -273,7 +275,7 @@ ViewFiles findByPattern(const LightFieldParams& params, const NamePattern& patte
   return grid;
 }
 
-/// Without a pattern.
+/// Finds the views without a pattern.
 ViewFiles findSeries(const LightFieldParams& params, const fs::path& folder,
                      std::array<int, 2> directions, bool mayHaveComponents = true) {
   const std::vector<fs::path> files = candidatesIn(folder, params);

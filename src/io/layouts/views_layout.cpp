@@ -64,7 +64,7 @@ bool isVideo(const fs::path& file) {
   return std::ranges::find(extensions, extension) != extensions.end();
 }
 
-/// Frames of a video are decoded in their order: each needs those before it.
+/// The frames of a file, read in their order, because each frame of a video needs those before it.
 class ViewSequence : public ScatteredFile {
  public:
   ViewSequence(const LightFieldParams& params, ImageFile image, const SequenceGrid& grid)
