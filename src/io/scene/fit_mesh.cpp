@@ -33,7 +33,7 @@ Box boxAround(const std::vector<float>& points) {
   return box;
 }
 
-/// A panel of a shape, with square hogels.
+/// Gives the panel a shape, with square hogels.
 void shapePanel(DisplayParams& display, double width, double height) {
   constexpr int hogels = 256;  // along the longer side
   const double longer = std::max(width, height);

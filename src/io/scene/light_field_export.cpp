@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes rows in order that come in any.
+/// Writes rows in order that arrive in any order.
 template <class T>
 class RowsInOrder {
  public:
@@ -55,7 +55,7 @@ T* copyRow(const LightField& texels, int j, int u, int v, T* rgb) {
   return rgb;
 }
 
-/// "007" of 12 numbers has the digits of "11".
+/// Returns a number with as many digits as the largest of `count`, at least three: "007".
 std::string padded(int number, int count) {
   const std::string text = std::to_string(number);
   const std::size_t digits = std::max<std::size_t>(std::to_string(count - 1).size(), 3);
@@ -68,7 +68,8 @@ fs::path viewFile(const LightFieldFile& lightField, const fs::path& folder, int 
   return folder / (padded(v, dv) + "_" + padded(u, du) + ending);
 }
 
-/// Views of an earlier, larger export would be taken for views of this one.
+/// Throws InputError for other files: views of an earlier, larger export would be taken for views
+/// of this one.
 void refuseOtherFiles(const LightFieldFile& lightField, const fs::path& folder) {
   std::set<fs::path> own;
   for (int v = 0; v < lightField.size().dv; ++v)
@@ -164,7 +165,8 @@ struct FirstView {
   int v = 0;
 };
 
-/// Writes `tiles` of views; `firstOf` says what a row of them, counted from the top, begins with.
+/// Writes `tiles` of views; `firstOf` returns the first view of a row of them, counted from the
+/// top.
 template <class FirstOf>
 void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, FirstOf firstOf,
                  const fs::path& file, const Progress& progress) {

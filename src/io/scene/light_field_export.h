@@ -11,19 +11,19 @@
 namespace hogelscope {
 
 /// Writes the image of hogels. Throws InputError, also if the image's format does not hold the
-/// type, or Cancelled, as the others do.
+/// type, or Cancelled, as the other functions do.
 void exportHogels(LightFieldFile& lightField, const std::filesystem::path& file,
                   const Progress& progress);
 
-/// Writes FOLDER/RRR_CCC.png, floats as .exr, that openLightField() reads without being told
-/// how: row 000 was taken from the top, column 000 from the left. The folder has nothing else. A
-/// light field larger than memory must be live or a store.
+/// Writes FOLDER/RRR_CCC.png, floats as .exr, which openLightField() reads without further
+/// parameters: row 000 was taken from the top, column 000 from the left. The folder must have no
+/// other files. A light field larger than memory must be live or a store.
 void exportViews(LightFieldFile& lightField, const std::filesystem::path& folder,
                  const Progress& progress);
 
-/// Returns the tiles, across and down, that the name says ("_qs8x6a0.75"), or those of about a
-/// square image. Throws InputError: the name's are not as many as the directions, or there is more
-/// than one row of directions.
+/// Returns the tiles, across and down, that the name gives ("_qs8x6a0.75"), or those of an almost
+/// square image. Throws InputError if the name has another number than that of the directions, or
+/// if there is more than one row of directions.
 std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField,
                                  const std::filesystem::path& file);
 

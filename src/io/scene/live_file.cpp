@@ -16,7 +16,7 @@ namespace hogelscope {
 
 namespace {
 
-/// What content hears of a progress, from any thread.
+/// Receives the progress of content, from any thread.
 class Listener : public plugin::Progress {
  public:
   explicit Listener(const hogelscope::Progress& progress) {
@@ -38,7 +38,7 @@ plugin::Panel panelOf(const PanelParams& params) {
           {(last.x - first.x) / params.directions[0], (first.y - last.y) / params.directions[1]}};
 }
 
-/// Of the kinds of meshes that the plugin reads, and of others that people have.
+/// The endings of meshes that the plugin reads, and of other common ones.
 constexpr std::array<std::string_view, 4> meshEndings{".glb", ".gltf", ".obj", ".ply"};
 constexpr std::array<std::string_view, 14> otherEndings{".stl",  ".fbx",  ".dae", ".3ds",  ".3mf",
                                                         ".off",  ".wrl",  ".x3d", ".usd",  ".usda",

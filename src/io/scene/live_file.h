@@ -7,17 +7,17 @@
 
 namespace hogelscope {
 
-/// Whether the name is that of a mesh: of a kind that the plugin "mesh" shows, .glb, .gltf, .obj or
-/// .ply, or of another one, which lightFieldOfMesh() refuses.
+/// Whether the name is that of a mesh: of a kind that the plugin "mesh" shows (.glb, .gltf, .obj,
+/// .ply), or of another one, which lightFieldOfMesh() refuses.
 bool isMeshFile(const std::string& file);
 
-/// Returns a live light field of a mesh, as large and where the file says. Throws InputError: its
-/// kind is not read, or the plugin cannot be used.
+/// Returns a live light field of a mesh, with the size and position in the file. Throws InputError
+/// if its kind is not read or the plugin cannot be used.
 LightFieldParams lightFieldOfMesh(const std::string& file);
 
 class LiveFile : public LightFieldFile {
  public:
-  /// Opens the content for the display, which has its hogels and directions. Throws InputError,
+  /// Opens the content for the display, which gives hogels and directions. Throws InputError,
   /// Cancelled.
   LiveFile(const LightFieldParams& params, const DisplayParams& display,
            const Progress& progress = {});
@@ -43,11 +43,11 @@ class LiveFile : public LightFieldFile {
   std::shared_ptr<const plugin::ContentSource> m_content;
 };
 
-/// Makes a mesh fill nine tenths of a panel that has its shape, seen from the front, and a longer
-/// side of 0.5 m, or less of it, so that the eye in front of the display (inFrontOf()) sees all of
-/// the mesh within the panel's edges. A quarter of its depth, but not more than a tenth of that
-/// side, stands before the panel. Sets the content's place and scale, and the display's size,
-/// hogels, directions and field. Reads the mesh. Throws InputError, Cancelled.
+/// Reads a mesh and makes it fill nine tenths of a panel that has its shape, seen from the front,
+/// and a longer side of 0.5 m, or less, so that the eye in front of the display (inFrontOf()) sees
+/// all of the mesh within the panel's edges. A quarter of its depth, but not more than a tenth of
+/// that side, is in front of the panel. Sets the content's position and scale, and the display's
+/// size, hogels, directions and field of view. Throws InputError, Cancelled.
 void fitMesh(LightFieldParams& params, DisplayParams& display, const Progress& progress);
 
 }  // namespace hogelscope

@@ -16,7 +16,7 @@ std::unique_ptr<LightFieldFile> openStore(const LightFieldParams& params,
                                           const DisplayParams& display, const Progress&) {
   auto store = std::make_unique<LightFieldStore>(params.file, params.incoming);
   (void)resolved({display, params.viewingDistance},
-                 store->size());  // both say the size: they must agree
+                 store->size());  // the sizes of both must agree
   return store;
 }
 

@@ -11,14 +11,14 @@
 
 namespace hogelscope {
 
-/// Returns the row of a layout.
+/// Returns the properties of a layout.
 const LayoutType& typeOf(Layout layout);
 
-/// Returns what a file or folder holds by its name, or by its first bytes.
+/// Returns the kind of a file or folder, by its name or its first bytes.
 Holder holderOf(const std::string& file);
 
-/// Opens a light field. Throws InputError: missing, damaged, or not the display's size.
-/// A live scene's content is read here, and hears of `progress`, or throws Cancelled.
+/// Opens a light field. A live scene's content is read here, and reports to `progress`. Throws
+/// InputError (missing, damaged, or not of the display's size); Cancelled.
 std::unique_ptr<LightFieldFile> openLightField(const LightFieldParams& params,
                                                const DisplayParams& display,
                                                const Progress& progress = {});
@@ -29,7 +29,7 @@ struct ViewSource {
   PanelParams display;  ///< resolved
   SamplingParams sampling;
   bool isIdeal = false;         ///< its views are ideal views
-  int bits = 8;                 ///< of its views' values
+  int bits = 8;                 ///< bits of its views' values
   bool keepsUnrounded = false;  ///< its views have their unrounded values too
 
   [[nodiscard]] RenderJob job(const CameraState& state) const {
@@ -41,25 +41,25 @@ struct ViewSource {
 /// bytes, or a live scene. Throws InputError, or Cancelled.
 ViewSource loadViewSource(const Session& session, const Progress& progress,
                           const SourceUse& use = {});
-/// Reads a light field that is open already: `file` is the session's.
+/// Reads the session's light field, which is open already as `file`.
 ViewSource loadViewSource(const Session& session, LightFieldFile& file, const Progress& progress,
                           const SourceUse& use = {});
 /// Throws InputError unless the session's light field is live, so that it has ideal views.
 void requireLive(const Session& session);
-/// Makes a scene for StreamingRenderer: the light field has no texels. The tolerance is 0, since no
-/// view can be probed before the texels have been read.
+/// Returns a source for StreamingRenderer: the light field has no texels. The tolerance is 0,
+/// because no view can be probed before the texels have been read.
 ViewSource unloadedViewSource(const Session& session, const LightFieldFile& file);
 
-/// Whether both sessions read the same light field; their displays may differ otherwise. A live one
-/// is traced along the display's own rays.
+/// Whether both sessions read the same light field. Their displays need only have the same hogels
+/// and directions, and the same rays if it is live.
 bool readTheSame(const Session& a, const Session& b);
 
-/// Returns what holderOf() says: views, a store, a mesh, or else a quilt by its name or a hogel
-/// image. Throws InputError for a mesh where there is no plugin for it.
+/// Returns a light field of the kind that holderOf() returns: views, a store, a mesh, or else a
+/// quilt (by its name) or a hogel image. Throws InputError for a mesh if there is no plugin for it.
 LightFieldParams lightFieldOf(const std::string& file);
 
-/// Returns `params` with another file, of the same layout if both are in the same kind of file; as
-/// lightFieldOf() if not, or if one is live.
+/// Returns `params` with another file, of the same layout if both files are of the same kind;
+/// otherwise, or if one is live, as lightFieldOf().
 LightFieldParams withFile(const LightFieldParams& params, const std::string& file);
 
 }  // namespace hogelscope
