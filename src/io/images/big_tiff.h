@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pages of BigTIFF files of this program: tiles of 64×64 RGB pixels, each compressed with zstd. Any
-// reader with zstd (libtiff, GDAL, OpenImageIO) can read them. This one reads the tiles' index in
-// place, row by row, because a whole index can be 280 MB.
-// It is our own few lines, not libtiff: tiles are read by position from any thread.
+// reader with zstd (libtiff, GDAL, OpenImageIO) can read them. This reader reads the tiles' index
+// in place, row by row, because a whole index can be 280 MB. It does not use libtiff, so that any
+// thread can read tiles by position.
 #pragma once
 
 #include <string>

@@ -26,10 +26,10 @@ struct ImageNumbers {
   std::size_t height = 0;
   int channels = 0;
   StoredType type = StoredType::uint8;
-  /// The bits of a value as the file has them, 8 … 16: 10 for a PPM whose largest value is 1023. 16
-  /// for floats, 8 for fewer.
+  /// The bits of a value in the file, 8 … 16: 10 for a PPM whose largest value is 1023. 16 for
+  /// floats, 8 for fewer.
   int bits = 8;
-  std::size_t frames = 1;    ///< pictures of the same size that it holds: a video's frames
+  std::size_t frames = 1;    ///< images of the same size in the file: a video's frames
   std::size_t columns = 0;   ///< frames in a row, where they are a grid of views
   std::size_t bandRows = 1;  ///< rows that are read together best: bands begin at multiples of it
 };
@@ -44,7 +44,7 @@ struct ImageFacts : ImageNumbers {
   std::string format;  ///< such as "png"
 };
 
-/// A picture or a video that is being read.
+/// An image or a video that is being read.
 class ImageInput {
  public:
   virtual ~ImageInput() = default;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JPEG, noise and blur on rows of hogels.
 #include "io/images/degradation.h"
 
 #include <charconv>

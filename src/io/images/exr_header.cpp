@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks an EXR's header before OpenEXR reads it. Layout:
-// https://openexr.com/en/latest/OpenEXRFileLayout.html
+// The layout of an EXR's header: https://openexr.com/en/latest/OpenEXRFileLayout.html
 #include "io/images/exr_header.h"
 
 #include <algorithm>

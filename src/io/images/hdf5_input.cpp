@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The views of an HDF5 file, by libhdf5.
+// Reads the views of an HDF5 file through libhdf5.
 #include "io/images/image_inputs.h"
 
 #define H5_USE_110_API  // Debian 12 has this version; H5Ovisit2's callback differs in later ones
@@ -41,7 +41,7 @@ class Handle {
   Close m_close;
 };
 
-/// Returns the library's last error: its innermost sentence.
+/// Returns the innermost message of the library's last error.
 std::string lastError() {
   std::string text = "HDF5 gives no reason";
   const auto keep = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
@@ -53,7 +53,7 @@ std::string lastError() {
 }
 
 /// Opens a file without following links into other files, which checks of inputs and hashes do not
-/// know.
+/// cover.
 Handle openFile(const fs::path& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise errors are printed
   H5Lunregister(H5L_TYPE_EXTERNAL);
@@ -243,7 +243,7 @@ bool isHdf5(const fs::path& file) {
   return in && std::string_view(begin.data(), begin.size()) == signature;
 }
 
-/// libhdf5 1.10 crashes on some damaged files.
+/// Uses another process, because libhdf5 1.10 crashes on some damaged files.
 std::unique_ptr<ImageInput> openHdf5(const fs::path& file, const std::string& name) {
   return isolatedInput(
       file, [file, name] { return std::make_unique<Hdf5Input>(openDataSet(file, name)); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input of image files: PNG by libspng, PGX and raw YUV by this program, others by codecs().
+// Reads image files: PNG by libspng, PGX and raw YUV by this program, others by codecs().
 #include "io/images/image_file.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace hogelscope {
 /// An opened image file; every error names it. Grey becomes RGB, alpha is composited over black.
 class ImageFile {
  public:
-  /// Opens a file. `yuv` has the missing properties of raw YUV, named .yuv.
+  /// Opens a file. `yuv` has the properties that raw YUV (named .yuv) does not contain.
   explicit ImageFile(const std::filesystem::path& file, const YuvParams& yuv = {});
   /// Takes an input of another kind that is open already.
   ImageFile(std::filesystem::path file, std::unique_ptr<ImageInput> input);
@@ -26,7 +26,7 @@ class ImageFile {
   [[nodiscard]] int bits() const { return m_input->facts().bits; }
   [[nodiscard]] std::string format() const { return m_input->facts().format; }
   [[nodiscard]] std::size_t frames() const { return m_input->facts().frames; }
-  /// Chooses the frame that read() reads; at first 0.
+  /// Selects the frame that read() reads; initially 0.
   void select(std::size_t frame) { m_frame = frame; }
 
   /// Receives rows [first, first + rows), three values per pixel, valid only during the call.
@@ -34,7 +34,7 @@ class ImageFile {
   /// Reads all pixels from the top, some rows at a time. Throws InputError (damaged, NaN,
   /// infinite).
   void read(StoredType type, const Band& band, const Progress& progress);
-  /// Called with row y, three values per pixel, of which 1 is full scale.
+  /// Receives row y, three values per pixel; 1 is full scale.
   using Row = std::function<void(std::size_t y, const float* rgb)>;
   /// Reads all pixels as floats; otherwise as read().
   void readRows(const Row& row, const Progress& progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of image files: PNG by libspng, floats by OpenEXR, others by codecs().
+// Writes image files: PNG by libspng, floats by OpenEXR, others by codecs().
 #include "io/images/image_writer.h"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ namespace hogelscope {
 /// Writes 8-bit RGB. The extension chooses the format.
 void writeImage(const std::filesystem::path& file, int width, int height,
                 std::span<const std::uint8_t> rgb, const Progress& progress = {});
-/// Returns the same as the bytes of a PNG file.
+/// Returns 8-bit RGB as the bytes of a PNG file.
 std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb,
                        const Progress& progress = {});
 /// Writes named planes of width·height floats each as EXR.
@@ -35,7 +35,7 @@ void writeMask(const std::filesystem::path& file, int width, int height,
 /// Writes RGB of any size, row by row, in bounded memory.
 class ImageRowWriter {
  public:
-  /// Creates a file. Throws InputError too if its format cannot hold values of the type.
+  /// Creates a file. Throws InputError also if its format cannot hold values of the type.
   ImageRowWriter(const std::filesystem::path& file, std::size_t width, std::size_t height,
                  StoredType type = StoredType::uint8);
   ~ImageRowWriter();

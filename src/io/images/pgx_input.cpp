@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PGX files.
+// Reads PGX files.
 #include <array>
 #include <regex>
 #include <string>
@@ -19,7 +19,7 @@ std::string kind(const RawPlane& plane) {
   return pairText(plane.width, plane.height) + " px of " + std::to_string(plane.bits) + " bits";
 }
 
-/// The header is one line: PG, the order of bytes, sign and bits, width, height.
+/// Reads the header, one line: PG, the order of bytes, sign and bits, width, height.
 RawPlane headerOf(const RandomAccessFile& file) {
   static const std::regex line(
       R"(PG[ \t]+(ML|LM)[ \t]*([+-]?)[ \t]*(\d{1,2})[ \t]+(\d{1,9})[ \t]+(\d{1,9})[ \t]*\r?\n)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures and videos by codecs(), in this process or in a copy of it.
+// Reads images and videos through codecs(), in this process or in a copy of it.
 #include "io/images/image_inputs.h"
 
 #include <array>
@@ -86,7 +86,7 @@ class OwnInput : public ImageInput {
   std::unique_ptr<ImageInput> m_input;
 };
 
-/// What the copy is asked for; no rows: for ImageNumbers and the format's name.
+/// A request to the copy: for rows, or, without any, for ImageNumbers and the format's name.
 struct PictureRequest {
   std::size_t frame = 0;
   std::size_t first = 0;

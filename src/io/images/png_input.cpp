@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNGs through libspng.
+// Reads PNGs through libspng.
 #include <spng.h>
 
 #include <array>
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bytes after these reveal a damaged transfer, which libpng would report on stderr.
+/// The first bytes of a PNG. Those after them reveal a damaged transfer, which libpng would report
+/// on stderr.
 constexpr std::array<unsigned char, 4> signature{0x89, 'P', 'N', 'G'};
 
 /// Deflate's limit: two bits, a length and a distance, stand for at most 258 bytes.
@@ -67,11 +68,11 @@ class PngInput : public RowInput {
   bool m_isInterlaced = false;
   int m_format = 0;                  ///< a format of libspng
   std::size_t m_rowBytes = 0;        ///< in that format
-  std::size_t m_row = 0;             ///< the next one
+  std::size_t m_row = 0;             ///< the next row
   std::vector<std::byte> m_decoded;  ///< a row; of an interlaced file all of them
 };
 
-/// Also again, since rows can only be read from the top.
+/// Opens the file, also again, because rows can only be read from the top.
 void PngInput::open() {
   m_context.reset(spng_ctx_new(0));
   m_input.reset(std::fopen(m_file.c_str(), "rbe"));
@@ -114,7 +115,7 @@ void PngInput::begin() {
   check(spng_decode_image(m_context.get(), m_decoded.data(), m_decoded.size(), m_format, flags));
 }
 
-/// An interlaced file is decoded as a whole, before its first row.
+/// Decodes a row; an interlaced file is decoded as a whole before its first row.
 void PngInput::decodeRow(std::size_t y, void* to) {
   if (y < m_row) open();
   if (y == 0) begin();
@@ -124,7 +125,7 @@ void PngInput::decodeRow(std::size_t y, void* to) {
   if (status != SPNG_EOI) check(status);
 }
 
-/// Multiplies colours by alpha, where the format has it: light over black.
+/// Copies a row, composited over black: multiplies colours by alpha if the format has it.
 template <class T>
 void PngInput::copyRow(std::size_t y, T* rgb) {
   if (!m_isInterlaced) m_decoded.resize(m_rowBytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG output row by row through libspng, which also reads them.
+// PNG output row by row through libspng, which also reads PNGs.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,8 @@ namespace hogelscope {
 
 class PngOutput : public ImageOutput {
  public:
-  /// Small files, or, for large ones, no filters and a quarter of the time.
+  /// `small` makes small files; `quick`, for large ones, needs a quarter of the time without
+  /// filters.
   enum class Effort { small, quick };
   /// Receives the bytes of the file in order.
   using Sink = std::function<void(const void* bytes, std::size_t size)>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Raw planar YUV.
+// Reads raw planar YUV.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Y, Cb, Cr as integers of `bits` bits to red, green, blue of the same.
+/// Converts Y, Cb, Cr, integers of `bits` bits, to red, green, blue of the same bits.
 class ToRgb {
  public:
   explicit ToRgb(const YuvParams& params)
