@@ -34,7 +34,9 @@ class Proxy : public OIIO::Filesystem::IOProxy {
   }
   std::size_t read(void* data, std::size_t size) override { return m_bytes.read(data, size); }
   [[nodiscard]] std::size_t size() const override { return m_bytes.size(); }
-  void flush() const override { m_bytes.flush(); }
+  // One of the two overrides: it is const up to OpenImageIO 3.0.
+  void flush() const { m_bytes.flush(); }  // NOLINT(modernize-use-override)
+  void flush() { m_bytes.flush(); }        // NOLINT(modernize-use-override)
 
  private:
   ByteOutput& m_bytes;
