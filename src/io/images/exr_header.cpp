@@ -104,9 +104,8 @@ class ExrHeader {
 
   /// Checks that a value has the size of its type.
   void checkType(const Attribute& attribute) const {
-    const auto* known =
-        std::ranges::find(sizes, attribute.type, &decltype(sizes)::value_type::first);
-    if (known != sizes.end() && attribute.size != known->second) refuseSize(attribute);
+    for (const auto& [type, size] : sizes)
+      if (attribute.type == type && attribute.size != size) refuseSize(attribute);
     if (attribute.type == "preview") {
       const auto [width, height] = numbers<std::uint32_t, 2>(attribute);
       if (8 + 4.0 * width * height != attribute.size) refuseSize(attribute);
