@@ -124,7 +124,12 @@ void VtkWidget::readPixels() {
   m_context->functions()->glReadPixels(0, 0, m_image.width(), m_image.height(), GL_BGRA,
                                        GL_UNSIGNED_BYTE, m_image.bits());
   state->PopReadFramebufferBinding();
-  m_image = std::move(m_image).mirrored();  // OpenGL's first row is the lowest
+  // OpenGL's first row is the lowest.
+#if QT_VERSION >= QT_VERSION_CHECK(6, 9, 0)
+  m_image = std::move(m_image).flipped(Qt::Vertical);
+#else
+  m_image = std::move(m_image).mirrored();
+#endif
 }
 
 void VtkWidget::onMakeCurrent(vtkObject*, unsigned long, void*) {
