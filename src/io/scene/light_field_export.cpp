@@ -171,7 +171,7 @@ template <class FirstOf>
 void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, FirstOf firstOf,
                  const fs::path& file, const Progress& progress) {
   const LightFieldSize size = lightField.size();
-  const auto [columns, rows] = tiles;
+  const int columns = tiles[0], rows = tiles[1];
   ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
                         std::size_t(rows) * std::size_t(size.ny), lightField.type());
   const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
