@@ -12,7 +12,7 @@ void fuzz(std::string_view input) {
     CameraSet set = loadCameraSet(file.string());
     set.params.count = std::min(set.params.count, 100);
     Session session;
-    addState(session, inFrontOf(session.display));
+    addState(session, inFrontOf(displayOf(session)));
     require(withCameras(session, set).cameras.size() > 1);
   });
 }
