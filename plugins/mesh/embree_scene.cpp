@@ -63,17 +63,17 @@ void watchTies(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-struct DeviceRelease {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-
 bool goOn(void* progress, double done) {
   return static_cast<const plugin::Progress*>(progress)->go(done);
 }
 
 }  // namespace
 
-void EmbreeScene::Release::operator()(void* scene) const {
+void EmbreeScene::DeviceRelease::operator()(void* device) const {
+  rtcReleaseDevice(static_cast<RTCDevice>(device));
+}
+
+void EmbreeScene::SceneRelease::operator()(void* scene) const {
   rtcReleaseScene(static_cast<RTCScene>(scene));
 }
 
@@ -94,13 +94,13 @@ EmbreeScene::EmbreeScene(std::vector<float> points, std::vector<Corners> triangl
 }
 
 void EmbreeScene::build(int threads, const plugin::Progress& progress) {
-  const std::unique_ptr<RTCDeviceTy, DeviceRelease> device(
-      rtcNewDevice(("threads=" + std::to_string(std::max(1, threads))).c_str()));
-  if (!device) throw std::runtime_error("Embree: cannot be started: is its library whole?");
-  RTCScene scene = rtcNewScene(device.get());
+  RTCDevice device = rtcNewDevice(("threads=" + std::to_string(std::max(1, threads))).c_str());
+  m_device.reset(device);
+  if (!m_device) throw std::runtime_error("Embree: cannot be started: is its library whole?");
+  RTCScene scene = rtcNewScene(device);
   m_scene.reset(scene);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                              m_points.data(), 0, 3 * sizeof(float), m_points.size() / 3);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -113,7 +113,7 @@ void EmbreeScene::build(int threads, const plugin::Progress& progress) {
   rtcSetSceneProgressMonitorFunction(scene, &goOn, const_cast<plugin::Progress*>(&progress));
   rtcCommitScene(scene);
   rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
-  const RTCError error = rtcGetDeviceError(device.get());
+  const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_CANCELLED) throw std::runtime_error("stopped");
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (error != RTC_ERROR_NONE)

@@ -94,7 +94,10 @@ class EmbreeScene {
     float longestSide;
     std::uint32_t material;
   };
-  struct Release {
+  struct DeviceRelease {
+    void operator()(void* device) const;
+  };
+  struct SceneRelease {
     void operator()(void* scene) const;
   };
 
@@ -107,7 +110,8 @@ class EmbreeScene {
   std::vector<Corners> m_triangles;
   std::vector<Traits> m_traits;
   double m_extent = 0;
-  std::unique_ptr<void, Release> m_scene;
+  std::unique_ptr<void, DeviceRelease> m_device;
+  std::unique_ptr<void, SceneRelease> m_scene;  ///< destroyed first: since 4.4 it uses the device
 };
 
 }  // namespace hogelscope::mesh
