@@ -18,7 +18,7 @@
 #include <QtTest>
 
 #include "gui/app/main_window.h"
-#include "gui/files/autosave_entry.h"
+#include "gui/files/autosave.h"
 #include "gui/session/session_model.h"
 #include "io/documents/session_file.h"
 #include "tests/gui/patience.h"

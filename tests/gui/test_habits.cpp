@@ -16,7 +16,7 @@
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
-#include "gui/app/manual_window.h"
+#include "gui/app/help_commands.h"
 #include "gui/app/window_layout.h"
 #include "report/versions.h"
 #include "tests/gui/habits_test.h"

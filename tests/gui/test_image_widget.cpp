@@ -11,7 +11,7 @@
 
 #include "core/base/colour_map.h"
 #include "gui/view/error_image.h"
-#include "gui/view/view_pace.h"
+#include "gui/view/view_worker.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_image.h"
 

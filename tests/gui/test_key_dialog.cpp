@@ -9,7 +9,6 @@
 #include <set>
 
 #include "gui/keys/key_dialog.h"
-#include "gui/keys/key_field.h"
 #include "gui/keys/key_map.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/key_map_file.h"

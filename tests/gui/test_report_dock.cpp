@@ -23,7 +23,7 @@
 #include "chart/plot_painting.h"
 #include "gui/docks/camera_set_widget.h"
 #include "gui/docks/report_dock.h"
-#include "gui/docks/report_plots.h"
+#include "gui/docks/report_results.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"

@@ -3,9 +3,12 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QIcon>
 #include <QMenu>
 #include <QPalette>
 #include <QSettings>
+
+#include "ui_main_window.h"
 
 namespace hogelscope {
 
@@ -87,6 +90,15 @@ void Colours::apply(Scheme scheme) {
   if (scheme == Scheme::light) return QApplication::setPalette(lightPalette());
   if (scheme == Scheme::dark) return QApplication::setPalette(darkPalette());
   QApplication::setPalette(QPalette());
+}
+
+void addIcons(const Ui::MainWindow& ui) {
+  QApplication::setWindowIcon(QIcon(":/icons/io.github.hogelscope.Hogelscope.svg"));
+  for (const auto& [action, name] :
+       {std::pair(ui.newAction, "new"), std::pair(ui.openAction, "open"),
+        std::pair(ui.saveAction, "save"), std::pair(ui.fitAction, "fit"),
+        std::pair(ui.savePictureAction, "save_picture"), std::pair(ui.copyPictureAction, "copy")})
+    action->setIcon(QIcon(QString(":/icons/%1.svg").arg(name)));
 }
 
 }  // namespace hogelscope

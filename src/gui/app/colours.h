@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The menu View ▸ Colours: system, light or dark; saved in the settings.
+// The menu View ▸ Colours: system, light or dark; saved in the settings. The icons, which follow
+// the colours.
 #pragma once
 
 #include <QObject>
 
+namespace Ui {
+class MainWindow;
+}
 class QMenu;
 
 namespace hogelscope {
@@ -20,5 +24,8 @@ class Colours : public QObject {
   enum class Scheme { system, light, dark };
   void apply(Scheme scheme);
 };
+
+/// Sets the icons of the tool bar's actions and of the application.
+void addIcons(const Ui::MainWindow& ui);
 
 }  // namespace hogelscope

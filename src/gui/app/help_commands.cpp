@@ -1,13 +1,222 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/app/help_commands.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QTextLayout>
+#include <QTextTable>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+#include <QVBoxLayout>
+#include <algorithm>
 
-#include "gui/app/manual_window.h"
 #include "gui/widgets/message_boxes.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {
+
+QVariant ManualPage::loadResource(int type, const QUrl& name) {
+  QVariant resource = QTextBrowser::loadResource(type, name);
+  if (type != QTextDocument::ImageResource) return resource;
+  QImage image = QImage::fromData(resource.toByteArray());
+  const auto widest =
+      int((viewport()->width() - 2 * document()->documentMargin()) * devicePixelRatioF());
+  if (image.width() > widest && widest > 0)
+    image = image.scaledToWidth(widest, Qt::SmoothTransformation);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  return image;
+}
+
+namespace {
+
+QToolButton* button(const QString& text, const QString& tip) {
+  auto* made = new QToolButton;
+  made->setText(text);
+  made->setToolTip(tip);
+  return made;
+}
+
+const QUrl firstPage("qrc:/manual/manual.md");
+
+/// Calls `take` with each heading of a text.
+template <class Take>
+void forHeadings(const QTextDocument& text, const Take& take) {
+  for (QTextBlock block = text.begin(); block.isValid(); block = block.next())
+    if (block.blockFormat().headingLevel() > 0) take(block);
+}
+
+/// The name of a heading in links, as hosts of Markdown make it: where-the-error-comes-from.
+QString anchorOf(const QString& heading) {
+  QString anchor;
+  for (const QChar letter : heading.toLower()) {
+    if (letter.isLetterOrNumber() || letter == '-' || letter == '_') anchor += letter;
+    if (letter == ' ') anchor += '-';
+  }
+  return anchor;
+}
+
+}  // namespace
+
+ManualWindow::ManualWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      m_contents(new QTreeWidget),
+      m_page(new ManualPage),
+      m_search(new QLineEdit),
+      m_note(new QLabel) {
+  setWindowTitle(tr("Manual – Hogelscope"));
+  resize(1080, 760);
+  m_page->setObjectName("manualPage");
+  m_contents->setObjectName("manualContents");
+  m_contents->setHeaderHidden(true);
+  m_search->setObjectName("manualSearch");
+  m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
+  m_search->setToolTip(tr("Enter or F3 finds the next place, Shift+F3 the one before"));
+  m_search->setClearButtonEnabled(true);
+  m_note->setObjectName("manualNote");
+  auto* back = button(tr("Back"), tr("To the page before (Alt+Left)"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(back);
+  row->addWidget(m_search, 1);
+  row->addWidget(m_note);
+  auto* splitter = new QSplitter;
+  splitter->addWidget(m_contents);
+  splitter->addWidget(m_page);
+  splitter->setSizes({260, 820});
+  splitter->setStretchFactor(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(row);
+  layout->addWidget(splitter, 1);
+  connect(back, &QToolButton::clicked, m_page, &QTextBrowser::backward);
+  connect(m_page, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+  connect(m_page, &QTextBrowser::sourceChanged, this, &ManualWindow::showPage);
+  connect(m_contents, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+    if (item != nullptr) m_page->setSource(item->data(0, Qt::UserRole).toUrl());
+  });
+  back->setEnabled(false);
+  addKeys();
+  m_page->document()->setDocumentMargin(12);
+  m_page->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // images are as wide as the rest
+  readChapters();
+  m_page->setSource(firstPage);
+}
+
+void ManualWindow::addKeys() {
+  const auto key = [this](const QKeySequence& keys, auto action) {
+    connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
+  };
+  key(QKeySequence::Find, [this] {
+    m_search->setFocus();
+    m_search->selectAll();
+  });
+  key(Qt::Key_F3, [this] { find({}); });
+  key(Qt::SHIFT | Qt::Key_F3, [this] { find(QTextDocument::FindBackward); });
+  key(Qt::Key_Escape, [this] { close(); });
+  connect(m_search, &QLineEdit::returnPressed, this, [this] { find({}); });
+}
+
+void ManualWindow::readChapters() {
+  const auto read = [this](const QUrl& url) {
+    auto text = std::make_unique<QTextDocument>();
+    const QVariant page = m_page->loadResource(QTextDocument::MarkdownResource, url);
+    text->setMarkdown(QString::fromUtf8(page.toByteArray()));
+    m_chapters.push_back({url, std::move(text)});
+  };
+  read(firstPage);
+  const QTextDocument& contents = *m_chapters.front().text;
+  for (QTextBlock block = contents.begin(); block.isValid(); block = block.next())
+    for (const QTextLayout::FormatRange& range : block.textFormats())
+      if (range.format.isAnchor()) read(firstPage.resolved(QUrl(range.format.anchorHref())));
+  const QSignalBlocker quiet(m_contents);
+  for (const Chapter& chapter : m_chapters) listHeadings(chapter);
+}
+
+/// One branch of the contents: a chapter's title, and below it its sections.
+void ManualWindow::listHeadings(const Chapter& chapter) {
+  QTreeWidgetItem* title = nullptr;
+  forHeadings(*chapter.text, [&](const QTextBlock& block) {
+    QUrl place = chapter.url;
+    if (title != nullptr) place.setFragment(anchorOf(block.text()));
+    auto* item = title != nullptr ? new QTreeWidgetItem(title) : new QTreeWidgetItem(m_contents);
+    item->setText(0, block.text());
+    item->setData(0, Qt::UserRole, place);
+    if (title == nullptr) title = item;
+  });
+}
+
+void ManualWindow::showPage(const QUrl& url) {
+  layOutTables();  // Qt has read the page again, since the tables of the one before were edited
+  (void)m_page->document()->size();  // lays out all of it: scroll bars reach its end
+  if (url.hasFragment()) scrollTo(url.fragment());
+  selectHeading(url);
+}
+
+/// Markdown says nothing about how tables look.
+void ManualWindow::layOutTables() {
+  for (QTextFrame* frame : m_page->document()->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorder(1);
+    format.setBorderBrush(palette().color(QPalette::PlaceholderText));
+    format.setCellPadding(4);
+    format.setTopMargin(4);
+    format.setBottomMargin(8);
+    table->setFormat(format);
+  }
+}
+
+/// Qt's Markdown has no anchors at headings.
+void ManualWindow::scrollTo(const QString& anchor) {
+  forHeadings(*m_page->document(), [&](const QTextBlock& block) {
+    if (anchorOf(block.text()) != anchor) return;
+    m_page->setTextCursor(QTextCursor(block));
+    const QRectF place = m_page->document()->documentLayout()->blockBoundingRect(block);
+    m_page->verticalScrollBar()->setValue(int(place.top()));
+  });
+}
+
+void ManualWindow::selectHeading(const QUrl& url) {
+  const QSignalBlocker quiet(m_contents);
+  for (QTreeWidgetItemIterator item(m_contents); *item != nullptr; ++item)
+    if ((*item)->data(0, Qt::UserRole).toUrl() == url) m_contents->setCurrentItem(*item);
+}
+
+std::size_t ManualWindow::shownChapter() const {
+  const QUrl url = m_page->source().adjusted(QUrl::RemoveFragment);
+  const auto isShown = [&url](const Chapter& chapter) { return chapter.url == url; };
+  return std::size_t(std::ranges::find_if(m_chapters, isShown) - m_chapters.begin());
+}
+
+/// Goes on in the next chapters, the first after the last, and in the rest of its own at the end.
+void ManualWindow::find(QTextDocument::FindFlags flags) {
+  const QString words = m_search->text();
+  m_note->clear();
+  if (words.isEmpty() || m_page->find(words, flags)) return;
+  const std::size_t chapters = m_chapters.size();
+  const std::size_t step = flags ? chapters - 1 : 1;
+  std::size_t next = shownChapter() % chapters;
+  for (std::size_t k = 0; k < chapters; ++k) {
+    next = (next + step) % chapters;
+    const Chapter& chapter = m_chapters[next];
+    if (chapter.text->find(words).isNull()) continue;
+    if (next != shownChapter()) m_page->setSource(chapter.url);
+    QTextCursor cursor = m_page->textCursor();
+    cursor.movePosition(flags ? QTextCursor::End : QTextCursor::Start);
+    m_page->setTextCursor(cursor);
+    m_page->find(words, flags);
+    return;
+  }
+  m_note->setText(tr("Not found"));
+}
 
 HelpCommands::HelpCommands(const Ui::MainWindow& ui, QWidget* window)
     : QObject(window), m_window(window) {

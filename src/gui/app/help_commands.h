@@ -1,18 +1,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Help menu: the manual and the About box.
+// The Help menu: the manual in a window of its own, and the About box.
 #pragma once
 
 #include <QObject>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <memory>
+#include <vector>
 
+class QLabel;
+class QLineEdit;
+class QTreeWidget;
+class QTreeWidgetItem;
 class QWidget;
-
 namespace Ui {
 class MainWindow;
 }
 
 namespace hogelscope {
 
-class ManualWindow;
+/// Shows images no wider than itself.
+class ManualPage : public QTextBrowser {
+  Q_OBJECT
+
+ public:
+  using QTextBrowser::QTextBrowser;
+  QVariant loadResource(int type, const QUrl& name) override;
+};
+
+/// A window of its own, which closes with its parent. Its chapters are the pages that the first
+/// page, manual.md, links to, in that order.
+class ManualWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ManualWindow(QWidget* parent);
+
+ private:
+  struct Chapter {
+    QUrl url;
+    std::unique_ptr<QTextDocument> text;  ///< never laid out: for its headings and the search
+  };
+
+  void addKeys();
+  void readChapters();
+  void listHeadings(const Chapter& chapter);
+  void showPage(const QUrl& url);
+  void layOutTables();
+  void scrollTo(const QString& anchor);
+  void selectHeading(const QUrl& url);
+  [[nodiscard]] std::size_t shownChapter() const;
+  void find(QTextDocument::FindFlags flags);
+
+  std::vector<Chapter> m_chapters;
+
+  QTreeWidget* m_contents;
+  ManualPage* m_page;
+  QLineEdit* m_search;
+  QLabel* m_note;
+};
 
 class HelpCommands : public QObject {
   Q_OBJECT

@@ -22,8 +22,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "gui/docks/report_plots.h"
-#include "gui/docks/report_table.h"
+#include "gui/docks/report_results.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/file_dialogs.h"

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QDialog>
+#include <QKeySequence>
+#include <QLineEdit>
 
 #include "gui/keys/key_map.h"
 
@@ -13,7 +15,22 @@ class QTableWidget;
 
 namespace hogelscope {
 
-class KeyField;
+/// Replaces QKeySequenceEdit, which waits a second for a second key and traps Tab. Here Tab, Escape
+/// and Return keep their meaning; Backspace and Delete remove the key.
+class KeyField : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit KeyField(QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  /// Passes the new key; empty: removed.
+  void keyPressed(const QKeySequence& key);
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+};
 
 /// Applies and saves changes at once.
 class KeyDialog : public QDialog {

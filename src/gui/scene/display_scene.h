@@ -18,7 +18,6 @@
 #include "gui/scene/panel_actors.h"
 #include "gui/scene/pick_actors.h"
 #include "gui/scene/scene_handles.h"
-#include "gui/scene/zone_actors.h"
 
 class QTimer;
 class vtkAxesActor;

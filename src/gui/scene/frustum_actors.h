@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frusta of all states in the 3-D scene: the current one marked, those outside the viewing zone
-// dashed, optionally coloured by PSNR and filled with their images.
+// The frusta of all states in the 3-D scene: the current one marked, those outside the viewing
+// zone dashed, optionally coloured by PSNR and filled with their images.
 #pragma once
 
 #include <vtkNew.h>
-
+#include <cstddef>
 #include <vector>
 
 #include "core/optics/session.h"
 #include "gui/scene/psnr_scale.h"
-#include "gui/scene/state_images.h"
+#include "vtk/atlas.h"
 
+class vtkImageData;
+class vtkTexture;
 class vtkActor;
 class vtkCameraFrustumSource;
 class vtkRenderer;
@@ -18,6 +20,31 @@ class vtkRenderer;
 namespace hogelscope {
 
 struct ScreenPlace;
+
+/// The small images of the states in one texture, with one tile each.
+class StateImages {
+ public:
+  StateImages();
+  ~StateImages();
+  StateImages(const StateImages&) = delete;
+  StateImages& operator=(const StateImages&) = delete;
+
+  /// Sets the number of tiles. If it changes, all tiles become empty.
+  void setCount(std::size_t count);
+  /// Empties all tiles.
+  void clear();
+  /// Sets an RGB image, stretched to the tile. Ignores an index without a tile.
+  void setImage(std::size_t index, vtkImageData* image);
+  [[nodiscard]] int columns() const { return m_atlas.Columns; }
+  [[nodiscard]] vtkTexture* texture() const { return m_texture; }
+
+ private:
+  Atlas m_atlas;
+  std::size_t m_count = 0;
+  int m_tile = 0;  ///< side length in texels
+  vtkNew<vtkImageData> m_image;
+  vtkNew<vtkTexture> m_texture;
+};
 
 class FrustumActors {
  public:

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export of the 3-D scene for other programs, as glTF or VTP.
-// It is made of the sources, not of what is drawn, so it depends on no switch of the scene.
+// Export of the 3-D scene for other programs, as glTF or VTP. It is made of the sources, not of
+// what is drawn, so it depends on no switch of the scene.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/optics/session.h"
 #include "gui/scene/mesh_actors.h"
 #include "gui/scene/scene_worker.h"
 
+class vtkImageData;
+
 namespace hogelscope {
+
+/// Returns a complete glTF document. `parts` are panel, hogel grid, frusta and optionally a mesh,
+/// in the world, with colours as point scalars. `panelImage`, unless null, replaces the panel's
+/// colour. Returns "" if VTK's export fails.
+std::string gltfText(const std::vector<VtkMesh>& parts, const std::vector<CameraState>& states,
+                     vtkImageData* panelImage);
 
 /// The exported objects, in the world; the file has metres.
 struct SceneParts {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/session/edit_commands.h"
 
+#include "gui/keys/field_guards.h"
 #include "gui/keys/key_dialog.h"
 #include "gui/keys/key_map.h"
-#include "gui/keys/typing_guard.h"
-#include "gui/keys/wheel_guard.h"
 #include "gui/session/session_model.h"
 
 namespace hogelscope {

@@ -2,7 +2,11 @@
 #include "gui/view/comparison.h"
 
 #include <QFileInfo>
+#include <QStringList>
+#include <cmath>
+#include <utility>
 
+#include "core/metrics/metric.h"
 #include "io/documents/session_file.h"
 #include "io/opening/session_around.h"
 
@@ -63,6 +67,101 @@ std::optional<ViewSource> Comparison::other(const Session& session) const {
   source->display.hogels = m_other->display.hogels;
   source->display.directions = m_other->display.directions;
   return source;
+}
+
+namespace {
+
+Image toImage(const QImage& picture, const QImage& mask, const QRect& part) {
+  const QImage rgb = picture.copy(part).convertToFormat(QImage::Format_RGB888);
+  const QImage seen =
+      mask.isNull() ? QImage() : mask.copy(part).convertToFormat(QImage::Format_Grayscale8);
+  Image image(rgb.width(), rgb.height());
+  for (int y = 0; y < image.height; ++y) {
+    const std::size_t row = std::size_t(y) * std::size_t(image.width);
+    std::copy_n(rgb.constScanLine(y), 3 * image.width, &image.rgb[3 * row]);
+    if (seen.isNull())
+      std::fill_n(&image.seen[row], image.width, std::uint8_t(255));
+    else
+      std::copy_n(seen.constScanLine(y), image.width, &image.seen[row]);
+  }
+  return image;
+}
+
+ComparisonFigures figuresOf(const ShownPictures& shown, const Progress& progress) {
+  ComparisonFigures figures;
+  figures.region = shown.region;
+  const auto pairOf = [&](const QRect& part) {
+    return std::pair(toImage(shown.image, shown.seen, part),
+                     toImage(shown.other, shown.otherSeen, part));
+  };
+  const bool hasOther = !shown.other.isNull();
+  const auto [own, other] = pairOf(shown.region.isNull() ? shown.image.rect() : shown.region);
+  figures.histograms.push_back(lumaHistogram(own));
+  if (!hasOther) return figures;
+  figures.histograms.push_back(lumaHistogram(other));
+  const auto compare = [&](const Image& a, const Image& b) {
+    return MetricSet().compare(a, b, parallelRows, progress);
+  };
+  if (shown.region.isNull()) {
+    figures.whole = compare(own, other);
+    return figures;
+  }
+  figures.inRegion = compare(own, other);
+  const auto [wholeOwn, wholeOther] = pairOf(shown.image.rect());
+  figures.whole = compare(wholeOwn, wholeOther);
+  return figures;
+}
+
+QString words(const std::vector<double>& values) {
+  const MetricSet metrics;
+  QStringList parts;
+  for (const std::size_t index : {psnrSeenColumn, ssimSeenColumn, seenColumn}) {
+    const MetricColumn& column = metrics.columns()[index];
+    QString part = QString::fromStdString(column.title + ' ' + tableText(column, values[index]));
+    if (std::isfinite(values[index]) && !column.unit.empty())
+      part += ' ' + QString::fromStdString(column.unit);
+    parts << part;
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString textOf(const ComparisonFigures& figures) {
+  if (figures.whole.empty()) return {};
+  QString text = words(figures.whole);
+  if (!figures.inRegion.empty())
+    text += '\n' + ComparisonMeter::tr("Rectangle %1 × %2 at %3, %4: %5")
+                       .arg(figures.region.width())
+                       .arg(figures.region.height())
+                       .arg(figures.region.x())
+                       .arg(figures.region.y())
+                       .arg(words(figures.inRegion));
+  return text;
+}
+
+ComparisonMeter::ComparisonMeter(QObject* parent) : QObject(parent) {}
+
+void ComparisonMeter::measure(const ShownPictures& pictures) {
+  m_next = pictures;
+  if (!m_task.isRunning()) start();
+}
+
+void ComparisonMeter::forget() {
+  m_next.reset();
+  m_task.abandon();
+  Q_EMIT measured({});
+}
+
+void ComparisonMeter::start() {
+  m_task.start([this, shown = *std::exchange(m_next, std::nullopt)](const Progress& progress) {
+    return [this, figures = figuresOf(shown, progress)] { finish(figures); };
+  });
+}
+
+void ComparisonMeter::finish(const ComparisonFigures& figures) {
+  Q_EMIT measured(figures);
+  if (m_next) start();
 }
 
 }  // namespace hogelscope

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second light field, compared with the session's own. It is read on its own thread, so that
-// the view stays responsive.
+// Comparison with a second light field, which is read on its own thread, so that the view stays
+// responsive: its images, and the figures of both.
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <optional>
+#include <vector>
 
+#include "core/metrics/histogram.h"
 #include "core/optics/session.h"
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
@@ -50,6 +53,49 @@ class Comparison : public QObject {
   QString m_name;
   QString m_file;
   bool m_hasOwnDisplay = false;  ///< the display of other()
+  Task m_task;
+};
+
+/// The images shown. Null images are absent; a null mask means that all pixels are seen; a null
+/// region means none.
+struct ShownPictures {
+  QImage image;
+  QImage seen;
+  QImage other;
+  QImage otherSeen;
+  QRect region;
+};
+
+struct ComparisonFigures {
+  QRect region;
+  std::vector<double> whole;     ///< the report's metrics (MetricSet); empty without a second image
+  std::vector<double> inRegion;  ///< as `whole`; empty without a region
+  std::vector<Histogram> histograms;  ///< of each image, restricted to the region if there is one
+};
+
+/// Formats the metrics in one line, with the names of the report's table.
+QString textOf(const ComparisonFigures& figures);
+
+class ComparisonMeter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonMeter(QObject* parent);
+
+  /// Starts a measurement. The newest request wins, but a running one is finished, so that metrics
+  /// keep updating while images change.
+  void measure(const ShownPictures& pictures);
+  /// Stops measuring and clears the metrics.
+  void forget();
+
+ Q_SIGNALS:
+  void measured(const hogelscope::ComparisonFigures& figures);
+
+ private:
+  void start();
+  void finish(const ComparisonFigures& figures);
+
+  std::optional<ShownPictures> m_next;
   Task m_task;
 };
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/view/comparison_figures.h"
+#include "gui/view/comparison.h"
 #include "gui/view/error_image.h"
 #include "gui/view/histogram_widget.h"
 #include "ui_main_window.h"

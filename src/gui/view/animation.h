@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An animation along camera states: numbered images, and a video of them made by ffmpeg.
-// ffmpeg writes into a file without a name (AtomicFile), so a killed one leaves nothing.
+// Animations over the states: their dialog and their files.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +8,14 @@
 
 #include "core/base/progress.h"
 #include "core/optics/simulate.h"
+#include "gui/widgets/size_dialog.h"
+
+class QCheckBox;
 
 namespace hogelscope {
 
+/// An animation along camera states: numbered images, and a video of them made by ffmpeg.
+/// ffmpeg writes into a file without a name (AtomicFile), so a killed one leaves nothing.
 struct AnimationRequest {
   std::vector<RenderJob> views;  ///< in order
   std::filesystem::path folder;  ///< created if missing; file names are fixed
@@ -25,5 +29,20 @@ struct AnimationRequest {
 /// view cannot be rendered, a video's frames have different sizes, or ffmpeg fails. Throws
 /// Cancelled.
 void writeAnimation(const AnimationRequest& request, const Progress& progress);
+
+class AnimationDialog : public SizeDialog {
+  Q_OBJECT
+
+ public:
+  /// `ffmpeg` is the program's path; "": not installed.
+  AnimationDialog(const QSize& proposed, const QString& ffmpeg, QWidget* parent);
+
+  [[nodiscard]] bool hasVideo() const;
+  [[nodiscard]] int framesPerSecond() const;
+
+ private:
+  QCheckBox* m_video;
+  QSpinBox* m_rate;
+};
 
 }  // namespace hogelscope

@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the wheel, which scrolls a dock, from changing the field under the pointer.
+// Event filters for fields: typing keeps its keys, and the wheel edits only a field that has
+// focus.
 #pragma once
 
 #include <QObject>
 
 namespace hogelscope {
+
+/// Filters the key events of the whole application. Line edits and spin boxes keep printable keys
+/// by themselves, but combo boxes do not, and line edits keep Ctrl+Z even with nothing to undo.
+class TypingGuard : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TypingGuard(QObject* parent);
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
 
 /// Filters the wheel events of the whole application. Spin boxes, sliders and combo boxes use the
 /// wheel only while they have the focus, which the wheel does not give them; otherwise it scrolls

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/docks/parameter_docks.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/engine/plan.h"
+#include "gui/docks/kernel_widget.h"
+#include "gui/docks/lens_widget.h"
+#include "gui/session/session_forms.h"
+#include "gui/view/view_worker.h"
+#include "io/plugins/display_json.h"
+#include "io/scene/view_source.h"
+
+namespace hogelscope {
+
+namespace {
+
+/// Returns an edited display with its plugin's parameters. Throws InputError if there is no such
+/// plugin or its lens cannot be opened.
+DisplayParams completed(const DisplayParams& before, DisplayParams after) {
+  if (after.lens != HogelLensModel::plugin) {
+    after.lensSource.clear();
+    after.lensParams = {};
+    return after;
+  }
+  if (after.lens != before.lens) after.lensSource = "measured-lens";
+  if (after.lensSource != before.lensSource) after.lensParams = lensParamsOf(after.lensSource);
+  for (const std::size_t axis : {0, 1}) (void)lensOf(after, axis);
+  return after;
+}
+
+}  // namespace
+
+DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent), m_model(model) {
+  auto* lens = form([](ParameterVisitor& v, DisplayParams& p) {
+    if (p.lensParams.isGiven()) describe(v, p.lensParams);
+  });
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(
+      stackWidgets({form([](ParameterVisitor& v, DisplayParams& p) { describe(v, p); }), lens}));
+  const auto show = [this, lens] {
+    lens->setVisible(m_model->session().display.lensParams.isGiven());
+  };
+  for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
+    connect(m_model, change, lens, show);
+  show();
+}
+
+QWidget* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&)) {
+  return checkedForm<DisplayParams>(m_model, &Session::display, visit, &completed,
+                                    [this](const QString& why) { Q_EMIT failed(why); });
+}
+
+CameraDock::CameraDock(SessionModel* model, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_camera(stateForm(model, &CameraState::camera)),
+      m_isCalibrated(new QCheckBox(tr("Calibrated camera"))),
+      m_intrinsics(stateForm(model, &CameraState::intrinsics)) {
+  m_isCalibrated->setObjectName("calibrated");
+  m_isCalibrated->setToolTip(tr(
+      "Focal lengths and centre in pixels in place of the field of view; the first ones take the "
+      "same picture"));
+  auto* choice = new QWidget;
+  auto* row = new QVBoxLayout(choice);
+  row->setContentsMargins(9, 0, 9, 0);
+  row->addWidget(m_isCalibrated);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stackWidgets({m_camera, choice, m_intrinsics}));
+  connect(m_isCalibrated, &QCheckBox::toggled, this, &CameraDock::calibrate);
+  for (const auto change : {&SessionModel::opened, &SessionModel::currentChanged,
+                            &SessionModel::edited, &SessionModel::statesChanged})
+    connect(model, change, this, &CameraDock::showForms);
+  showForms();
+}
+
+/// Sets intrinsics of the same image in the marked states, or removes them.
+void CameraDock::calibrate(bool isCalibrated) {
+  m_model->editMarked([isCalibrated](CameraState& state) {
+    state.intrinsics = {};
+    if (isCalibrated && hasFrame(state.camera))
+      state.intrinsics.fx = Camera(state.camera).focalLength().x;
+  });
+  showForms();
+}
+
+void CameraDock::showForms() {
+  const bool isCalibrated = m_model->current().intrinsics.isGiven();
+  const QSignalBlocker quiet(m_isCalibrated);
+  m_isCalibrated->setChecked(isCalibrated);
+  m_intrinsics->setVisible(isCalibrated);
+  m_camera->hideField("fov", isCalibrated);
+}
+
+DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidget* parent)
+    : QWidget(parent), m_model(model), m_lens(new LensWidget), m_certificate(new QLabel) {
+  m_certificate->setObjectName("certificateLabel");
+  m_certificate->setWordWrap(true);
+  m_certificate->setMargin(9);
+  m_certificate->setToolTip(
+      tr("How far the lens can be trusted; grey while it is worked out for another lens"));
+  auto* importButton = new QToolButton;
+  importButton->setObjectName("importButton");
+  importButton->setDefaultAction(importAction);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stateForm(model, &CameraState::distortion));
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(layout->spacing() + 3, 0, 0, 0);
+  buttons->addWidget(importButton);
+  buttons->addStretch();
+  layout->addLayout(buttons);
+  layout->addWidget(m_certificate);
+  layout->addWidget(m_lens, 1);
+  for (const auto change :
+       {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
+        &SessionModel::statesChanged, &SessionModel::contentChanged})
+    connect(model, change, this, &DistortionDock::noteEdits);
+}
+
+void DistortionDock::showLens(const CertifiedLens& lens) {
+  m_shown = lens.key;
+  m_lens->setLens(lens.grid);
+  const LensCertificate& certificate = lens.certificate;
+  const double share = 100 * double(certificate.withoutRay) / double(certificate.pixels);
+  const QString warning =
+      certificate.withoutRay == 0
+          ? QString()
+          : tr("<b>⚠ %1 % of the pixels have no ray: the lens folds within the picture.</b><br>")
+                .arg(share, 0, 'f', 1);
+  m_certificate->setText(
+      warning +
+      tr("Lens: %1.").arg(QString::fromStdString(certificateText(certificate)).toHtmlEscaped()));
+  noteEdits();
+}
+
+void DistortionDock::noteEdits() {
+  const CameraState state = m_model->current();
+  const bool isShown =
+      hasFrame(state.camera) && m_shown == lensKeyOf(state, m_model->session().sampling);
+  m_certificate->setEnabled(isShown);
+  m_lens->setEnabled(isShown);
+}
+
+PsfDock::PsfDock(SessionModel* model, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_form(stateForm(m_model, &CameraState::psf)),
+      m_kernel(new KernelWidget),
+      m_energy(new QLabel) {
+  m_energy->setObjectName("energyLabel");
+  m_energy->setToolTip(
+      tr("How much of the Gaussian's light the window leaves out; a wider window "
+         "leaves out less"));
+  m_energy->setWordWrap(true);
+  m_energy->setMargin(9);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_form);
+  layout->addWidget(m_energy);
+  layout->addWidget(m_kernel, 1);
+  for (const auto change : {&SessionModel::opened, &SessionModel::currentChanged,
+                            &SessionModel::edited, &SessionModel::statesChanged})
+    connect(m_model, change, this, &PsfDock::showKernel);
+  showKernel();
+}
+
+void PsfDock::setSource(const ViewSource& source) {
+  const LightFieldSize size = source.lightField->size();
+  m_form->slideTo("windowSize", 2.0 * std::max(size.du, size.dv) - 1);
+}
+
+void PsfDock::showKernel() {
+  const PsfParams psf = m_model->current().psf;
+  m_kernel->setParams(psf);
+  if (psf.windowSize == 1)
+    return m_energy->setText(tr("A window of 1: no light leaks, and sigma is not used."));
+  if (!(psf.sigma > 0))
+    return m_energy->setText(tr("<b>⚠ A sigma of 0 needs a windowSize of 1.</b>"));
+  const double outside = 1 - energyInWindow(psf);
+  const QString line =
+      tr("%1 % of the Gaussian's energy lies outside the window.").arg(100 * outside, 0, 'g', 3);
+  m_energy->setText(cutsTooMuch(psf) ? tr("<b>⚠ %1</b> Widen it.").arg(line) : line);
+}
+
+}  // namespace hogelscope
