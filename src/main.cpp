@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "cli/batch.h"
 #include "cli/program.h"
 #include "cli/stop_signals.h"
 #include "core/base/error.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program hogelscope-window, which hogelscope becomes without a job.
-#include "cli/batch.h"
 #include "cli/jobs.h"
 #include "cli/program.h"
 #include "core/base/error.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/content_hash.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "study/tradeoff_row.h"
+#include "study/tradeoff.h"
 
 namespace hogelscope {
 

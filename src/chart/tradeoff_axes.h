@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/axis.h"
-#include "study/tradeoff_row.h"
+#include "study/tradeoff.h"
 
 namespace hogelscope {
 

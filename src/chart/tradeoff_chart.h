@@ -12,7 +12,7 @@
 
 #include "chart/tradeoff_axes.h"
 #include "chart/tradeoff_legend.h"
-#include "study/tradeoff_row.h"
+#include "study/tradeoff.h"
 
 namespace hogelscope {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "chart/recommendations.h"
-#include "study/tradeoff_row.h"
+#include "study/tradeoff.h"
 
 namespace hogelscope {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "chart/tradeoff_axes.h"
-#include "study/tradeoff_row.h"
+#include "study/tradeoff.h"
 
 namespace hogelscope {
 

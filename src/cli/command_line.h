@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line as a value.
+// The command line as a value, and its parsing by the tables of jobs and flags.
 #pragma once
 
 #include <map>
@@ -50,5 +50,9 @@ struct CommandLine {
 
 /// Returns the program with its arguments, quoted for a shell.
 std::string shellText(const std::vector<std::string>& arguments);
+
+/// Parses the arguments. Throws InputError for an unknown option (with the nearest known one), one
+/// that the job does not use, one given twice, a missing or an invalid value.
+CommandLine parseCommandLine(const std::vector<std::string>& arguments);
 
 }  // namespace hogelscope

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 

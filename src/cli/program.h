@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The common start of both programs, batch mode and the window.
+// The common start of both programs, and the jobs of batch mode.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,13 @@
 #include "cli/command_line.h"
 
 namespace hogelscope {
+
+/// Adds the folders of --plugins-path, for a job or the window. Throws InputError.
+void usePluginFolders(const CommandLine& line);
+
+/// Runs the job of the command line and returns the exit status: 0, or 1 for a failed gate. Throws
+/// InputError, or Cancelled after Ctrl-C.
+int runBatch(const CommandLine& line);
 
 /// Parses the command line and calls `run`, whose exit status it returns. The only place where
 /// errors become a line and an exit status.

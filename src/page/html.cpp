@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 

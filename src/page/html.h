@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Common elements of the report's page.
+// Common elements of pages, and their style sheet, script and security policy.
 #pragma once
 
 #include <string>
 
 namespace hogelscope {
+
+/// CSS for screen and paper.
+extern const char* const pageStyle;
+
+/// JavaScript that sorts tables; the page is complete without it. Contains no < or &, so that the
+/// page is XML.
+extern const char* const pageScript;
+
+/// Content-Security-Policy: allows this style and this script, by their hashes, and embedded
+/// images. Names in a page cannot run as code.
+extern const char* const pagePolicy;
 
 /// Escapes a text for HTML or SVG; its lines are made printable(), because XML does not allow all
 /// characters.

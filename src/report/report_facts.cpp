@@ -6,12 +6,26 @@
 #include <ctime>
 
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
-#include "report/versions.h"
+#include "io/images/library_versions.h"
 
 namespace hogelscope {
+
+std::vector<Version> versions() {
+  return {{"Hogelscope", programVersion()},
+          {"OpenCV", openCvVersion()},
+          {"OpenImageIO", openImageIoVersion()}};
+}
+
+std::string versionsLine() {
+  std::string line;
+  for (const Version& each : versions())
+    line += (line.empty() ? "" : ", ") + each.name + " " + each.version;
+  return line;
+}
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "campaign/rows.h"
 #include "core/base/parallel.h"
-#include "core/base/step_progress.h"
+#include "core/base/progress.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
 #include "io/opening/session_around.h"

@@ -4,13 +4,30 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/progress.h"
 #include "core/lens/lens_rays.h"
-#include "study/inverse_methods.h"
+#include "core/optics/distortion.h"
 
 namespace hogelscope {
+
+/// Methods of inverting a lens: OpenCV's, the textbook's and this program's.
+struct InverseMethod {
+  std::string name;
+  bool saysNoRay;  ///< whether NaN means "no ray"; otherwise NaN means divergence
+  /// Inverts a lens. Throws Cancelled.
+  std::function<std::vector<Vec2>(const Distortion& lens, const std::vector<Vec2>& distorted,
+                                  const Progress& progress)>
+      undistort;
+};
+
+/// Returns the methods: cv::undistortPoints, a fixed-point iteration, with 5 (its default), 20 and
+/// 200 iterations; 20 Newton steps from the distorted point; Distortion ("ours").
+const std::vector<InverseMethod>& inverseMethods();
 
 /// The outcome at a point, in ascending order of harm. A root is an ideal point whose distorted
 /// point is within a thousandth of a pixel of the requested one.

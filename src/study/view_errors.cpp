@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/engine/renderer.h"
-#include "study/instabilities.h"
 #include "study/single_precision.h"
+#include "study/stability.h"
 
 namespace hogelscope {
 

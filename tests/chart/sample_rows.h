@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "study/tradeoff_row.h"
+#include "study/tradeoff.h"
 
 struct SampleRow {
   const char* method;

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/store/light_field_store.h"
 #include "tests/cli/csv.h"
 #include "tests/cli/program.h"

@@ -6,11 +6,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "cli/batch.h"
+#include "cli/command_line.h"
 #include "cli/flags.h"
 #include "cli/help.h"
 #include "cli/jobs.h"
-#include "cli/parser.h"
+#include "cli/program.h"
 #include "core/base/error.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"

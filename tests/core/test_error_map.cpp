@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/colour_map.h"
-#include "core/metrics/histogram.h"
+#include "core/metrics/statistics.h"
 
 using namespace hogelscope;
 

@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <random>
 
-#include "core/optics/fitted_eye.h"
+#include "core/optics/scene_eyes.h"
 
 using namespace hogelscope;
 

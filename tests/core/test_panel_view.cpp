@@ -2,8 +2,8 @@
 // The panel's own image: each of its pixels is the ray from the eye to that place of the panel.
 #include <QtTest>
 
-#include "core/optics/panel_view.h"
-#include "core/optics/pixel_trace.h"
+#include "core/optics/pixel_inspection.h"
+#include "core/optics/scene_eyes.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/base/parallel.h"
-#include "core/base/step_progress.h"
+#include "core/base/progress.h"
 
 using namespace hogelscope;
 

@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "core/base/error.h"
-#include "core/optics/pixel_trace.h"
+#include "core/optics/pixel_inspection.h"
 #include "tests/core/random_scene.h"
 
 using namespace hogelscope;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the reading of UTF-8 against Qt's, and that foreign text becomes harmless.
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 
 #include <QStringDecoder>
 #include <QTest>

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/metrics/rank_correlation.h"
+#include "core/metrics/statistics.h"
 #include "tests/core/random.h"
 
 using namespace hogelscope;

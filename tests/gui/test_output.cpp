@@ -32,7 +32,7 @@
 #include "gui/scene/scene_export.h"
 #include "gui/scene/scene_output.h"
 #include "gui/view/view_output.h"
-#include "gui/widgets/reading_bar.h"
+#include "gui/widgets/polled_bar.h"
 #include "tests/core/rendered.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"

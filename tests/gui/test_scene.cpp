@@ -7,7 +7,7 @@
 #include <QAction>
 
 #include "core/engine/fast_simulation.h"
-#include "core/optics/panel_view.h"
+#include "core/optics/scene_eyes.h"
 #include "gui/app/main_window.h"
 #include "gui/view/image_widget.h"
 #include "tests/core/rendered.h"

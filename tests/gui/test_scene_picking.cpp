@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QToolTip>
 
-#include "core/optics/pixel_trace.h"
+#include "core/optics/pixel_inspection.h"
 #include "gui/view/image_widget.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"

@@ -20,7 +20,6 @@
 #include "gui/scene/vtk_widget.h"
 #include "gui/view/comparison.h"
 #include "gui/view/error_image.h"
-#include "gui/view/histogram_widget.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"

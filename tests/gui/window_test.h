@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/app/translations.h"
+#include "gui/app/application.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "tests/gui/patience.h"

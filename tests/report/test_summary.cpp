@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "page/latex.h"
-#include "report/page/report_tables.h"
+#include "report/page/report_page.h"
 #include "report/page/summary_page.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"

@@ -6,7 +6,7 @@
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"

@@ -7,7 +7,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/scene/light_field_export.h"

@@ -12,7 +12,6 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/base/unicode.h"
 #include "core/content/pattern_list.h"
 #include "io/documents/pattern_params.h"
 #include "io/documents/session_file.h"

@@ -10,7 +10,6 @@
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/base/unicode.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_file.h"

@@ -7,7 +7,6 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
-#include "core/base/unicode.h"
 #include "io/documents/session_file.h"
 #include "io/files/output_folder.h"
 #include "io/files/random_access_file.h"

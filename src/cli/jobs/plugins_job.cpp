@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "cli/jobs/all_jobs.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/files/folders.h"
 #include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_list.h"

@@ -10,7 +10,7 @@
 #include "cli/progress_bar.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"

@@ -13,7 +13,6 @@
 #include "cli/notes.h"
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
-#include "core/base/unicode.h"
 #include "io/documents/session_file.h"
 #include "io/plugins/metric_plugins.h"
 #include "report/page/summary_page.h"

@@ -4,12 +4,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "chart/lens_pictures.h"
-#include "chart/stability_map.h"
+#include "chart/stability_pictures.h"
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/parallel.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "core/engine/plan.h"
 #include "io/documents/calibration_file.h"
 #include "io/files/atomic_file.h"

@@ -9,7 +9,7 @@
 #include "campaign/journal.h"
 #include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/files/folders.h"
 
 namespace hogelscope {

@@ -11,7 +11,7 @@
 #include "cli/jobs/all_jobs.h"
 #include "cli/progress_bar.h"
 #include "core/base/parallel.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/output_folder.h"
 #include "io/scene/view_source.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/base/error.h"
 
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 

@@ -15,6 +15,10 @@
 
 namespace hogelscope {
 
+/// Throws InputError at `path` unless the name is 1 to 40 lower-case letters, digits and "-",
+/// starting with a letter.
+void checkPluginName(const std::string& name, const std::string& path);
+
 /// Parameter values by name.
 class NamedValues {
  public:

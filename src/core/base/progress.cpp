@@ -2,7 +2,6 @@
 #include "core/base/progress.h"
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -60,6 +59,23 @@ std::string timeLeft(double secondsSoFar, double done) {
   else
     std::snprintf(text.data(), text.size(), "%lld:%02lld left", seconds / 60, seconds % 60);
   return text.data();
+}
+
+bool StepProgress::tell(double within) const {
+  return !m_listener || m_listener(m_total > 0 ? (m_done + within) / m_total : 0);
+}
+
+void StepProgress::finish(double steps) {
+  m_done += steps;
+  if (!tell(0)) throw Cancelled();
+}
+
+Progress StepProgress::within() {
+  return [this](double) { return tell(0); };
+}
+
+Progress StepProgress::of(double steps) {
+  return [this, steps](double done) { return tell(steps * done); };
 }
 
 }  // namespace hogelscope

@@ -81,4 +81,70 @@ std::string bytesText(std::size_t bytes) {
   return numberText(tenths(1e9)) + " GB";
 }
 
+namespace {
+
+/// Returns the number of continuation bytes after a first byte, and its bits; none for other bytes.
+std::optional<std::pair<std::size_t, char32_t>> leadOf(unsigned char byte) {
+  if (byte < 0x80) return std::pair{std::size_t(0), char32_t(byte)};
+  if (byte >= 0xC2 && byte < 0xE0) return std::pair{std::size_t(1), char32_t(byte & 0x1FU)};
+  if (byte >= 0xE0 && byte < 0xF0) return std::pair{std::size_t(2), char32_t(byte & 0x0FU)};
+  if (byte >= 0xF0 && byte < 0xF5) return std::pair{std::size_t(3), char32_t(byte & 0x07U)};
+  return std::nullopt;
+}
+
+/// Returns an escape such as "\x1b" or "\u202e": a letter for the number of digits, and the lowest
+/// digits.
+std::string escape(char letter, int digits, char32_t value) {
+  std::string text{'\\', letter};
+  for (int k = digits - 1; k >= 0; --k) text += "0123456789abcdef"[value >> unsigned(4 * k) & 15U];
+  return text;
+}
+
+}  // namespace
+
+Character characterAt(const std::string& text, std::size_t at) {
+  constexpr std::array<char32_t, 4> least{0, 0x80, 0x800, 0x10000};
+  const auto lead = leadOf(static_cast<unsigned char>(text[at]));
+  if (!lead || at + lead->first >= text.size()) return {};
+  auto [more, c] = *lead;
+  for (std::size_t k = 1; k <= more; ++k) {
+    const auto byte = static_cast<unsigned char>(text[at + k]);
+    if ((byte & 0xC0U) != 0x80U) return {};
+    c = c << 6U | (byte & 0x3FU);
+  }
+  const bool isSurrogate = c >= 0xD800 && c < 0xE000;
+  if (c < least[more] || c > 0x10FFFF || isSurrogate) return {};
+  return {c, more + 1};
+}
+
+bool isControl(char32_t c) {
+  constexpr std::array<std::pair<char32_t, char32_t>, 10> ranges{{{0x00, 0x1F},
+                                                                  {0x7F, 0x9F},
+                                                                  {0xAD, 0xAD},
+                                                                  {0x61C, 0x61C},
+                                                                  {0x200B, 0x200B},
+                                                                  {0x200E, 0x200F},
+                                                                  {0x2028, 0x202E},
+                                                                  {0x2060, 0x206F},
+                                                                  {0xFEFF, 0xFEFF},
+                                                                  {0xFFFE, 0xFFFF}}};
+  return std::ranges::any_of(
+      ranges, [c](const auto& range) { return c >= range.first && c <= range.second; });
+}
+
+std::string printable(const std::string& text) {
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [point, bytes] = characterAt(text, at);
+    if (point && !isControl(*point))
+      line += text.substr(at, bytes);
+    else if (!point || *point < 0x80)
+      line += escape('x', 2, static_cast<unsigned char>(text[at]));
+    else
+      line += escape('u', 4, *point);
+    at += bytes;
+  }
+  return line;
+}
+
 }  // namespace hogelscope

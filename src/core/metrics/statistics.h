@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Confidence intervals of means over views: the bootstrap.
+// Statistics: confidence intervals of means over views (the bootstrap), rank correlation, and the
+// luma histogram of an image.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
+
+#include "core/optics/image.h"
 
 namespace hogelscope {
 
@@ -34,5 +38,20 @@ using FiguresOfSums = std::function<std::vector<double>(const std::vector<double
 /// seed on every machine: std::mt19937_64 and Lemire's unbiased bounded integers.
 std::vector<Interval> bootstrap(const std::vector<std::vector<double>>& units,
                                 const FiguresOfSums& figures, const BootstrapParams& params = {});
+
+/// Returns the rank of each value, 1 for the least; equal values share the mean of their ranks.
+/// No value may be NaN.
+std::vector<double> ranksOf(const std::vector<double>& values);
+
+/// Returns Spearman's ρ, Pearson's correlation of the ranks, over the pairs without NaN. NaN for
+/// fewer than two pairs, or if all values of one list are equal. Throws std::invalid_argument if
+/// the sizes differ.
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Pixel counts by luma, 0 … 255.
+using Histogram = std::array<std::size_t, 256>;
+
+/// Counts the seen pixels by their luma (BT.709), rounded half up.
+Histogram lumaHistogram(const Image& image);
 
 }  // namespace hogelscope

@@ -10,8 +10,8 @@
 
 #include "core/base/text.h"
 #include "core/metrics/panel_error_figures.h"
-#include "core/metrics/rank_correlation.h"
 #include "core/metrics/squared_error.h"
+#include "core/metrics/statistics.h"
 
 namespace hogelscope {
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/base/plugin_name.h"
+#include "core/base/plugin_params.h"
 #include "core/optics/state_name.h"
 
 namespace hogelscope {

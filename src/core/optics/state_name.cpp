@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 

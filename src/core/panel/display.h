@@ -9,7 +9,6 @@
 #include "core/base/parameters.h"
 #include "core/light_field/texel.h"
 #include "core/panel/hogel_lens.h"
-#include "core/panel/lens_params.h"
 #include "core/panel/panel_map.h"
 
 namespace hogelscope {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface of hogel lenses, which spread a hogel's directional pixels over its angular field
-// (docs/formulas.md, Hit).
+// Hogel lenses, which spread the directional pixels of a hogel over its angular field
+// (docs/formulas.md, Hit): their interface, and the parameters of those of plugins.
 #pragma once
 
 #include <memory>
 #include <span>
 #include <string_view>
+
+#include "core/base/plugin_params.h"
+#include "sdk/hogelscope/plugin.h"
 
 namespace hogelscope {
 
@@ -33,5 +36,22 @@ class HogelLens {
 
 /// Makes a lens of the program's own; `fov` is the full angle of the field in degrees.
 std::shared_ptr<const HogelLens> makeHogelLens(HogelLensModel model, double fov);
+
+/// Copies share the opened lenses, so a display can be made repeatedly, and a lens file that
+/// changes meanwhile does not change a job.
+class LensParams : public PluginParams<plugin::HogelLens> {
+ public:
+  LensParams() = default;
+  explicit LensParams(Make make);
+
+  /// Returns the lens across (axis 0, u) or down (axis 1, v) for a full field of `fov` degrees.
+  /// Only the first call with the same values opens it. Throws InputError with the plugin's
+  /// message, or if the lens is not an increasing function with an inverse.
+  [[nodiscard]] std::shared_ptr<const HogelLens> lens(std::size_t axis, double fov) const;
+
+ private:
+  struct Opened;
+  std::shared_ptr<Opened> m_opened;
+};
 
 }  // namespace hogelscope

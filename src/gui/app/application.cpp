@@ -2,15 +2,26 @@
 #include "gui/app/application.h"
 
 #include <QApplication>
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTranslator>
 #include <cstdlib>
 
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "gui/app/main_window.h"
-#include "gui/app/translations.h"
 #include "gui/scene/vtk_widget.h"
 
 namespace hogelscope {
+
+void installTranslations() {
+  auto* application = QCoreApplication::instance();
+  auto* plurals = new QTranslator(application);
+  if (plurals->load(":/translations/hogelscope_en.qm")) application->installTranslator(plurals);
+  auto* language = new QTranslator(application);
+  if (language->load(QLocale(), "hogelscope", "_", QCoreApplication::applicationDirPath()))
+    application->installTranslator(language);
+}
 
 int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
   // Without this check Qt would end the process with a longer message.

@@ -7,6 +7,11 @@
 
 namespace hogelscope {
 
+/// Installs the built-in English plural forms ("1 thread", "2 threads") and, with precedence, the
+/// translation into the user's language if hogelscope_<language>.qm lies beside the program. Needs
+/// a QCoreApplication, which owns the translators; existing windows keep their texts.
+void installTranslations();
+
 /// Opens the window and `files` in it (FileCommands::openFiles). Returns the exit status.
 int runWindow(int argc, char** argv, const std::vector<std::string>& files);
 

@@ -31,7 +31,7 @@
 #include "gui/view/content_loader.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
-#include "gui/widgets/reading_bar.h"
+#include "gui/widgets/polled_bar.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {

@@ -18,8 +18,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/optics/fitted_eye.h"
-#include "core/optics/panel_view.h"
+#include "core/optics/scene_eyes.h"
 #include "gui/scene/vtk_widget.h"
 #include "vtk/line_picker.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/engine/hogel_pixels.h"
-#include "core/optics/panel_view.h"
+#include "core/optics/scene_eyes.h"
 #include "core/panel/viewing_zone.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_text.h"

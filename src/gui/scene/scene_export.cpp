@@ -9,23 +9,34 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkShaderProperty.h>
+#include <vtkSmartPointer.h>
 #include <vtkTexture.h>
+#include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <QByteArray>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "gui/scene/scene_actor.h"
 #include "io/files/atomic_file.h"
+#include "io/files/system_limits.h"
 #include "vtk/vtkCameraFrustumSource.h"
 #include "vtk/vtkHogelDisplaySource.h"
 
@@ -234,6 +245,115 @@ void exportScene(const std::filesystem::path& file, const SceneParts& parts) {
                                : gltfText(partsOf(parts), parts.states, parts.panelImage);
   if (text.empty()) throw InputError(file.string(), "cannot be written", "VTK made nothing of it");
   writeTextFile(file, text);
+}
+
+namespace {
+
+/// Returns the actors of all renderers, including those inside axes and other assemblies.
+std::vector<vtkActor*> actorsOf(vtkRenderWindow& window) {
+  const vtkNew<vtkPropCollection> actors;
+  vtkRendererCollection* renderers = window.GetRenderers();
+  renderers->InitTraversal();
+  while (vtkRenderer* renderer = renderers->GetNextItem()) {
+    vtkCollectionSimpleIterator at = nullptr;
+    renderer->GetViewProps()->InitTraversal(at);
+    while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(at)) prop->GetActors(actors);
+  }
+  std::vector<vtkActor*> all;
+  actors->InitTraversal();
+  while (vtkProp* actor = actors->GetNextProp()) all.push_back(vtkActor::SafeDownCast(actor));
+  return all;
+}
+
+bool hasLinesAlone(vtkActor* actor) {
+  auto* data = vtkPolyData::SafeDownCast(
+      actor->GetMapper() != nullptr ? actor->GetMapper()->GetInput() : nullptr);
+  return data != nullptr && data->GetNumberOfLines() > 0 &&
+         data->GetNumberOfLines() == data->GetNumberOfCells();
+}
+
+/// Scales line widths by `factor` during its lifetime. Plain lines are limited to one pixel, so
+/// lines become tubes, without lighting, which would shade one of their sides.
+class ThickerLines {
+ public:
+  ThickerLines(vtkRenderWindow& window, double factor) {
+    for (vtkActor* actor : actorsOf(window)) {
+      if (!hasLinesAlone(actor)) continue;
+      if (actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0)
+        setDepth(actor, SceneLevel::onPanel);
+      vtkProperty* look = actor->GetProperty();
+      m_before.push_back(
+          {look, look->GetLineWidth(), look->GetRenderLinesAsTubes(), look->GetLighting()});
+    }
+    for (const Look& look : m_before) {
+      look.property->SetLineWidth(float(factor) * look.width);
+      look.property->RenderLinesAsTubesOn();
+      look.property->LightingOff();
+    }
+  }
+  ~ThickerLines() {
+    for (const Look& look : m_before) {
+      look.property->SetLineWidth(look.width);
+      look.property->SetRenderLinesAsTubes(look.areTubes);
+      look.property->SetLighting(look.isLit);
+    }
+  }
+  ThickerLines(const ThickerLines&) = delete;
+  ThickerLines& operator=(const ThickerLines&) = delete;
+
+ private:
+  struct Look {
+    vtkSmartPointer<vtkProperty> property;
+    float width;
+    bool areTubes;
+    bool isLit;
+  };
+  std::vector<Look> m_before;
+};
+
+/// Returns the samples per pixel: 4, the most in software, at 8 bytes each; none for a large image.
+int samplesFor(const QSize& size) {
+  constexpr int largest = 4096;
+  return std::max(size.width(), size.height()) <= largest ? 4 : 0;
+}
+
+std::vector<std::uint8_t> topFirst(vtkUnsignedCharArray& rgb, const QSize& size) {
+  const auto row = 3 * std::ptrdiff_t(size.width());
+  std::vector<std::uint8_t> picture;
+  picture.reserve(std::size_t(row) * std::size_t(size.height()));
+  for (int y = size.height() - 1; y >= 0; --y) {
+    const std::uint8_t* from = rgb.GetPointer(row * y);
+    picture.insert(picture.end(), from, from + row);
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
+  constexpr std::size_t bytesPerPixel = 20;  // colour, depth and their copies
+  checkFits(bytesPerPixel * std::size_t(size.width()) * std::size_t(size.height()),
+            "the scene's picture", {});
+  window.MakeCurrent();
+  const int largest = vtkTextureObject::GetMaximumTextureSize(&window);
+  if (std::max(size.width(), size.height()) > largest)
+    throw InputError("the scene's picture", "size",
+                     "OpenGL ends at " + std::to_string(largest) + " px here");
+  const int* own = window.GetSize();
+  const QSize before(own[0], own[1]);
+  const int dpi = window.GetDPI();
+  const double factor = double(size.height()) / std::max(1, before.height());
+  const ThickerLines lines(window, factor);
+  window.SetSize(size.width(), size.height());
+  window.SetDPI(std::max(1, int(std::lround(dpi * factor))));
+  window.SetMultiSamples(samplesFor(size));
+  window.Render();
+  const vtkNew<vtkUnsignedCharArray> rgb;
+  window.GetPixelData(0, 0, size.width() - 1, size.height() - 1, 0, rgb.Get(), 0);
+  window.SetMultiSamples(0);
+  window.SetDPI(dpi);
+  window.SetSize(before.width(), before.height());
+  return topFirst(*rgb, size);
 }
 
 }  // namespace hogelscope

@@ -3,6 +3,8 @@
 // what is drawn, so it depends on no switch of the scene.
 #pragma once
 
+#include <QSize>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "gui/scene/mesh_actors.h"
 #include "gui/scene/scene_worker.h"
 
+class vtkGenericOpenGLRenderWindow;
 class vtkImageData;
 
 namespace hogelscope {
@@ -35,5 +38,10 @@ struct SceneParts {
 /// point array Colour. May run on any thread. Throws InputError for another extension or if the
 /// file cannot be written.
 void exportScene(const std::filesystem::path& file, const SceneParts& parts);
+
+/// Draws the window's scene with `size` pixels, antialiased. Returns 3·width·height bytes of RGB,
+/// row 0 at the top. Lines and texts keep their share of the image's height. The window is
+/// unchanged afterwards. Throws InputError for sizes beyond OpenGL's limit.
+std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size);
 
 }  // namespace hogelscope

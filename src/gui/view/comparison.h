@@ -5,10 +5,11 @@
 
 #include <QImage>
 #include <QObject>
+#include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "core/metrics/histogram.h"
+#include "core/metrics/statistics.h"
 #include "core/optics/session.h"
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
@@ -97,6 +98,25 @@ class ComparisonMeter : public QObject {
 
   std::optional<ShownPictures> m_next;
   Task m_task;
+};
+
+/// Histograms of the images shown, drawn over each other.
+class HistogramWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistogramWidget(QWidget* parent = nullptr);
+
+  /// Sets the histograms; the first is filled, the second is a line.
+  void setHistograms(const std::vector<Histogram>& histograms);
+  [[nodiscard]] const std::vector<Histogram>& histograms() const { return m_histograms; }
+  [[nodiscard]] QSize sizeHint() const override { return {256, 72}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::vector<Histogram> m_histograms;
 };
 
 }  // namespace hogelscope

@@ -9,7 +9,6 @@
 
 #include "gui/view/comparison.h"
 #include "gui/view/error_image.h"
-#include "gui/view/histogram_widget.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {

@@ -9,7 +9,7 @@
 #include "gui/view/view_output.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/file_dialogs.h"
-#include "gui/widgets/reading_bar.h"
+#include "gui/widgets/polled_bar.h"
 #include "io/files/output_folder.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"

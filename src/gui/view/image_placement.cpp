@@ -62,4 +62,70 @@ Viewport limitCentre(const Viewport& viewport, const QSize& image) {
            std::clamp(viewport.centre.y(), 0.0, double(image.height()))}};
 }
 
+namespace {
+
+/// Returns the pixels that a part of the screen touches.
+QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& image) {
+  const QPointF first = at.toImage(clip.topLeft());
+  const QPointF end = at.toImage(clip.topLeft() + QPoint(clip.width(), clip.height()));
+  const QRect touched(QPoint(int(std::floor(first.x())), int(std::floor(first.y()))),
+                      QPoint(int(std::ceil(end.x())) - 1, int(std::ceil(end.y())) - 1));
+  return touched & QRect(QPoint(0, 0), image);
+}
+
+}  // namespace
+
+void ZoomableImage::paint(QPainter& painter, const QRect& clip, const Placement& at) const {
+  if (m_image.isNull()) return;
+  painter.save();
+  painter.setClipRect(clip);
+  if (at.zoom < 1) {
+    const QSize size(std::max(1, int(std::round(m_image.width() * at.zoom))),
+                     std::max(1, int(std::round(m_image.height() * at.zoom))));
+    if (m_small.size() != size)
+      m_small = m_image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    painter.drawImage(at.origin, m_small);
+  } else {
+    // Only the visible part, because Qt's coordinates overflow far outside the screen.
+    const QRect part = pixelsUnder(clip, at, m_image.size());
+    const QRectF target(at.toDevice(part.topLeft()), QSizeF(part.size()) * at.zoom);
+    painter.drawImage(target, m_image, part);
+  }
+  painter.restore();
+}
+
+QImage hatched(const QImage& seen) {
+  if (seen.isNull()) return {};
+  constexpr int period = 8;
+  const QImage mask = seen.convertToFormat(QImage::Format_Grayscale8);
+  QImage stripes(mask.size(), QImage::Format_ARGB32_Premultiplied);
+  for (int y = 0; y < mask.height(); ++y) {
+    const uchar* from = mask.constScanLine(y);
+    auto* to = reinterpret_cast<QRgb*>(stripes.scanLine(y));
+    for (int x = 0; x < mask.width(); ++x) {
+      const bool isStripe = (x + y) % period < period / 2;
+      to[x] = from[x] != 0 ? qRgba(0, 0, 0, 0) : isStripe ? qRgb(190, 60, 150) : qRgb(70, 20, 55);
+    }
+  }
+  return stripes;
+}
+
+void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image) {
+  constexpr double closest = 8;
+  if (at.zoom < closest) return;
+  const QColor colour(128, 128, 128, 110);
+  const QRect part = pixelsUnder(clip, at, image);
+  const QPoint from = at.toDevice(part.topLeft()).toPoint();
+  const QPoint to = at.toDevice(part.topLeft() + QPoint(part.width(), part.height())).toPoint();
+  painter.save();
+  painter.setClipRect(clip);
+  for (int x = part.left(); x <= part.right() + 1; ++x)
+    painter.fillRect(int(std::round(at.toDevice({double(x), 0}).x())), from.y(), 1,
+                     to.y() - from.y(), colour);
+  for (int y = part.top(); y <= part.bottom() + 1; ++y)
+    painter.fillRect(from.x(), int(std::round(at.toDevice({0, double(y)}).y())), to.x() - from.x(),
+                     1, colour);
+  painter.restore();
+}
+
 }  // namespace hogelscope

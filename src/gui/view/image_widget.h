@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "core/metrics/error_map.h"
-#include "gui/view/zoomable_image.h"
+#include "gui/view/image_placement.h"
 
 class QAction;
 class QTimer;

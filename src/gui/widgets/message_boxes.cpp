@@ -7,7 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "report/versions.h"
+#include "report/report_facts.h"
 
 namespace hogelscope {
 

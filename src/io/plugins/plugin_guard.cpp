@@ -6,7 +6,7 @@
 #include <atomic>
 #include <utility>
 
-#include "core/base/unicode.h"
+#include "core/base/text.h"
 #include "io/files/system_limits.h"
 
 namespace hogelscope {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/plugin_name.h"
+#include "core/base/plugin_params.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/json/json_parameters.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/base/unicode.h"
 #include "page/html.h"
 #include "page/latex.h"
 

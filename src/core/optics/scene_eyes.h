@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The position of an eye whose image is filled by given points, for the 3-D scene.
+// Eyes of the 3-D scene: the one whose view is a texture of the panel, and one whose image is
+// filled by given points.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/optics/session.h"
 
 namespace hogelscope {
+
+/// Returns the state whose image covers the panel exactly: pixel (x, y) of `res` shows what `eye`
+/// (world, metres) sees at the middle of cell (x, y) of the panel. It is a pinhole without a PSF.
+/// None if the eye is not in front of the panel.
+std::optional<CameraState> panelState(const DisplayParams& display, const Vec3& eye,
+                                      const std::array<int, 2>& res);
+
+/// Returns the distance from a point of the world to the nearest point of the panel, in metres.
+double distanceToPanel(const DisplayParams& display, const Vec3& point);
 
 /// An eye and the point that it looks at, in the points' frame.
 struct FittedEye {
