@@ -2,14 +2,31 @@
 // The images of many camera states from one light field, however large it is.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "campaign/streamed_images.h"
 #include "core/base/shard.h"
 #include "core/engine/renderer.h"
 #include "io/scene/view_source.h"
 
 namespace hogelscope {
+
+/// A state's image, or the problem.
+struct StateImage {
+  Image image;
+  std::string problem;
+};
+
+/// Whether the file exceeds `memory` bytes and can be streamed.
+bool mustStream(const LightFieldFile& file, std::size_t memory);
+
+/// Renders views of a light field that has nothing in memory. Uses at most `memory` bytes besides
+/// the images and one hogel row of the file; if that is too little for all views, the file is read
+/// several times, and a view that alone needs more has a problem. Throws InputError (damaged file,
+/// images exceed the machine's memory), Cancelled.
+std::vector<StateImage> renderStreamed(LightFieldFile& file, const std::vector<RenderJob>& views,
+                                       std::size_t memory, const ParallelRows& parallelRows,
+                                       const Progress& progress);
 
 /// Renders images on request. Only those of a light field that must be streamed (mustStream()) are
 /// made while it is read, and kept.

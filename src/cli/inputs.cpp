@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "campaign/streamed_images.h"
+#include "campaign/state_images.h"
 #include "cli/notes.h"
 #include "cli/progress_bar.h"
 #include "core/base/error.h"

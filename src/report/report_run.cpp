@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "campaign/rows.h"
+#include "campaign/journal.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "io/files/atomic_file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of a light field that is read from the top: the same pixels, each row read once, in the
 // memory that was allowed.
-#include "campaign/streamed_images.h"
+#include "campaign/state_images.h"
 #include "io/scene/view_source.h"
 
 #include <QTemporaryDir>

@@ -23,6 +23,17 @@ class InputError : public std::runtime_error {
   std::string m_why;
 };
 
+/// Returns the result of `action`. An InputError of it gets `file` as its file, as InputError::in()
+/// says.
+template <class Action>
+decltype(auto) inFile(const std::string& file, const Action& action) {
+  try {
+    return action();
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
+}
+
 /// Thrown when a user or a newer request cancels the work; not an error.
 class Cancelled : public std::exception {
  public:

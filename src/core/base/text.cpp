@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace hogelscope {
@@ -16,10 +15,7 @@ namespace {
 bool isFormula(const std::string& text) {
   static const std::array<std::string_view, 11> beginnings{"=",  "+",  "-",  "@",  "\t", "\r",
                                                            "\n", "＝", "＋", "－", "＠"};
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (stop == end && error == std::errc()) return false;
+  if (numberOf(text)) return false;
   return std::ranges::any_of(beginnings,
                              [&text](std::string_view sign) { return text.starts_with(sign); });
 }
@@ -49,6 +45,13 @@ std::string numberText(double value) {
   std::array<char, 40> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
+}
+
+std::optional<double> numberOf(std::string_view text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return stop == end && error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
 double fourDigits(double value) {

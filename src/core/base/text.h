@@ -6,11 +6,14 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace hogelscope {
 
 /// Returns the shortest text that reads back as the same number; "inf", "nan".
 std::string numberText(double value);
+/// Returns the number that all of the text is; none if it is anything else.
+std::optional<double> numberOf(std::string_view text);
 /// Rounds to four significant digits, for reading.
 double fourDigits(double value);
 /// Formats with `digits` after the point; "identical" if infinite, a dash if NaN.

@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Input and output of images and videos by OpenImageIO.
 #include "io/codecs/open_image_io.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/optics/image.h"
 
 namespace hogelscope {
 
-std::string asOneLine(std::string text, const std::filesystem::path& file) {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Returns OpenImageIO's message on one line, without the file's name.
+std::string asOneLine(std::string text, const fs::path& file) {
   for (const std::string& noise : {"\"" + file.string() + "\"", "'" + file.string() + "'"})
     if (const std::size_t at = text.find(noise); at != std::string::npos)
       text.replace(at, noise.size(), "it");
@@ -13,15 +32,302 @@ std::string asOneLine(std::string text, const std::filesystem::path& file) {
   return text.empty() ? "unknown reason" : text;
 }
 
-OIIO::TypeDesc typeDesc(StoredType type) {
-  switch (type) {
-    case StoredType::uint8:
-      return OIIO::TypeDesc::UINT8;
-    case StoredType::uint16:
-      return OIIO::TypeDesc::UINT16;
-    default:
-      return OIIO::TypeDesc::FLOAT;
+/// Throws InputError if even a single-colour image could not be so small.
+void checkSize(const OIIO::ImageSpec& spec, const fs::path& file) {
+  constexpr double mostBytesPerByte = 1 << 17;
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (!error && double(spec.image_bytes(true)) > mostBytesPerByte * double(bytes))
+    throw InputError(file.string(), "is damaged",
+                     "its " + std::to_string(bytes) + " bytes cannot be " +
+                         std::to_string(spec.width) + "×" + std::to_string(spec.height) + " px");
+}
+
+StoredType typeOf(const OIIO::ImageSpec& spec) {
+  const auto type = spec.format.basetype;
+  if (type == OIIO::TypeDesc::UINT8 || type == OIIO::TypeDesc::INT8) return StoredType::uint8;
+  const bool is16 = type == OIIO::TypeDesc::UINT16 || type == OIIO::TypeDesc::INT16;
+  return is16 ? StoredType::uint16 : StoredType::real;
+}
+
+/// Returns the largest value of a PNM file: the third number of its header. 0 if there is none.
+int largestPnmValue(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  in.ignore(2);  // "P6"
+  int value = 0;
+  for (int number = 0; number < 3; ++number) {
+    while (in >> std::ws && in.peek() == '#')
+      in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    if (!(in >> value)) return 0;
   }
+  return value;
+}
+
+/// Returns the bits of 16-bit values. Readers scale fewer bits to all 16, and OpenImageIO 2.4's PNM
+/// reader does not report them.
+int bitsOf(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& file) {
+  if (format != "pnm") return std::clamp(spec.get_int_attribute("oiio:BitsPerSample", 16), 8, 16);
+  const int largest = largestPnmValue(file);
+  for (int bits = 9; bits < 16; ++bits)
+    if (largest == largestValue(bits)) return bits;
+  return 16;
+}
+
+/// Returns the first 12 bytes of a file; those that it does not have are 0.
+std::string beginOf(const fs::path& file) {
+  std::string begin(12, '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
+  return begin;
+}
+
+/// Whether the file is JPEG XL: a bare codestream, or one in boxes.
+bool isJpegXl(const fs::path& file) {
+  using namespace std::string_view_literals;
+  const std::string begin = beginOf(file);
+  return begin.starts_with("\xff\x0a") || begin == "\0\0\0\x0cJXL \r\n\x87\n"sv;
+}
+
+/// Throws InputError for a file that OpenImageIO cannot open.
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  if (isJpegXl(file))
+    throw InputError(file.string(), "",
+                     "is JPEG XL, which OpenImageIO " OIIO_VERSION_STRING
+                     " does not read; convert it, such as by djxl NAME.jxl NAME.png");
+  throw InputError(file.string(), "cannot be read as a picture", why);
+}
+
+/// Whether a file begins like a video. Excludes texts that name other files or addresses, which
+/// FFmpeg would read: lists of files (ffconcat), HLS, DASH, SDP.
+bool isVideo(const fs::path& file) {
+  using namespace std::string_view_literals;
+  const std::string begin = beginOf(file);
+  const std::string_view all(begin);
+  static constexpr std::array boxes{"ftyp"sv, "moov"sv, "mdat"sv, "free"sv, "skip"sv, "wide"sv};
+  static constexpr std::array signatures{"\x1a\x45\xdf\xa3"sv, "FLV\1"sv, "\x30\x26\xb2\x75"sv,
+                                         "OggS"sv, "YUV4MPEG2"sv};
+  const auto begins = [&](std::string_view signature) { return all.starts_with(signature); };
+  return std::ranges::find(boxes, all.substr(4, 4)) != boxes.end() ||
+         std::ranges::any_of(signatures, begins) ||
+         (begins("RIFF") && all.substr(8, 4) == "AVI "sv);
+}
+
+/// Whether a file begins like an MPEG stream, which does not contain its number of frames.
+bool isMpegStream(const fs::path& file) {
+  using namespace std::string_view_literals;
+  const std::string begin = beginOf(file);
+  return begin.starts_with("\0\0\1\xba"sv) || begin.starts_with("\0\0\1\xb3"sv) ||
+         begin.starts_with("\x47\x40"sv);
+}
+
+/// Opens a file as a format of OpenImageIO. Returns null, with the reason, if it has another
+/// format.
+std::unique_ptr<OIIO::ImageInput> openAs(const std::string& format, const fs::path& file,
+                                         std::string& why) {
+  std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (image && image->open(file.string(), spec)) return image;
+  why = asOneLine(image ? image->geterror() : OIIO::geterror(), file);
+  return nullptr;
+}
+
+/// Opens a file as the first format that accepts it, the one of its extension first. Only videos
+/// are passed to FFmpeg.
+std::unique_ptr<OIIO::ImageInput> openAny(const fs::path& file, std::string& why) {
+  if (isVideo(file)) {
+    std::unique_ptr<OIIO::ImageInput> image = OIIO::ImageInput::open(file.string());
+    if (!image) why = asOneLine(OIIO::geterror(), file);  // otherwise the error is printed
+    return image;
+  }
+  if (isMpegStream(file)) {
+    why =
+        "an MPEG stream does not say how many frames it has; copy it into another file, such as by "
+        "ffmpeg -i NAME.mpg -c copy NAME.mp4";
+    return nullptr;
+  }
+  // The extension is also the format's name.
+  std::string ending = lowerCase(file.extension().string());
+  if (!ending.empty()) ending.erase(0, 1);
+  const std::string list = OIIO::get_string_attribute("input_format_list");
+  std::istringstream formats(ending + "," + list);
+  std::string own;
+  for (std::string format; std::getline(formats, format, ',');) {
+    const auto reader = OIIO::ImageInput::create(format);
+    if (!reader || reader->format_name() == std::string("FFmpeg movie")) continue;
+    if (auto image = openAs(format, file, why)) return image;
+    if (format == ending) own = why;
+  }
+  why = own.empty() ? "its content is of no known format" : own;
+  return nullptr;
+}
+
+class Input : public ImageInput {
+ public:
+  Input(const fs::path& file, const std::string& format) : m_file(file) {
+    std::string why;
+    m_image = format.empty() ? openAny(file, why) : openAs(format, file, why);
+    if (!m_image) refuse(m_file, why);
+    m_spec = m_image->spec();
+    if (m_spec.width < 1 || m_spec.height < 1 || m_spec.nchannels < 1 || m_spec.depth > 1 ||
+        m_spec.deep)
+      throw InputError(m_file.string(), "", "is not a flat picture with pixels");
+    checkSize(m_spec, m_file);
+    const StoredType type = typeOf(m_spec);
+    const std::string found = m_image->format_name();
+    const int bits = type == StoredType::uint8    ? 8
+                     : type == StoredType::uint16 ? bitsOf(m_spec, found, m_file)
+                                                  : 16;
+    const bool isMovie = m_spec.get_int_attribute("oiio:Movie") != 0;
+    const int frames = isMovie ? m_spec.get_int_attribute("oiio:subimages", 1) : 1;
+    if (isMovie && std::uintmax_t(frames) > fs::file_size(m_file))
+      throw InputError(m_file.string(), "",
+                       "does not say how many frames it has; copy it into another file");
+    m_facts = {{std::size_t(m_spec.width), std::size_t(m_spec.height), m_spec.nchannels, type, bits,
+                std::size_t(std::max(frames, 1))},
+               found};
+    m_facts.bandRows = bandRowsOf(m_facts.width, std::size_t(std::max(m_spec.tile_height, 1)));
+  }
+
+  void read(std::size_t frame, std::size_t first, std::size_t rows, const Rows& to) override {
+    std::visit([&](auto* values) { readRows(int(frame), first, rows, values); }, to);
+  }
+
+ private:
+  template <class T>
+  void readRows(int frame, std::size_t first, std::size_t rows, T* to) {
+    // Readers multiply the colours by alpha. OpenImageIO 2.4's TIFF reader does so for scanlines
+    // only if alpha is requested, and twice for tiles if alpha is requested.
+    const bool isAsked = m_spec.tile_width == 0;
+    const bool hasAlpha = isAsked && (m_spec.alpha_channel == 1 || m_spec.alpha_channel == 3);
+    const int used = hasAlpha ? m_spec.alpha_channel + 1 : m_spec.nchannels < 3 ? 1 : 3;
+    const auto stored = std::size_t(used);
+    const std::size_t pixels = m_facts.width * rows;
+    std::vector<T> read(stored * pixels);
+    const OIIO::TypeDesc type = OIIO::BaseTypeFromC<T>::value;
+    const int begin = m_spec.y + int(first);
+    const int end = begin + int(rows);
+    const auto stride = OIIO::stride_t(stored * sizeof(T));
+    const bool isRead =
+        m_spec.tile_width > 0
+            ? m_image->read_tiles(frame, 0, m_spec.x, m_spec.x + m_spec.width, begin, end, m_spec.z,
+                                  m_spec.z + 1, 0, used, type, read.data(), stride)
+            : m_image->read_scanlines(frame, 0, begin, end, m_spec.z, 0, used, type, read.data(),
+                                      stride);
+    // Some readers fill the rest of a truncated file and only set a message.
+    if (!isRead || m_image->has_error())
+      throw InputError(m_file.string(), "is damaged", asOneLine(m_image->geterror(), m_file));
+    for (std::size_t p = 0; p < pixels; ++p)
+      for (std::size_t c = 0; c < 3; ++c) to[3 * p + c] = read[stored * p + (stored < 3 ? 0 : c)];
+  }
+
+  fs::path m_file;
+  std::unique_ptr<OIIO::ImageInput> m_image;
+  OIIO::ImageSpec m_spec;
+};
+
+OIIO::TypeDesc typeDesc(StoredType type) {
+  if (type == StoredType::uint8) return OIIO::TypeDesc::UINT8;
+  return type == StoredType::uint16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
+}
+
+/// Reports success of every write and keeps the error in ByteOutput, because some writers do not
+/// notice a full disk, and libjpeg would end the process.
+class Proxy : public OIIO::Filesystem::IOProxy {
+ public:
+  Proxy(const fs::path& file, ByteOutput& bytes)
+      : IOProxy(file.string(), Mode::Write), m_bytes(bytes) {}
+
+  [[nodiscard]] const char* proxytype() const override { return "checked file"; }
+  bool seek(int64_t offset) override {
+    m_pos = offset;
+    m_bytes.seek(offset);
+    return true;
+  }
+  std::size_t write(const void* data, std::size_t size) override {
+    if (size == 0) return 0;  // the data of WebP's last write may be null
+    m_bytes.write(data, size);
+    m_pos += int64_t(size);
+    return size;
+  }
+  std::size_t read(void* data, std::size_t size) override { return m_bytes.read(data, size); }
+  [[nodiscard]] std::size_t size() const override { return m_bytes.size(); }
+  // One of the two overrides: it is const up to OpenImageIO 3.0.
+  void flush() const { m_bytes.flush(); }  // NOLINT(modernize-use-override)
+  void flush() { m_bytes.flush(); }        // NOLINT(modernize-use-override)
+
+ private:
+  ByteOutput& m_bytes;
+};
+
+class Output : public ImageOutput {
+ public:
+  Output(const fs::path& file, const ImageSpec& wanted, ByteOutput& bytes)
+      : m_file(file), m_bytes(file, bytes), m_type(typeDesc(wanted.type)) {
+    OIIO::ImageSpec spec(int(wanted.width), int(wanted.height), int(wanted.channels.size()),
+                         m_type);
+    spec.channelnames = wanted.channels;
+    spec.attribute("DateTime", "");  // equal content gives equal files, without a date
+    m_image = OIIO::ImageOutput::create(file.string());
+    if (!m_image) {
+      (void)OIIO::geterror();  // otherwise the error is printed
+      throw InputError(file.string(), "cannot be written",
+                       "no picture format has the extension \"" + file.extension().string() + "\"");
+    }
+    constexpr std::size_t jpegLimit = 65500;  // beyond it libjpeg ends the process
+    if (m_image->format_name() == std::string("jpeg") &&
+        std::max(wanted.width, wanted.height) > jpegLimit)
+      throw InputError(file.string(), "cannot be written",
+                       "JPEG ends at 65500 px; use PNG or TIFF");
+    if (!m_image->supports("ioproxy") || !m_image->set_ioproxy(&m_bytes) ||
+        !m_image->open(file.string(), spec))
+      fail();
+    if (wanted.type == StoredType::uint8 || m_image->spec().format == m_type) return;
+    (void)m_image.release();  // as in ~Output
+    throw InputError(file.string(), "cannot be written",
+                     "its format does not hold " + std::string(wanted.type == StoredType::real
+                                                                   ? "floats; use .exr or .tif"
+                                                                   : "16 bits; use .png or .tif"));
+  }
+  ~Output() override {
+    // Leaks a cancelled writer, because closing a file without all of its rows prints on stderr.
+    if (!m_isFinished) (void)m_image.release();
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  void write(const StoredRows& values, std::size_t rows) override {
+    const int begin = m_row;
+    m_row += int(rows);
+    const void* first = std::visit([](const auto* at) -> const void* { return at; }, values);
+    if (!m_image->write_scanlines(begin, m_row, 0, m_type, first)) fail();
+  }
+
+  void finish() override {
+    m_isFinished = true;
+    if (!m_image->close()) fail();
+  }
+
+ private:
+  [[noreturn]] void fail() {
+    throw InputError(m_file.string(), "cannot be written", asOneLine(m_image->geterror(), m_file));
+  }
+
+  fs::path m_file;
+  Proxy m_bytes;
+  OIIO::TypeDesc m_type;
+  std::unique_ptr<OIIO::ImageOutput> m_image;
+  int m_row = 0;
+  bool m_isFinished = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ImageInput> openByOpenImageIo(const fs::path& file, const std::string& format) {
+  return std::make_unique<Input>(file, format);
+}
+
+std::unique_ptr<ImageOutput> createByOpenImageIo(const fs::path& file, const ImageSpec& spec,
+                                                 ByteOutput& bytes) {
+  return std::make_unique<Output>(file, spec, bytes);
 }
 
 }  // namespace hogelscope

@@ -2,8 +2,6 @@
 // Input and output of images and videos by OpenImageIO.
 #pragma once
 
-#include <OpenImageIO/imageio.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -17,10 +15,5 @@ std::unique_ptr<ImageInput> openByOpenImageIo(const std::filesystem::path& file,
                                               const std::string& format);
 std::unique_ptr<ImageOutput> createByOpenImageIo(const std::filesystem::path& file,
                                                  const ImageSpec& spec, ByteOutput& bytes);
-
-/// Returns OpenImageIO's message on one line, without the file's name.
-std::string asOneLine(std::string text, const std::filesystem::path& file);
-
-OIIO::TypeDesc typeDesc(StoredType type);
 
 }  // namespace hogelscope

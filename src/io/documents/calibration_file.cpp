@@ -65,6 +65,13 @@ Params checked(const Json& object, const std::string& section) {
   return params;
 }
 
+/// Returns the distortion of k1, k2, p1, p2 and, unless it is 0, k3.
+DistortionParams checkedDistortion(const std::vector<double>& d, const std::string& section) {
+  return checked<DistortionParams>(
+      {{"k1", d[0]}, {"k2", d[1]}, {"p1", d[2]}, {"p2", d[3]}, {"k3", d.size() > 4 ? d[4] : 0.0}},
+      section);
+}
+
 IntrinsicsParams intrinsicsOf(const std::vector<double>& k) {
   if (k.size() != 9) throw InputError("camera_matrix", "is not of 3×3 numbers");
   if (k[1] != 0)
@@ -83,9 +90,7 @@ DistortionParams distortionOf(const std::vector<double>& d) {
       throw InputError("distortion_coefficients",
                        "are more than k1, k2, p1, p2, k3; calibrate without the rational, thin "
                        "prism and tilted models");
-  return checked<DistortionParams>(
-      {{"k1", d[0]}, {"k2", d[1]}, {"p1", d[2]}, {"p2", d[3]}, {"k3", d.size() > 4 ? d[4] : 0.0}},
-      "distortion");
+  return checkedDistortion(d, "distortion");
 }
 
 std::optional<std::array<int, 2>> resolutionOf(const Json& document) {
@@ -123,12 +128,7 @@ NamedCalibration cameraOf(const Json& camera, const std::string& path) {
   return {name->get<std::string>(),
           {checked<IntrinsicsParams>({{"fx", k[0]}, {"fy", k[1]}, {"cx", k[2]}, {"cy", k[3]}},
                                      path + ".K"),
-           checked<DistortionParams>({{"k1", d[0]},
-                                      {"k2", d[1]},
-                                      {"p1", d[2]},
-                                      {"p2", d[3]},
-                                      {"k3", d.size() > 4 ? d[4] : 0.0}},
-                                     path + ".D"),
+           checkedDistortion(d, path + ".D"),
            checked<CameraParams>({{"res", camera["size"]}}, path + ".size").res}};
 }
 
@@ -167,23 +167,17 @@ Calibration calibrationOf(const Json& document) {
 }  // namespace
 
 std::vector<NamedCalibration> loadCalibrations(const std::filesystem::path& file) {
-  try {
+  return inFile(file.string(), [&]() -> std::vector<NamedCalibration> {
     const Json document = documentOf(file);
     if (document.contains("cameras")) return camerasOf(document);
     NamedCalibration one{file.stem().string(), calibrationOf(document)};
     if (!one.calibration.res) one.calibration.res = centredOn(one.calibration.intrinsics);
     return {one};
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 Calibration loadCalibration(const std::filesystem::path& file) {
-  try {
-    return calibrationOf(documentOf(file));
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  return inFile(file.string(), [&] { return calibrationOf(documentOf(file)); });
 }
 
 void apply(const Calibration& calibration, CameraState& state) {

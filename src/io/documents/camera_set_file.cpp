@@ -126,11 +126,7 @@ Trace loadTrace(const Json& object, const std::filesystem::path& folder, double 
   if (params.recording.empty() && !params.only.empty())
     throw InputError("trace.only", "needs trace.recording, the column that says which one it is");
   const std::filesystem::path file = folder / params.file;
-  try {
-    return readTrace(readTextFile(file), distance, params);
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  return inFile(file.string(), [&] { return readTrace(readTextFile(file), distance, params); });
 }
 
 /// Reads a document that lies in `folder`.
@@ -183,13 +179,11 @@ Json documentOf(const std::string& what) {
 
 CameraSet loadCameraSet(const std::string& what, const std::vector<std::string>& overrides) {
   const bool isFile = isJson(what) || isCsv(what);
-  try {
+  return inFile(isFile ? what : "camera set", [&] {
     Json document = documentOf(what);
     for (const std::string& text : overrides) overrideSet(document, text);
     return readDocument(document, std::filesystem::path(what).parent_path());
-  } catch (const InputError& error) {
-    throw error.in(isFile ? what : "camera set");
-  }
+  });
 }
 
 }  // namespace hogelscope

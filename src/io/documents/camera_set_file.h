@@ -2,7 +2,6 @@
 // Reads camera sets from documents (JSON) and viewers' traces (CSV).
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -39,21 +39,15 @@ KeyTexts readKeys(const Json& document) {
 }  // namespace
 
 KeyTexts loadKeyTexts(const std::filesystem::path& file) {
-  try {
-    return readKeys(parseJson(readTextFile(file)));
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  return inFile(file.string(), [&] { return readKeys(parseJson(readTextFile(file))); });
 }
 
 void saveKeyTexts(const std::filesystem::path& file, const KeyTexts& keys) {
   const Json document{{keysVersion, 1}, {"keys", Json(keys)}};
-  try {
+  inFile(file.string(), [&] {
     makeFolder(std::filesystem::absolute(file).parent_path());
     writeTextFile(file, formatJson(document));
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 }  // namespace hogelscope

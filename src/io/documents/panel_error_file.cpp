@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/documents/panel_error_file.h"
 
-#include <cstring>
 #include <fstream>
 
 #include "core/base/error.h"

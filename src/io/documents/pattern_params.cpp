@@ -14,13 +14,11 @@ PatternParams patternParams(const std::vector<std::string>& overrides) {
     document[change.section][change.field] = change.value;
   }
   PatternParams params;
-  try {
+  inFile("override", [&] {
     JsonReader reader(document, "");
     readSection(reader, "pattern", params);
     reader.refuseUnknown();
-  } catch (const InputError& error) {
-    throw error.in("override");
-  }
+  });
   return params;
 }
 

@@ -222,11 +222,9 @@ Session parseSession(const std::string& text, const fs::path& folder,
 
 Session loadSession(const fs::path& file, const std::vector<std::string>& overrides,
                     const std::optional<Calibration>& calibration) {
-  try {
+  return inFile(file.string(), [&] {
     return parseSession(readTextFile(file), file.parent_path(), overrides, calibration);
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 std::string textOf(const Session& session) {
@@ -249,15 +247,11 @@ std::string textOf(const Session& session) {
 void saveSession(const fs::path& file, const Session& session) {
   Session moved = session;
   changeFiles(moved, [&](const std::string& own) { return relativeTo(file, own); });
-  try {
-    writeTextFile(file, textOf(moved));
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  inFile(file.string(), [&] { writeTextFile(file, textOf(moved)); });
 }
 
 std::vector<CameraState> loadStates(const fs::path& file) {
-  try {
+  return inFile(file.string(), [&] {
     const Json document = parseJson(readTextFile(file));
     JsonReader reader(document, "");
     checkVersion(reader.section("hogelscope"));
@@ -271,13 +265,11 @@ std::vector<CameraState> loadStates(const fs::path& file) {
     for (std::size_t k = 0; k < states.size(); ++k)
       check(states[k], "cameras[" + std::to_string(k) + "]");
     return states;
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 void appendStates(const fs::path& file, const std::vector<CameraState>& states) {
-  try {
+  inFile(file.string(), [&] {
     Json document = parseJson(readTextFile(file));
     Session session = readSession(document);
     for (const CameraState& state : states) {
@@ -286,9 +278,7 @@ void appendStates(const fs::path& file, const std::vector<CameraState>& states) 
     }
     check(session);
     writeTextFile(file, formatJson(document));
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  });
 }
 
 bool isSessionFile(const fs::path& file) {
@@ -302,15 +292,13 @@ bool isSessionDocument(const fs::path& file) {
 
 Session overridden(const Session& session, const std::vector<std::string>& overrides) {
   if (overrides.empty()) return session;
-  try {
+  return inFile(session.lightField.file, [&] {
     Json document = parseJson(textOf(session));
     for (const std::string& text : overrides) applyOverride(document, text);
     Session changed = readSession(document);
     openLenses(changed.display);
     return changed;
-  } catch (const InputError& error) {
-    throw error.in(session.lightField.file);
-  }
+  });
 }
 
 Session newSession() {

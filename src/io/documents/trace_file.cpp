@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -30,13 +30,6 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
     line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
   }
   return cells;
-}
-
-std::optional<double> numberOf(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 /// Formats a cell for an error line: short, and harmless to a terminal.

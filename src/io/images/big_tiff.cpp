@@ -41,18 +41,7 @@ constexpr std::array<char, 8> magic{'I', 'I', 43, 0, 8, 0, 0, 0};
 constexpr std::uint64_t longestText = 1U << 20U;
 
 std::size_t fieldBytes(std::uint16_t type) {
-  switch (type) {
-    case ascii:
-      return 1;
-    case shortInt:
-      return 2;
-    case longInt:
-      return 4;
-    case longInt8:
-      return 8;
-    default:
-      return 0;
-  }
+  return type == ascii ? 1 : type == shortInt ? 2 : type == longInt ? 4 : type == longInt8 ? 8 : 0;
 }
 
 template <class T>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/images/degradation.h"
 
-#include <charconv>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/base/random_numbers.h"
+#include "core/base/text.h"
 #include "core/optics/image.h"
 #include "io/images/codecs.h"
 
@@ -64,11 +64,10 @@ Degradation parseDegradation(const std::string& text) {
   const std::string name = text.substr(0, colon);
   const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
   Degradation result;
-  const auto [end, error] =
-      std::from_chars(number.data(), number.data() + number.size(), result.amount);
-  const bool isNumber = error == std::errc() && end == number.data() + number.size();
+  const std::optional<double> amount = numberOf(number);
+  result.amount = amount.value_or(0);
   const auto within = [&](double least, double most) {
-    if (!isNumber || !(result.amount >= least && result.amount <= most))
+    if (!amount || !(*amount >= least && *amount <= most))
       throw InputError("degradation", text,
                        "needs a number from " + std::to_string(int(least)) + " to " +
                            std::to_string(int(most)) + " after " + name + ":");

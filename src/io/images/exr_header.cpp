@@ -6,10 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "io/files/random_access_file.h"
@@ -19,34 +20,6 @@ namespace hogelscope {
 namespace {
 
 constexpr std::array<unsigned char, 4> exrMagic{0x76, 0x2f, 0x31, 0x01};
-
-/// The sizes in bytes of the types of fixed size. OpenEXR reads these sizes regardless of the
-/// header's, so this reader must do the same.
-constexpr auto sizes =
-    std::to_array<std::pair<std::string_view, std::uint32_t>>({{"box2f", 16},
-                                                               {"box2i", 16},
-                                                               {"chromaticities", 32},
-                                                               {"compression", 1},
-                                                               {"deepImageState", 1},
-                                                               {"double", 8},
-                                                               {"envmap", 1},
-                                                               {"float", 4},
-                                                               {"int", 4},
-                                                               {"keycode", 28},
-                                                               {"lineOrder", 1},
-                                                               {"m33d", 72},
-                                                               {"m33f", 36},
-                                                               {"m44d", 128},
-                                                               {"m44f", 64},
-                                                               {"rational", 8},
-                                                               {"tiledesc", 9},
-                                                               {"timecode", 8},
-                                                               {"v2d", 16},
-                                                               {"v2f", 8},
-                                                               {"v2i", 8},
-                                                               {"v3d", 24},
-                                                               {"v3f", 12},
-                                                               {"v3i", 12}});
 
 struct Attribute {
   std::string name;
@@ -104,8 +77,25 @@ class ExrHeader {
 
   /// Checks that a value has the size of its type.
   void checkType(const Attribute& attribute) const {
-    for (const auto& [type, size] : sizes)
-      if (attribute.type == type && attribute.size != size) refuseSize(attribute);
+    // The types of fixed size by their size in bytes. OpenEXR reads these sizes regardless of the
+    // header's, so this reader must do the same.
+    static const std::map<std::uint32_t, std::vector<std::string_view>> typesOfSize{
+        {1, {"compression", "deepImageState", "envmap", "lineOrder"}},
+        {4, {"float", "int"}},
+        {8, {"double", "rational", "timecode", "v2f", "v2i"}},
+        {9, {"tiledesc"}},
+        {12, {"v3f", "v3i"}},
+        {16, {"box2f", "box2i", "v2d"}},
+        {24, {"v3d"}},
+        {28, {"keycode"}},
+        {32, {"chromaticities"}},
+        {36, {"m33f"}},
+        {64, {"m44f"}},
+        {72, {"m33d"}},
+        {128, {"m44d"}}};
+    for (const auto& [size, types] : typesOfSize)
+      if (attribute.size != size && std::ranges::count(types, attribute.type) > 0)
+        refuseSize(attribute);
     if (attribute.type == "preview") {
       const auto [width, height] = numbers<std::uint32_t, 2>(attribute);
       if (8 + 4.0 * width * height != attribute.size) refuseSize(attribute);

@@ -7,22 +7,8 @@
 
 namespace hogelscope {
 
-class ExrOutput : public ImageOutput {
- public:
-  /// Creates an image of StoredType::real only. `name` is for errors; `bytes` must outlive the
-  /// output. Throws InputError.
-  ExrOutput(std::string name, const ImageSpec& spec, ByteOutput& bytes);
-  ~ExrOutput() override;
-  void write(const StoredRows& values, std::size_t rows) override;
-  void finish() override;
-
- private:
-  struct File;
-
-  std::string m_name;
-  ImageSpec m_spec;
-  std::unique_ptr<File> m_file;
-  std::size_t m_row = 0;
-};
+/// Creates an image of StoredType::real only. `name` is for errors; `bytes` must outlive the
+/// output. Throws InputError.
+std::unique_ptr<ImageOutput> exrOutput(std::string name, const ImageSpec& spec, ByteOutput& bytes);
 
 }  // namespace hogelscope

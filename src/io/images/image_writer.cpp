@@ -3,13 +3,13 @@
 #include "io/images/image_writer.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <shared_mutex>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/isolated.h"
 #include "io/images/checked_file.h"
@@ -26,10 +26,6 @@ namespace {
 InputError cannotWrite(const fs::path& file, int error) {
   return {file.string(), "cannot be written", std::strerror(error)};
 }
-
-}  // namespace
-
-namespace {
 
 /// Holds Isolated::librariesInUse() while the library works.
 class LibraryOutput : public ImageOutput {
@@ -67,18 +63,15 @@ struct ImageRowWriter::Output {
   CheckedFile bytes;
   std::unique_ptr<ImageOutput> image;
 
-  Output(const fs::path& path, const ImageSpec& spec, PngOutput::Effort effort)
+  Output(const fs::path& path, const ImageSpec& spec, PngEffort effort)
       : file(path), atomic(path), bytes(atomic.descriptor()) {
     if (bytes.error() != 0) throw cannotWrite(file, bytes.error());
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char letter) { return char(std::tolower(letter)); });
+    const std::string extension = lowerCase(file.extension().string());
     if (extension == ".png")
-      image = std::make_unique<PngOutput>(
-          file.string(), spec, effort,
-          [this](const void* data, std::size_t size) { bytes.write(data, size); });
+      image = pngOutput(file.string(), spec, effort,
+                        [this](const void* data, std::size_t size) { bytes.write(data, size); });
     else if (extension == ".exr" && spec.type == StoredType::real)
-      image = std::make_unique<ExrOutput>(file.string(), spec, bytes);
+      image = exrOutput(file.string(), spec, bytes);
     else
       image = std::make_unique<LibraryOutput>(file, spec, bytes);
   }
@@ -112,7 +105,7 @@ void writeRows(ImageOutput& image, const ImageSpec& spec, const T* values,
 template <class T>
 void writeWhole(const fs::path& file, const ImageSpec& spec, const T* values,
                 const Progress& progress = {}) {
-  ImageRowWriter::Output output(file, spec, PngOutput::Effort::small);
+  ImageRowWriter::Output output(file, spec, PngEffort::small);
   writeRows(*output.image, spec, values, progress);
   output.finish();
 }
@@ -144,11 +137,10 @@ std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb,
                        const Progress& progress) {
   std::string bytes;
   const ImageSpec spec = specOf(width, height);
-  PngOutput png("PNG", spec, PngOutput::Effort::small,
-                [&bytes](const void* data, std::size_t size) {
-                  bytes.append(static_cast<const char*>(data), size);
-                });
-  writeRows(png, spec, rgb.data(), progress);
+  const auto add = [&bytes](const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  };
+  writeRows(*pngOutput("PNG", spec, PngEffort::small, add), spec, rgb.data(), progress);
   return bytes;
 }
 
@@ -178,7 +170,7 @@ ImageRowWriter::ImageRowWriter(const fs::path& file, std::size_t width, std::siz
     throw InputError(file.string(), "size", "is beyond 2^30 px on a side");
   // A row of a large light field is a megabyte.
   const ImageSpec spec{.width = width, .height = height, .type = type};
-  m_output = std::make_unique<Output>(file, spec, PngOutput::Effort::quick);
+  m_output = std::make_unique<Output>(file, spec, PngEffort::quick);
 }
 
 ImageRowWriter::~ImageRowWriter() = default;

@@ -2,7 +2,7 @@
 // Reads images and videos through codecs(), in this process or in a copy of it.
 #include "io/images/image_inputs.h"
 
-#include <array>
+#include <algorithm>
 #include <cstring>
 #include <shared_mutex>
 #include <stdexcept>
@@ -33,31 +33,22 @@ std::string beginOf(const fs::path& path) {
 /// raw formats are not TIFFs, although they begin like them.
 std::string_view trustedFormatOf(const fs::path& file) {
   using namespace std::string_view_literals;
-  struct Signature {
-    std::string_view begin;
-    std::string_view format;
-  };
-  static constexpr std::array signatures{Signature{"\xff\xd8\xff"sv, "jpeg"},
-                                         Signature{"\x76\x2f\x31\x01"sv, "openexr"},
-                                         Signature{"BM"sv, "bmp"},
-                                         Signature{"II*\0"sv, "tiff"},
-                                         Signature{"MM\0*"sv, "tiff"},
-                                         Signature{"II+\0"sv, "tiff"},
-                                         Signature{"MM\0+"sv, "tiff"},
-                                         Signature{"P1"sv, "pnm"},
-                                         Signature{"P2"sv, "pnm"},
-                                         Signature{"P3"sv, "pnm"},
-                                         Signature{"P4"sv, "pnm"},
-                                         Signature{"P5"sv, "pnm"},
-                                         Signature{"P6"sv, "pnm"},
-                                         Signature{"PF"sv, "pnm"},
-                                         Signature{"Pf"sv, "pnm"}};
+  using Signatures = std::vector<std::string_view>;
+  static const std::vector<std::pair<std::string_view, Signatures>> formats{
+      {"jpeg", {"\xff\xd8\xff"sv}},
+      {"openexr", {"\x76\x2f\x31\x01"sv}},
+      {"bmp", {"BM"sv}},
+      {"tiff", {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}},
+      {"pnm", {"P1"sv, "P2"sv, "P3"sv, "P4"sv, "P5"sv, "P6"sv, "PF"sv, "Pf"sv}}};
   const std::string begin = beginOf(file);
-  for (const Signature& signature : signatures) {
-    if (!begin.starts_with(signature.begin)) continue;
-    const bool isTiff = signature.format == "tiff"sv;
-    return isTiff && !lowerCase(file.extension().string()).starts_with(".tif") ? ""sv
-                                                                               : signature.format;
+  const auto isBegin = [&begin](std::string_view signature) {
+    return begin.starts_with(signature);
+  };
+  for (const auto& [format, signatures] : formats) {
+    if (std::ranges::none_of(signatures, isBegin)) continue;
+    const bool isRaw =
+        format == "tiff" && !lowerCase(file.extension().string()).starts_with(".tif");
+    return isRaw ? ""sv : format;
   }
   return {};
 }

@@ -48,18 +48,86 @@ class PngInput : public RowInput {
   explicit PngInput(fs::path file) : m_file(std::move(file)) { open(); }
 
  private:
-  void open();
-  void readHeader();
-  void begin();
   void readRow(std::size_t y, std::uint8_t* rgb) override {
     if (m_hasAlpha || m_isInterlaced) return copyRow(y, rgb);
     decodeRow(y, rgb);
   }
   void readRow(std::size_t y, std::uint16_t* rgb) override { copyRow(y, rgb); }
+
+  /// Opens the file, also again, because rows can only be read from the top.
+  void open() {
+    m_context.reset(spng_ctx_new(0));
+    m_input.reset(std::fopen(m_file.c_str(), "rbe"));
+    m_row = 0;
+    if (!m_input) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));
+    if (!m_context) throw std::bad_alloc();
+    constexpr std::size_t chunkBytes = std::size_t{16} << 20U;  // of texts and the like
+    check(spng_set_image_limits(m_context.get(), INT32_MAX, INT32_MAX));
+    check(spng_set_chunk_limits(m_context.get(), chunkBytes, chunkBytes));
+    check(spng_set_png_file(m_context.get(), m_input.get()), "cannot be read as a picture");
+    readHeader();
+  }
+
+  void readHeader() {
+    spng_ihdr header{};
+    spng_trns transparency{};
+    check(spng_get_ihdr(m_context.get(), &header), "cannot be read as a picture");
+    m_hasAlpha = hasColourAndAlpha(header) || spng_get_trns(m_context.get(), &transparency) == 0;
+    m_isInterlaced = header.interlace_method != SPNG_INTERLACE_NONE;
+    const bool is16 = header.bit_depth == 16;
+    m_facts = {{header.width, header.height, (isGrey(header) ? 1 : 3) + (m_hasAlpha ? 1 : 0),
+                is16 ? StoredType::uint16 : StoredType::uint8, is16 ? 16 : 8},
+               "png"};
+    m_format = is16 ? SPNG_FMT_RGBA16 : m_hasAlpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
+    m_rowBytes = m_facts.width * (is16 ? 8 : m_hasAlpha ? 4 : 3);
+    // Before anything of this size is allocated.
+    const double stored = double(header.width) * header.height * header.bit_depth / 8;
+    if (stored > mostBytesPerByte * double(RandomAccessFile(m_file).size()))
+      throw InputError(m_file.string(), "is damaged",
+                       "it is too short for " + pairText(header.width, header.height) + " px");
+  }
+
+  void begin() {
+    const int flags = m_hasAlpha ? SPNG_DECODE_TRNS : 0;
+    if (!m_isInterlaced)
+      return check(spng_decode_image(m_context.get(), nullptr, 0, m_format,
+                                     flags | SPNG_DECODE_PROGRESSIVE));
+    checkFits(m_rowBytes * m_facts.height, m_file, ", all of it, since it is interlaced");
+    m_decoded.resize(m_rowBytes * m_facts.height);
+    check(spng_decode_image(m_context.get(), m_decoded.data(), m_decoded.size(), m_format, flags));
+  }
+
+  /// Decodes a row; an interlaced file is decoded as a whole before its first row.
+  void decodeRow(std::size_t y, void* to) {
+    if (y < m_row) open();
+    if (y == 0) begin();
+    m_row = y + 1;
+    if (m_isInterlaced) return;
+    const int status = spng_decode_row(m_context.get(), to, m_rowBytes);
+    if (status != SPNG_EOI) check(status);
+  }
+
+  /// Copies a row, composited over black: multiplies colours by alpha if the format has it.
   template <class T>
-  void copyRow(std::size_t y, T* rgb);
-  void decodeRow(std::size_t y, void* to);
-  void check(int status, const std::string& what = "is damaged") const;
+  void copyRow(std::size_t y, T* rgb) {
+    if (!m_isInterlaced) m_decoded.resize(m_rowBytes);
+    decodeRow(y, m_decoded.data());
+    const auto* from = reinterpret_cast<const T*>(&m_decoded[m_isInterlaced ? y * m_rowBytes : 0]);
+    const std::size_t count = 3 * m_facts.width;
+    if (m_rowBytes == count) return (void)std::copy_n(from, count, rgb);
+    constexpr std::uint32_t opaque = std::numeric_limits<T>::max();
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t at = k / 3 * 4;
+      rgb[k] = T(std::uint32_t(from[at + k % 3]) * from[at + 3] / opaque);
+    }
+  }
+
+  void check(int status, const std::string& what = "is damaged") const {
+    if (status == 0) return;
+    if (m_row == 0) throw InputError(m_file.string(), what, spng_strerror(status));
+    throw InputError(m_file.string(), "row " + std::to_string(m_row - 1),
+                     "is damaged: " + std::string(spng_strerror(status)));
+  }
 
   fs::path m_file;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> m_input{nullptr, &std::fclose};
@@ -71,81 +139,6 @@ class PngInput : public RowInput {
   std::size_t m_row = 0;             ///< the next row
   std::vector<std::byte> m_decoded;  ///< a row; of an interlaced file all of them
 };
-
-/// Opens the file, also again, because rows can only be read from the top.
-void PngInput::open() {
-  m_context.reset(spng_ctx_new(0));
-  m_input.reset(std::fopen(m_file.c_str(), "rbe"));
-  m_row = 0;
-  if (!m_input) throw InputError(m_file.string(), "cannot be read", std::strerror(errno));
-  if (!m_context) throw std::bad_alloc();
-  constexpr std::size_t chunkBytes = std::size_t{16} << 20U;  // of texts and the like
-  check(spng_set_image_limits(m_context.get(), INT32_MAX, INT32_MAX));
-  check(spng_set_chunk_limits(m_context.get(), chunkBytes, chunkBytes));
-  check(spng_set_png_file(m_context.get(), m_input.get()), "cannot be read as a picture");
-  readHeader();
-}
-
-void PngInput::readHeader() {
-  spng_ihdr header{};
-  spng_trns transparency{};
-  check(spng_get_ihdr(m_context.get(), &header), "cannot be read as a picture");
-  m_hasAlpha = hasColourAndAlpha(header) || spng_get_trns(m_context.get(), &transparency) == 0;
-  m_isInterlaced = header.interlace_method != SPNG_INTERLACE_NONE;
-  const bool is16 = header.bit_depth == 16;
-  m_facts = {{header.width, header.height, (isGrey(header) ? 1 : 3) + (m_hasAlpha ? 1 : 0),
-              is16 ? StoredType::uint16 : StoredType::uint8, is16 ? 16 : 8},
-             "png"};
-  m_format = is16 ? SPNG_FMT_RGBA16 : m_hasAlpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
-  m_rowBytes = m_facts.width * (is16 ? 8 : m_hasAlpha ? 4 : 3);
-  // Before anything of this size is allocated.
-  const double stored = double(header.width) * header.height * header.bit_depth / 8;
-  if (stored > mostBytesPerByte * double(RandomAccessFile(m_file).size()))
-    throw InputError(m_file.string(), "is damaged",
-                     "it is too short for " + pairText(header.width, header.height) + " px");
-}
-
-void PngInput::begin() {
-  const int flags = m_hasAlpha ? SPNG_DECODE_TRNS : 0;
-  if (!m_isInterlaced)
-    return check(
-        spng_decode_image(m_context.get(), nullptr, 0, m_format, flags | SPNG_DECODE_PROGRESSIVE));
-  checkFits(m_rowBytes * m_facts.height, m_file, ", all of it, since it is interlaced");
-  m_decoded.resize(m_rowBytes * m_facts.height);
-  check(spng_decode_image(m_context.get(), m_decoded.data(), m_decoded.size(), m_format, flags));
-}
-
-/// Decodes a row; an interlaced file is decoded as a whole before its first row.
-void PngInput::decodeRow(std::size_t y, void* to) {
-  if (y < m_row) open();
-  if (y == 0) begin();
-  m_row = y + 1;
-  if (m_isInterlaced) return;
-  const int status = spng_decode_row(m_context.get(), to, m_rowBytes);
-  if (status != SPNG_EOI) check(status);
-}
-
-/// Copies a row, composited over black: multiplies colours by alpha if the format has it.
-template <class T>
-void PngInput::copyRow(std::size_t y, T* rgb) {
-  if (!m_isInterlaced) m_decoded.resize(m_rowBytes);
-  decodeRow(y, m_decoded.data());
-  const auto* from = reinterpret_cast<const T*>(&m_decoded[m_isInterlaced ? y * m_rowBytes : 0]);
-  const std::size_t count = 3 * m_facts.width;
-  if (m_rowBytes == count) return (void)std::copy_n(from, count, rgb);
-  constexpr std::uint32_t opaque = std::numeric_limits<T>::max();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t at = k / 3 * 4;
-    rgb[k] = T(std::uint32_t(from[at + k % 3]) * from[at + 3] / opaque);
-  }
-}
-
-void PngInput::check(int status, const std::string& what) const {
-  if (status == 0) return;
-  if (m_row == 0) throw InputError(m_file.string(), what, spng_strerror(status));
-  throw InputError(m_file.string(), "row " + std::to_string(m_row - 1),
-                   "is damaged: " + std::string(spng_strerror(status)));
-}
 
 }  // namespace
 

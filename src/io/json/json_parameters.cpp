@@ -68,6 +68,97 @@ void write(Json& object, const Field& field, std::span<Number> values, bool isLi
     target = values[0];
 }
 
+/// Checks a document's structure: rejects invalid JSON, a key that occurs twice in an object, and a
+/// depth or number of keys beyond all documents of the program. Not a callback of Json::parse(),
+/// which would traverse the array read so far at each object's end.
+class StructureCheck : public Json::json_sax_t {
+ public:
+  explicit StructureCheck(const std::string& text) : m_text(text) {}
+
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*count*/) override {
+    m_open.emplace_back();
+    return deeper();
+  }
+  bool key(string_t& name) override {
+    m_open.back().latest = name;
+    if (m_open.back().keys.size() == mostKeys)
+      throw InputError("has more than " + std::to_string(mostKeys) + " keys in one object", "");
+    if (m_open.back().keys.insert(name).second) return true;
+    std::string path;
+    for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
+    throw InputError(path, "stands twice in one object");
+  }
+  bool end_object() override {
+    m_open.pop_back();
+    --m_depth;
+    return true;
+  }
+  bool start_array(std::size_t /*count*/) override { return deeper(); }
+  bool end_array() override {
+    --m_depth;
+    return true;
+  }
+  /// Throws an error at the last of `read` bytes. Line and column are counted here, because the
+  /// library's text varies with its version; the part after them is its reason.
+  bool parse_error(std::size_t read, const std::string& /*token*/,
+                   const nlohmann::detail::exception& error) override {
+    const std::string_view before(m_text.data(), std::min(m_text.size(), read - 1));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+    std::string why = error.what();
+    why.erase(0, std::min(why.size(), why.find("] ") + 2));
+    if (const std::size_t place = why.find(", column "); place != std::string::npos)
+      why.erase(0, std::min(why.size(), why.find(": ", place) + 2));
+    std::replace_if(
+        why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
+    throw InputError("is not JSON", "line " + std::to_string(line) + ", column " +
+                                        std::to_string(column) + ": " + why);
+  }
+
+ private:
+  struct Object {
+    std::set<std::string> keys;
+    std::string latest;
+  };
+
+  bool deeper() {
+    if (++m_depth > deepestDocument) throw InputError("is nested deeper than any session", "");
+    return true;
+  }
+
+  const std::string& m_text;
+  std::vector<Object> m_open;
+  int m_depth = 0;
+};
+
+void format(const Json& value, const std::string& indent, std::string& out) {
+  const bool isLeaf = !value.is_structured() || value.empty();
+  const bool isFlat =
+      value.is_array() &&
+      std::none_of(value.begin(), value.end(), [](const Json& v) { return v.is_structured(); });
+  if (isLeaf || isFlat) {
+    out += value.dump();
+    return;
+  }
+  const std::string inner = indent + "  ";
+  out += value.is_object() ? "{" : "[";
+  const char* separator = "\n";
+  for (const auto& item : value.items()) {
+    out += separator + inner;
+    if (value.is_object()) out += Json(item.key()).dump() + ": ";
+    format(item.value(), inner, out);
+    separator = ",\n";
+  }
+  out += "\n" + indent + (value.is_object() ? "}" : "]");
+}
+
 }  // namespace
 
 JsonReader::JsonReader(const Json& object, std::string path)
@@ -185,80 +276,6 @@ Override parseOverride(const std::string& text) {
   }
 }
 
-namespace {
-
-/// Checks a document's structure: rejects invalid JSON, a key that occurs twice in an object, and a
-/// depth or number of keys beyond all documents of the program. Not a callback of Json::parse(),
-/// which would traverse the array read so far at each object's end.
-class StructureCheck : public Json::json_sax_t {
- public:
-  explicit StructureCheck(const std::string& text) : m_text(text) {}
-
-  bool null() override { return true; }
-  bool boolean(bool /*value*/) override { return true; }
-  bool number_integer(number_integer_t /*value*/) override { return true; }
-  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
-  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
-  bool string(string_t& /*value*/) override { return true; }
-  bool binary(binary_t& /*value*/) override { return true; }
-  bool start_object(std::size_t /*count*/) override {
-    m_open.emplace_back();
-    return deeper();
-  }
-  bool key(string_t& name) override {
-    m_open.back().latest = name;
-    if (m_open.back().keys.size() == mostKeys)
-      throw InputError("has more than " + std::to_string(mostKeys) + " keys in one object", "");
-    if (m_open.back().keys.insert(name).second) return true;
-    std::string path;
-    for (const Object& object : m_open) path += (path.empty() ? "" : ".") + object.latest;
-    throw InputError(path, "stands twice in one object");
-  }
-  bool end_object() override {
-    m_open.pop_back();
-    --m_depth;
-    return true;
-  }
-  bool start_array(std::size_t /*count*/) override { return deeper(); }
-  bool end_array() override {
-    --m_depth;
-    return true;
-  }
-  /// Throws an error at the last of `read` bytes. Line and column are counted here, because the
-  /// library's text varies with its version; the part after them is its reason.
-  bool parse_error(std::size_t read, const std::string& /*token*/,
-                   const nlohmann::detail::exception& error) override {
-    const std::string_view before(m_text.data(), std::min(m_text.size(), read - 1));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
-    std::string why = error.what();
-    why.erase(0, std::min(why.size(), why.find("] ") + 2));
-    if (const std::size_t place = why.find(", column "); place != std::string::npos)
-      why.erase(0, std::min(why.size(), why.find(": ", place) + 2));
-    std::replace_if(
-        why.begin(), why.end(), [](unsigned char c) { return c < 32; }, ' ');
-    throw InputError("is not JSON", "line " + std::to_string(line) + ", column " +
-                                        std::to_string(column) + ": " + why);
-  }
-
- private:
-  struct Object {
-    std::set<std::string> keys;
-    std::string latest;
-  };
-
-  bool deeper() {
-    if (++m_depth > deepestDocument) throw InputError("is nested deeper than any session", "");
-    return true;
-  }
-
-  const std::string& m_text;
-  std::vector<Object> m_open;
-  int m_depth = 0;
-};
-
-}  // namespace
-
 Json parseJson(const std::string& text, JsonComments comments) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("is empty: not a session document", "");
@@ -267,31 +284,6 @@ Json parseJson(const std::string& text, JsonComments comments) {
   Json::sax_parse(text, &check, Json::input_format_t::json, true, areIgnored);
   return Json::parse(text, nullptr, true, areIgnored);
 }
-
-namespace {
-
-void format(const Json& value, const std::string& indent, std::string& out) {
-  const bool isLeaf = !value.is_structured() || value.empty();
-  const bool isFlat =
-      value.is_array() &&
-      std::none_of(value.begin(), value.end(), [](const Json& v) { return v.is_structured(); });
-  if (isLeaf || isFlat) {
-    out += value.dump();
-    return;
-  }
-  const std::string inner = indent + "  ";
-  out += value.is_object() ? "{" : "[";
-  const char* separator = "\n";
-  for (const auto& item : value.items()) {
-    out += separator + inner;
-    if (value.is_object()) out += Json(item.key()).dump() + ": ";
-    format(item.value(), inner, out);
-    separator = ",\n";
-  }
-  out += "\n" + indent + (value.is_object() ? "}" : "]");
-}
-
-}  // namespace
 
 std::string formatJson(const Json& value) {
   std::string text;

@@ -85,12 +85,10 @@ class LensletPicture : public PictureFiles {
       m_white = readPlaneLike(white, m_image, part(progress, 0.2, 0.5));
       subtract(m_white, m_dark);
     }
-    try {
+    inFile(white.empty() ? params.file : white, [&, hasWhite = !white.empty()] {
       findIn(display, part(progress, 0.5, 1));
-      if (!white.empty()) normalise(m_white, m_found.lattice, m_size);
-    } catch (const InputError& error) {
-      throw error.in(white.empty() ? params.file : white);
-    }
+      if (hasWhite) normalise(m_white, m_found.lattice, m_size);
+    });
   }
 
   [[nodiscard]] std::vector<fs::path> files() const override {

@@ -2,7 +2,6 @@
 #include "io/opening/capture_geometry.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -10,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -41,10 +41,8 @@ class Settings {
     const auto found = m_values.find(name);
     if (found == m_values.end()) return std::nullopt;
     const std::string& text = found->second;
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end || !(value > 1e-9 && value < 1e9))
+    const std::optional<double> value = numberOf(text);
+    if (!value || !(*value > 1e-9 && *value < 1e9))
       throw InputError(m_file.string(), name,
                        "is \"" + text.substr(0, 40) + "\", not a number above 0");
     return value;
@@ -83,9 +81,8 @@ std::optional<std::array<double, 2>> lastNumbers(const fs::path& file) {
   for (std::size_t k = 2; k-- > 0;) {
     const std::size_t at = stem.rfind('_');
     if (at == std::string::npos) return std::nullopt;
-    const char* const end = stem.data() + stem.size();
-    const auto [stop, error] = std::from_chars(stem.data() + at + 1, end, numbers[k]);
-    if (error != std::errc() || stop != end || !(numbers[k] > 0)) return std::nullopt;
+    numbers[k] = numberOf(std::string_view(stem).substr(at + 1)).value_or(0);
+    if (!(numbers[k] > 0)) return std::nullopt;
     stem.resize(at);
   }
   return numbers;

@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
 #include "io/opening/grey_views.h"
 #include "io/opening/opening.h"
 

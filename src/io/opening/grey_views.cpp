@@ -6,7 +6,6 @@
 #include <limits>
 #include <memory>
 
-#include "core/base/error.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_file.h"
 #include "io/layouts/picture_files.h"

@@ -15,8 +15,6 @@ namespace hogelscope {
 /// have no limited lifetime.
 class PluginLibrary {
  public:
-  [[nodiscard]] const std::string& name() const { return m_name; }
-
   // Each function creates an object whose functions throw only InputError ("plugin NAME: …") and
   // Cancelled. Throws InputError, also if the plugin does not offer the kind.
 

@@ -92,6 +92,40 @@ void writeView(const LightField& texels, const fs::path& file, int u, int v) {
   writer.finish();
 }
 
+/// The first view of a row of tiles; the others follow to the right.
+struct FirstView {
+  int u = 0;
+  int v = 0;
+};
+
+/// Writes `tiles` of views; `firstOf` returns the first view of a row of them, counted from the
+/// top.
+template <class FirstOf>
+void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, FirstOf firstOf,
+                 const fs::path& file, const Progress& progress) {
+  const LightFieldSize size = lightField.size();
+  const int columns = tiles[0], rows = tiles[1];
+  ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
+                        std::size_t(rows) * std::size_t(size.ny), lightField.type());
+  const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
+  for (int row = 0; row < rows; ++row) {
+    const FirstView first = firstOf(row);
+    const auto at = [&](int k) { return 0.2 + 0.8 * double(row + k) / rows; };
+    const auto texels = source->slice(
+        readsOfRows(size, {0, size.ny - 1}, {first.u, first.u + columns - 1}, {first.v, first.v}),
+        part(progress, at(0), at(1)));
+    withStoredType(lightField.type(), [&]<class T>(T) {
+      std::vector<T> pixels(3 * std::size_t(columns) * std::size_t(size.nx));
+      for (int j = 0; j < size.ny; ++j) {
+        T* to = pixels.data();
+        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, first.u + k, first.v, to);
+        writer.write(pixels.data());
+      }
+    });
+  }
+  writer.finish();
+}
+
 }  // namespace
 
 void exportHogels(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
@@ -156,44 +190,6 @@ std::array<int, 2> quiltTilesFor(const LightFieldFile& lightField, const fs::pat
   }
   return best;
 }
-
-namespace {
-
-/// The first view of a row of tiles; the others follow to the right.
-struct FirstView {
-  int u = 0;
-  int v = 0;
-};
-
-/// Writes `tiles` of views; `firstOf` returns the first view of a row of them, counted from the
-/// top.
-template <class FirstOf>
-void exportTiles(LightFieldFile& lightField, const std::array<int, 2>& tiles, FirstOf firstOf,
-                 const fs::path& file, const Progress& progress) {
-  const LightFieldSize size = lightField.size();
-  const int columns = tiles[0], rows = tiles[1];
-  ImageRowWriter writer(file, std::size_t(columns) * std::size_t(size.nx),
-                        std::size_t(rows) * std::size_t(size.ny), lightField.type());
-  const auto source = lightField.source({.memory = allowedMemory() / 2}, part(progress, 0, 0.2));
-  for (int row = 0; row < rows; ++row) {
-    const FirstView first = firstOf(row);
-    const auto at = [&](int k) { return 0.2 + 0.8 * double(row + k) / rows; };
-    const auto texels = source->slice(
-        readsOfRows(size, {0, size.ny - 1}, {first.u, first.u + columns - 1}, {first.v, first.v}),
-        part(progress, at(0), at(1)));
-    withStoredType(lightField.type(), [&]<class T>(T) {
-      std::vector<T> pixels(3 * std::size_t(columns) * std::size_t(size.nx));
-      for (int j = 0; j < size.ny; ++j) {
-        T* to = pixels.data();
-        for (int k = 0; k < columns; ++k) to = copyRow(*texels, j, first.u + k, first.v, to);
-        writer.write(pixels.data());
-      }
-    });
-  }
-  writer.finish();
-}
-
-}  // namespace
 
 void exportQuilt(LightFieldFile& lightField, const fs::path& file, const Progress& progress) {
   const auto [columns, rows] = quiltTilesFor(lightField, file);

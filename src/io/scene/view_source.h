@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/optics/simulate.h"
-#include "io/files/system_limits.h"
 #include "io/layouts/layouts.h"
 
 namespace hogelscope {

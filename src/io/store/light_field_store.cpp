@@ -2,7 +2,6 @@
 #include "io/store/light_field_store.h"
 
 #include <algorithm>
-#include <cstring>
 #include <thread>
 
 #include "core/base/error.h"
@@ -85,13 +84,9 @@ LightFieldStore::LightFieldStore(const fs::path& file, bool incoming, std::size_
     : m_file(file),
       m_incoming(incoming),
       m_threads(threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()))) {
-  try {
-    openPages();
-    if (cacheBytes > 0)
-      m_cache = std::make_unique<BlockCache>(cacheBytes, m_pages.front().tileBytes());
-  } catch (const InputError& error) {
-    throw error.in(file.string());
-  }
+  inFile(file.string(), [this] { openPages(); });
+  if (cacheBytes > 0)
+    m_cache = std::make_unique<BlockCache>(cacheBytes, m_pages.front().tileBytes());
 }
 
 LightFieldStore::~LightFieldStore() = default;

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <mutex>
-#include <optional>
 
 #include "core/light_field/light_field_source.h"
 #include "io/images/big_tiff.h"

@@ -11,7 +11,6 @@
 // for that.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 

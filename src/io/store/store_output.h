@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 
 #include "io/files/content_hash.h"
 #include "io/images/big_tiff.h"
@@ -27,8 +26,6 @@ class StoreOutput {
 
   /// Returns the number of finished pages.
   [[nodiscard]] int pages() const { return m_pages; }
-  /// Returns the bytes written so far.
-  [[nodiscard]] std::uint64_t size() const { return m_end; }
 
   /// Adds tiles to the current page, in the order of its rows. Throws InputError.
   void add(const TileBytes& tiles);

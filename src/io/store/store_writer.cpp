@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/store/store_writer.h"
 
-#include <strings.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 
 #include "core/base/error.h"
@@ -51,13 +48,11 @@ std::string sourceOf(LightFieldParams params, const LightFieldFile& file) {
 std::uint64_t expectedBytes(const StoreHeader& header, const LightFieldFile& file, bool isLive) {
   std::error_code none;
   std::uint64_t ofSource = 0;
-  for (const fs::path& path : file.files()) ofSource += fs::file_size(path, none);
-  constexpr double shareOfPixels = 0.8;  // of a path-traced scene's JPEGs: 0.79
-  const auto is = [](const fs::path& path, const char* extension) {
-    return ::strcasecmp(path.extension().c_str(), extension) == 0;
-  };
   const std::vector<fs::path> files = file.files();
-  const bool isLossy = !files.empty() && (is(files[0], ".jpg") || is(files[0], ".jpeg"));
+  for (const fs::path& path : files) ofSource += fs::file_size(path, none);
+  constexpr double shareOfPixels = 0.8;  // of a path-traced scene's JPEGs: 0.79
+  const std::string ending = files.empty() ? "" : lowerCase(files[0].extension().string());
+  const bool isLossy = ending == ".jpg" || ending == ".jpeg";
   return isLossy || isLive
              ? std::uint64_t(shareOfPixels * double(header.size.width()) *
                              double(header.size.height()) * double(pixelBytes(header.type)))
