@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Export of charts to files by one paint function for PNG, SVG and the widget; the plots of the
-// page of a report, painted in the window.
+// Export of charts to files: one paint function for PNG, SVG and the widget.
 #pragma once
 
 #include <QGuiApplication>
 #include <QPainter>
-#include <QPointF>
 #include <QSize>
 #include <functional>
 #include <optional>
 #include <string>
-
-#include "page/plot.h"
 
 namespace hogelscope {
 
@@ -34,13 +30,5 @@ using Paint = std::function<void(QPainter& painter, const QSizeF& size)>;
 /// twice as many pixels as points.
 std::string pngOf(const Paint& paint, const QSize& size);
 std::string svgOf(const Paint& paint, const QSize& size, const std::string& title);
-
-/// Paints at any size from about 250×150 points, with a ring around the points of `selected`.
-void paintPlot(QPainter& painter, const QSizeF& size, const Plot& plot,
-               std::optional<std::size_t> selected = {});
-/// Returns the row of the nearest point, if it is within a few points of `place`.
-std::optional<std::size_t> rowAt(const Plot& plot, const QPointF& place, const QSizeF& size);
-/// Returns the place of a row's point; none if it has none.
-std::optional<QPointF> placeOf(const Plot& plot, std::size_t row, const QSizeF& size);
 
 }  // namespace hogelscope

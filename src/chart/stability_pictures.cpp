@@ -192,10 +192,10 @@ constexpr double between = 16;
 constexpr double top = 50;
 constexpr double nameHeight = 22;
 constexpr double captionHeight = 26;
-constexpr double legendHeight = 76;
+constexpr double picturesLegendHeight = 76;
 constexpr double width = 1000;
 
-const OutcomeWords& words() {
+const OutcomeWords& pictureWords() {
   static const OutcomeWords all{"right: the pixel's own ray, to 0.001 px",
                                 "no ray: the pixel has none, and the method says so",
                                 "inexact: more than 0.001 px off, but nearer than at first",
@@ -240,7 +240,7 @@ QString captionOf(const LensOutcomes& outcomes) {
 }  // namespace
 
 QSize lensPicturesSize(const Stability& stability, std::size_t first) {
-  double height = top + legendHeight;
+  double height = top + picturesLegendHeight;
   for (std::size_t k = first; k < endOf(stability, first); ++k)
     height += nameHeight + pictureHeight(stability.lenses[k].key) + captionHeight;
   return {int(width), int(std::ceil(height))};
@@ -274,7 +274,8 @@ void paintLensPictures(QPainter& painter, const QSizeF& size, const Stability& s
     }
     y += height + captionHeight;
   }
-  paintOutcomeLegend(painter, QRectF(margin, y + 4, width - 2 * margin, legendHeight), words());
+  paintOutcomeLegend(painter, QRectF(margin, y + 4, width - 2 * margin, picturesLegendHeight),
+                     pictureWords());
 }
 
 }  // namespace hogelscope

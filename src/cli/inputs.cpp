@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/opening/opening.h"
 
 namespace hogelscope {

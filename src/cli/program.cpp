@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "io/files/system_limits.h"
-#include "io/plugins/plugin_folders.h"
+#include "io/plugins/plugin_list.h"
 
 namespace hogelscope {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plots of series of points over two axes, laid out once for pages (SVG) and windows
-// (chart/painting). Lengths are SVG units, which are points on the screen.
+// (chart/plot_painting). Lengths are SVG units, which are points on the screen.
 #pragma once
 
 #include <array>

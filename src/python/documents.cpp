@@ -5,9 +5,9 @@
 #include "core/base/error.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/opening/session_around.h"
-#include "io/plugins/plugin_folders.h"
+#include "io/plugins/plugin_list.h"
 #include "python/bindings.h"
 #include "python/stoppable.h"
 

@@ -10,7 +10,7 @@
 #include "campaign/state_images.h"
 #include "core/base/error.h"
 #include "core/engine/renderer.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "io/opening/session_around.h"
 #include "io/scene/view_source.h"

@@ -10,7 +10,7 @@
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
-#include "io/images/library_versions.h"
+#include "io/images/image_file.h"
 
 namespace hogelscope {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/metrics/difference.h"
+#include "core/metrics/error_map.h"
 #include "io/files/atomic_file.h"
 #include "io/images/image_writer.h"
 

@@ -12,7 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "io/files/atomic_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/opening/session_around.h"
 #include "report/panel_projection.h"
 #include "report/report_facts.h"

@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "tests/cli/program.h"
 #include "tests/io/documents.h"
 #include "tests/io/images.h"

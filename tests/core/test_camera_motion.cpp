@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the camera's motions against closed forms and by going there and back.
-#include "core/cameras/camera_motion.h"
+#include "core/optics/camera.h"
 
 #include <QTest>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests difference images: their values and their gain.
-#include "core/metrics/difference.h"
+#include "core/metrics/error_map.h"
 
 #include <QTest>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes plugin.json. Nothing is loaded: a library from hostile hands cannot be made harmless.
-#include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_list.h"
 #include "tests/fuzz/fuzz.h"
 

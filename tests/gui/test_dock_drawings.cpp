@@ -7,8 +7,7 @@
 #include <QSlider>
 
 #include "core/base/colour_map.h"
-#include "gui/docks/kernel_widget.h"
-#include "gui/docks/lens_widget.h"
+#include "gui/docks/parameter_drawings.h"
 #include "tests/gui/docks_test.h"
 #include "tests/gui/shown_image.h"
 

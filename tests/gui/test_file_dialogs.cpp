@@ -6,7 +6,7 @@
 #include <QDirIterator>
 #include <QListView>
 
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "tests/gui/habits_test.h"
 #include "tests/io/documents.h"
 

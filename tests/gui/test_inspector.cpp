@@ -5,7 +5,7 @@
 #include <QDockWidget>
 
 #include "core/optics/pixel_inspection.h"
-#include "gui/docks/kernel_widget.h"
+#include "gui/docks/parameter_drawings.h"
 #include "gui/view/image_widget.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"

@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QUndoStack>
 
-#include "core/cameras/camera_motion.h"
+#include "core/optics/camera.h"
 #include "gui/keys/key_map.h"
 #include "tests/gui/window_test.h"
 

@@ -20,7 +20,7 @@
 #include <QtTest>
 #include <cmath>
 
-#include "chart/painting.h"
+#include "chart/plot_painting.h"
 #include "gui/docks/camera_set_widget.h"
 #include "gui/docks/report_dock.h"
 #include "gui/docks/report_results.h"

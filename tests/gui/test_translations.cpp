@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "gui/app/application.h"
-#include "gui/scene/scene_text.h"
+#include "gui/scene/scene_actor.h"
 #include "gui/session/state_commands.h"
 #include "gui/view/view_worker.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "io/images/image_file.h"
-#include "io/images/library_versions.h"
 #include "io/scene/view_source.h"
 #include "tests/io/any_images.h"
 #include "tests/io/refusal.h"

@@ -8,9 +8,9 @@
 
 #include "io/documents/session_file.h"
 #include "io/json/json_parameters.h"
-#include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_guard.h"
 #include "io/plugins/plugin_library.h"
+#include "io/plugins/plugin_list.h"
 #include "tests/plugins/plugin_files.h"
 
 using namespace hogelscope;

@@ -4,7 +4,7 @@
 #include <QTest>
 #include <filesystem>
 
-#include "io/plugins/plugin_folders.h"
+#include "io/plugins/plugin_list.h"
 #include "tests/cli/program.h"
 #include "tests/plugins/plugin_files.h"
 

@@ -4,7 +4,7 @@
 
 #include <complex>
 
-#include "core/light_field/lenslet_params.h"
+#include "core/light_field/layout_params.h"
 #include "core/light_field/texel.h"
 
 namespace hogelscope {

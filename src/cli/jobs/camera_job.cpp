@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "io/documents/camera_set_file.h"
 #include "io/documents/session_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 
 namespace hogelscope {
 

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/images/image_file.h"
 #include "io/images/image_writer.h"
 #include "io/opening/light_field_order.h"

@@ -8,7 +8,7 @@
 #include "cli/progress_bar.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/files/random_access_file.h"
 #include "io/files/system_limits.h"
 #include "io/scene/view_source.h"

@@ -6,7 +6,6 @@
 #include "cli/jobs/all_jobs.h"
 #include "core/base/text.h"
 #include "io/files/folders.h"
-#include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_list.h"
 
 namespace hogelscope {

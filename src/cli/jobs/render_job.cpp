@@ -13,7 +13,7 @@
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
 

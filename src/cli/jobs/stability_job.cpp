@@ -12,7 +12,7 @@
 #include "core/engine/plan.h"
 #include "io/documents/calibration_file.h"
 #include "io/files/atomic_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "study/stability.h"
 
 namespace hogelscope {

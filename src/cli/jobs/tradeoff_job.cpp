@@ -13,7 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/scene/view_source.h"
 #include "study/tradeoff.h"
 

@@ -2,13 +2,76 @@
 #include "core/content/pattern_list.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
-#include "core/content/plane_patterns.h"
 #include "core/content/scene_pattern.h"
 #include "core/content/sphere_pattern.h"
 
 namespace hogelscope {
+
+namespace {
+
+constexpr int codeEnd = 4096;
+
+void putCode(int a, int b, std::uint8_t* rgb) {
+  rgb[0] = static_cast<std::uint8_t>(a % 256);
+  rgb[1] = static_cast<std::uint8_t>(b % 256);
+  rgb[2] = static_cast<std::uint8_t>(a / 256 + 16 * (b / 256));
+}
+
+}  // namespace
+
+CodePattern::CodePattern(const PanelParams& display, Kind kind)
+    : m_size(Display(display).size()), m_kind(kind) {
+  const bool isOfHogels = kind == hogels;
+  const int largest = isOfHogels ? std::max(m_size.nx, m_size.ny) : std::max(m_size.du, m_size.dv);
+  if (kind != sides && largest > codeEnd)
+    throw InputError(isOfHogels ? "display.hogels" : "display.directions",
+                     "are more than a code of 12 bits can tell: at most 4096 a side");
+}
+
+void CodePattern::row(int y, std::uint8_t* rgb) const {
+  for (int i = 0; i < m_size.nx; ++i) {
+    for (int u = 0; u < m_size.du; ++u, rgb += 3) {
+      if (m_kind == sides) {
+        const bool isLeft = 2 * u < m_size.du;
+        rgb[0] = isLeft ? 255 : 0;
+        rgb[1] = 0;
+        rgb[2] = isLeft ? 0 : 255;
+      } else if (m_kind == hogels) {
+        putCode(i, y / m_size.dv, rgb);
+      } else {
+        putCode(u, y % m_size.dv, rgb);
+      }
+    }
+  }
+}
+
+PlanePattern::PlanePattern(const PanelParams& display, const PatternParams& params, Kind kind)
+    : m_display(display),
+      m_params(params),
+      m_kind(kind),
+      m_normal{std::cos(radians(params.angle)), std::sin(radians(params.angle))} {}
+
+std::uint8_t PlanePattern::value(double x, double y) const {
+  if (m_kind == edge) return m_normal.x * x + m_normal.y * y < 0 ? 64 : 191;
+  const double side = m_params.period / 2;
+  const double parity = std::fmod(std::floor(x / side) + std::floor(y / side), 2);
+  return parity == 0 ? 255 : 0;
+}
+
+void PlanePattern::row(int y, std::uint8_t* rgb) const {
+  const LightFieldSize& size = m_display.size();
+  for (int i = 0; i < size.nx; ++i) {
+    for (int u = 0; u < size.du; ++u, rgb += 3) {
+      const PanelRay ray = m_display.rayOf({i, y / size.dv, u, y % size.dv});
+      std::fill_n(rgb, 3,
+                  value(ray.position.x + m_params.depth * ray.slopes.x,
+                        ray.position.y + m_params.depth * ray.slopes.y));
+    }
+  }
+}
 
 namespace {
 

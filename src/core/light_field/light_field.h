@@ -14,11 +14,9 @@
 #include "core/base/huge_pages.h"
 #include "core/base/parameters.h"
 #include "core/light_field/block_layout.h"
-#include "core/light_field/lenslet_params.h"
+#include "core/light_field/layout_params.h"
 #include "core/light_field/light_field_source.h"
-#include "core/light_field/live_params.h"
 #include "core/light_field/slice_layout.h"
-#include "core/light_field/yuv_params.h"
 
 namespace hogelscope {
 

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/text.h"
+#include "core/metrics/statistics.h"
 
 namespace hogelscope {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the slope at an end: that of the parabola through three points, limited to keep the
 /// curve's shape.

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/base/multiversioned.h"
+#include "core/metrics/statistics.h"
 
 namespace hogelscope {
 
@@ -170,7 +170,6 @@ Ssim meanOf(const std::vector<RowSums>& rows, std::size_t places) {
 Ssim ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows,
           const Progress& progress) {
   static const Window w = gaussian(1.5);
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   if (reference.width < windowSize || reference.height < windowSize) return {nothing, nothing};
   const auto width = std::size_t(reference.width);
   const std::size_t places = width - windowSize + 1;

@@ -59,8 +59,7 @@ double quantile(std::vector<double>& values, double q) {
 
 Interval interval(std::vector<double>& values, double confidence) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  if (values.empty()) return {unknown, unknown};
+  if (values.empty()) return {nothing, nothing};
   return {quantile(values, (1 - confidence) / 2), quantile(values, (1 + confidence) / 2)};
 }
 

@@ -7,11 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/optics/image.h"
 
 namespace hogelscope {
+
+/// The value of a figure that is not known.
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Interval {
   double low = 0;

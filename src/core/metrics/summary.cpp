@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/metrics/statistics.h"
 
 namespace hogelscope {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the name of a mean's region in files.
 const char* regionOf(bool isSeen) {

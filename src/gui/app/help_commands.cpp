@@ -18,7 +18,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/widgets/message_boxes.h"
+#include "gui/widgets/dialogs.h"
 #include "ui_main_window.h"
 
 namespace hogelscope {

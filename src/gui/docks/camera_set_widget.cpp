@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "gui/session/session_model.h"
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "gui/widgets/parameter_form.h"
 #include "io/documents/camera_set_file.h"
 

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "gui/docks/kernel_widget.h"
+#include "gui/docks/parameter_drawings.h"
+#include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_controller.h"
-#include "gui/scene/scene_text.h"
 #include "gui/view/image_widget.h"
 
 namespace hogelscope {

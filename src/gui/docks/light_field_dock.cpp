@@ -9,7 +9,7 @@
 #include <array>
 
 #include "gui/session/session_forms.h"
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
 #include "io/opening/session_around.h"

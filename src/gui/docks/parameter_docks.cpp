@@ -10,8 +10,7 @@
 #include <algorithm>
 
 #include "core/engine/plan.h"
-#include "gui/docks/kernel_widget.h"
-#include "gui/docks/lens_widget.h"
+#include "gui/docks/parameter_drawings.h"
 #include "gui/session/session_forms.h"
 #include "gui/view/view_worker.h"
 #include "io/plugins/display_json.h"

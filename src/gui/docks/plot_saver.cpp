@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "io/files/atomic_file.h"
 
 namespace hogelscope {

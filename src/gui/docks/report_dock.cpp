@@ -25,7 +25,7 @@
 #include "gui/docks/report_results.h"
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
 #include "io/plugins/metric_plugins.h"

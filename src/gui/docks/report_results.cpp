@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "chart/painting.h"
+#include "chart/plot_painting.h"
 #include "gui/docks/plot_saver.h"
 #include "report/page/report_plots.h"
 #include "report/report_files.h"

@@ -8,7 +8,7 @@
 #include <QUuid>
 
 #include "gui/session/session_model.h"
-#include "gui/widgets/message_boxes.h"
+#include "gui/widgets/dialogs.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 

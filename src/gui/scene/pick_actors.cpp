@@ -13,7 +13,6 @@
 #include <vtkTrivialProducer.h>
 
 #include "gui/scene/scene_actor.h"
-#include "gui/scene/scene_text.h"
 #include "vtk/vtkHogelFieldSource.h"
 
 namespace hogelscope {

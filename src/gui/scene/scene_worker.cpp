@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/engine/scaled_view.h"
 #include "gui/scene/vtk_image.h"
-#include "gui/widgets/queued_answer.h"
+#include "gui/widgets/task.h"
 
 namespace hogelscope {
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "core/cameras/camera_motion.h"
+#include "core/optics/camera.h"
 #include "core/optics/session.h"
 
 namespace hogelscope {

@@ -8,7 +8,7 @@
 
 #include "io/documents/edit_name.h"
 #include "io/documents/session_file.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 
 namespace hogelscope {
 

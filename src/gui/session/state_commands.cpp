@@ -6,7 +6,7 @@
 
 #include "core/cameras/state_list_edits.h"
 #include "gui/session/session_model.h"
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "io/documents/session_file.h"
 
 namespace hogelscope {

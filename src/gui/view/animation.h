@@ -8,7 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/optics/simulate.h"
-#include "gui/widgets/size_dialog.h"
+#include "gui/widgets/dialogs.h"
 
 class QCheckBox;
 

@@ -9,9 +9,9 @@
 #include "core/engine/scaled_view.h"
 #include "gui/session/session_model.h"
 #include "gui/view/animation.h"
-#include "gui/widgets/file_dialogs.h"
+#include "gui/widgets/dialogs.h"
 #include "gui/widgets/polled_bar.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "ui_main_window.h"
 

@@ -15,7 +15,7 @@
 #include "core/content/live_source.h"
 #include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
-#include "gui/widgets/queued_answer.h"
+#include "gui/widgets/task.h"
 
 namespace hogelscope {
 

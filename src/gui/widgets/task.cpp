@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "gui/widgets/queued_answer.h"
 
 namespace hogelscope {
 

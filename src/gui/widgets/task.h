@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs one long job at a time on its own thread.
+// Runs one long job at a time on its own thread, and queues its answers.
 #pragma once
 
+#include <QMetaObject>
 #include <QObject>
 #include <atomic>
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include "core/base/progress.h"
 
 namespace hogelscope {
+
+/// Calls `answer` on the object's own thread, from any other thread, unless a newer question has
+/// been asked by then. `latest` counts the questions; it is a member of the object that only the
+/// object's thread changes.
+template <class Answer>
+void queueAnswer(QObject* object, const int& latest, int number, Answer answer) {
+  QMetaObject::invokeMethod(
+      object,
+      [&latest, number, answer = std::move(answer)] {
+        if (number == latest) answer();
+      },
+      Qt::QueuedConnection);
+}
 
 /// Delivers answers and signals on the thread that the object lives in. Nothing of an older job
 /// arrives after start() or abandon().

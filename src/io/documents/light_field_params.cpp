@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/documents/light_field_params.h"
 
+#include "core/base/error.h"
+#include "io/json/json_parameters.h"
+
 namespace hogelscope {
 
 namespace {
@@ -120,6 +123,21 @@ void describe(ParameterVisitor& v, LightFieldParams& p) {
 
 std::string_view nameOf(Layout layout) {
   return layoutNames[std::size_t(layout)];
+}
+
+PatternParams patternParams(const std::vector<std::string>& overrides) {
+  Json document = Json::object();
+  for (const std::string& text : overrides) {
+    const Override change = parseOverride(text);
+    document[change.section][change.field] = change.value;
+  }
+  PatternParams params;
+  inFile("override", [&] {
+    JsonReader reader(document, "");
+    readSection(reader, "pattern", params);
+    reader.refuseUnknown();
+  });
+  return params;
 }
 
 }  // namespace hogelscope

@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "io/files/output_folder.h"
+#include "io/files/folders.h"
 #include "io/files/temporary_files.h"
 
 namespace hogelscope {

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/files/folders.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
 
 #include "core/base/error.h"
+#include "io/files/atomic_file.h"
 
 namespace hogelscope {
 
@@ -39,6 +48,51 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
     std::error_code unknown;
     return !entry.is_directory(unknown);
   });
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Returns 0, or errno.
+int errorOfWriting(const fs::path& folder) {
+  int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (file < 0) {  // the file system may not support unnamed files
+    std::string name = (folder / ".hogelscope-XXXXXX").string();
+    file = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file >= 0) ::unlink(name.c_str());
+  }
+  if (file < 0) return errno;
+  const int error = ::write(file, "x", 1) == 1 ? 0 : errno;
+  ::close(file);
+  return error;
+}
+
+}  // namespace
+
+void checkWritable(const fs::path& folder) {
+  if (const int error = errorOfWriting(folder); error != 0)
+    throw InputError(folder.string(), "cannot be written", std::strerror(error));
+}
+
+void makeFolderOf(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  makeFolder(folder.empty() ? fs::path(".") : folder);
+}
+
+void checkOutputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  std::map<std::pair<dev_t, ino_t>, const fs::path*> read;
+  struct stat status {};
+  for (const fs::path& input : inputs)
+    if (!input.empty() && ::stat(input.c_str(), &status) == 0)
+      read[{status.st_dev, status.st_ino}] = &input;
+  for (const fs::path& output : outputs) {
+    if (::stat(output.c_str(), &status) != 0) continue;
+    const auto found = read.find({status.st_dev, status.st_ino});
+    if (found != read.end())
+      throw InputError(output.string(), "cannot be written",
+                       "it is " + found->second->string() + ", which is read: choose another name");
+  }
 }
 
 }  // namespace hogelscope

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Queries of files and folders that throw only InputError.
+// Queries of files and folders that throw only InputError, and checks, before work starts, that
+// results can be written and replace no input.
 #pragma once
 
 #include <filesystem>
@@ -17,5 +18,17 @@ std::vector<std::filesystem::path> entriesOf(const std::filesystem::path& folder
 /// Returns the entries that are not folders, sorted by name, including broken links. Throws
 /// InputError.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
+
+/// Throws InputError if no file can be written into the folder because of permissions or a
+/// read-only or full disk. Leaves nothing behind.
+void checkWritable(const std::filesystem::path& folder);
+
+/// Creates the folder of the file and its parents. Throws InputError as checkWritable() does.
+void makeFolderOf(const std::filesystem::path& file);
+
+/// Throws InputError if an output file is one of the inputs, under any name or link. Call it before
+/// any work. Missing files are ignored.
+void checkOutputs(const std::vector<std::filesystem::path>& outputs,
+                  const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace hogelscope

@@ -2,8 +2,10 @@
 // Reads image files: PNG by libspng, PGX and raw YUV by this program, others by codecs().
 #include "io/images/image_file.h"
 
+#include <OpenImageIO/oiioversion.h>
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/utility.hpp>
 
 #include "core/base/error.h"
 #include "io/images/image_inputs.h"
@@ -77,6 +79,14 @@ void ImageFile::readRows(const Row& row, const Progress& progress) {
     for (std::size_t k = 0; k < rows; ++k) row(first + k, rgb + 3 * k * width());
   };
   read(StoredType::real, hand, progress);
+}
+
+std::string openCvVersion() {
+  return cv::getVersionString();
+}
+
+std::string openImageIoVersion() {
+  return OIIO_VERSION_STRING;
 }
 
 }  // namespace hogelscope

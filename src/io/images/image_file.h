@@ -4,9 +4,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "core/base/progress.h"
-#include "core/light_field/yuv_params.h"
+#include "core/light_field/layout_params.h"
 #include "io/images/codecs.h"
 
 namespace hogelscope {
@@ -49,5 +50,11 @@ class ImageFile {
   std::unique_ptr<ImageInput> m_input;
   std::size_t m_frame = 0;
 };
+
+/// Returns the version of the loaded library, not of its headers, such as "4.6.0".
+std::string openCvVersion();
+/// Returns the version of the headers, because querying the library would load it. The first two
+/// numbers are the same.
+std::string openImageIoVersion();
 
 }  // namespace hogelscope

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/light_field/yuv_params.h"
+#include "core/light_field/layout_params.h"
 #include "io/images/codecs.h"
 
 namespace hogelscope {

@@ -14,8 +14,7 @@
 #include "io/files/isolated.h"
 #include "io/images/checked_file.h"
 #include "io/images/codecs.h"
-#include "io/images/exr_output.h"
-#include "io/images/png_output.h"
+#include "io/images/image_outputs.h"
 
 namespace hogelscope {
 

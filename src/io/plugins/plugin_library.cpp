@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/content/scene_content.h"
-#include "io/plugins/plugin_folders.h"
 #include "io/plugins/plugin_guard.h"
+#include "io/plugins/plugin_list.h"
 
 namespace hogelscope {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/light_field/live_params.h"
+#include "core/light_field/layout_params.h"
 #include "io/plugins/plugin_list.h"
 #include "sdk/hogelscope/plugin.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The installed plugins, as described by plugin.json. Everything is checked before any byte of a
-// library is loaded, because dlopen() of a truncated library ends the process.
+// The folders that are searched for plugins, and the installed plugins, as described by
+// plugin.json. Everything is checked before any byte of a library is loaded, because dlopen() of a
+// truncated library ends the process.
 #pragma once
 
 #include <array>
@@ -10,6 +11,15 @@
 #include <vector>
 
 namespace hogelscope {
+
+/// Adds a folder for the whole process; call it before threads use plugins. It is searched before
+/// the program's own folders, in the order of the calls. Throws InputError if it is not a folder.
+void addPluginFolder(const std::filesystem::path& folder);
+
+/// Returns the folders of addPluginFolder(), the user's own, the installation's and the build
+/// tree's, in this order, and those of the user for older interfaces. All except the first may be
+/// missing. Each plugin has a folder in one of them.
+std::vector<std::filesystem::path> pluginFolders();
 
 enum class PluginKind { content, lens, metric };
 constexpr std::array<std::string_view, 3> pluginKindNames{"content", "lens", "metric"};

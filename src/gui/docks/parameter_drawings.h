@@ -1,13 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawing of the light leakage: the window's taps with their weights, and the Gaussian's sigma.
+// Drawings of parameters: a lens by the straight lines of the world in the image, the fold and the
+// area without rays; the light leakage by the taps of its window, with their weights, and the
+// sigma of the Gaussian.
 #pragma once
 
 #include <QWidget>
 
+#include "core/lens/lens_grid.h"
 #include "core/optics/psf.h"
+
+class QPainterPath;
 
 namespace hogelscope {
 
+class PlotSaver;
+
+/// Draws a lens, pale while disabled.
+class LensWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LensWidget(QWidget* parent = nullptr);
+
+  void setLens(const LensGrid& grid);
+
+  [[nodiscard]] QSize sizeHint() const override { return {160, 160}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paint(QPainter& painter, const QSizeF& size) const;
+  [[nodiscard]] QTransform fromImage(const QSizeF& size) const;
+  [[nodiscard]] QRectF border() const;
+  [[nodiscard]] QPainterPath foldPath() const;
+  void paintLines(QPainter& painter, const QTransform& transform) const;
+  void paintFold(QPainter& painter, const QTransform& transform) const;
+
+  LensGrid m_grid;
+  PlotSaver* m_saver;
+};
+
+/// A drawing of the light leakage: the window's taps with their weights, and the Gaussian's sigma.
 class KernelWidget : public QWidget {
   Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/light_field/live_params.h"
+#include "core/light_field/layout_params.h"
 
 namespace hogelscope {
 

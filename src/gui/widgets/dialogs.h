@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Modal message boxes, which wait for their answer; the dialog of the size of an image in pixels;
+// dialogs for choosing files and folders, which open in the folder that was used last, also after
+// a restart, and cannot delete, rename or move files (new folders can be created for output).
+#pragma once
+
+#include <QDateTime>
+#include <QDialog>
+#include <QString>
+#include <QStringList>
+
+class QFormLayout;
+class QSpinBox;
+class QWidget;
+
+namespace hogelscope {
+
+/// The program's modal message boxes. Each function shows one and waits for its answer.
+enum class Unsaved { save, discard, cancel };
+/// Asks before edits of `name` would be lost. Escape cancels.
+Unsaved askUnsaved(QWidget* window, const QString& name);
+
+enum class Recovery { recover, discard, later };
+/// Asks about edits of `document`, dated `time`, that a crash left behind. Escape means later.
+Recovery askRecovery(QWidget* window, const QString& document, const QDateTime& time);
+
+void showAbout(QWidget* window);
+
+/// Returns the filter of session dialogs.
+QString sessionFilter();
+/// Returns that of the dialogs that ask for a light field; `more` are other patterns it offers.
+QString lightFieldFilter(const QString& more = {});
+/// What lightFieldFilter() offers where a session may stand for its light field.
+inline constexpr const char* sessionPatterns = " *.hogelscope *.json";
+
+/// Returns the chosen file, or "" if the user cancels; the same for all functions below. `filter`
+/// is as in QFileDialog.
+QString chooseFile(QWidget* parent, const QString& title, const QString& filter);
+QStringList chooseFiles(QWidget* parent, const QString& title, const QString& filter);
+QString chooseFolder(QWidget* parent, const QString& title);
+/// Returns a folder for output, which the user may create.
+QString chooseOutputFolder(QWidget* parent, const QString& title);
+/// Returns a file to write; `name` is proposed in the folder that was used last.
+QString chooseNewFile(QWidget* parent, const QString& title, const QString& name,
+                      const QString& filter);
+
+/// Remembers the folder of a file that was opened or saved without a dialog.
+void rememberFolderOf(const QString& file);
+
+/// Dialog of the size of an image in pixels.
+class SizeDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Keeps the aspect ratio of `proposed`.
+  SizeDialog(const QString& title, const QSize& proposed, QWidget* parent);
+
+  /// Returns the size, at least one pixel each way.
+  [[nodiscard]] QSize size() const;
+
+ protected:
+  /// The layout, for further rows.
+  [[nodiscard]] QFormLayout* form() const { return m_form; }
+
+ private:
+  QSize m_proposed;
+  QFormLayout* m_form;
+  QSpinBox* m_width;
+};
+
+}  // namespace hogelscope
