@@ -14,17 +14,6 @@ struct SampleRow {
   double rmse;
 };
 
-/// Applies the definition directly.
-inline void markPareto(std::vector<hogelscope::TradeoffRow>& rows) {
-  for (hogelscope::TradeoffRow& row : rows) {
-    row.isPareto = true;
-    for (const hogelscope::TradeoffRow& other : rows)
-      if (other.milliseconds <= row.milliseconds && other.rmse <= row.rmse &&
-          (other.milliseconds < row.milliseconds || other.rmse < row.rmse))
-        row.isPareto = false;
-  }
-}
-
 inline std::vector<hogelscope::TradeoffRow> rowsOf(const std::vector<SampleRow>& samples) {
   std::vector<hogelscope::TradeoffRow> rows;
   for (const SampleRow& sample : samples) {
