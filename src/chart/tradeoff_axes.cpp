@@ -27,7 +27,7 @@ constexpr std::array guidesOfViews{Guide{movingViewMilliseconds, "60 views/s", Q
                                    Guide{1000.0 / 30, "30 views/s", Qt::AlignLeft}};
 
 /// A range of base-10 logarithms.
-struct Extent {
+struct LogRange {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
 
@@ -70,8 +70,8 @@ QFont sized(QFont font, double size, bool isBold) {
 
 TradeoffAxes::TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& size)
     : m_size(size), m_em(std::clamp(size.width() / 44, 11.0, 16.0)) {
-  Extent times;
-  Extent errors;
+  LogRange times;
+  LogRange errors;
   bool hasZeros = false;
   for (const TradeoffRow& row : rows) {
     if (!isMeasured(row)) continue;

@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "chart/tradeoff_axes.h"
-#include "chart/tradeoff_legend.h"
 #include "study/tradeoff.h"
 
 namespace hogelscope {
+
+struct TradeoffLegend;
 
 class TradeoffChart {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line as a value, and its parsing by the tables of jobs and flags.
+// The command line as a value.
 #pragma once
 
 #include <map>
@@ -34,7 +34,7 @@ struct CommandLine {
   /// The value of the job's own option: a camera set, a pattern, a light field or a file; the topic
   /// for --help.
   std::string subject;
-  std::string shellText;                  ///< the whole command line, quoted by shellText()
+  std::string shellText;                  ///< the whole command line, quoted for a shell
   std::vector<std::string> files;         ///< opened in the window
   std::vector<std::string> jobOverrides;  ///< --set of the job's own sections, such as pattern
   /// The values of each option that the job may have; empty if the option is not given. Those of
@@ -47,12 +47,5 @@ struct CommandLine {
   [[nodiscard]] std::string text(std::string_view option, const char* otherwise = "") const;
   [[nodiscard]] std::optional<double> number(std::string_view option) const;
 };
-
-/// Returns the program with its arguments, quoted for a shell.
-std::string shellText(const std::vector<std::string>& arguments);
-
-/// Parses the arguments. Throws InputError for an unknown option (with the nearest known one), one
-/// that the job does not use, one given twice, a missing or an invalid value.
-CommandLine parseCommandLine(const std::vector<std::string>& arguments);
 
 }  // namespace hogelscope

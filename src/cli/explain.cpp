@@ -22,14 +22,10 @@ std::string millions(double count) {
 /// Returns the number of texels that a ray reads.
 int texelsPerRay(const RenderJob& view, const Plan& plan) {
   const int taps = (2 * plan.psfReach + 1) * (2 * plan.psfReach + 1);
-  switch (view.sampling.reconstruction) {
-    case Reconstruction::bilinear:
-      return 4 * taps;
-    case Reconstruction::quadrilinear:
-      return 16 * taps;
-    default:
-      return taps;
-  }
+  const Reconstruction how = view.sampling.reconstruction;
+  return taps * (how == Reconstruction::quadrilinear ? 16
+                 : how == Reconstruction::bilinear   ? 4
+                                                     : 1);
 }
 
 std::string workText(const RenderJob& view, const Plan& plan, const Progress& progress) {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/base/progress.h"
-#include "core/optics/simulate.h"
 #include "io/scene/view_source.h"
 
 namespace hogelscope {

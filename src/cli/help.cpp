@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iostream>
 
 #include "cli/flags.h"
 #include "cli/jobs.h"
+#include "cli/jobs/all_jobs.h"
 #include "core/base/error.h"
 #include "core/base/parameters.h"
+#include "core/base/version.h"
 
 namespace hogelscope {
 
@@ -161,6 +164,16 @@ std::string helpText(const std::string& topic) {
                                      "\"man\" or \"completion\""
                                    : "there is no such topic; did you mean --help " +
                                          std::string(nearest) + "?");
+}
+
+int runHelp(const CommandLine& line) {
+  std::cout << helpText(line.subject);
+  return 0;
+}
+
+int runVersion(const CommandLine& /*line*/) {
+  std::cout << "hogelscope " << programVersion() << "\n";
+  return 0;
 }
 
 }  // namespace hogelscope

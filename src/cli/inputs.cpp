@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "campaign/state_images.h"
-#include "cli/notes.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"

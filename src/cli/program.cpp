@@ -7,33 +7,16 @@
 #include <new>
 #include <system_error>
 
-#include "cli/command_line.h"
 #include "cli/jobs.h"
-#include "cli/notes.h"
+#include "cli/parser.h"
 #include "cli/stop_signals.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "io/files/system_limits.h"
 #include "io/plugins/plugin_list.h"
 
 namespace hogelscope {
-
-void usePluginFolders(const CommandLine& line) {
-  if (!line.mayHave("plugins-path")) return;
-  for (const std::string& folder : line.texts("plugins-path")) addPluginFolder(folder);
-}
-
-int runBatch(const CommandLine& line) {
-  if (line.mayHave("threads")) setThreads(int(line.number("threads").value_or(0)));
-  usePluginFolders(line);
-  try {
-    return jobOf(line.command).run(line);
-  } catch (const InputError& error) {
-    const bool isOfOption = std::string_view(error.what()).starts_with("--");
-    if (isOfOption || !line.mayHave("session") || !line.has("session")) throw;
-    throw error.in(line.text("session"));
-  }
-}
 
 namespace {
 
@@ -65,6 +48,23 @@ int runProgram(int argc, char** argv, const std::function<int(const CommandLine&
   } catch (const std::exception& error) {
     printNote(std::string("internal error: ") + error.what());
     return internalError;
+  }
+}
+
+void usePluginFolders(const CommandLine& line) {
+  if (!line.mayHave("plugins-path")) return;
+  for (const std::string& folder : line.texts("plugins-path")) addPluginFolder(folder);
+}
+
+int runBatch(const CommandLine& line) {
+  if (line.mayHave("threads")) setThreads(int(line.number("threads").value_or(0)));
+  usePluginFolders(line);
+  try {
+    return jobOf(line.command).run(line);
+  } catch (const InputError& error) {
+    const bool isOfOption = std::string_view(error.what()).starts_with("--");
+    if (isOfOption || !line.mayHave("session") || !line.has("session")) throw;
+    throw error.in(line.text("session"));
   }
 }
 

@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Common elements of pages, and their style sheet, script and security policy.
+// Common elements of the report's page; its style sheet, script and security policy.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hogelscope {
+
+/// Escapes a text for HTML or SVG; its lines are made printable(), because XML does not allow all
+/// characters.
+std::string escaped(const std::string& text);
+
+/// Encodes bytes in base64 (RFC 4648), padded.
+std::string base64(const std::string& bytes);
+
+/// Returns an embedded image of a PNG file's bytes; `text` is its alternative text.
+std::string imageTag(const std::string& png, const std::string& text);
+
+/// Returns a folded part of the page with the table as LaTeX's tabular, for copying: text columns
+/// left-aligned, columns whose cells begin with a digit or a sign right-aligned. It needs no
+/// package.
+std::string latexTable(const std::vector<std::string>& heads,
+                       const std::vector<std::vector<std::string>>& rows);
 
 /// CSS for screen and paper.
 extern const char* const pageStyle;
@@ -16,15 +33,5 @@ extern const char* const pageScript;
 /// Content-Security-Policy: allows this style and this script, by their hashes, and embedded
 /// images. Names in a page cannot run as code.
 extern const char* const pagePolicy;
-
-/// Escapes a text for HTML or SVG; its lines are made printable(), because XML does not allow all
-/// characters.
-std::string escaped(const std::string& text);
-
-/// Encodes bytes in base64 (RFC 4648), padded.
-std::string base64(const std::string& bytes);
-
-/// Returns an embedded image of a PNG file's bytes; `text` is its alternative text.
-std::string imageTag(const std::string& png, const std::string& text);
 
 }  // namespace hogelscope

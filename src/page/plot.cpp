@@ -72,18 +72,12 @@ std::string svgLine(double x1, double y1, double x2, double y2, std::string_view
 }
 
 std::vector<double> markCorners(std::size_t series) {
-  switch (series % 5) {
-    case 1:
-      return {-1, -1, 1, -1, 1, 1, -1, 1};
-    case 2:
-      return {0, -1.2, 1.2, 1, 0, 1, -1.2, 1};
-    case 3:
-      return {0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0};
-    case 4:
-      return {0, 1.2, 1.2, -1, 0, -1, -1.2, -1};
-    default:
-      return {};
-  }
+  static const std::array<std::vector<double>, 5> corners{{{},
+                                                           {-1, -1, 1, -1, 1, 1, -1, 1},
+                                                           {0, -1.2, 1.2, 1, 0, 1, -1.2, 1},
+                                                           {0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0},
+                                                           {0, 1.2, 1.2, -1, 0, -1, -1.2, -1}}};
+  return corners[series % corners.size()];
 }
 
 PlotArea::Place PlotArea::placeOf(const Plot::Point& point, std::size_t series) const {

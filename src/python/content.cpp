@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/content.h"
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "io/files/content_hash.h"
+#include "io/opening/session_around.h"
 #include "io/scene/view_source.h"
 
 namespace hogelscope {
@@ -48,6 +50,14 @@ Session Content::in(const Session& session) const {
   if (!(m_lightField.viewingDistance > 0))
     result.lightField.viewingDistance = session.lightField.viewingDistance;
   return result;
+}
+
+Session sessionWith(const Session& session, const std::string& file) {
+  try {
+    return withLightField(session, file);
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
 }
 
 }  // namespace hogelscope

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/optics/session.h"
@@ -47,5 +48,11 @@ class Content {
   std::timed_mutex m_mutex;
   std::shared_ptr<const LightFieldSource> m_source;
 };
+
+/// The session's own; an open one; or a file, a folder or a session, as for --test.
+using LightChoice = std::variant<std::monostate, std::shared_ptr<Content>, std::string>;
+
+/// Returns the session with a file as its light field. Throws InputError that names the file.
+Session sessionWith(const Session& session, const std::string& file);
 
 }  // namespace hogelscope

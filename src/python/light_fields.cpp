@@ -58,14 +58,6 @@ std::shared_ptr<const void> ownerOf(const py::object& object) {
           }};
 }
 
-/// Returns parameters with the array's content in place of a file name, so that reports resume only
-/// with the same array.
-LightFieldParams paramsOf(const std::string& name) {
-  LightFieldParams params;
-  params.file = name;
-  return params;
-}
-
 std::shared_ptr<Content> fromArray(const py::array& array, const py::object& progress) {
   ViewArray views{sizeOf(array),
                   typeOf(array),
@@ -74,8 +66,9 @@ std::shared_ptr<Content> fromArray(const py::array& array, const py::object& pro
                   ownerOf(array)};
   std::copy_n(array.strides(), 5, views.strides.begin());
   runStoppable(progress, [&](const Progress& hear) { checkFinite(views, hear); });
-  DisplayParams display;
-  return std::make_shared<Content>(paramsOf("array"), display,
+  LightFieldParams params;
+  params.file = "array";
+  return std::make_shared<Content>(params, DisplayParams{},
                                    std::make_shared<ArrayLightField>(std::move(views)));
 }
 

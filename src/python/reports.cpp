@@ -10,8 +10,8 @@
 #include "io/plugins/metric_plugins.h"
 #include "python/array_light_field.h"
 #include "python/bindings.h"
+#include "python/content.h"
 #include "python/stoppable.h"
-#include "python/views.h"
 #include "report/report_run.h"
 
 namespace hogelscope {

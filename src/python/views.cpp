@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rendering for Python: state kept between views, and views as numpy arrays.
-#include "python/views.h"
-
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -12,7 +10,6 @@
 #include "core/engine/renderer.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
-#include "io/opening/session_around.h"
 #include "io/scene/view_source.h"
 #include "python/bindings.h"
 #include "python/content.h"
@@ -183,14 +180,6 @@ void write(const std::string& file, const Bytes& image, const std::optional<Floa
 }
 
 }  // namespace
-
-Session sessionWith(const Session& session, const std::string& file) {
-  try {
-    return withLightField(session, file);
-  } catch (const InputError& error) {
-    throw error.in(file);
-  }
-}
 
 void addViews(py::module_& module) {
   py::class_<SessionViews>(module, "SessionViews", "What a session keeps between views.")

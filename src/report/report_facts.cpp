@@ -6,26 +6,12 @@
 #include <ctime>
 
 #include "core/base/text.h"
-#include "core/base/version.h"
 #include "core/optics/sampling.h"
 #include "io/documents/session_file.h"
 #include "io/files/content_hash.h"
-#include "io/images/image_file.h"
+#include "report/versions.h"
 
 namespace hogelscope {
-
-std::vector<Version> versions() {
-  return {{"Hogelscope", programVersion()},
-          {"OpenCV", openCvVersion()},
-          {"OpenImageIO", openImageIoVersion()}};
-}
-
-std::string versionsLine() {
-  std::string line;
-  for (const Version& each : versions())
-    line += (line.empty() ? "" : ", ") + each.name + " " + each.version;
-  return line;
-}
 
 namespace {
 

@@ -20,6 +20,14 @@ fs::path viewFile(const fs::path& folder, const ChosenView& view, const char* en
          ("test" + std::to_string(view.test + 1) + "_" + view.which + "_" + ending + ".png");
 }
 
+fs::path referenceImage(const fs::path& folder, const std::string& state) {
+  return folder / "reference" / (state + ".png");
+}
+
+fs::path testImage(const fs::path& folder, std::size_t test, const std::string& state) {
+  return folder / ("test" + std::to_string(test + 1)) / (state + ".png");
+}
+
 std::string pngOf(const Image& image, const Progress& progress = {}) {
   return encodedPng(image.width, image.height, image.rgb, progress);
 }
@@ -112,14 +120,6 @@ std::vector<double> sharesOf(std::vector<double> values, double low, double high
 
 fs::path panelFile(const fs::path& folder, std::size_t test, const std::string& ending) {
   return folder / "panel_error" / ("test" + std::to_string(test + 1) + "_" + ending);
-}
-
-fs::path referenceImage(const fs::path& folder, const std::string& state) {
-  return folder / "reference" / (state + ".png");
-}
-
-fs::path testImage(const fs::path& folder, std::size_t test, const std::string& state) {
-  return folder / ("test" + std::to_string(test + 1)) / (state + ".png");
 }
 
 std::vector<fs::path> filesOf(const ReportRequest& request) {

@@ -15,12 +15,6 @@ namespace hogelscope {
 /// Returns all files that a report may write, except those for resuming.
 std::vector<std::filesystem::path> filesOf(const ReportRequest& request);
 
-/// Returns FOLDER/reference/NAME.png for a state.
-std::filesystem::path referenceImage(const std::filesystem::path& folder, const std::string& state);
-/// Returns FOLDER/testN/NAME.png for a state, N from 1.
-std::filesystem::path testImage(const std::filesystem::path& folder, std::size_t test,
-                                const std::string& state);
-
 /// Returns FOLDER/panel_error/testN_ENDING, N from 1.
 std::filesystem::path panelFile(const std::filesystem::path& folder, std::size_t test,
                                 const std::string& ending);
@@ -29,7 +23,8 @@ std::filesystem::path panelFile(const std::filesystem::path& folder, std::size_t
 void writeTables(const std::filesystem::path& folder, const Report& report,
                  const MetricSet& metrics);
 
-/// Writes testImage(), and referenceImage() for the first test.
+/// Writes a state's FOLDER/testN/NAME.png, N from 1, and for the first test
+/// FOLDER/reference/NAME.png.
 void writeImages(const std::filesystem::path& folder, std::size_t test, const std::string& state,
                  const ViewPair& pair, const Progress& progress);
 

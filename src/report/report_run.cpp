@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
-#include <numeric>
 #include <set>
 
 #include "campaign/journal.h"
@@ -42,8 +41,7 @@ class TimeSum {
 };
 
 bool seesAnything(const Image& image) {
-  return std::any_of(image.seen.begin(), image.seen.end(),
-                     [](std::uint8_t seen) { return seen != 0; });
+  return std::ranges::any_of(image.seen, [](std::uint8_t seen) { return seen != 0; });
 }
 
 class ReportRun {

@@ -22,10 +22,6 @@ ViewPairs::ViewPairs(const ReportRequest& request, std::size_t workers,
       m_references(request.tests.size() > 1 ? m_session.cameras.size() : 0),
       m_renderers(workers, Renderer(rowsWithin)) {}
 
-bool ViewPairs::streams(const LightFieldFile& file) const {
-  return mustStream(file, m_memory);
-}
-
 StateImages ViewPairs::imagesOf(const Session& session, LightFieldFile& file,
                                 const Progress& progress) const {
   return {session,
@@ -84,7 +80,8 @@ void ViewPairs::readSideBySide(const ReportTest& test, const Progress& progress)
 
 void ViewPairs::read(const ReportTest& test, const Progress& progress) {
   m_test.reset();
-  if (!m_reference && streams(m_file) && streams(*test.file)) return readSideBySide(test, progress);
+  if (!m_reference && mustStream(m_file, m_memory) && mustStream(*test.file, m_memory))
+    return readSideBySide(test, progress);
   const bool isFirst = !m_reference;
   if (isFirst) {
     m_reference = imagesOf(m_session, m_file, part(progress, 0, 0.5));

@@ -53,7 +53,6 @@ class ViewPairs {
   [[nodiscard]] Renderer& renderer(std::size_t worker) { return m_renderers[worker]; }
 
  private:
-  [[nodiscard]] bool streams(const LightFieldFile& file) const;
   void readSideBySide(const ReportTest& test, const Progress& progress);
   [[nodiscard]] StateImages imagesOf(const Session& session, LightFieldFile& file,
                                      const Progress& progress) const;

@@ -27,19 +27,9 @@ std::vector<Vec2> borderOf(const LensKey& camera) {
   const double y = camera.centre.y / camera.focalLength.y;
   for (int k = 0; k < steps; ++k) {
     const double t = 1 - 2.0 * k / steps;
-    for (const Vec2& p : {Vec2{t * x, y}, {x, -t * y}, {-t * x, -y}, {-x, t * y}})
-      border.push_back(p);
+    border.insert(border.end(), {{t * x, y}, {x, -t * y}, {-t * x, -y}, {-x, t * y}});
   }
   return border;
-}
-
-bool isOneToOne(const DistortionParams& lens, const std::vector<Vec2>& border,
-                const Progress& progress) {
-  const Distortion distortion(lens);
-  return std::all_of(border.begin(), border.end(), [&](const Vec2& p) {
-    throwIfCancelled(progress);
-    return distortion.undistort(p).has_value();
-  });
 }
 
 /// Finds points of a plane's fold line.
@@ -73,7 +63,11 @@ class FoldFinder {
   }
 
   [[nodiscard]] bool holdsAt(double x, double y) const {
-    return isOneToOne(m_plane.lens(x, y), m_border, m_progress);
+    const Distortion distortion(m_plane.lens(x, y));
+    return std::ranges::all_of(m_border, [&](const Vec2& p) {
+      throwIfCancelled(m_progress);
+      return distortion.undistort(p).has_value();
+    });
   }
 
   /// Adds the points before `to`, close enough for a smooth line and up to the map's border.

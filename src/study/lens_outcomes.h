@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outcomes of inverting a lens at points, for each method.
+// Methods of inverting a lens (OpenCV's, the textbook's and this program's), and their outcomes at
+// points.
 #pragma once
 
 #include <array>
@@ -8,14 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/lens/lens_rays.h"
-#include "core/optics/distortion.h"
 
 namespace hogelscope {
 
-/// Methods of inverting a lens: OpenCV's, the textbook's and this program's.
 struct InverseMethod {
   std::string name;
   bool saysNoRay;  ///< whether NaN means "no ray"; otherwise NaN means divergence

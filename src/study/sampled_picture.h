@@ -6,7 +6,6 @@
 
 #include "core/engine/renderer.h"
 #include "core/optics/simulate.h"
-#include "study/time_budget.h"
 
 namespace hogelscope {
 

@@ -2,7 +2,6 @@
 // Speed against accuracy: every method on the same views, timed and compared with the reference.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,36 @@
 #include "study/time_budget.h"
 
 namespace hogelscope {
+
+/// A named combination of the engine's parameters, which replaces that of a view.
+struct NamedMethod {
+  std::string name;
+  Reconstruction reconstruction = Reconstruction::nearest;
+  int samplesPerPixel = 1;
+  LensMapping mapping = LensMapping::exact;
+  Method method{};
+};
+
+/// Returns all compared methods, the default ("exact") first.
+std::vector<NamedMethod> namedMethods();
+
+/// Returns the methods that are relevant to the views: if no view has a lens, none that differs
+/// from another in the lens only.
+std::vector<NamedMethod> methodsFor(const std::vector<RenderJob>& views);
+
+RenderJob applyMethod(const NamedMethod& method, const RenderJob& job);
+
+/// The reference of the error.
+enum class Question {
+  displayAsBuilt,  ///< the reference engine: exact lens, full window, nearest, one ray per pixel
+  idealPicture     ///< the exact fast engine, which is equal: quadrilinear, 8×8 rays per pixel
+};
+
+/// Returns displayAsBuilt for nearest with one ray, else idealPicture.
+Question questionOf(const SamplingParams& sampling);
+/// Returns "the display as built" or "the ideal image"; the next function explains it.
+std::string questionText(Question question);
+std::string details(Question question);
 
 /// The time and error of a method: a row of tradeoff.csv, a point of the chart.
 struct TradeoffRow {
@@ -46,36 +75,6 @@ void setTimes(TradeoffRow& row, std::vector<double> runs);
 /// interquartile range over the root of the number of runs (McGill, Tukey and Larsen 1978). NaN for
 /// one run.
 double spreadOf(const TradeoffRow& row);
-
-/// A named combination of the engine's parameters, which replaces that of a view.
-struct NamedMethod {
-  std::string name;
-  Reconstruction reconstruction = Reconstruction::nearest;
-  int samplesPerPixel = 1;
-  LensMapping mapping = LensMapping::exact;
-  Method method{};
-};
-
-/// Returns all compared methods, the default ("exact") first.
-std::vector<NamedMethod> namedMethods();
-
-/// Returns the methods that are relevant to the views: if no view has a lens, none that differs
-/// from another in the lens only.
-std::vector<NamedMethod> methodsFor(const std::vector<RenderJob>& views);
-
-RenderJob applyMethod(const NamedMethod& method, const RenderJob& job);
-
-/// The reference of the error.
-enum class Question {
-  displayAsBuilt,  ///< the reference engine: exact lens, full window, nearest, one ray per pixel
-  idealPicture     ///< the exact fast engine, which is equal: quadrilinear, 8×8 rays per pixel
-};
-
-/// Returns displayAsBuilt for nearest with one ray, else idealPicture.
-Question questionOf(const SamplingParams& sampling);
-/// Returns "the display as built" or "the ideal image"; the next function explains it.
-std::string questionText(Question question);
-std::string details(Question question);
 
 struct Budget {
   double seconds = 60;  ///< of wall time

@@ -2,7 +2,6 @@
 // Speed against accuracy, measured within a budget: a trial of all costs, then errors, then times.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/engine/scaled_view.h"
 #include "core/metrics/squared_error.h"
@@ -38,16 +37,10 @@ void add(const Image& expected, const Image& image, const Band& band, ErrorSum& 
 std::string lensName(const NamedMethod& method) {
   if (method.mapping == LensMapping::direct) return "direct";
   const std::string steps = std::to_string(method.method.lensSteps);
-  switch (method.method.lens) {
-    case LensInverse::newton:
-      return "Newton " + steps;
-    case LensInverse::fixedPoint:
-      return "fixed point " + steps;
-    case LensInverse::table:
-      return "table " + steps + " px";
-    default:
-      return "exact";
-  }
+  const LensInverse how = method.method.lens;
+  if (how == LensInverse::newton) return "Newton " + steps;
+  if (how == LensInverse::fixedPoint) return "fixed point " + steps;
+  return how == LensInverse::table ? "table " + steps + " px" : "exact";
 }
 
 TradeoffRow rowOf(const NamedMethod& method, const ErrorSum& sum) {

@@ -4,7 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "cli/command_line.h"
+#include "cli/parser.h"
 #include "cli/help.h"
 #include "tests/cli/program.h"
 #include "tests/io/any_images.h"

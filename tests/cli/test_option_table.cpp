@@ -6,10 +6,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "cli/command_line.h"
 #include "cli/flags.h"
 #include "cli/help.h"
 #include "cli/jobs.h"
+#include "cli/parser.h"
 #include "cli/program.h"
 #include "core/base/error.h"
 #include "tests/io/documents.h"

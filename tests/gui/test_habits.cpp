@@ -18,7 +18,7 @@
 
 #include "gui/app/help_commands.h"
 #include "gui/app/window_layout.h"
-#include "report/report_facts.h"
+#include "report/versions.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"
 #include "tests/io/documents.h"

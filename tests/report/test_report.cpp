@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/text.h"
-#include "report/page/summary_page.h"
+#include "report/page/report_tables.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"
 

@@ -3,9 +3,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "page/latex.h"
-#include "report/page/report_page.h"
-#include "report/page/summary_page.h"
+#include "page/html.h"
+#include "report/page/report_tables.h"
 #include "tests/core/random.h"
 #include "tests/report/metric_values.h"
 

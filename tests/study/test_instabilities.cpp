@@ -6,7 +6,7 @@
 
 #include "core/optics/simulate.h"
 #include "study/single_precision.h"
-#include "study/stability.h"
+#include "study/instabilities.h"
 
 using namespace hogelscope;
 

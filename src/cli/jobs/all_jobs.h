@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of all jobs, each named after its option and defined in its own file.
+// The functions of all jobs, each named after its option and defined in its own file; those of
+// --help and --version in help.cpp.
 #pragma once
 
 #include "cli/command_line.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --make-cameras: a set of camera states, added to a copy of a session.
-#include <filesystem>
 #include <iostream>
 
 #include "cli/inputs.h"

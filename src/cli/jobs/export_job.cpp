@@ -5,10 +5,9 @@
 
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "io/documents/session_file.h"
 #include "io/files/folders.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --pack: converts a light field to a store.
-#include <filesystem>
 #include <iostream>
 
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/files/folders.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --plugins: lists the plugins that are found.
-#include <algorithm>
 #include <iostream>
 
 #include "cli/jobs/all_jobs.h"

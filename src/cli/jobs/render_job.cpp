@@ -7,7 +7,7 @@
 #include "cli/explain.h"
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"

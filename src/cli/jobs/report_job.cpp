@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --report: compares every state's image from the session's light field with that of each test.
+// --rate and --group: the tests of each rate-distortion curve, and their rates.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -9,13 +11,13 @@
 #include "cli/explain.h"
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
-#include "cli/jobs/report_groups.h"
-#include "cli/notes.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
+#include "core/base/error.h"
+#include "core/base/parameters.h"
 #include "core/base/text.h"
 #include "io/documents/session_file.h"
 #include "io/plugins/metric_plugins.h"
-#include "report/page/summary_page.h"
+#include "report/page/report_tables.h"
 #include "report/report_run.h"
 
 namespace hogelscope {
@@ -42,13 +44,107 @@ int checkGate(const std::vector<ReportRow>& rows, std::optional<double> least) {
   return status;
 }
 
-std::vector<RateGroup> parseGroups(const std::vector<ReportTest>& tests, const CommandLine& line) {
-  std::vector<TestSize> sizes;
-  sizes.reserve(tests.size());
-  for (const auto& [name, session, file] : tests)
-    sizes.push_back({name, session.lightField.isLive() ? std::vector<fs::path>() : file->files(),
-                     double(file->size().width()) * double(file->size().height())});
-  return rateGroups(line, sizes);
+void refuseUnknown(const std::string& test, const std::string& flag,
+                   const std::vector<ReportTest>& tests) {
+  std::vector<std::string_view> names;
+  for (const ReportTest& one : tests) {
+    if (one.name == test) return;
+    names.push_back(one.name);
+  }
+  const std::string_view nearest = nearestName(test, names);
+  throw InputError(
+      "command line", flag,
+      "\"" + test + "\" is not given as --test" +
+          (nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?"));
+}
+
+/// Parses FILE=bpp; FILE may contain "=".
+std::vector<TestRate> parseRates(const std::vector<std::string>& texts,
+                                 const std::vector<ReportTest>& tests) {
+  std::vector<TestRate> rates;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos)
+      throw InputError("command line", "--rate",
+                       "\"" + text + "\" is not FILE=BITS, such as test.jpg=0.5");
+    const TestRate rate{text.substr(0, equals), 0};
+    const std::string number = text.substr(equals + 1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (error != std::errc() || end != number.data() + number.size() || !(value > 0) ||
+        !std::isfinite(value))
+      throw InputError("command line", "--rate",
+                       "\"" + number + "\" is not a number of bits above 0");
+    refuseUnknown(rate.test, "--rate", tests);
+    if (std::ranges::find(rates, rate.test, &TestRate::test) != rates.end())
+      throw InputError("command line", "--rate", "gives " + rate.test + " two rates");
+    rates.push_back({rate.test, value});
+  }
+  return rates;
+}
+
+/// Returns the bits of the files with pixels per directional pixel; other files of a folder do not
+/// count.
+double rateOfFiles(const ReportTest& test) {
+  double bytes = 0;
+  std::error_code error;
+  if (!test.session.lightField.isLive())
+    for (const fs::path& file : test.file->files()) {
+      const std::uintmax_t size = fs::file_size(file, error);
+      if (!error) bytes += double(size);
+    }
+  if (!(bytes > 0))
+    throw InputError("command line", "--group",
+                     test.name + " has no size of its own; give --rate " + test.name + "=BITS");
+  return 8 * bytes / (double(test.file->size().width()) * double(test.file->size().height()));
+}
+
+double findRate(const std::string& test, const std::vector<TestRate>& rates,
+                const std::vector<ReportTest>& tests) {
+  const auto rate = std::ranges::find(rates, test, &TestRate::test);
+  return rate != rates.end() ? rate->rate
+                             : rateOfFiles(*std::ranges::find(tests, test, &ReportTest::name));
+}
+
+/// Parses NAME=FILE,FILE,…; the rates are not known yet.
+RateGroup parseGroup(const std::string& text, const std::vector<ReportTest>& tests) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InputError("command line", "--group", "\"" + text + "\" is not NAME=FILE,FILE,FILE,FILE");
+  RateGroup group{text.substr(0, equals), {}};
+  for (std::size_t from = equals + 1; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::string test = text.substr(from, to - from);
+    refuseUnknown(test, "--group " + group.name, tests);
+    if (std::ranges::find(group.tests, test, &TestRate::test) != group.tests.end())
+      throw InputError("command line", "--group " + group.name, "has " + test + " twice");
+    group.tests.push_back({test, 0});
+    from = to + 1;
+  }
+  if (group.tests.size() < 4)
+    throw InputError("command line", "--group " + group.name,
+                     "has " + std::to_string(group.tests.size()) +
+                         " light field(s), but a rate-distortion curve needs four or more");
+  return group;
+}
+
+/// Returns each --group with its tests' rates: those of --rate, else from the file sizes; none
+/// without --group. Throws InputError for a test that was not given, fewer than four tests, or a
+/// rate that is not a positive number.
+std::vector<RateGroup> rateGroups(const CommandLine& line, const std::vector<ReportTest>& tests) {
+  if (!line.has("group") && line.has("rate"))
+    throw InputError("command line", "--rate",
+                     "is for --group NAME=FILE,FILE,…, of which there is none");
+  const std::vector<TestRate> rates = parseRates(line.texts("rate"), tests);
+  std::vector<RateGroup> groups;
+  for (const std::string& text : line.texts("group")) {
+    groups.push_back(parseGroup(text, tests));
+    for (TestRate& test : groups.back().tests) test.rate = findRate(test.test, rates, tests);
+    for (std::size_t k = 0; k + 1 < groups.size(); ++k)
+      if (groups[k].name == groups.back().name)
+        throw InputError("command line", "--group " + groups[k].name, "is given twice");
+  }
+  return groups;
 }
 
 /// Returns a text such as "400 views: 62 % of the time rendering, 12 % metrics, 3 % images".
@@ -102,7 +198,7 @@ int runReport(const CommandLine& line) {
   std::ranges::move(openTests(request.session, line.texts("test")),
                     std::back_inserter(request.tests));
   request.metrics = metricsOf(request.session.metrics);
-  request.groups = parseGroups(request.tests, line);
+  request.groups = rateGroups(line, request.tests);
   request.output = line.text("output");
   request.command = line.shellText;
   request.images = line.has("images");

@@ -4,16 +4,15 @@
 #include <filesystem>
 #include <iostream>
 
-#include "chart/stability_pictures.h"
+#include "chart/stability_charts.h"
 #include "cli/jobs/all_jobs.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/engine/plan.h"
 #include "io/documents/calibration_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
-#include "study/stability.h"
 
 namespace hogelscope {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --tradeoff: speed against accuracy of every method on the session's own states.
 #include <filesystem>
-#include <functional>
 #include <iostream>
 
 #include "chart/painting.h"
@@ -9,7 +8,7 @@
 #include "chart/tradeoff_chart.h"
 #include "cli/inputs.h"
 #include "cli/jobs/all_jobs.h"
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "io/files/atomic_file.h"
@@ -30,7 +29,8 @@ void printLimits(const std::vector<TradeoffRow>& rows) {
     if (!names.empty()) std::cout << what << names << "\n";
   };
   print("timed once: ", [](const TradeoffRow& row) { return row.runs == 1; });
-  print("on part of the pixels (see the table): ", std::mem_fn(&TradeoffRow::isSampled));
+  print("on part of the pixels (see the table): ",
+        [](const TradeoffRow& row) { return row.isSampled; });
 }
 
 }  // namespace

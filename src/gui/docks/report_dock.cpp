@@ -29,7 +29,7 @@
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
 #include "io/plugins/metric_plugins.h"
-#include "report/page/summary_page.h"
+#include "report/page/report_tables.h"
 #include "report/report_files.h"
 
 namespace hogelscope {

@@ -21,7 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/report_facts.h"
+#include "report/versions.h"
 
 namespace hogelscope {
 

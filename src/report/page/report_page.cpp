@@ -1,85 +1,102 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/report_page.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "core/base/text.h"
 #include "core/metrics/statistics.h"
 #include "page/html.h"
 #include "report/page/report_plots.h"
-#include "report/page/summary_page.h"
 
 namespace hogelscope {
 
 namespace {
 
-/// Returns the columns of the table.
-std::vector<std::size_t> pageColumns(const MetricSet& metrics) {
-  std::vector<std::size_t> columns;
-  for (std::size_t k = 0; k < metrics.columns().size(); ++k)
-    if (metrics.columns()[k].where >= MetricColumn::Where::page) columns.push_back(k);
-  return columns;
+std::string captioned(const std::string& png, const std::string& caption) {
+  return "<figure>" + imageTag(png, caption) + "<figcaption>" + escaped(caption) +
+         "</figcaption></figure>\n";
 }
 
-std::string stateRow(const ReportRow& row, const MetricSet& metrics) {
-  const std::vector<std::size_t> columns = pageColumns(metrics);
-  std::string text = "<tr><td>" + escaped(row.state) + "</td><td>" + escaped(row.test) + "</td>";
-  if (!row.problem.empty())
-    return text + "<td colspan=\"" + std::to_string(columns.size()) + "\" class=\"problem\">" +
-           escaped(row.problem) + "</td></tr>\n";
-  for (const std::size_t k : columns)
-    text += "<td class=\"n\">" + tableText(metrics.columns()[k], row.values[k]) + "</td>";
-  return text + "</tr>\n";
+std::string viewFigure(const ReportView& view, const ReportRow& row) {
+  const double db = row.values[psnrSeenColumn];
+  std::string caption = view.which + " view: " + row.state + ", " + row.test + ": PSNR " +
+                        rounded(db, 2) + (db < 1e6 ? " dB" : "") + ", SSIM " +
+                        rounded(row.values[ssimSeenColumn], 4);
+  if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = char(caption[0] - 'a' + 'A');
+  if (view.scale > 1)
+    caption += ", 1/" + std::to_string(view.scale) + " of the size of the files in views";
+  const std::string difference =
+      view.gain == 1 ? "absolute difference"
+                     : "absolute difference, " + std::to_string(view.gain) + " times as bright";
+  return "<figure><h3>" + escaped(caption) + "</h3><div class=\"row views\">\n" +
+         captioned(view.reference, "reference") + captioned(view.test, "test") +
+         captioned(view.difference, difference) + "</div></figure>\n";
 }
 
-}  // namespace
+/// The texts at the ends of an image's sides.
+struct Ends {
+  std::string top;
+  std::string bottom;
+  std::string left;
+  std::string right;
+};
 
-std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics) {
-  std::string text =
-      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>state</th><th>test</th>";
-  for (const std::size_t k : pageColumns(metrics)) {
-    const MetricColumn& column = metrics.columns()[k];
-    text += "<th class=\"n\">" +
-            escaped(column.title + (column.unit.empty() ? "" : " " + column.unit)) + "</th>";
-  }
-  text += "</tr></thead>\n<tbody>\n";
-  for (const ReportRow& row : rows) text += stateRow(row, metrics);
-  return text + "</tbody></table></div>\n";
+/// The ends of the colour scale and its unit; no scale if both are 0.
+struct Scale {
+  double low = 0;
+  double high = 0;
+  std::string unit = "MSE";
+};
+
+std::string errorFigure(const std::string& png, const std::string& title, const Ends& ends,
+                        const Scale& scale) {
+  std::string text = "<figure><figcaption>" + title + "</figcaption>" +
+                     "<div class=\"row\"><div class=\"cells\"><div class=\"side\"><span>" +
+                     ends.top + "</span><span>" + ends.bottom + "</span></div>" +
+                     imageTag(png, title) + "<div class=\"foot\"><span>" + ends.left +
+                     "</span><span>" + ends.right + "</span></div></div>";
+  if (scale.high > scale.low) text += colourBar(scale.low, scale.high, scale.unit);
+  return text + "</div></figure>\n";
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t named = 2;
-  if (names.size() == 1) return names[0];
+Ends angles(const std::array<double, 2>& fov) {
+  const auto half = [](double whole) { return numberText(std::round(50 * whole) / 100); };
+  const std::string across = half(fov[0]);
+  const std::string up = half(fov[1]);
+  return {up + "° up", up + "° down", across + "° left", across + "° right"};
+}
+
+std::string viewErrorFigures(const ReportPanel& panel, const DisplayParams& display) {
+  return "<p>" + escaped(agreementText(panel.agreement)) + "</p><div class=\"row\">\n" +
+         errorFigure(panel.views, "of the light field's own views, one for each direction",
+                     angles(display.fov), {0, panel.viewScale}) +
+         errorFigure(panel.ranks, "rank of the perceived error less rank of the view's own",
+                     angles(display.fov), {-1, 1, "share of ranks"}) +
+         "</div>\n";
+}
+
+/// Returns the figures of the views. Throws std::out_of_range if a view names no row.
+std::string viewFigures(const std::vector<ReportView>& views, const std::vector<ReportRow>& rows) {
   std::string text;
-  const std::size_t shown = std::min(named, names.size() - 1);
-  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + names[k];
-  const std::size_t rest = names.size() - shown;
-  if (rest == 1) return text + " and " + names.back();
-  return text + " and " + std::to_string(rest) + " others";
+  for (const ReportView& view : views) text += viewFigure(view, rows.at(view.row));
+  return text;
 }
 
-std::string lensesTable(const std::vector<ReportLens>& lenses) {
-  std::vector<std::string> certificates;
-  std::vector<std::vector<std::string>> states;
-  for (const ReportLens& lens : lenses) {
-    const std::string words = certificateText(lens.certificate);
-    const auto same = std::find(certificates.begin(), certificates.end(), words);
-    const auto at = std::size_t(same - certificates.begin());
-    if (same == certificates.end()) {
-      certificates.push_back(words);
-      states.emplace_back();
-    }
-    states[at].push_back(lens.state);
+std::string panelFigures(const std::vector<ReportPanel>& panels, const DisplayParams& display) {
+  std::string all;
+  for (const ReportPanel& panel : panels) {
+    all += "<figure><h3>" + escaped(panel.test) + "</h3>\n<p>" +
+           escaped(panelErrorText(panel.figures)) + "</p><div class=\"row\">\n" +
+           errorFigure(panel.hogels, "over the hogels, as the panel faces the viewer",
+                       {"top", "bottom", "left", "right"}, {0, panel.figures.hogelScale}) +
+           errorFigure(panel.directions, "over the directions in which light leaves",
+                       angles(display.fov), {0, panel.figures.directionScale}) +
+           "</div>\n";
+    if (!panel.views.empty()) all += viewErrorFigures(panel, display);
+    all += "</figure>\n";
   }
-  std::string table =
-      "<table><thead><tr><th>states</th><th>their lens</th></tr></thead>\n<tbody>\n";
-  for (std::size_t k = 0; k < certificates.size(); ++k)
-    table += "<tr><td>" + escaped(listed(states[k])) + "</td><td>" + escaped(certificates[k]) +
-             "</td></tr>\n";
-  return table + "</tbody></table>\n";
+  return all;
 }
-
-namespace {
 
 std::string fact(const std::string& name, const std::string& value) {
   return "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";

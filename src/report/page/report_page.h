@@ -4,30 +4,44 @@
 // it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "core/lens/lens_certificate.h"
-#include "core/metrics/report_rows.h"
+#include "core/metrics/panel_error_figures.h"
 #include "core/metrics/summary.h"
-#include "report/page/report_images.h"
+#include "core/metrics/view_error.h"
+#include "report/page/report_tables.h"
 
 namespace hogelscope {
 
-/// The lens of a state.
-struct ReportLens {
-  std::string state;
-  LensCertificate certificate;
+/// The limit of the images in a page, in bytes of base64; they are scaled down to fit.
+constexpr std::size_t mostPictureBytes = 3000000;
+
+/// The three images of a row, each as a complete PNG file.
+struct ReportView {
+  std::size_t row = 0;  ///< an index of the report's rows
+  std::string which;    ///< "worst", "median", "best"
+  std::string reference;
+  std::string test;
+  std::string difference;
+  int gain = 1;   ///< of the difference image
+  int scale = 1;  ///< each pixel is the mean of scale × scale pixels of the files
 };
 
-/// Returns a table with a row for each state and test.
-std::string statesTable(const std::vector<ReportRow>& rows, const MetricSet& metrics);
-
-/// Returns the table of lenses. States whose lenses have the same certificate share a row.
-std::string lensesTable(const std::vector<ReportLens>& lenses);
-
-/// Returns a text such as "a, b and 48 others".
-std::string listed(const std::vector<std::string>& names);
+/// A test's error over the hogels and over the directions, each as a complete PNG file.
+struct ReportPanel {
+  std::string test;
+  std::string hogels;
+  std::string directions;
+  PanelErrorFigures figures;
+  /// The error of the light field's own views, and the difference of its ranks to the perceived
+  /// one; empty unless both light fields are completely in memory.
+  std::string views{};
+  std::string ranks{};
+  double viewScale = 0;  ///< MSE at the end of the colour scale of `views`
+  ViewAgreement agreement{};
+};
 
 /// A line of the section "what was tested".
 struct ReportFact {

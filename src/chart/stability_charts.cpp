@@ -1,22 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "chart/stability_pictures.h"
+#include "chart/stability_charts.h"
 
 #include <QImage>
 #include <QPainterPath>
 #include <QStringList>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/axis.h"
 
 namespace hogelscope {
 
+namespace {
+
+using OutcomeWords = std::array<const char*, outcomeCount>;
+
+// Of both charts, in points.
+constexpr double topMargin = 50;
+constexpr double between = 16;
+
+/// Returns a colour, light for right outcomes and dark for wrong ones, distinct for colour-blind
+/// readers and in greyscale.
 QRgb colourOf(Outcome outcome) {
   constexpr std::array<QRgb, outcomeCount> colours{0xff79bfe8, 0xffffffff, 0xfff7dd4a, 0xffd55e00,
                                                    0xff3b1f5b};
   return colours[std::size_t(outcome)];
 }
 
+/// Returns the place of a line of the legend, which has two columns of three lines and is 66 points
+/// high.
 QRectF legendLine(const QRectF& area, int index) {
   constexpr int lines = 3;
   constexpr double step = 21;
@@ -24,6 +37,7 @@ QRectF legendLine(const QRectF& area, int index) {
   return {area.left() + index / lines * width, area.top() + index % lines * step, width, 16};
 }
 
+/// Paints a sample and a text for each outcome, in their order.
 void paintOutcomeLegend(QPainter& painter, const QRectF& area, const OutcomeWords& words) {
   for (int k = 0; k < int(outcomeCount); ++k) {
     const QRectF line = legendLine(area, k);
@@ -36,6 +50,7 @@ void paintOutcomeLegend(QPainter& painter, const QRectF& area, const OutcomeWord
   }
 }
 
+/// Paints bold text in the middle of the area.
 void paintTitle(QPainter& painter, const QRectF& area, const QString& title) {
   QFont bold = painter.font();
   bold.setBold(true);
@@ -52,25 +67,18 @@ QString titleOf(const InverseMethod& method) {
   return "certified (ours)";
 }
 
-namespace {
-
-/// Distances in points.
+// Of the maps, in points.
 constexpr double leftMargin = 62;
-constexpr double topMargin = 50;
 constexpr double rightMargin = 14;
-constexpr double betweenMaps = 16;
 constexpr double belowRow = 50;  // tick labels, axis name, the next row
-constexpr double legendHeight = 66;
+constexpr double mapLegendHeight = 66;
 
-const OutcomeWords& words() {
-  static const OutcomeWords all{
-      "right: every pixel has its ray, to 0.001 px",
-      "no ray: some pixels have none, and the method says so",
-      "inexact: some are more than 0.001 px off, but nearer than at first",
-      "diverged: some are no nearer than at first, or not a number",
-      "wrong root: some have another pixel's ray, or one where there is none"};
-  return all;
-}
+constexpr OutcomeWords mapWords{
+    "right: every pixel has its ray, to 0.001 px",
+    "no ray: some pixels have none, and the method says so",
+    "inexact: some are more than 0.001 px off, but nearer than at first",
+    "diverged: some are no nearer than at first, or not a number",
+    "wrong root: some have another pixel's ray, or one where there is none"};
 
 /// The place of a map on the paper.
 struct MapFrame {
@@ -145,8 +153,8 @@ void paintAxes(QPainter& painter, const MapFrame& frame, const LensPlane& plane,
   painter.restore();
 }
 
-void paintLegend(QPainter& painter, const QRectF& area) {
-  paintOutcomeLegend(painter, area, words());
+void paintMapLegend(QPainter& painter, const QRectF& area) {
+  paintOutcomeLegend(painter, area, mapWords);
   const QRectF line = legendLine(area, int(outcomeCount));
   painter.setPen(QPen(Qt::black, 1.4));
   painter.drawLine(line.topLeft() + QPointF(0, 8), line.topLeft() + QPointF(22, 8));
@@ -154,59 +162,22 @@ void paintLegend(QPainter& painter, const QRectF& area) {
                    "fold line: beyond it the lens folds within the picture");
 }
 
-}  // namespace
-
-QSize stabilityMapsSize() {
-  return {1000, 572};
-}
-
-void paintStabilityMaps(QPainter& painter, const QSizeF& size, const std::vector<LensMap>& maps) {
-  const auto& methods = inverseMethods();
-  const auto columns = double(methods.size());
-  const double side =
-      (size.width() - leftMargin - rightMargin - (columns - 1) * betweenMaps) / columns;
-  paintTitle(painter, QRectF(0, 4, size.width(), 18),
-             "The worst pixel of a 60° picture, over the coefficients of its lens, for each way to "
-             "invert it");
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    const double left = leftMargin + double(m) * (side + betweenMaps);
-    paintTitle(painter, QRectF(left, topMargin - 22, side, 18), titleOf(methods[m]));
-    for (std::size_t p = 0; p < maps.size(); ++p) {
-      const double top = topMargin + double(p) * (side + belowRow);
-      const LensPlane& plane = maps[p].plane;
-      const MapFrame frame{QRectF(left, top, side, side), plane.reach(), 1.0 / plane.stepsPerUnit};
-      paintCells(painter, frame, plane.side(), maps[p].outcomes[m]);
-      paintFoldLine(painter, frame, maps[p].foldLine);
-      paintAxes(painter, frame, plane, m == 0);
-    }
-  }
-  paintLegend(painter, QRectF(leftMargin, size.height() - legendHeight,
-                              size.width() - leftMargin - rightMargin, legendHeight));
-}
-
-namespace {
-
-/// Distances in points.
+// Of the pictures of lenses, in points.
 constexpr double margin = 14;
-constexpr double between = 16;
-constexpr double top = 50;
 constexpr double nameHeight = 22;
 constexpr double captionHeight = 26;
-constexpr double picturesLegendHeight = 76;
-constexpr double width = 1000;
+constexpr double pictureLegendHeight = 76;
+constexpr double picturesWidth = 1000;
 
-const OutcomeWords& pictureWords() {
-  static const OutcomeWords all{"right: the pixel's own ray, to 0.001 px",
-                                "no ray: the pixel has none, and the method says so",
-                                "inexact: more than 0.001 px off, but nearer than at first",
-                                "diverged: no nearer than at first, or not a number",
-                                "wrong root: another pixel's ray, or one where there is none"};
-  return all;
-}
+constexpr OutcomeWords pictureWords{"right: the pixel's own ray, to 0.001 px",
+                                    "no ray: the pixel has none, and the method says so",
+                                    "inexact: more than 0.001 px off, but nearer than at first",
+                                    "diverged: no nearer than at first, or not a number",
+                                    "wrong root: another pixel's ray, or one where there is none"};
 
 double pictureWidth() {
   const auto columns = double(inverseMethods().size());
-  return (width - 2 * margin - (columns - 1) * between) / columns;
+  return (picturesWidth - 2 * margin - (columns - 1) * between) / columns;
 }
 
 /// Returns a height with the camera's aspect ratio, within limits.
@@ -239,11 +210,38 @@ QString captionOf(const LensOutcomes& outcomes) {
 
 }  // namespace
 
+QSize stabilityMapsSize() {
+  return {1000, 572};
+}
+
+void paintStabilityMaps(QPainter& painter, const QSizeF& size, const std::vector<LensMap>& maps) {
+  const auto& methods = inverseMethods();
+  const auto columns = double(methods.size());
+  const double side = (size.width() - leftMargin - rightMargin - (columns - 1) * between) / columns;
+  paintTitle(painter, QRectF(0, 4, size.width(), 18),
+             "The worst pixel of a 60° picture, over the coefficients of its lens, for each way to "
+             "invert it");
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const double left = leftMargin + double(m) * (side + between);
+    paintTitle(painter, QRectF(left, topMargin - 22, side, 18), titleOf(methods[m]));
+    for (std::size_t p = 0; p < maps.size(); ++p) {
+      const double top = topMargin + double(p) * (side + belowRow);
+      const LensPlane& plane = maps[p].plane;
+      const MapFrame frame{QRectF(left, top, side, side), plane.reach(), 1.0 / plane.stepsPerUnit};
+      paintCells(painter, frame, plane.side(), maps[p].outcomes[m]);
+      paintFoldLine(painter, frame, maps[p].foldLine);
+      paintAxes(painter, frame, plane, m == 0);
+    }
+  }
+  paintMapLegend(painter, QRectF(leftMargin, size.height() - mapLegendHeight,
+                                 size.width() - leftMargin - rightMargin, mapLegendHeight));
+}
+
 QSize lensPicturesSize(const Stability& stability, std::size_t first) {
-  double height = top + picturesLegendHeight;
+  double height = topMargin + pictureLegendHeight;
   for (std::size_t k = first; k < endOf(stability, first); ++k)
     height += nameHeight + pictureHeight(stability.lenses[k].key) + captionHeight;
-  return {int(width), int(std::ceil(height))};
+  return {int(picturesWidth), int(std::ceil(height))};
 }
 
 void paintLensPictures(QPainter& painter, const QSizeF& size, const Stability& stability,
@@ -254,15 +252,16 @@ void paintLensPictures(QPainter& painter, const QSizeF& size, const Stability& s
   paintTitle(painter, QRectF(0, 4, size.width(), 18),
              "Where in the picture of each lens each way to invert it holds");
   for (std::size_t m = 0; m < methods.size(); ++m)
-    paintTitle(painter, QRectF(left(m), top - 24, across, 18), titleOf(methods[m]));
+    paintTitle(painter, QRectF(left(m), topMargin - 24, across, 18), titleOf(methods[m]));
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
   painter.setBrush(Qt::NoBrush);
-  double y = top;
+  double y = topMargin;
   for (std::size_t k = first; k < endOf(stability, first); ++k) {
     const double height = pictureHeight(stability.lenses[k].key);
-    const QString name = painter.fontMetrics().elidedText(
-        QString::fromStdString(stability.lenses[k].name), Qt::ElideRight, int(width - 2 * margin));
-    painter.drawText(QRectF(margin, y, width - 2 * margin, nameHeight),
+    const QString name =
+        painter.fontMetrics().elidedText(QString::fromStdString(stability.lenses[k].name),
+                                         Qt::ElideRight, int(picturesWidth - 2 * margin));
+    painter.drawText(QRectF(margin, y, picturesWidth - 2 * margin, nameHeight),
                      Qt::AlignLeft | Qt::AlignVCenter, name);
     y += nameHeight;
     for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -274,8 +273,9 @@ void paintLensPictures(QPainter& painter, const QSizeF& size, const Stability& s
     }
     y += height + captionHeight;
   }
-  paintOutcomeLegend(painter, QRectF(margin, y + 4, width - 2 * margin, picturesLegendHeight),
-                     pictureWords());
+  paintOutcomeLegend(painter,
+                     QRectF(margin, y + 4, picturesWidth - 2 * margin, pictureLegendHeight),
+                     pictureWords);
 }
 
 }  // namespace hogelscope

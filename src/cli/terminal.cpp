@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/progress_bar.h"
+#include "cli/terminal.h"
 
 #include <unistd.h>
 
 #include <cstdio>
+#include <iostream>
 
 #include "cli/stop_signals.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
+
+void printNote(const std::string& text) {
+  std::cerr << "hogelscope: " + printable(text) + "\n";
+}
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
     : m_what(std::move(what)), m_isShown(!quiet && ::isatty(STDERR_FILENO) == 1) {}

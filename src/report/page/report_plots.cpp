@@ -1,21 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PSNR over camera position, from above and from the front.
+// PSNR over camera position, from above and from the front; and over the horizontal viewing angle
+// or the states, one series for each test. Quality over bits per directional pixel, a curve for
+// each group of tests.
+#include "report/page/report_plots.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 
 #include "core/base/colour_map.h"
-#include "core/metrics/summary.h"
+#include "core/base/text.h"
 #include "page/html.h"
-#include "page/plot.h"
-#include "report/page/report_plots.h"
-#include "report/page/view_points.h"
 
 namespace hogelscope {
 
 namespace {
+
+/// The kind of a view's point in a plot.
+enum class PlotKind { identical, none, compared };
+struct ViewPoint {
+  std::size_t row = 0;
+  Vec3 eye;  ///< in the display frame, metres
+  double psnr = 0;
+  PlotKind kind = PlotKind::compared;
+};
+
+/// Returns the points of one test, in PlotKind's order with the lowest PSNR last, so that it is
+/// drawn on top.
+std::vector<ViewPoint> pointsOf(const std::vector<ReportRow>& rows, const std::string& test,
+                                const DisplayParams& display) {
+  const RigidTransform displayFromWorld =
+      transformFromPose(display.position, display.orientation).inverse();
+  std::vector<ViewPoint> points;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const ReportRow& row = rows[k];
+    if (row.test != test) continue;
+    ViewPoint point{k, displayFromWorld.point(row.eye),
+                    row.problem.empty() ? row.values[psnrSeenColumn] : NAN};
+    if (std::isnan(point.psnr))
+      point.kind = PlotKind::none;
+    else if (std::isinf(point.psnr))
+      point.kind = PlotKind::identical;
+    points.push_back(point);
+  }
+  std::stable_sort(points.begin(), points.end(), [](const ViewPoint& a, const ViewPoint& b) {
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.kind == PlotKind::compared && a.psnr > b.psnr;
+  });
+  return points;
+}
+
+/// Returns the tooltip of a point.
+std::string titleOf(const ViewPoint& point, const ReportRow& row) {
+  std::string text = row.state + ": ";
+  if (point.kind == PlotKind::none) {
+    text += row.problem.empty() ? "nothing to compare" : row.problem;
+  } else {
+    text += point.kind == PlotKind::identical ? "identical" : rounded(point.psnr, 2) + " dB";
+    const double ssim = row.values[ssimSeenColumn];
+    if (!std::isnan(ssim)) text += ", SSIM " + rounded(ssim, 4);
+  }
+  return text + "; eye " + rounded(point.eye.x, 3) + ", " + rounded(point.eye.y, 3) + ", " +
+         rounded(point.eye.z, 3) + " m";
+}
+
+/// Returns the radius of points, smaller for many points.
+double radiusFor(std::size_t points) {
+  if (points <= 40) return 6;
+  return points <= 300 ? 4 : 2.5;
+}
 
 constexpr double mapLeft = 62;
 constexpr double mapWidth = 300;
@@ -131,6 +187,44 @@ std::string map(const MapKind& kind, const std::vector<ReportRow>& rows,
   return text + "</g></svg>\n";
 }
 
+double angleOf(const Vec3& eye) {
+  return std::atan2(eye.x, eye.z) * 180 / std::numbers::pi;
+}
+
+/// Returns a text such as "a.jpg: 0.25 bits, 31.20 (30.95 … 31.44)".
+std::string titleOf(const TestSummary& test, double rate, std::size_t mean, int decimals) {
+  const auto number = [&](double value) { return rounded(value, decimals); };
+  const Interval& interval = test.intervals[mean];
+  return test.test + ": " + numberText(rate) + " bits, " + number(test.summary.means[mean]) + " (" +
+         number(interval.low) + " … " + number(interval.high) + ")";
+}
+
+/// Returns the finite points of a group, in ascending order of rate.
+Plot::Series curveOf(const RateGroup& group, const std::vector<TestSummary>& summaries,
+                     std::size_t mean, int decimals) {
+  Plot::Series curve{group.name, {}, 4.5};
+  for (const TestRate& rate : group.tests)
+    for (const TestSummary& test : summaries)
+      if (test.test == rate.test && std::isfinite(test.summary.means[mean]))
+        curve.points.push_back({std::log10(rate.rate), test.summary.means[mean],
+                                titleOf(test, rate.rate, mean, decimals), 0, test.intervals[mean]});
+  std::ranges::sort(curve.points, {}, &Plot::Point::across);
+  return curve;
+}
+
+Plot ratePlot(const std::vector<TestSummary>& summaries, const std::vector<RateGroup>& groups,
+              std::size_t index, const MetricMean& mean) {
+  Plot plot{"bits per directional pixel",
+            mean.title + (mean.unit.empty() ? "" : " in " + mean.unit),
+            {1e-3, 1e-3},
+            true,
+            true,
+            {}};
+  for (const RateGroup& group : groups)
+    plot.series.push_back(curveOf(group, summaries, index, mean.decimals));
+  return plot;
+}
+
 }  // namespace
 
 std::string colourBar(double low, double high, const std::string& unit) {
@@ -162,6 +256,53 @@ std::string cameraMaps(const std::vector<ReportRow>& rows, const DisplayParams& 
     text += "</div></figure>\n";
   }
   return text;
+}
+
+Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, bool isOverAngle) {
+  const std::vector<std::string> tests = testsOf(rows);
+  Plot plot;
+  plot.titleAcross =
+      isOverAngle ? "horizontal viewing angle in degrees, to the viewer's right" : "state";
+  plot.titleUp = "PSNR in dB";
+  plot.leastRange = {2, 1};
+  for (const std::string& test : tests) {
+    Plot::Series& series = plot.series.emplace_back(Plot::Series{test, {}});
+    for (const ViewPoint& point : pointsOf(rows, test, display)) {
+      if (point.kind == PlotKind::none) continue;
+      const double state = 1 + double(point.row / tests.size());
+      series.points.push_back({isOverAngle ? angleOf(point.eye) : state, point.psnr,
+                               titleOf(point, rows[point.row]), point.row});
+    }
+    series.radius = 0.8 * radiusFor(series.points.size());
+  }
+  return plot;
+}
+
+std::string anglePlot(const std::vector<ReportRow>& rows, const DisplayParams& display) {
+  const Plot plot = psnrPlot(rows, display, true);
+  const bool hasNumbers = std::ranges::any_of(plot.series, [](const Plot::Series& series) {
+    return std::ranges::any_of(series.points,
+                               [](const Plot::Point& point) { return std::isfinite(point.up); });
+  });
+  if (!hasNumbers) return {};
+  return "<figure>" + svgOf(plot, {760, 334}, "wide", "PSNR over viewing angle") + legendOf(plot) +
+         "</figure>\n";
+}
+
+std::string ratePlots(const std::vector<TestSummary>& summaries, const MetricSet& metrics,
+                      const std::vector<RateGroup>& groups) {
+  if (groups.empty()) return {};
+  std::string plots, legend;
+  for (std::size_t k = 0; k < metrics.means().size(); ++k) {
+    const MetricMean& mean = metrics.means()[k];
+    const bool isOfPlugin = k > meanPsnrYuvSeen;
+    if (!mean.isQuality || !(mean.isSeen || isOfPlugin)) continue;
+    const Plot plot = ratePlot(summaries, groups, k, mean);
+    legend = legendOf(plot);
+    if (std::ranges::any_of(plot.series, [](const auto& curve) { return !curve.points.empty(); }))
+      plots += svgOf(plot, {376, 296, 46, 12}, "map", plot.titleUp + " over rate");
+  }
+  return "<figure><div class=\"plots\">\n" + plots + "</div>" + legend + "</figure>\n";
 }
 
 }  // namespace hogelscope

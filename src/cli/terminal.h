@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A progress bar with the remaining time on a terminal.
+// What batch mode writes to stderr: notes, and a progress bar on a terminal.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,10 @@
 
 namespace hogelscope {
 
+/// Prints "hogelscope: TEXT" as one line on stderr.
+void printNote(const std::string& text);
+
+/// A progress bar with the remaining time.
 class ProgressBar {
  public:
   /// Draws only if stderr is a terminal, unless `quiet`.
