@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads light fields and renders views on its own thread; the newest request wins.
 // One request waits at most, the newest. If a full image took longer than 30 ms, an edit's first
-// image is smaller (view_pace.h) and is finished even if newer edits come; the full one follows
+// image is smaller (ViewPace) and is finished even if newer edits come; the full one follows
 // after 60 ms without any. A store's first image is its overview's; a live scene's has no leakage,
 // which reads most texels.
 #pragma once
