@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "gui/app/main_window.h"
-#include "gui/scene/vtk_widget.h"
 
 namespace hogelscope {
 

@@ -218,17 +218,15 @@ void ManualWindow::find(QTextDocument::FindFlags flags) {
   m_note->setText(tr("Not found"));
 }
 
-HelpCommands::HelpCommands(const Ui::MainWindow& ui, QWidget* window)
-    : QObject(window), m_window(window) {
-  connect(ui.manualAction, &QAction::triggered, this, &HelpCommands::showManual);
-  connect(ui.aboutAction, &QAction::triggered, this, [this] { showAbout(m_window); });
-}
-
-void HelpCommands::showManual() {
-  if (m_manual == nullptr) m_manual = new ManualWindow(m_window);
-  m_manual->show();
-  m_manual->raise();
-  m_manual->activateWindow();
+void addHelp(const Ui::MainWindow& ui, QWidget* window) {
+  QObject::connect(ui.manualAction, &QAction::triggered, window, [window] {
+    auto* manual = window->findChild<ManualWindow*>();
+    if (manual == nullptr) manual = new ManualWindow(window);
+    manual->show();
+    manual->raise();
+    manual->activateWindow();
+  });
+  QObject::connect(ui.aboutAction, &QAction::triggered, window, [window] { showAbout(window); });
 }
 
 }  // namespace hogelscope

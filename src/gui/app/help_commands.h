@@ -2,7 +2,6 @@
 // The Help menu: the manual in a window of its own, and the About box.
 #pragma once
 
-#include <QObject>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <memory>
@@ -11,8 +10,7 @@
 class QLabel;
 class QLineEdit;
 class QTreeWidget;
-class QTreeWidgetItem;
-class QWidget;
+
 namespace Ui {
 class MainWindow;
 }
@@ -60,17 +58,7 @@ class ManualWindow : public QWidget {
   QLabel* m_note;
 };
 
-class HelpCommands : public QObject {
-  Q_OBJECT
-
- public:
-  HelpCommands(const Ui::MainWindow& ui, QWidget* window);
-
- private:
-  void showManual();
-
-  QWidget* m_window;
-  ManualWindow* m_manual = nullptr;  ///< created on first use
-};
+/// Connects the Help menu's actions, which open the manual and the About box over `window`.
+void addHelp(const Ui::MainWindow& ui, QWidget* window);
 
 }  // namespace hogelscope

@@ -285,7 +285,7 @@ void MainWindow::addHelpers() {
   auto* sceneOutput = new SceneOutput(*m_ui, m_scene, m_model, this);
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
   connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
-  new HelpCommands(*m_ui, this);
+  addHelp(*m_ui, this);
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, *m_ui);
   m_readingBar = new ReadingBar(

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/optics/session.h"
 #include "gui/view/picture_rate.h"
 #include "study/tradeoff.h"
 

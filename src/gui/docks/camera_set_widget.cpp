@@ -10,6 +10,7 @@
 
 #include "gui/session/session_model.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "gui/widgets/parameter_form.h"
 #include "io/documents/camera_set_file.h"
 
@@ -154,7 +155,7 @@ void CameraSetWidget::setModel(SessionModel* model) {
 }
 
 bool CameraSetWidget::add(const std::function<CameraSet()>& set) {
-  try {
+  return guarded(this, [&] {
     m_model->changeStates(tr("Add camera set"), [&](Session& session) {
       const CameraSet added = set();
       const std::size_t first = session.cameras.size() - (added.params.keepTemplate ? 0 : 1);
@@ -162,11 +163,7 @@ bool CameraSetWidget::add(const std::function<CameraSet()>& set) {
       setPreview({});
       return first;
     });
-    return true;
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-    return false;
-  }
+  });
 }
 
 bool CameraSetWidget::addFromFile(const QString& file) {

@@ -4,13 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "gui/docks/parameter_drawings.h"
 #include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_controller.h"
+#include "gui/view/error_image.h"
 #include "gui/view/image_widget.h"
 
 namespace hogelscope {
@@ -173,9 +173,7 @@ QString Inspector::valuesAt(const QPoint& pixel) const {
 
 void Inspector::showPictureOf(const RenderJob& job, const QPoint& hogel) {
   const Image image = hogelImage(*job.lightField, hogel.x(), hogel.y());
-  m_hogel->setImages(QImage(image.rgb.data(), image.width, image.height, qsizetype{3} * image.width,
-                            QImage::Format_RGB888)
-                         .copy());
+  m_hogel->setImages(toQImage(image));
   m_hogel->markPixels({});
   m_hogel->setRegion({});
   m_hogel->show();

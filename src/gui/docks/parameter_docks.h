@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/lens/lens_rays.h"
-#include "core/optics/session.h"
 #include "gui/session/session_model.h"
 
 class QLabel;
@@ -18,7 +17,6 @@ namespace hogelscope {
 class KernelWidget;
 class LensWidget;
 class ParameterForm;
-class SessionModel;
 struct CertifiedLens;
 struct ViewSource;
 

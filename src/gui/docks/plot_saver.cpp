@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "io/files/atomic_file.h"
 
 namespace hogelscope {
@@ -26,7 +27,7 @@ PlotSaver::PlotSaver(QWidget* plot, const QString& title, const QSize& size, Pai
 
 void PlotSaver::save(const QString& file) {
   const std::filesystem::path path = file.toStdString();
-  try {
+  guarded(this, [&] {
     const std::string extension = path.extension().string();
     if (extension != ".svg" && extension != ".png")
       throw InputError(path.string(), "cannot be written",
@@ -34,9 +35,7 @@ void PlotSaver::save(const QString& file) {
     writeTextFile(path, extension == ".svg" ? svgOf(m_paint, m_size, m_title.toStdString())
                                             : pngOf(m_paint, m_size));
     Q_EMIT done(tr("Saved %1").arg(file));
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-  }
+  });
 }
 
 void PlotSaver::ask() {

@@ -210,10 +210,6 @@ void ReportDock::noteEdits() {
   m_stale->setVisible(m_request.session != m_model->session());
 }
 
-void ReportDock::setReference(const std::optional<ViewSource>& source) {
-  m_reference = source;
-}
-
 void ReportDock::askTest() {
   const QStringList files =
       chooseFiles(this, tr("Add test light fields"), lightFieldFilter(sessionPatterns));

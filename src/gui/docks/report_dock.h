@@ -31,7 +31,7 @@ class ReportDock : public QWidget {
 
   void setModel(SessionModel* model);
   /// Sets the light field that is in memory; none while it is read.
-  void setReference(const std::optional<ViewSource>& source);
+  void setReference(const std::optional<ViewSource>& source) { m_reference = source; }
   void addTest(const QString& file);
   /// Offers the test compared in the view, to be added by one click; "": none.
   void offerTest(const QString& file);

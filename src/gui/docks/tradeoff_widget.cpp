@@ -93,10 +93,6 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
   });
 }
 
-void TradeoffWidget::setViews(std::function<std::vector<RenderJob>()> views) {
-  m_viewsNow = std::move(views);
-}
-
 void TradeoffWidget::forget(bool canMeasure) {
   m_canMeasure = canMeasure;
   m_views.clear();

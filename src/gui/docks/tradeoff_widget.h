@@ -48,7 +48,7 @@ class TradeoffWidget : public QWidget {
   explicit TradeoffWidget(QWidget* parent = nullptr);
 
   /// Sets the function that gives the views of a measurement, when one begins.
-  void setViews(std::function<std::vector<RenderJob>()> views);
+  void setViews(std::function<std::vector<RenderJob>()> views) { m_viewsNow = std::move(views); }
   /// Drops the results of other views than those that setViews() gives now, and stops a measurement
   /// of them. `canMeasure`: there are views.
   void forget(bool canMeasure);

@@ -9,6 +9,7 @@
 
 #include "gui/session/session_model.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 
@@ -55,22 +56,16 @@ std::vector<std::unique_ptr<AutosaveEntry>> abandonedEntries() {
   return entries;
 }
 
-namespace {
-
-QString newBase() {
-  return autosaveFolder() + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
-}
-
-}  // namespace
-
 Autosave::Autosave(SessionModel* model, QObject* parent)
-    : QObject(parent), m_model(model), m_entry(newBase()) {
+    : QObject(parent),
+      m_model(model),
+      m_entry(autosaveFolder() + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces)) {
   m_timer.setSingleShot(true);
   m_timer.setInterval(std::chrono::seconds(3));
   connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
-  connect(model, &SessionModel::edited, this, &Autosave::writeSoon);
-  connect(model, &SessionModel::statesChanged, this, &Autosave::writeSoon);
-  connect(model, &SessionModel::contentChanged, this, &Autosave::writeSoon);
+  for (const auto change :
+       {&SessionModel::edited, &SessionModel::statesChanged, &SessionModel::contentChanged})
+    connect(model, change, this, &Autosave::writeSoon);
   connect(model, &SessionModel::saved, this, &Autosave::forget);
   connect(model, &SessionModel::opened, this, [this] {
     forget();
@@ -128,12 +123,8 @@ void Autosave::offerRecovery(QWidget* window) {
 
 /// Recovers a session. Its entry is removed only after this program has written its own.
 bool Autosave::recover(AutosaveEntry& entry) {
-  try {
-    m_model->recover(entry.sessionFile(), entry.document());
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+  if (!guarded(this, [&] { m_model->recover(entry.sessionFile(), entry.document()); }))
     return false;
-  }
   if (!m_model->isModified() || QFile::exists(m_entry.sessionFile())) entry.remove();
   return true;
 }

@@ -2,16 +2,19 @@
 #include "gui/files/file_commands.h"
 
 #include <QAction>
+#include <QDropEvent>
 #include <QFileInfo>
+#include <QMimeData>
+#include <QUrl>
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "gui/files/autosave.h"
-#include "gui/files/file_drop.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/files/recent_files.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "gui/widgets/task.h"
 #include "io/documents/calibration_file.h"
 #include "io/documents/session_file.h"
@@ -33,6 +36,13 @@ bool canCompare(const Session& session, const std::string& file, const Progress&
   } catch (const InputError&) {
     return false;
   }
+}
+
+QStringList filesOf(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) files.append(url.toLocalFile());
+  return files;
 }
 
 }  // namespace
@@ -62,19 +72,21 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
   for (const Task* task : {m_task, m_compared})
     connect(task, &Task::failed, this, &FileCommands::failed);
-  connect(new FileDrop(window), &FileDrop::dropped, this, &FileCommands::openFiles,
-          Qt::QueuedConnection);
+  window->setAcceptDrops(true);
+  window->installEventFilter(this);
 }
 
-template <class Action>
-bool FileCommands::guarded(Action action) {
-  try {
-    action();
-    return true;
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-    return false;
-  }
+/// Takes files and folders dropped onto the window. They are opened after the drop, because a
+/// dialog would block the other program.
+bool FileCommands::eventFilter(QObject* /*watched*/, QEvent* event) {
+  if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop) return false;
+  auto* drop = static_cast<QDropEvent*>(event);
+  const QStringList files = filesOf(*drop->mimeData());
+  if (files.isEmpty()) return false;
+  drop->acceptProposedAction();
+  const auto open = [this, files] { openFiles(files); };
+  if (event->type() == QEvent::Drop) QMetaObject::invokeMethod(this, open, Qt::QueuedConnection);
+  return true;
 }
 
 bool FileCommands::open(const QString& file) {
@@ -84,7 +96,7 @@ bool FileCommands::open(const QString& file) {
   }
   m_task->abandon();
   m_compared->abandon();
-  return guarded([&] {
+  return guarded(this, [&] {
     m_model->open(file);
     m_recent->add(file);
     checkOrder(file);
@@ -152,7 +164,7 @@ void FileCommands::checkOrder(const QString& file) {
 }
 
 bool FileCommands::save(const QString& file) {
-  return guarded([&] {
+  return guarded(this, [&] {
     m_model->save(file);
     m_recent->add(file);
     rememberFolderOf(file);
@@ -161,7 +173,7 @@ bool FileCommands::save(const QString& file) {
 }
 
 bool FileCommands::importCalibration(const QString& file) {
-  return guarded([&] {
+  return guarded(this, [&] {
     CameraState state = m_model->current();
     apply(loadCalibration(file.toStdString()), state);
     m_model->setCurrent(state);
@@ -209,7 +221,7 @@ void FileCommands::compareOrOpen(const QString& file) {
 
 /// Imports a calibration into a new session, which shows the effect of the lens.
 void FileCommands::openCalibration(const QString& file) {
-  guarded([&] {
+  guarded(this, [&] {
     Session session = newSession();
     apply(loadCalibration(file.toStdString()), session.cameras.front());
     m_model->openNew(session);

@@ -53,8 +53,7 @@ class FileCommands : public QObject {
   void comparisonAsked(const QString& file);
 
  private:
-  template <class Action>
-  bool guarded(Action action);
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void openLater(const QString& file, bool isAsked);
   void offer(const QString& file, const Opening& opening, bool isAsked);
   void ask(const QString& file, const Opening& opening);

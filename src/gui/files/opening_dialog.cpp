@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gui/session/session_forms.h"
+#include "gui/view/error_image.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
 #include "io/scene/view_source.h"
@@ -19,14 +20,9 @@ namespace {
 
 QString wordFor(const Assumption& assumption) {
   if (assumption.isUsual) return OpeningDialog::tr("usual");
-  switch (assumption.sureness) {
-    case Sureness::sure:
-      return OpeningDialog::tr("sure");
-    case Sureness::likely:
-      return OpeningDialog::tr("likely");
-    default:
-      return OpeningDialog::tr("not known");
-  }
+  if (assumption.sureness == Sureness::sure) return OpeningDialog::tr("sure");
+  if (assumption.sureness == Sureness::likely) return OpeningDialog::tr("likely");
+  return OpeningDialog::tr("not known");
 }
 
 QString tableOf(const Opening& opening) {
@@ -85,16 +81,15 @@ OpeningDialog::~OpeningDialog() {
 /// Adds the fields of light field and display that change how the file is interpreted.
 void OpeningDialog::addForms() {
   m_shown = shownOf(m_opening);
-  m_lightField = new ParameterForm([this](ParameterVisitor& visitor) {
-    Session edited = m_shown;
-    describe(visitor, edited.lightField);
-    edit(edited);
-  });
-  m_display = new ParameterForm([this](ParameterVisitor& visitor) {
-    Session edited = m_shown;
-    describe(visitor, edited.display);
-    edit(edited);
-  });
+  const auto form = [this](auto Session::*part) {
+    return new ParameterForm([this, part](ParameterVisitor& visitor) {
+      Session edited = m_shown;
+      describe(visitor, edited.*part);
+      edit(edited);
+    });
+  };
+  m_lightField = form(&Session::lightField);
+  m_display = form(&Session::display);
   m_lightField->hideField("file", true);
   for (const char* name : {"position", "orientation", "lens"}) m_display->hideField(name, true);
   m_ui->fieldsArea->setWidget(stackWidgets({m_lightField, m_display}));
@@ -141,7 +136,7 @@ void OpeningDialog::start(bool isKnown) {
     }
     return [this, picture, why] {
       if (!m_isStale) {
-        showPreview(picture);
+        m_ui->previewView->setImages(toQImage(picture));
         m_ui->previewView->setNotice(why);
       }
       takeNext();
@@ -160,12 +155,6 @@ void OpeningDialog::showOpening(const Opening& opening) {
   m_ui->assumedLabel->setText(tableOf(opening));
   showProblem(QString::fromStdString(opening.problem));
   showFields();
-}
-
-void OpeningDialog::showPreview(const Image& picture) {
-  const QImage image(picture.rgb.data(), picture.width, picture.height,
-                     3 * qsizetype(picture.width), QImage::Format_RGB888);
-  m_ui->previewView->setImages(image.copy());
 }
 
 void OpeningDialog::showProblem(const QString& problem) {

@@ -35,7 +35,6 @@ class OpeningDialog : public QDialog {
   void start(bool isKnown);
   void takeNext();
   void showOpening(const Opening& opening);
-  void showPreview(const Image& picture);
   void showProblem(const QString& problem);
   void showFields();
 

@@ -4,7 +4,6 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSlider>
@@ -32,24 +31,15 @@ bool isIdle(const QLineEdit& line, const QKeyEvent& key) {
          (key.matches(QKeySequence::Redo) && !line.isRedoAvailable());
 }
 
-}  // namespace
-
-TypingGuard::TypingGuard(QObject* parent) : QObject(parent) {
-  QCoreApplication::instance()->installEventFilter(this);
-}
-
-bool TypingGuard::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::ShortcutOverride) return false;
-  const auto& key = static_cast<const QKeyEvent&>(*event);
+/// Whether a key is kept from the field, or from the shortcuts.
+bool filterKey(QObject* watched, QKeyEvent& key) {
   if (qobject_cast<QComboBox*>(watched) != nullptr && isText(key)) {
-    event->accept();
+    key.accept();
     return true;
   }
   const QLineEdit* line = lineOf(watched);
   return line != nullptr && isIdle(*line, key);  // not accepted, so the shortcut is triggered
 }
-
-namespace {
 
 bool isField(const QObject* watched) {
   return qobject_cast<const QAbstractSpinBox*>(watched) != nullptr ||
@@ -59,11 +49,13 @@ bool isField(const QObject* watched) {
 
 }  // namespace
 
-WheelGuard::WheelGuard(QObject* parent) : QObject(parent) {
+FieldGuards::FieldGuards(QObject* parent) : QObject(parent) {
   QCoreApplication::instance()->installEventFilter(this);
 }
 
-bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
+bool FieldGuards::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride)
+    return filterKey(watched, static_cast<QKeyEvent&>(*event));
   if ((event->type() != QEvent::Wheel && event->type() != QEvent::Show) || !isField(watched))
     return false;
   auto* field = static_cast<QWidget*>(watched);

@@ -7,25 +7,15 @@
 
 namespace hogelscope {
 
-/// Filters the key events of the whole application. Line edits and spin boxes keep printable keys
-/// by themselves, but combo boxes do not, and line edits keep Ctrl+Z even with nothing to undo.
-class TypingGuard : public QObject {
+/// Filters the events of the whole application. Line edits and spin boxes keep printable keys by
+/// themselves, but combo boxes do not, and line edits keep Ctrl+Z even with nothing to undo. Spin
+/// boxes, sliders and combo boxes use the wheel only while they have the focus, which the wheel
+/// does not give them; otherwise it scrolls their surroundings.
+class FieldGuards : public QObject {
   Q_OBJECT
 
  public:
-  explicit TypingGuard(QObject* parent);
-
-  bool eventFilter(QObject* watched, QEvent* event) override;
-};
-
-/// Filters the wheel events of the whole application. Spin boxes, sliders and combo boxes use the
-/// wheel only while they have the focus, which the wheel does not give them; otherwise it scrolls
-/// their surroundings.
-class WheelGuard : public QObject {
-  Q_OBJECT
-
- public:
-  explicit WheelGuard(QObject* parent);
+  explicit FieldGuards(QObject* parent);
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 };

@@ -9,7 +9,6 @@
 #include "gui/keys/key_map.h"
 
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class QTableWidget;
 

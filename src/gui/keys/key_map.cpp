@@ -9,6 +9,7 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "gui/widgets/guarded.h"
 #include "io/documents/key_map_file.h"
 
 namespace hogelscope {
@@ -153,16 +154,12 @@ void KeyMap::finish() {
       const QKeySequence key = command.keys.value(0);
       texts[command.name.toStdString()] = key.toString(QKeySequence::PortableText).toStdString();
     }
-  try {
-    saveKeyTexts(fileName(), texts);
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-  }
+  guarded(this, [&] { saveKeyTexts(fileName(), texts); });
 }
 
 void KeyMap::load() {
   if (!QFileInfo::exists(QString::fromStdString(fileName()))) return;
-  try {
+  guarded(this, [&] {
     for (const auto& [name, text] : loadKeyTexts(fileName())) {
       const QString wanted = QString::fromStdString(name);
       const auto command = std::ranges::find(m_commands, wanted, &Command::name);
@@ -176,9 +173,7 @@ void KeyMap::load() {
             tr("%1: keys.%2: \"%3\" is not a key")
                 .arg(QString::fromStdString(fileName()), wanted, QString::fromStdString(text)));
     }
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-  }
+  });
   Q_EMIT changed();
 }
 

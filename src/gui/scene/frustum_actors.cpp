@@ -1,39 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/frustum_actors.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkImageData.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTexture.h>
-#include <algorithm>
-#include <cstdint>
-#include <iterator>
+#include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/colour_map.h"
 #include "core/panel/viewing_zone.h"
 #include "gui/scene/scene_actor.h"
 #include "vtk/line_picker.h"
-#include "vtk/vtkCameraFrustumSource.h"
 
 namespace hogelscope {
 
 namespace {
+
 constexpr int longestTile = 192;   ///< texels: few states have fine images
 constexpr int longestSide = 1024;  ///< of the texture, which is uploaded again with each image
 constexpr std::uint8_t emptyGrey = 40;
+
+using Colour = std::array<unsigned char, 3>;
+constexpr Colour currentColour{255, 166, 38};
+constexpr Colour otherColour{140, 191, 153};
+constexpr Colour outsideColour{200, 120, 120};
+constexpr Colour previewColour{190, 140, 230};
+constexpr double fullLength = 0.25;   // of the distance to lookat
+constexpr double shortLength = 0.05;  // for many states, which would hide each other at full length
+constexpr std::size_t manyStates = 30;
+
+/// Returns the range of the finite values, at least 1 dB wide so that equal values have a scale
+/// too.
+std::array<double, 2> rangeOf(const std::vector<double>& values) {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (least > most) return {0, 1};
+  return {least, std::max(most, least + 1)};
+}
+
 }  // namespace
+
+PsnrScale::PsnrScale() {
+  constexpr int colours = 256;
+  m_table->SetNumberOfTableValues(colours);
+  for (int k = 0; k < colours; ++k) {
+    const auto [r, g, b] = falseColour(double(k) / (colours - 1));
+    m_table->SetTableValue(k, r / 255.0, g / 255.0, b / 255.0);
+  }
+  m_bar->SetLookupTable(m_table);
+  m_bar->SetTitle("PSNR, dB");
+  m_bar->SetLabelFormat("%.1f");
+  m_bar->SetNumberOfLabels(5);
+  m_bar->SetVerticalTitleSeparation(8);
+  m_bar->SetPosition(0.88, 0.3);
+  m_bar->SetWidth(0.1);
+  m_bar->SetHeight(0.45);
+  m_bar->SetMaximumWidthInPixels(90);
+  m_bar->UnconstrainedFontSizeOn();
+  for (vtkTextProperty* text : {m_bar->GetTitleTextProperty(), m_bar->GetLabelTextProperty()}) {
+    text->SetFontSize(13);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+    text->SetColor(0.9, 0.9, 0.9);
+    text->SetBackgroundColor(0, 0, 0);  // readable over the panel
+    text->SetBackgroundOpacity(0.6);
+  }
+  m_bar->VisibilityOff();
+}
+
+void PsnrScale::setValues(const std::vector<double>& values) {
+  m_values = values;
+  m_range = rangeOf(values);
+  m_table->SetRange(m_range[0], m_range[1]);
+  m_bar->SetVisibility(!values.empty());
+}
+
+std::array<std::uint8_t, 3> PsnrScale::colour(std::size_t state) const {
+  return falseColour((m_values[state] - m_range[0]) / (m_range[1] - m_range[0]));
+}
 
 StateImages::StateImages() {
   m_texture->SetInputData(m_image);
   m_texture->InterpolateOn();
   setCount(1);
 }
-
-StateImages::~StateImages() = default;
 
 void StateImages::setCount(std::size_t count) {
   if (count == m_count) return;
@@ -69,19 +129,6 @@ void StateImages::setImage(std::size_t index, vtkImageData* image) {
   m_texture->Modified();
 }
 
-namespace {
-
-using Colour = std::array<unsigned char, 3>;
-constexpr Colour currentColour{255, 166, 38};
-constexpr Colour otherColour{140, 191, 153};
-constexpr Colour outsideColour{200, 120, 120};
-constexpr Colour previewColour{190, 140, 230};
-constexpr double fullLength = 0.25;   // of the distance to lookat
-constexpr double shortLength = 0.05;  // for many states, which would hide each other at full length
-constexpr std::size_t manyStates = 30;
-
-}  // namespace
-
 FrustumActors::FrustumActors(vtkRenderer* renderer) {
   addToScene(renderer, m_otherImages, m_others->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
   addToScene(renderer, m_markedImage, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
@@ -96,8 +143,6 @@ FrustumActors::FrustumActors(vtkRenderer* renderer) {
   setImagesVisible(false);
   renderer->AddViewProp(m_psnr.bar());
 }
-
-FrustumActors::~FrustumActors() = default;
 
 void FrustumActors::show(const PanelParams& display, const std::vector<CameraState>& states,
                          std::size_t current) {
@@ -162,10 +207,6 @@ void FrustumActors::setImagesVisible(bool areVisible) {
   m_markedImage->SetVisibility(areVisible);
 }
 
-void FrustumActors::setImage(std::size_t state, vtkImageData* image) {
-  m_images.setImage(state, image);
-}
-
 std::vector<Vec3> FrustumActors::points() const {
   std::vector<Vec3> all;
   for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get(), m_previewed.Get()}) {
@@ -182,15 +223,14 @@ std::vector<Vec3> FrustumActors::points() const {
 std::vector<int> FrustumActors::statesAt(vtkRenderer* renderer, const ScreenPlace& place) const {
   vtkMatrix4x4* clipFromWorld = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
       renderer->GetTiledAspectRatio(), -1, 1);
-  std::vector<int> found;
   std::vector<int> all;
   if (m_otherLines->GetVisibility() == 0) return all;
   for (vtkCameraFrustumSource* source : {m_others.Get(), m_marked.Get()}) {
     source->Update();
-    found = hogelscope::statesAt(source->GetOutput(0), clipFromWorld, place);
-    std::copy(found.begin(), found.end(), std::back_inserter(all));
+    const std::vector<int> found = hogelscope::statesAt(source->GetOutput(0), clipFromWorld, place);
+    all.insert(all.end(), found.begin(), found.end());
   }
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
 }
 

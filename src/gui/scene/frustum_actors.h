@@ -3,31 +3,52 @@
 // zone dashed, optionally coloured by PSNR and filled with their images.
 #pragma once
 
+#include <vtkActor.h>
+#include <vtkImageData.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
-#include <cstddef>
+#include <vtkScalarBarActor.h>
+#include <vtkTexture.h>
+
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/optics/session.h"
-#include "gui/scene/psnr_scale.h"
 #include "vtk/atlas.h"
+#include "vtk/vtkCameraFrustumSource.h"
 
-class vtkImageData;
-class vtkTexture;
-class vtkActor;
-class vtkCameraFrustumSource;
 class vtkRenderer;
 
 namespace hogelscope {
 
 struct ScreenPlace;
 
+/// Colour scale of the states' PSNR, and its colour bar.
+class PsnrScale {
+ public:
+  PsnrScale();
+
+  /// Sets the PSNR in dB of each state; infinite: identical, NaN: none. Without values the bar is
+  /// hidden.
+  void setValues(const std::vector<double>& values);
+  [[nodiscard]] bool hasValue(std::size_t state) const { return state < m_values.size(); }
+  /// Returns the state's colour on the scale of the finite values. Identical is coloured as the
+  /// largest, a state without a value is grey.
+  [[nodiscard]] std::array<std::uint8_t, 3> colour(std::size_t state) const;
+  [[nodiscard]] vtkScalarBarActor* bar() const { return m_bar; }
+
+ private:
+  std::vector<double> m_values;
+  std::array<double, 2> m_range{0, 1};  ///< dB
+  vtkNew<vtkLookupTable> m_table;
+  vtkNew<vtkScalarBarActor> m_bar;
+};
+
 /// The small images of the states in one texture, with one tile each.
 class StateImages {
  public:
   StateImages();
-  ~StateImages();
-  StateImages(const StateImages&) = delete;
-  StateImages& operator=(const StateImages&) = delete;
 
   /// Sets the number of tiles. If it changes, all tiles become empty.
   void setCount(std::size_t count);
@@ -49,9 +70,6 @@ class StateImages {
 class FrustumActors {
  public:
   explicit FrustumActors(vtkRenderer* renderer);
-  ~FrustumActors();
-  FrustumActors(const FrustumActors&) = delete;
-  FrustumActors& operator=(const FrustumActors&) = delete;
 
   void show(const PanelParams& display, const std::vector<CameraState>& states,
             std::size_t current);
@@ -65,7 +83,7 @@ class FrustumActors {
   /// Sets the PSNR in dB of each state; empty: none.
   void showPsnr(const std::vector<double>& values);
   void setImagesVisible(bool areVisible);
-  void setImage(std::size_t state, vtkImageData* image);
+  void setImage(std::size_t state, vtkImageData* image) { m_images.setImage(state, image); }
   void clearImages() { m_images.clear(); }
   /// Returns the points of all frustum lines, in the world.
   [[nodiscard]] std::vector<Vec3> points() const;

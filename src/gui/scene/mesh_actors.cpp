@@ -80,8 +80,4 @@ void MeshActors::setVisible(bool isVisible) {
   setMesh(m_mapper->GetInput());
 }
 
-bool MeshActors::isShown() const {
-  return m_actor->GetVisibility() != 0;
-}
-
 }  // namespace hogelscope

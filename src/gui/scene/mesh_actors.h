@@ -29,7 +29,7 @@ class MeshActors {
   void setMesh(const VtkMesh& mesh);
   void setDisplay(const DisplayParams& display);
   void setVisible(bool isVisible);
-  [[nodiscard]] bool isShown() const;
+  [[nodiscard]] bool isShown() const { return m_actor->GetVisibility() != 0; }
   /// Returns the mesh's bounds in the world, as xMin, xMax, yMin, yMax, zMin, zMax.
   [[nodiscard]] const double* bounds() const { return m_actor->GetBounds(); }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/panel_actors.h"
 
-#include <vtkAxesActor.h>
 #include <vtkCaptionActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
@@ -9,16 +8,12 @@
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTexture.h>
 #include <vtkTrivialProducer.h>
 #include <QString>
 #include <algorithm>
 
 #include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_worker.h"
-#include "vtk/vtkHogelDisplaySource.h"
-#include "vtk/vtkScaleBarSource.h"
 
 namespace hogelscope {
 
@@ -30,8 +25,6 @@ PanelActors::PanelActors(vtkRenderer* renderer) {
   addScaleBar(renderer);
   setImage(nullptr);
 }
-
-PanelActors::~PanelActors() = default;
 
 /// Adds the world's axes, which show the frame of eyes and look-at points.
 void PanelActors::addAxes(vtkRenderer* renderer) {
@@ -85,17 +78,9 @@ void PanelActors::updateGrid() {
   m_grid->SetVisibility(m_isGridWanted || m_panel->GetTexture() == nullptr);
 }
 
-void PanelActors::setAxesVisible(bool areVisible) {
-  m_axes->SetVisibility(areVisible);
-}
-
 void PanelActors::setScaleBarVisible(bool isVisible) {
   m_bar->SetVisibility(isVisible);
   m_barLabel->SetVisibility(isVisible);
-}
-
-void PanelActors::setGridSpacing(double spacing) {
-  m_source->SetSpacing(spacing);
 }
 
 int PanelActors::gridLines() const {

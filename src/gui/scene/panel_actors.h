@@ -4,39 +4,35 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkAxesActor.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkTextActor.h>
+#include <vtkTexture.h>
 
 #include "core/panel/display.h"
 #include "core/panel/viewing_zone.h"
+#include "vtk/vtkHogelDisplaySource.h"
+#include "vtk/vtkScaleBarSource.h"
 
-class vtkRenderer;
-class vtkActor;
-class vtkAxesActor;
-class vtkHogelDisplaySource;
 class vtkImageData;
-class vtkScaleBarSource;
-class vtkTextActor;
-class vtkTexture;
+class vtkRenderer;
 
 namespace hogelscope {
 
 class PanelActors {
  public:
   explicit PanelActors(vtkRenderer* renderer);
-  ~PanelActors();
-  PanelActors(const PanelActors&) = delete;
-  PanelActors& operator=(const PanelActors&) = delete;
 
   void setDisplay(const DisplayParams& display);
   /// Sets an RGB image of the whole panel; null: none. The grid is shown without an image.
   void setImage(vtkImageData* image);
   /// Shows the grid over an image too.
   void setGridVisible(bool isVisible);
-  void setAxesVisible(bool areVisible);
+  void setAxesVisible(bool areVisible) { m_axes->SetVisibility(areVisible); }
   void setScaleBarVisible(bool isVisible);
   /// Sets the least distance between grid lines, in metres.
-  void setGridSpacing(double spacing);
+  void setGridSpacing(double spacing) { m_source->SetSpacing(spacing); }
   /// Returns the number of grid lines; 0 if the grid is hidden.
   [[nodiscard]] int gridLines() const;
 

@@ -5,15 +5,11 @@
 #include <vtkCoordinate.h>
 #include <vtkImageData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkTexture.h>
 #include <vtkTrivialProducer.h>
 
 #include "gui/scene/scene_actor.h"
-#include "vtk/vtkHogelFieldSource.h"
 
 namespace hogelscope {
 
@@ -32,8 +28,6 @@ PickActors::PickActors(vtkRenderer* renderer) {
   hideHogel();
   hideRay();
 }
-
-PickActors::~PickActors() = default;
 
 void PickActors::showHogel(const PanelParams& display, int i, int j, vtkImageData* image) {
   m_field->SetHogel(display, i, j);
@@ -63,16 +57,8 @@ void PickActors::hideHogel() {
   m_label->VisibilityOff();
 }
 
-void PickActors::hideRay() {
-  m_ray->VisibilityOff();
-}
-
 std::string PickActors::label() const {
   return m_label->GetVisibility() != 0 ? m_label->GetInput() : "";
-}
-
-bool PickActors::hasRay() const {
-  return m_ray->GetVisibility() != 0;
 }
 
 }  // namespace hogelscope

@@ -2,28 +2,25 @@
 // The picked objects in the 3-D scene: a hogel's angular field with its image, a pixel's ray.
 #pragma once
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTextActor.h>
+#include <vtkTexture.h>
 
 #include <string>
 
 #include "core/panel/display.h"
+#include "vtk/vtkHogelFieldSource.h"
 
-class vtkActor;
-class vtkHogelFieldSource;
 class vtkImageData;
-class vtkPolyData;
 class vtkRenderer;
-class vtkTextActor;
-class vtkTexture;
 
 namespace hogelscope {
 
 class PickActors {
  public:
   explicit PickActors(vtkRenderer* renderer);
-  ~PickActors();
-  PickActors(const PickActors&) = delete;
-  PickActors& operator=(const PickActors&) = delete;
 
   /// Shows a hogel with its indices below it. `image` has a pixel for each of the hogel's
   /// directions.
@@ -31,8 +28,8 @@ class PickActors {
   /// Shows a ray between two points of the world, in metres.
   void showRay(const Vec3& from, const Vec3& to);
   void hideHogel();
-  void hideRay();
-  [[nodiscard]] bool hasRay() const;
+  void hideRay() { m_ray->VisibilityOff(); }
+  [[nodiscard]] bool hasRay() const { return m_ray->GetVisibility() != 0; }
   /// Returns the hogel's label; "" if no hogel is shown.
   [[nodiscard]] std::string label() const;
 

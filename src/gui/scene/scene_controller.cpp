@@ -11,7 +11,6 @@
 #include "core/panel/viewing_zone.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_actor.h"
-#include "gui/scene/vtk_image.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "ui_main_window.h"

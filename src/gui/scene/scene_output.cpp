@@ -11,7 +11,6 @@
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/scene/scene_export.h"
-#include "gui/scene/vtk_image.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/dialogs.h"

@@ -1,15 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/scene_worker.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
 #include <algorithm>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/engine/scaled_view.h"
-#include "gui/scene/vtk_image.h"
 #include "gui/widgets/task.h"
 
 namespace hogelscope {
+
+VtkImage toVtkImage(const Image& image, const std::array<std::uint8_t, 3>& unseen) {
+  auto result = VtkImage::New();
+  result->SetDimensions(image.width, image.height, 1);
+  result->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* to = static_cast<std::uint8_t*>(result->GetScalarPointer());
+  for (int y = image.height - 1; y >= 0; --y) {
+    for (int x = 0; x < image.width; ++x, to += 3) {
+      const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
+      std::copy_n(image.seen[at] != 0 ? &image.rgb[3 * at] : unseen.data(), 3, to);
+    }
+  }
+  return result;
+}
+
+VtkImage toVtkImage(vtkImageData& view, const std::array<std::uint8_t, 3>& unseen) {
+  auto result = VtkImage::New();
+  result->SetDimensions(view.GetDimensions());
+  result->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const auto* rgb = static_cast<const std::uint8_t*>(view.GetScalarPointer());
+  const auto* seen =
+      static_cast<const std::uint8_t*>(view.GetPointData()->GetArray("Seen")->GetVoidPointer(0));
+  auto* to = static_cast<std::uint8_t*>(result->GetScalarPointer());
+  for (vtkIdType k = 0; k < view.GetNumberOfPoints(); ++k, rgb += 3, to += 3)
+    std::copy_n(seen[k] != 0 ? rgb : unseen.data(), 3, to);
+  return result;
+}
 
 namespace {
 
@@ -23,10 +51,8 @@ VtkImage imageOf(const RenderJob& view, const std::array<std::uint8_t, 3>& unsee
     filter.SetJob(reduced(view));  // throws if the camera has no frame
     filter.UpdateOrThrow();
     return toVtkImage(*filter.GetOutput(), unseen);
-  } catch (const Cancelled&) {
-    return nullptr;
   } catch (const std::exception&) {
-    return nullptr;  // reported by the simulated view
+    return nullptr;  // cancelled, or reported by the simulated view
   }
 }
 
@@ -44,8 +70,6 @@ SceneWorker::SceneWorker(QObject* parent) : QObject(parent) {
   m_filter->SetProgress([this](double) { return !mustStop(); });
   m_thread.start([this] { return hasWork(); }, [this](LatestWins::Lock& lock) { serve(lock); });
 }
-
-SceneWorker::~SceneWorker() = default;
 
 void SceneWorker::setSource(const std::optional<ViewSource>& scene) {
   m_thread.ask([&] {

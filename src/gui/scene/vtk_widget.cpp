@@ -48,7 +48,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent) {
   m_interactor->SetRenderWindow(m_window);
   m_interactor->SetInteractorStyle(vtkNew<vtkInteractorStyleTrackballCamera>());
   m_interactor->EnableRenderOff();  // Render() only raises RenderEvent; paintEvent draws
-  m_interactor->AddObserver(vtkCommand::RenderEvent, this, &VtkWidget::onRenderRequest);
+  m_interactor->AddObserver(vtkCommand::RenderEvent, this, &VtkWidget::redraw);
   m_interactor->Initialize();
 }
 
@@ -59,10 +59,6 @@ VtkWidget::~VtkWidget() {
   }
   m_interactor->RemoveAllObservers();
   m_window->RemoveAllObservers();
-}
-
-QSize VtkWidget::deviceSize() const {
-  return (QSizeF(size()) * devicePixelRatioF()).toSize();
 }
 
 void VtkWidget::redraw() {
@@ -143,10 +139,6 @@ void VtkWidget::onIsCurrent(vtkObject*, unsigned long, void* isCurrent) {
 
 void VtkWidget::onSupportsOpenGL(vtkObject*, unsigned long, void* isSupported) {
   *static_cast<int*>(isSupported) = 1;
-}
-
-void VtkWidget::onRenderRequest(vtkObject*, unsigned long, void*) {
-  redraw();
 }
 
 void VtkWidget::emitPointer(const QPointF& position, Qt::KeyboardModifiers modifiers) {

@@ -33,7 +33,7 @@ class VtkWidget : public QWidget {
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return m_window; }
   [[nodiscard]] vtkGenericRenderWindowInteractor* interactor() const { return m_interactor; }
   /// Returns the size in device pixels, as in VTK.
-  [[nodiscard]] QSize deviceSize() const;
+  [[nodiscard]] QSize deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
   /// Schedules a redraw, so that several changes are drawn at once.
   void redraw();
   /// Returns the rendered image in device pixels; null without OpenGL.
@@ -62,7 +62,6 @@ class VtkWidget : public QWidget {
   void onMakeCurrent(vtkObject* caller, unsigned long event, void* data);
   void onIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
   void onSupportsOpenGL(vtkObject* caller, unsigned long event, void* isSupported);
-  void onRenderRequest(vtkObject* caller, unsigned long event, void* data);
   [[nodiscard]] QPoint fromLowerLeft(const QPointF& position) const;
 
   vtkNew<vtkGenericOpenGLRenderWindow> m_window;

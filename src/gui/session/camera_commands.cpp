@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/session/session_model.h"
+#include "gui/widgets/guarded.h"
 
 namespace hogelscope {
 
@@ -153,11 +154,9 @@ void CameraCommands::addStates() {
 void CameraCommands::edit(const QString& name, const std::function<void(CameraState&)>& action) {
   const std::size_t current = m_model->currentIndex();
   if (current >= m_model->session().cameras.size()) return;
-  try {
+  guarded(this, [&] {
     m_model->edit(name, [&](Session& session) { action(session.cameras[current]); });
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-  }
+  });
 }
 
 void CameraCommands::stepSigma(int steps) {

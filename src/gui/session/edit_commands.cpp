@@ -10,8 +10,7 @@ namespace hogelscope {
 
 EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window)
     : QObject(window), m_window(window) {
-  new TypingGuard(this);
-  new WheelGuard(this);
+  new FieldGuards(this);
   menu->setToolTipsVisible(true);
   const auto add = [menu](QAction* action, const char* name, const QString& help,
                           const QKeySequence& key) {

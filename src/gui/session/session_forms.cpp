@@ -6,11 +6,14 @@
 
 namespace hogelscope {
 
-void follow(const SessionModel* model, ParameterForm* form) {
+ParameterForm* followingForm(const SessionModel* model, const ParameterForm::Visit& visit,
+                             const ParameterForm::Visit& defaults) {
+  auto* form = new ParameterForm(visit, defaults);
   for (const auto change :
        {&SessionModel::opened, &SessionModel::currentChanged, &SessionModel::edited,
         &SessionModel::statesChanged, &SessionModel::contentChanged})
     QObject::connect(model, change, form, &ParameterForm::refresh);
+  return form;
 }
 
 QWidget* stackWidgets(const std::vector<QWidget*>& widgets) {

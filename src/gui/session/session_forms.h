@@ -13,8 +13,9 @@ class QPushButton;
 
 namespace hogelscope {
 
-/// Refreshes the form after any change of the model.
-void follow(const SessionModel* model, ParameterForm* form);
+/// Creates a form that is refreshed after any change of the model.
+ParameterForm* followingForm(const SessionModel* model, const ParameterForm::Visit& visit,
+                             const ParameterForm::Visit& defaults);
 
 /// Stacks widgets vertically without spacing. The returned column owns them.
 QWidget* stackWidgets(const std::vector<QWidget*>& widgets);
@@ -25,7 +26,8 @@ QPushButton* button(const char* name, const QString& text, const QString& help);
 /// Creates a form for a part of the current state; edits apply to all marked states.
 template <class Part>
 ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
-  auto* form = new ParameterForm(
+  return followingForm(
+      model,
       [model, part](ParameterVisitor& visitor) {
         model->editMarked([&](CameraState& state) { describe(visitor, state.*part); });
       },
@@ -33,28 +35,9 @@ ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
         Part defaults;
         describe(visitor, defaults);
       });
-  follow(model, form);
-  return form;
 }
 
-/// Creates a form for the display, the light field or the sampling.
-template <class Part>
-ParameterForm* contentForm(SessionModel* model, Part Session::*part) {
-  auto* form = new ParameterForm(
-      [model, part](ParameterVisitor& visitor) {
-        Session content = model->session();
-        describe(visitor, content.*part);
-        model->setContent(content);
-      },
-      [](ParameterVisitor& visitor) {
-        Part defaults;
-        describe(visitor, defaults);
-      });
-  follow(model, form);
-  return form;
-}
-
-/// Creates a form for the fields of the display or the light field that `visit` visits.
+/// Creates a form for the fields of display, light field or sampling that `visit` visits.
 /// complete(before, after) returns the edited part with its dependent fields, or throws an error:
 /// the edit is then rejected, and `fail` is called with the reason.
 template <class Part>
@@ -62,7 +45,8 @@ ParameterForm* checkedForm(SessionModel* model, Part Session::*part,
                            void (*visit)(ParameterVisitor&, Part&),
                            Part (*complete)(const Part& before, Part after),
                            std::function<void(const QString&)> fail) {
-  auto* form = new ParameterForm(
+  return followingForm(
+      model,
       [=](ParameterVisitor& visitor) {
         Session content = model->session();
         const Part before = content.*part;
@@ -78,8 +62,6 @@ ParameterForm* checkedForm(SessionModel* model, Part Session::*part,
         Part defaults;
         visit(visitor, defaults);
       });
-  follow(model, form);
-  return form;
 }
 
 }  // namespace hogelscope

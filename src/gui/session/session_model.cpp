@@ -48,27 +48,23 @@ CameraState SessionModel::current() const {
 }
 
 void SessionModel::open(const QString& file) {
-  m_session = loadSession(file.toStdString());
-  m_saved = m_session;
-  m_file = file;
-  m_current = 0;
-  m_undo.clear();
-  Q_EMIT opened();
+  const Session session = loadSession(file.toStdString());
+  begin(session, session, file);
 }
 
 void SessionModel::recover(const QString& copy, const QString& file) {
-  m_session = loadSession(copy.toStdString());
-  m_saved = {};  // the file may differ from what the user saved last
-  m_file = file;
-  m_current = 0;
-  m_undo.clear();
-  Q_EMIT opened();
+  // The file may differ from what the user saved last.
+  begin(loadSession(copy.toStdString()), {}, file);
 }
 
 void SessionModel::openNew(const Session& session) {
+  begin(session, session, {});  // no edits yet
+}
+
+void SessionModel::begin(const Session& session, const Session& saved, const QString& file) {
   m_session = session;
-  m_saved = session;  // no edits yet
-  m_file.clear();
+  m_saved = saved;
+  m_file = file;
   m_current = 0;
   m_undo.clear();
   Q_EMIT opened();

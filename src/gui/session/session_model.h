@@ -72,6 +72,7 @@ class SessionModel : public QObject {
   };
   class Edit;
 
+  void begin(const Session& session, const Session& saved, const QString& file);
   void push(const QString& name, Content after);
   void show(const Content& content);
 

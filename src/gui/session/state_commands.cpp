@@ -7,20 +7,10 @@
 #include "core/cameras/state_list_edits.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "io/documents/session_file.h"
 
 namespace hogelscope {
-
-template <class Action>
-bool StateCommands::guarded(Action action) {
-  try {
-    action();
-    return true;
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-    return false;
-  }
-}
 
 StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
     : QObject(parent), m_menu(menu), m_model(model) {
@@ -98,14 +88,14 @@ std::vector<CameraState> StateCommands::markedStates() const {
 }
 
 void StateCommands::change(const QString& name, std::size_t (*action)(Session&, std::size_t)) {
-  guarded([&] {
+  guarded(this, [&] {
     m_model->changeStates(
         name, [&](Session& session) { return action(session, m_model->currentIndex()); });
   });
 }
 
 void StateCommands::remove() {
-  guarded([&] {
+  guarded(this, [&] {
     const auto count = int(m_model->marked().size());
     m_model->changeStates(tr("Delete %n states", "", count), [this](Session& session) {
       const std::size_t first = m_model->marked().front();
@@ -116,7 +106,7 @@ void StateCommands::remove() {
 }
 
 bool StateCommands::rename(std::size_t index, const QString& name) {
-  return guarded([&] {
+  return guarded(this, [&] {
     m_model->changeStates(tr("Rename state"), [&](Session& session) {
       renameState(session, index, name.toStdString());
       return m_model->currentIndex();
@@ -125,7 +115,7 @@ bool StateCommands::rename(std::size_t index, const QString& name) {
 }
 
 bool StateCommands::move(const std::vector<std::size_t>& indices, std::size_t before) {
-  return guarded([&] {
+  return guarded(this, [&] {
     m_model->changeStates(tr("Move %n states", "", int(indices.size())), [&](Session& session) {
       const std::string current = session.cameras.at(m_model->currentIndex()).camera.name;
       moveStates(session, indices, before);
@@ -142,7 +132,7 @@ void StateCommands::askStates() {
 }
 
 bool StateCommands::mergeStatesOf(const QString& file) {
-  return guarded([&] {
+  return guarded(this, [&] {
     const std::vector<CameraState> states = loadStates(file.toStdString());
     m_model->changeStates(tr("Load states"), [&](Session& session) {
       const std::size_t first = session.cameras.size();
@@ -158,7 +148,7 @@ void StateCommands::askFile() {
 }
 
 bool StateCommands::appendStatesTo(const QString& file) {
-  return guarded([&] {
+  return guarded(this, [&] {
     const std::vector<CameraState> states = markedStates();
     appendStates(file.toStdString(), states);
     Q_EMIT done(tr("Added %n states to %1", "", int(states.size())).arg(file));
@@ -172,7 +162,7 @@ void StateCommands::askNewFile() {
 }
 
 bool StateCommands::saveStatesAs(const QString& file) {
-  return guarded([&] {
+  return guarded(this, [&] {
     Session session = m_model->session();
     session.cameras = markedStates();
     check(session);

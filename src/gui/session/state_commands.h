@@ -57,8 +57,6 @@ class StateCommands : public QObject {
   void askFile();
   void askNewFile();
   [[nodiscard]] std::vector<CameraState> markedStates() const;
-  template <class Action>
-  bool guarded(Action action);
 
   QMenu* m_menu;
   SessionModel* m_model;

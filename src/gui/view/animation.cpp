@@ -6,7 +6,6 @@
 #include <QFormLayout>
 #include <QProcess>
 #include <QSpinBox>
-#include <algorithm>
 #include <cstdio>
 
 #include "core/base/error.h"

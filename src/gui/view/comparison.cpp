@@ -143,8 +143,6 @@ QString textOf(const ComparisonFigures& figures) {
   return text;
 }
 
-ComparisonMeter::ComparisonMeter(QObject* parent) : QObject(parent) {}
-
 void ComparisonMeter::measure(const ShownPictures& pictures) {
   m_next = pictures;
   if (!m_task.isRunning()) start();

@@ -81,7 +81,7 @@ class ComparisonMeter : public QObject {
   Q_OBJECT
 
  public:
-  explicit ComparisonMeter(QObject* parent);
+  using QObject::QObject;
 
   /// Starts a measurement. The newest request wins, but a running one is finished, so that metrics
   /// keep updating while images change.

@@ -8,7 +8,6 @@
 #include "gui/view/image_widget.h"
 
 class QActionGroup;
-class QBoxLayout;
 class QLabel;
 class QMenu;
 

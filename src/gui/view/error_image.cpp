@@ -2,6 +2,7 @@
 #include "gui/view/error_image.h"
 
 #include <QStringList>
+#include <array>
 
 #include "core/base/parallel.h"
 
@@ -14,6 +15,12 @@ std::size_t rowBytes(const QImage& image) {
 }
 
 }  // namespace
+
+QImage toQImage(const Image& image) {
+  return QImage(image.rgb.data(), image.width, image.height, qsizetype{3} * image.width,
+                QImage::Format_RGB888)
+      .copy();
+}
 
 QImage toned(const QImage& image, const Tone& tone) {
   if (tone == Tone()) return image;
@@ -39,19 +46,9 @@ QImage errorImage(const QImage& reference, const QImage& test, const ErrorMap& m
 }
 
 QString ErrorText::name(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::absolute:
-      return tr("Absolute error");
-    case ErrorKind::signedError:
-      return tr("Signed error");
-    case ErrorKind::squared:
-      return tr("Squared error");
-    case ErrorKind::relative:
-      return tr("Relative error");
-    case ErrorKind::luma:
-      return tr("Luma error");
-  }
-  return {};
+  const std::array names{tr("Absolute error"), tr("Signed error"), tr("Squared error"),
+                         tr("Relative error"), tr("Luma error")};
+  return names.at(std::size_t(kind));
 }
 
 QString ErrorText::unit(ErrorKind kind) {

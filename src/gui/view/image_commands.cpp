@@ -9,6 +9,7 @@
 #include "gui/view/view_output.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "gui/widgets/polled_bar.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
@@ -117,12 +118,7 @@ void ImageCommands::stopReading() {
 
 bool ImageCommands::compareWith(const QString& file) {
   if (m_comparison->file() == file) return true;
-  try {
-    m_comparison->start(m_model->session(), file);
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-    return false;
-  }
+  if (!guarded(this, [&] { m_comparison->start(m_model->session(), file); })) return false;
   Q_EMIT done(tr("Reading %1 …").arg(file));
   showComparison();
   return true;
@@ -138,15 +134,11 @@ bool ImageCommands::saveImage(const QString& file) {
   std::vector<std::uint8_t> rgb;
   for (int y = 0; y < image.height(); ++y)
     rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
-  try {
+  return guarded(this, [&] {
     checkOutputs({file.toStdString()}, lightFieldFiles(m_model->session()));
     writeImage(file.toStdString(), image.width(), image.height(), rgb);
-  } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
-    return false;
-  }
-  Q_EMIT done(tr("Saved %1").arg(file));
-  return true;
+    Q_EMIT done(tr("Saved %1").arg(file));
+  });
 }
 
 void ImageCommands::copy() {

@@ -30,56 +30,10 @@ ImageWidget::ImageWidget(QWidget* parent)
   addCommands();
 }
 
-/// Adds shortcuts that need the widget's focus, and its context menu.
-void ImageWidget::addCommands() {
-  using View = ImageWidget;
-  addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
-             {Qt::Key_Plus, Qt::Key_Equal}, {}, &View::zoomIn);
-  addCommand("zoomOutAction", tr("Zoom &out"), tr("Shows more, smaller by √2"), {Qt::Key_Minus}, {},
-             &View::zoomOut);
-  addCommand("fitPictureAction", tr("&Fit"), tr("Shows the whole picture"), {Qt::Key_0}, {},
-             &View::fit);
-  addCommand("oneToOneAction", tr("One &to one"),
-             tr("One pixel of the picture on one of the screen"), {Qt::Key_1}, {}, &View::oneToOne);
-  addCommand("panLeftAction", tr("More to the left"), tr("Moves what is shown by a tenth"),
-             {Qt::Key_Left}, {}, &View::panLeft);
-  addCommand("panRightAction", tr("More to the right"), tr("Moves what is shown by a tenth"),
-             {Qt::Key_Right}, {}, &View::panRight);
-  addCommand("panUpAction", tr("More above"), tr("Moves what is shown by a tenth"), {Qt::Key_Up},
-             {}, &View::panUp);
-  addCommand("panDownAction", tr("More below"), tr("Moves what is shown by a tenth"),
-             {Qt::Key_Down}, {}, &View::panDown);
-  addCommand("wipeLeftAction", tr("Line to the &left"),
-             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Left},
-             Mode::wipe, &View::wipeLeft);
-  addCommand("wipeRightAction", tr("Line to the &right"),
-             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Right},
-             Mode::wipe, &View::wipeRight);
-  addCommand("flipAction", tr("The &other picture"),
-             tr("Shows the other one; they take turns no longer, until blinking is chosen again"),
-             {Qt::Key_Space}, Mode::blink, &View::flip);
-  addCommand("moreGainAction", tr("&Double the gain"),
-             tr("Shows the picture, or the error, twice as bright"), {Qt::SHIFT | Qt::Key_Up}, {},
-             &View::moreGain);
-  addCommand("lessGainAction", tr("&Halve the gain"),
-             tr("Shows the picture, or the error, half as bright"), {Qt::SHIFT | Qt::Key_Down}, {},
-             &View::lessGain);
-  addCommand("moreGammaAction", tr("More &gamma"),
-             tr("Brightens dark parts of what is shown; code values are raised to 1/gamma"),
-             {Qt::CTRL | Qt::Key_Up}, {}, &View::moreGamma);
-  addCommand("lessGammaAction", tr("L&ess gamma"), tr("Darkens dark parts of what is shown"),
-             {Qt::CTRL | Qt::Key_Down}, {}, &View::lessGamma);
-  addCommand("resetToneAction", tr("&Reset gain and gamma"),
-             tr("The picture as it is, or the error 8 times"), {Qt::Key_R}, {}, &View::resetTone);
-  addCommand("removeRegionAction", tr("Re&move the rectangle"),
-             tr("Shift and a drag mark a rectangle, whose figures are shown too"), {Qt::Key_Delete},
-             {}, &View::removeRegion);
-  showActions();
-}
-
+template <class Action>
 void ImageWidget::addCommand(const char* name, const QString& text, const QString& help,
                              const QList<QKeySequence>& keys, std::optional<Mode> mode,
-                             void (ImageWidget::*does)()) {
+                             Action does) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setToolTip(help);
@@ -88,6 +42,55 @@ void ImageWidget::addCommand(const char* name, const QString& text, const QStrin
   if (mode) action->setData(int(*mode));
   connect(action, &QAction::triggered, this, does);
   addAction(action);
+}
+
+/// Adds shortcuts that need the widget's focus, and its context menu.
+void ImageWidget::addCommands() {
+  addCommand("zoomInAction", tr("Zoom &in"), tr("Shows less, larger by √2"),
+             {Qt::Key_Plus, Qt::Key_Equal}, {},
+             [this] { zoomBy(1, paneAt({}).toRectF().center()); });
+  addCommand("zoomOutAction", tr("Zoom &out"), tr("Shows more, smaller by √2"), {Qt::Key_Minus}, {},
+             [this] { zoomBy(-1, paneAt({}).toRectF().center()); });
+  addCommand("fitPictureAction", tr("&Fit"), tr("Shows the whole picture"), {Qt::Key_0}, {},
+             &ImageWidget::fit);
+  addCommand("oneToOneAction", tr("One &to one"),
+             tr("One pixel of the picture on one of the screen"), {Qt::Key_1}, {},
+             &ImageWidget::oneToOne);
+  addCommand("panLeftAction", tr("More to the left"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Left}, {}, [this] { pan(-1, 0); });
+  addCommand("panRightAction", tr("More to the right"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Right}, {}, [this] { pan(1, 0); });
+  addCommand("panUpAction", tr("More above"), tr("Moves what is shown by a tenth"), {Qt::Key_Up},
+             {}, [this] { pan(0, -1); });
+  addCommand("panDownAction", tr("More below"), tr("Moves what is shown by a tenth"),
+             {Qt::Key_Down}, {}, [this] { pan(0, 1); });
+  addCommand("wipeLeftAction", tr("Line to the &left"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Left},
+             Mode::wipe, [this] { setWipe(m_wipe - 0.02); });
+  addCommand("wipeRightAction", tr("Line to the &right"),
+             tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Right},
+             Mode::wipe, [this] { setWipe(m_wipe + 0.02); });
+  addCommand("flipAction", tr("The &other picture"),
+             tr("Shows the other one; they take turns no longer, until blinking is chosen again"),
+             {Qt::Key_Space}, Mode::blink, &ImageWidget::flip);
+  addCommand("moreGainAction", tr("&Double the gain"),
+             tr("Shows the picture, or the error, twice as bright"), {Qt::SHIFT | Qt::Key_Up}, {},
+             [this] { setGain(2 * gain()); });
+  addCommand("lessGainAction", tr("&Halve the gain"),
+             tr("Shows the picture, or the error, half as bright"), {Qt::SHIFT | Qt::Key_Down}, {},
+             [this] { setGain(gain() / 2); });
+  addCommand("moreGammaAction", tr("More &gamma"),
+             tr("Brightens dark parts of what is shown; code values are raised to 1/gamma"),
+             {Qt::CTRL | Qt::Key_Up}, {}, [this] { setGamma(gamma() + 0.2); });
+  addCommand("lessGammaAction", tr("L&ess gamma"), tr("Darkens dark parts of what is shown"),
+             {Qt::CTRL | Qt::Key_Down}, {}, [this] { setGamma(gamma() - 0.2); });
+  addCommand("resetToneAction", tr("&Reset gain and gamma"),
+             tr("The picture as it is, or the error 8 times"), {Qt::Key_R}, {},
+             &ImageWidget::resetTone);
+  addCommand("removeRegionAction", tr("Re&move the rectangle"),
+             tr("Shift and a drag mark a rectangle, whose figures are shown too"), {Qt::Key_Delete},
+             {}, &ImageWidget::removeRegion);
+  showActions();
 }
 
 /// Shows only the actions of the current mode.
@@ -162,10 +165,6 @@ void ImageWidget::setTone(const Tone& tone) {
   }
   m_tone = next;
   updateTones();
-}
-
-void ImageWidget::setGain(double gain) {
-  setTone({gain, gamma()});
 }
 
 void ImageWidget::setGamma(double gamma) {
@@ -298,14 +297,6 @@ void ImageWidget::zoomBy(int steps, const QPointF& device) {
   setViewport(zoomed(m_viewport, paneAt(device), image().size(), steps, device));
 }
 
-void ImageWidget::zoomIn() {
-  zoomBy(1, paneAt({}).toRectF().center());
-}
-
-void ImageWidget::zoomOut() {
-  zoomBy(-1, paneAt({}).toRectF().center());
-}
-
 void ImageWidget::fit() {
   setViewport({});
 }
@@ -320,46 +311,6 @@ void ImageWidget::pan(int x, int y) {
   const QRect pane = paneAt({});
   const QPointF by(-x * pane.width() / 10.0, -y * pane.height() / 10.0);
   setViewport(moved(m_viewport, pane, image().size(), by));
-}
-
-void ImageWidget::panLeft() {
-  pan(-1, 0);
-}
-
-void ImageWidget::panRight() {
-  pan(1, 0);
-}
-
-void ImageWidget::panUp() {
-  pan(0, -1);
-}
-
-void ImageWidget::panDown() {
-  pan(0, 1);
-}
-
-void ImageWidget::wipeLeft() {
-  setWipe(m_wipe - 0.02);
-}
-
-void ImageWidget::wipeRight() {
-  setWipe(m_wipe + 0.02);
-}
-
-void ImageWidget::moreGain() {
-  setGain(2 * gain());
-}
-
-void ImageWidget::lessGain() {
-  setGain(gain() / 2);
-}
-
-void ImageWidget::moreGamma() {
-  setGamma(gamma() + 0.2);
-}
-
-void ImageWidget::lessGamma() {
-  setGamma(gamma() - 0.2);
 }
 
 void ImageWidget::resetTone() {

@@ -13,7 +13,6 @@
 #include "core/metrics/error_map.h"
 #include "gui/view/image_placement.h"
 
-class QAction;
 class QTimer;
 
 namespace hogelscope {
@@ -43,7 +42,7 @@ class ImageWidget : public QWidget {
   void setErrorMap(ErrorKind kind, bool hasFalseColour);
   void showMask(bool isShown);
   /// Sets the gain of what is shown: the images, 1/16 … 128, or their error, 1 … 128.
-  void setGain(double gain);
+  void setGain(double gain) { setTone({gain, gamma()}); }
   /// Sets the gamma of what is shown, 0.2 … 5.
   void setGamma(double gamma);
   /// Outlines pixels.
@@ -106,23 +105,11 @@ class ImageWidget : public QWidget {
   enum class Drag { none, press, pan, wipe, region };
 
   void addCommands();
+  template <class Action>
   void addCommand(const char* name, const QString& text, const QString& help,
-                  const QList<QKeySequence>& keys, std::optional<Mode> mode,
-                  void (ImageWidget::*does)());
+                  const QList<QKeySequence>& keys, std::optional<Mode> mode, Action does);
   void showActions();
-  void zoomIn();
-  void zoomOut();
   void pan(int x, int y);
-  void panLeft();
-  void panRight();
-  void panUp();
-  void panDown();
-  void wipeLeft();
-  void wipeRight();
-  void moreGain();
-  void lessGain();
-  void moreGamma();
-  void lessGamma();
   void resetTone();
   void flip();
   void takeTurn();

@@ -19,7 +19,6 @@ namespace hogelscope {
 
 class ReadingBar;
 class SessionModel;
-struct AnimationRequest;
 
 /// Runs one job at a time on its own thread, with a progress bar and a stop button in the status
 /// bar.

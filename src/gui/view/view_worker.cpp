@@ -74,8 +74,6 @@ ViewWorker::ViewWorker(QObject* parent) : QObject(parent) {
                  [this](LatestWins::Lock& lock) { serve(lock); });
 }
 
-ViewWorker::~ViewWorker() = default;
-
 void ViewWorker::load(const Session& session) {
   m_thread.ask([&] {
     m_toLoad = session;

@@ -72,15 +72,13 @@ struct ViewRequest {
   std::optional<ViewSource> other;    ///< the second light field
 };
 
-/// Emits all signals on the thread that the object lives in. No signal of an older light field
-/// arrives after load().
+/// Emits all signals on the thread that the object lives in. Its end stops a running job. No signal
+/// of an older light field arrives after load().
 class ViewWorker : public QObject {
   Q_OBJECT
 
  public:
   explicit ViewWorker(QObject* parent = nullptr);
-  /// Stops a running job.
-  ~ViewWorker() override;
 
   /// Reads the session's light field and stops an older reading.
   void load(const Session& session);
