@@ -2,7 +2,6 @@
 #include "capture/lenslets/lenslet_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -103,19 +103,18 @@ class Spectrum {
   cv::Mat m_magnitude;
 };
 
-/// Returns the rotation between the waves of a grid, which have equal lengths.
-Wave turnOf(LensletGrid grid) {
-  return std::polar(1.0, grid == LensletGrid::square ? pi / 2 : pi / 3);
+/// Returns the angle between the waves of a grid, which have equal lengths.
+double symmetryOf(LensletGrid grid) {
+  return grid == LensletGrid::square ? pi / 2 : pi / 3;
 }
 
 /// Returns the step of a row from one of the grid's waves, with the smallest rotation. The waves of
 /// a hexagonal grid lie between its rows, and are 2/√3 as long as those of a square one.
 PicturePoint stepOf(LensletGrid grid, const Wave& wave) {
   const bool isSquare = grid == LensletGrid::square;
-  const double symmetry = isSquare ? pi / 2 : pi / 3;
   const double angle = std::arg(wave) - (isSquare ? 0 : pi / 6);
   const double pitch = (isSquare ? 1 : 2 / std::numbers::sqrt3) / std::abs(wave);
-  return std::polar(pitch, std::remainder(angle, symmetry));
+  return std::polar(pitch, std::remainder(angle, symmetryOf(grid)));
 }
 
 /// Whether a step is near the given figures, and the image is at least three lenslets wide and
@@ -124,10 +123,9 @@ bool isPossible(const PicturePoint& step, const LensletParams& params, const Spe
   const double pitch = std::abs(step);
   if (pitch < 2.5 || 3 * pitch > std::min(spectrum.width(), spectrum.height())) return false;
   if (params.pitch != notGiven && std::abs(pitch / params.pitch - 1) > 0.05) return false;
-  const double symmetry = params.grid == LensletGrid::square ? pi / 2 : pi / 3;
   const double given = params.rotation / 180 * pi;
   return params.rotation == notGiven ||
-         std::abs(std::remainder(std::arg(step) - given, symmetry)) < 0.05;
+         std::abs(std::remainder(std::arg(step) - given, symmetryOf(params.grid))) < 0.05;
 }
 
 }  // namespace
@@ -135,7 +133,7 @@ bool isPossible(const PicturePoint& step, const LensletParams& params, const Spe
 std::optional<PicturePoint> stepFromSpectrum(const LensletPlane& picture,
                                              const LensletParams& params) {
   const Spectrum spectrum(picture);
-  const Wave turn = turnOf(params.grid);
+  const Wave turn = std::polar(1.0, symmetryOf(params.grid));
   const int waves = params.grid == LensletGrid::square ? 2 : 3;
   double best = 0;
   std::optional<PicturePoint> found;

@@ -2,14 +2,12 @@
 #include "capture/names/name_series.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
 #include <set>
 #include <string_view>
 
 #include "capture/names/name_pattern.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
@@ -103,9 +101,7 @@ char axisOf(std::string text) {
   if (!text.empty() && !isLetter(text.back())) text.pop_back();
   std::size_t begin = text.size();
   while (begin > 0 && isLetter(text[begin - 1])) --begin;
-  std::string word = text.substr(begin);
-  for (char& letter : word)
-    if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
+  const std::string word = lowerCase(text.substr(begin));
   for (const char* column : {"x", "c", "u", "s", "col", "column"})
     if (word == column) return 'C';
   for (const char* row : {"y", "r", "v", "t", "row"})
@@ -228,6 +224,35 @@ class Readings {
   std::vector<std::vector<SeriesReading>> m_kinds;
 };
 
+/// Whether the pattern finds the reading's numbers in a name.
+bool isRead(const NamePattern& pattern, const std::string& name, const NameParts& parts,
+            const SeriesReading& reading) {
+  const auto numbers = numbersIn(name, pattern);
+  return numbers && std::all_of(reading.begin(), reading.end(), [&](const auto& meaning) {
+           const auto found = numbers->find(meaning.first);
+           return found != numbers->end() && found->second == parts[meaning.second];
+         });
+}
+
+/// Whether a pattern can contain the text unchanged, between the letters before and after it.
+bool isPlain(const std::string& text, char before, char after) {
+  if (text.empty()) return true;
+  const auto touches = [](char letter, char meaning) {
+    return meaning == 'x' || meaning == 'y' ? isLetter(letter) : letter == meaning;
+  };
+  if (touches(text.front(), before) || touches(text.back(), after)) return false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '*') return false;
+    if (c != 'R' && c != 'C' && c != 'N' && c != 'x' && c != 'y') continue;
+    const bool isAlone =
+        (at == 0 || !isLetter(text[at - 1])) && (at + 1 == text.size() || !isLetter(text[at + 1]));
+    const bool isRun = at + 1 < text.size() && text[at + 1] == c && c != 'x' && c != 'y';
+    if (isAlone || isRun) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<NameSeries> seriesOf(const std::vector<fs::path>& files) {
@@ -259,39 +284,6 @@ std::vector<NamedView> viewsOf(const NameSeries& series, const SeriesReading& re
   }
   return views;
 }
-
-namespace {
-
-/// Whether the pattern finds the reading's numbers in a name.
-bool isRead(const NamePattern& pattern, const std::string& name, const NameParts& parts,
-            const SeriesReading& reading) {
-  const auto numbers = numbersIn(name, pattern);
-  return numbers && std::all_of(reading.begin(), reading.end(), [&](const auto& meaning) {
-           const auto found = numbers->find(meaning.first);
-           return found != numbers->end() && found->second == parts[meaning.second];
-         });
-}
-
-/// Whether a pattern can contain the text unchanged, between the letters before and after it.
-bool isPlain(const std::string& text, char before, char after) {
-  if (text.empty()) return true;
-  const auto touches = [](char letter, char meaning) {
-    return meaning == 'x' || meaning == 'y' ? isLetter(letter) : letter == meaning;
-  };
-  if (touches(text.front(), before) || touches(text.back(), after)) return false;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '*') return false;
-    if (c != 'R' && c != 'C' && c != 'N' && c != 'x' && c != 'y') continue;
-    const bool isAlone =
-        (at == 0 || !isLetter(text[at - 1])) && (at + 1 == text.size() || !isLetter(text[at + 1]));
-    const bool isRun = at + 1 < text.size() && text[at + 1] == c && c != 'x' && c != 'y';
-    if (isAlone || isRun) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 std::string patternOf(const NameSeries& series, const SeriesReading& reading) {
   const NameParts& first = series.parts.front();

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -260,11 +259,8 @@ std::string surplusText(const std::vector<NamedView>& views, const GridSource& s
 }
 
 std::optional<double> coordinateOf(const std::string& text) {
-  double value = 0;
-  const char* const begin = text.data() + (text.front() == '+' ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-  const bool isNumber = error == std::errc() && end == text.data() + text.size();
-  return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const std::optional<double> value = numberOf(text.substr(text.front() == '+' ? 1 : 0));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::int64_t integerOf(const std::string& text) {
@@ -272,26 +268,6 @@ std::int64_t integerOf(const std::string& text) {
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
 }
-
-}  // namespace
-
-NamedView viewNamed(const fs::path& file, const std::map<char, std::string>& numbers) {
-  NamedView view{file, {}, {}, {}, {}, {}};
-  for (const auto& [letter, text] : numbers) {
-    if (letter == 'x' || letter == 'y')
-      (letter == 'x' ? view.x : view.y) = coordinateOf(text);
-    else
-      (letter == 'R' ? view.row : letter == 'C' ? view.column : view.number) = integerOf(text);
-  }
-  return view;
-}
-
-SequenceGrid gridOfSequence(std::size_t count, const GridSource& source) {
-  const Running running = runningOf(0, count, source);
-  return {running.rows, running.columns, source.isSerpentine};
-}
-
-namespace {
 
 ViewFiles gridOfRunning(const std::vector<NamedView>& views, const GridSource& source) {
   std::vector<std::int64_t> found;
@@ -424,6 +400,22 @@ ViewFiles gridOfCoordinates(const std::vector<NamedView>& views, const GridSourc
 }
 
 }  // namespace
+
+NamedView viewNamed(const fs::path& file, const std::map<char, std::string>& numbers) {
+  NamedView view{file, {}, {}, {}, {}, {}};
+  for (const auto& [letter, text] : numbers) {
+    if (letter == 'x' || letter == 'y')
+      (letter == 'x' ? view.x : view.y) = coordinateOf(text);
+    else
+      (letter == 'R' ? view.row : letter == 'C' ? view.column : view.number) = integerOf(text);
+  }
+  return view;
+}
+
+SequenceGrid gridOfSequence(std::size_t count, const GridSource& source) {
+  const Running running = runningOf(0, count, source);
+  return {running.rows, running.columns, source.isSerpentine};
+}
 
 std::vector<fs::path> ViewFiles::found() const {
   std::vector<fs::path> result;

@@ -36,91 +36,6 @@ Picture fetched(const Picture& picture, const cv::Mat2f& map) {
   return result;
 }
 
-}  // namespace
-
-Occlusions Occlusions::backwards() const {
-  return {reversed, ordered, reversedAreas, orderedAreas};
-}
-
-Occlusions& Occlusions::operator+=(const Occlusions& more) {
-  ordered += more.ordered;
-  reversed += more.reversed;
-  orderedAreas |= more.orderedAreas;
-  reversedAreas |= more.reversedAreas;
-  return *this;
-}
-
-MotionFinder::MotionFinder()
-    : m_flow(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM)) {
-  m_flow->setFinestScale(0);  // every pixel, because only edges show occlusions
-}
-
-cv::Mat2f MotionFinder::flow(const cv::Mat1b& from, const cv::Mat1b& to) {
-  cv::Mat2f shift;  // empty: no guess to begin with
-  m_flow->calc(from, to, shift);
-  return shift;
-}
-
-DenseMotion MotionFinder::between(const cv::Mat1b& from, const cv::Mat1b& to) {
-  constexpr double mostReturn = 0.5;  // pixels
-  constexpr double mostChange = 8;    // code values
-  DenseMotion motion{flow(from, to), cv::Mat1b::zeros(from.size())};
-  const cv::Mat2f map = arrivals(motion.shift);
-  const cv::Mat2f back = fetched(flow(to, from), map);
-  const cv::Mat1f here = smoothed(from);
-  const cv::Mat1f there = fetched(smoothed(to), map);
-  for (int y = 0; y < from.rows; ++y)
-    for (int x = 0; x < from.cols; ++x)
-      motion.isSure(y, x) = cv::norm(motion.shift(y, x) + back(y, x)) < mostReturn &&
-                                    std::abs(there(y, x) - here(y, x)) < mostChange
-                                ? 255
-                                : 0;
-  return motion;
-}
-
-cv::Mat1b repetitions(const cv::Mat1b& picture, int axis) {
-  constexpr int nearest = 4;
-  constexpr int farthest = 28;
-  constexpr float mostOfContrast = 0.4F;  // of a window's standard deviation; noise has 1.1
-  const cv::Size window(17, 17);
-  const cv::Mat1f values = smoothed(picture);
-  cv::Mat1f mean;
-  cv::Mat1f contrast;
-  cv::boxFilter(values, mean, -1, window);
-  cv::sqrBoxFilter(values, contrast, CV_32F, window);
-  contrast -= mean.mul(mean);
-  cv::sqrt(cv::max(contrast, 0), contrast);
-  cv::Mat1b result = cv::Mat1b::zeros(picture.size());
-  for (int way = nearest; way <= farthest; ++way)
-    for (const int by : {-way, way}) {
-      const cv::Matx23f moved(1, 0, axis == 0 ? float(by) : 0, 0, 1, axis == 0 ? 0 : float(by));
-      cv::Mat1f other;
-      cv::warpAffine(values, other, moved, picture.size(), cv::INTER_NEAREST,
-                     cv::BORDER_REFLECT_101);
-      cv::absdiff(other, values, other);
-      cv::boxFilter(other, other, -1, window);
-      result |= other < mostOfContrast * contrast;
-    }
-  return result;
-}
-
-DenseMotion motionPerView(const Neighbours& neighbours) {
-  const auto& [view, step, before, after] = neighbours;
-  if (!neighbours.hasBefore() && !neighbours.hasAfter()) return {};
-  if (!neighbours.hasBefore()) return {after.shift / step, after.isSure};
-  if (!neighbours.hasAfter()) return {before.shift / -step, before.isSure};
-  DenseMotion motion{(after.shift - before.shift) / (2 * step), after.isSure & before.isSure};
-  constexpr double mostDifference = 0.25;  // of the motion, beyond 1 px: cameras stand unevenly
-  for (int y = 0; y < view.rows; ++y)
-    for (int x = 0; x < view.cols; ++x)
-      if (cv::norm(after.shift(y, x) + before.shift(y, x)) >
-          1 + mostDifference * step * cv::norm(motion.shift(y, x)))
-        motion.isSure(y, x) = 0;
-  return motion;
-}
-
-namespace {
-
 /// The two pixels of a view that move to one pixel of another and differ most in motion.
 struct Arrivals {
   cv::Mat1f least;  ///< motion along the axis from one view to the next
@@ -208,6 +123,87 @@ double spreadOf(const DenseMotion& motion, int axis) {
 }
 
 }  // namespace
+
+Occlusions Occlusions::backwards() const {
+  return {reversed, ordered, reversedAreas, orderedAreas};
+}
+
+Occlusions& Occlusions::operator+=(const Occlusions& more) {
+  ordered += more.ordered;
+  reversed += more.reversed;
+  orderedAreas |= more.orderedAreas;
+  reversedAreas |= more.reversedAreas;
+  return *this;
+}
+
+MotionFinder::MotionFinder()
+    : m_flow(cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM)) {
+  m_flow->setFinestScale(0);  // every pixel, because only edges show occlusions
+}
+
+cv::Mat2f MotionFinder::flow(const cv::Mat1b& from, const cv::Mat1b& to) {
+  cv::Mat2f shift;  // empty: no guess to begin with
+  m_flow->calc(from, to, shift);
+  return shift;
+}
+
+DenseMotion MotionFinder::between(const cv::Mat1b& from, const cv::Mat1b& to) {
+  constexpr double mostReturn = 0.5;  // pixels
+  constexpr double mostChange = 8;    // code values
+  DenseMotion motion{flow(from, to), cv::Mat1b::zeros(from.size())};
+  const cv::Mat2f map = arrivals(motion.shift);
+  const cv::Mat2f back = fetched(flow(to, from), map);
+  const cv::Mat1f here = smoothed(from);
+  const cv::Mat1f there = fetched(smoothed(to), map);
+  for (int y = 0; y < from.rows; ++y)
+    for (int x = 0; x < from.cols; ++x)
+      motion.isSure(y, x) = cv::norm(motion.shift(y, x) + back(y, x)) < mostReturn &&
+                                    std::abs(there(y, x) - here(y, x)) < mostChange
+                                ? 255
+                                : 0;
+  return motion;
+}
+
+cv::Mat1b repetitions(const cv::Mat1b& picture, int axis) {
+  constexpr int nearest = 4;
+  constexpr int farthest = 28;
+  constexpr float mostOfContrast = 0.4F;  // of a window's standard deviation; noise has 1.1
+  const cv::Size window(17, 17);
+  const cv::Mat1f values = smoothed(picture);
+  cv::Mat1f mean;
+  cv::Mat1f contrast;
+  cv::boxFilter(values, mean, -1, window);
+  cv::sqrBoxFilter(values, contrast, CV_32F, window);
+  contrast -= mean.mul(mean);
+  cv::sqrt(cv::max(contrast, 0), contrast);
+  cv::Mat1b result = cv::Mat1b::zeros(picture.size());
+  for (int way = nearest; way <= farthest; ++way)
+    for (const int by : {-way, way}) {
+      const cv::Matx23f moved(1, 0, axis == 0 ? float(by) : 0, 0, 1, axis == 0 ? 0 : float(by));
+      cv::Mat1f other;
+      cv::warpAffine(values, other, moved, picture.size(), cv::INTER_NEAREST,
+                     cv::BORDER_REFLECT_101);
+      cv::absdiff(other, values, other);
+      cv::boxFilter(other, other, -1, window);
+      result |= other < mostOfContrast * contrast;
+    }
+  return result;
+}
+
+DenseMotion motionPerView(const Neighbours& neighbours) {
+  const auto& [view, step, before, after] = neighbours;
+  if (!neighbours.hasBefore() && !neighbours.hasAfter()) return {};
+  if (!neighbours.hasBefore()) return {after.shift / step, after.isSure};
+  if (!neighbours.hasAfter()) return {before.shift / -step, before.isSure};
+  DenseMotion motion{(after.shift - before.shift) / (2 * step), after.isSure & before.isSure};
+  constexpr double mostDifference = 0.25;  // of the motion, beyond 1 px: cameras stand unevenly
+  for (int y = 0; y < view.rows; ++y)
+    for (int x = 0; x < view.cols; ++x)
+      if (cv::norm(after.shift(y, x) + before.shift(y, x)) >
+          1 + mostDifference * step * cv::norm(motion.shift(y, x)))
+        motion.isSure(y, x) = 0;
+  return motion;
+}
 
 Occlusions occlusionsIn(const Neighbours& neighbours, const cv::Mat1b& repeats, int axis,
                         int before, int after, const std::function<cv::Mat1b(int)>& target) {

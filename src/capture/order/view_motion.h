@@ -2,7 +2,6 @@
 // Dense optical flow from a view to its neighbours, and votes on occlusions.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <opencv2/core.hpp>
 

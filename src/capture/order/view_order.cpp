@@ -207,26 +207,23 @@ struct Measured {
   Occlusions alongRows;
 };
 
-using Component = double (*)(const PlaceMotion&);
+/// A component of the motions, and its axis in the image.
+struct Component {
+  std::array<double, 2> PlaceMotion::*motion;
+  std::size_t axis;
+};
+constexpr Component columnsX{&PlaceMotion::alongColumns, 0};
+constexpr Component columnsY{&PlaceMotion::alongColumns, 1};
+constexpr Component rowsX{&PlaceMotion::alongRows, 0};
+constexpr Component rowsY{&PlaceMotion::alongRows, 1};
 
-std::vector<double> all(const std::vector<std::vector<PlaceMotion>>& lists, Component component) {
+std::vector<double> all(const std::vector<std::vector<PlaceMotion>>& lists,
+                        const Component& component) {
   std::vector<double> values;
   for (const auto& places : lists)
-    for (const PlaceMotion& place : places) values.push_back(component(place));
+    for (const PlaceMotion& place : places)
+      values.push_back((place.*component.motion)[component.axis]);
   return values;
-}
-
-double columnsX(const PlaceMotion& place) {
-  return place.alongColumns[0];
-}
-double columnsY(const PlaceMotion& place) {
-  return place.alongColumns[1];
-}
-double rowsX(const PlaceMotion& place) {
-  return place.alongRows[0];
-}
-double rowsY(const PlaceMotion& place) {
-  return place.alongRows[1];
 }
 
 /// Returns the 90th percentile of a motion's absolute values.
@@ -438,7 +435,7 @@ class Finder {
     constexpr int fewest = 12;
     constexpr double least = 0.2;  // pixels over the steps
     if (m_order.places < fewest) return false;
-    const auto amount = [&](Component x, Component y, int step) {
+    const auto amount = [&](const Component& x, const Component& y, int step) {
       return step *
              std::max(amountOf(all(m_measured.places, x)), amountOf(all(m_measured.places, y)));
     };
@@ -511,7 +508,7 @@ bool hasVerticalParallax(const ViewOrder& order) {
   constexpr double least = 0.1;      // pixels per view
   constexpr double clearly = 4;
   if (order.motions.size() < fewest) return false;
-  const auto isVertical = [&](Component x, Component y) {
+  const auto isVertical = [&](const Component& x, const Component& y) {
     const double amount = amountOf(all({order.motions}, y));
     return amount > least && amount > clearly * amountOf(all({order.motions}, x));
   };

@@ -16,7 +16,14 @@
 
 namespace hogelscope {
 
-/// Returns which version runs on this machine: "AVX-512", "AVX2" or "baseline".
-std::string_view kernelVersion();
+/// Returns which version runs on this machine, as the functions' resolvers choose it: "AVX-512",
+/// "AVX2" or "baseline".
+inline std::string_view kernelVersion() {
+#if HOGELSCOPE_IS_MULTIVERSIONED
+  if (__builtin_cpu_supports("x86-64-v4")) return "AVX-512";
+  if (__builtin_cpu_supports("x86-64-v3")) return "AVX2";
+#endif
+  return "baseline";
+}
 
 }  // namespace hogelscope

@@ -20,6 +20,23 @@ bool isFormula(const std::string& text) {
                              [&text](std::string_view sign) { return text.starts_with(sign); });
 }
 
+/// Returns the number of continuation bytes after a first byte, and its bits; none for other bytes.
+std::optional<std::pair<std::size_t, char32_t>> leadOf(unsigned char byte) {
+  if (byte < 0x80) return std::pair{std::size_t(0), char32_t(byte)};
+  if (byte >= 0xC2 && byte < 0xE0) return std::pair{std::size_t(1), char32_t(byte & 0x1FU)};
+  if (byte >= 0xE0 && byte < 0xF0) return std::pair{std::size_t(2), char32_t(byte & 0x0FU)};
+  if (byte >= 0xF0 && byte < 0xF5) return std::pair{std::size_t(3), char32_t(byte & 0x07U)};
+  return std::nullopt;
+}
+
+/// Returns an escape such as "\x1b" or "\u202e": a letter for the number of digits, and the lowest
+/// digits.
+std::string escape(char letter, int digits, char32_t value) {
+  std::string text{'\\', letter};
+  for (int k = digits - 1; k >= 0; --k) text += "0123456789abcdef"[value >> unsigned(4 * k) & 15U];
+  return text;
+}
+
 }  // namespace
 
 std::string pairText(long long across, long long down) {
@@ -83,27 +100,6 @@ std::string bytesText(std::size_t bytes) {
     if (tenths(unit) < 1000) return numberText(tenths(unit)) + name;
   return numberText(tenths(1e9)) + " GB";
 }
-
-namespace {
-
-/// Returns the number of continuation bytes after a first byte, and its bits; none for other bytes.
-std::optional<std::pair<std::size_t, char32_t>> leadOf(unsigned char byte) {
-  if (byte < 0x80) return std::pair{std::size_t(0), char32_t(byte)};
-  if (byte >= 0xC2 && byte < 0xE0) return std::pair{std::size_t(1), char32_t(byte & 0x1FU)};
-  if (byte >= 0xE0 && byte < 0xF0) return std::pair{std::size_t(2), char32_t(byte & 0x0FU)};
-  if (byte >= 0xF0 && byte < 0xF5) return std::pair{std::size_t(3), char32_t(byte & 0x07U)};
-  return std::nullopt;
-}
-
-/// Returns an escape such as "\x1b" or "\u202e": a letter for the number of digits, and the lowest
-/// digits.
-std::string escape(char letter, int digits, char32_t value) {
-  std::string text{'\\', letter};
-  for (int k = digits - 1; k >= 0; --k) text += "0123456789abcdef"[value >> unsigned(4 * k) & 15U];
-  return text;
-}
-
-}  // namespace
 
 Character characterAt(const std::string& text, std::size_t at) {
   constexpr std::array<char32_t, 4> least{0, 0x80, 0x800, 0x10000};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/multiversioned.h"

@@ -20,7 +20,37 @@ void putCode(int a, int b, std::uint8_t* rgb) {
   rgb[2] = static_cast<std::uint8_t>(a / 256 + 16 * (b / 256));
 }
 
+using Made = std::unique_ptr<Pattern>;
+
+template <CodePattern::Kind kind>
+Made codes(const PanelParams& display, const PatternParams&) {
+  return std::make_unique<CodePattern>(display, kind);
+}
+
+template <PlanePattern::Kind kind>
+Made plane(const PanelParams& display, const PatternParams& params) {
+  return std::make_unique<PlanePattern>(display, params, kind);
+}
+
+Made scene(const PanelParams& display, const PatternParams&) {
+  return std::make_unique<ScenePattern>(display);
+}
+
+Made spheres(const PanelParams& display, const PatternParams& params) {
+  return std::make_unique<SpherePattern>(display, params);
+}
+
 }  // namespace
+
+void describe(ParameterVisitor& v, PatternParams& p) {
+  auto& [depth, period, angle] = p;
+  v.group("pattern", "Test content in closed form; no part of a session document.");
+  v.field("depth", depth, {-10, 10, 0.01}, "m",
+          "checkerboard, edge: distance of their plane in front of the panel; behind it below 0.");
+  v.field("period", period, {1e-6, 10, 0.01}, "m",
+          "checkerboard: side of two squares; spheres: of two squares of their planes.");
+  v.field("angle", angle, {-89, 89, 1}, "°", "edge: its turn from the vertical, to the left.");
+}
 
 CodePattern::CodePattern(const PanelParams& display, Kind kind)
     : m_size(Display(display).size()), m_kind(kind) {
@@ -72,30 +102,6 @@ void PlanePattern::row(int y, std::uint8_t* rgb) const {
     }
   }
 }
-
-namespace {
-
-using Made = std::unique_ptr<Pattern>;
-
-template <CodePattern::Kind kind>
-Made codes(const PanelParams& display, const PatternParams&) {
-  return std::make_unique<CodePattern>(display, kind);
-}
-
-template <PlanePattern::Kind kind>
-Made plane(const PanelParams& display, const PatternParams& params) {
-  return std::make_unique<PlanePattern>(display, params, kind);
-}
-
-Made scene(const PanelParams& display, const PatternParams&) {
-  return std::make_unique<ScenePattern>(display);
-}
-
-Made spheres(const PanelParams& display, const PatternParams& params) {
-  return std::make_unique<SpherePattern>(display, params);
-}
-
-}  // namespace
 
 const std::vector<NamedPattern>& patterns() {
   static const std::vector<NamedPattern> list{

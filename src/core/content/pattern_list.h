@@ -3,7 +3,6 @@
 // indices, and patterns on a plane.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>

@@ -4,7 +4,6 @@
 #include "core/content/scene_pattern.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -14,16 +14,9 @@ namespace hogelscope {
 
 namespace {
 
-/// Neighbouring pixels [x0, x1) of row y, since rays are cast in batches.
-struct Run {
-  int y;
-  int x0;
-  int x1;
-};
-
 /// Picks about 3 % of the image in runs spread evenly over it, each at a random place of its part;
-/// at least 512 of them, or all.
-std::vector<Run> probeRuns(const std::array<int, 2>& res) {
+/// at least 512 of them, or all. They are runs of neighbours, since rays are cast in batches.
+std::vector<PixelRun> probeRuns(const std::array<int, 2>& res) {
   constexpr int length = 8;
   constexpr int least = 512;
   constexpr double part = 0.03;
@@ -31,7 +24,7 @@ std::vector<Run> probeRuns(const std::array<int, 2>& res) {
   const int all = perRow * res[1];
   const int count = std::min(all, std::max(least, int(part * all)));
   std::mt19937_64 random(20260722);
-  std::vector<Run> runs;
+  std::vector<PixelRun> runs;
   for (int k = 0; k < count; ++k) {
     const auto first = int(std::int64_t(all) * k / count);
     const auto next = int(std::int64_t(all) * (k + 1) / count);
@@ -52,7 +45,7 @@ class Prober {
         m_image((asked.state.camera.res[0] + m_scale - 1) / m_scale,
                 (asked.state.camera.res[1] + m_scale - 1) / m_scale) {}
 
-  void render(const Run& run) {
+  void render(const PixelRun& run) {
     if (m_scale == 1) return row(run.y, run.x0, run.x1);
     const int first = std::max(run.x0 / m_scale - 1, 0);
     const int last = std::min(run.x1 / m_scale + 2, m_image.width);
@@ -79,7 +72,7 @@ struct RunError {
   int pixels = 0;
 };
 
-RunError errorOf(const Run& run, const Image& reference, const Image& image, int scale) {
+RunError errorOf(const PixelRun& run, const Image& reference, const Image& image, int scale) {
   RunError error{0, run.x1 - run.x0};
   for (int x = run.x0; x < run.x1; ++x) {
     const auto rgb = enlargedPixel(image, scale, x, run.y);
@@ -153,8 +146,7 @@ std::vector<RenderJob> cheaper(const RenderJob& job) {
           views.emplace_back(cost(candidate), candidate);
         }
   const double most = cost(job);
-  std::stable_sort(views.begin(), views.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(views, {}, &std::pair<double, RenderJob>::first);
   std::vector<RenderJob> sorted;
   for (const auto& [costs, candidate] : views)
     if (costs < most) sorted.push_back(candidate);
@@ -173,7 +165,7 @@ class Probe {
         m_tables(tables),
         m_parallelRows(parallelRows),
         m_progress(progress) {
-    for (const Run& run : m_runs) m_pixels += run.x1 - run.x0;
+    for (const PixelRun& run : m_runs) m_pixels += run.x1 - run.x0;
     Prober prober(job, m_tables, m_parallelRows, m_progress);
     m_parallelRows(int(m_runs.size()), [&](int begin, int end) {
       for (int k = begin; k < end; ++k) prober.render(m_runs[std::size_t(k)]);
@@ -216,7 +208,7 @@ class Probe {
   [[nodiscard]] bool isWhole() const { return m_pixels == m_res[0] * m_res[1]; }
 
   std::array<int, 2> m_res;
-  std::vector<Run> m_runs;
+  std::vector<PixelRun> m_runs;
   LensTables& m_tables;
   const ParallelRows& m_parallelRows;
   const Progress& m_progress;

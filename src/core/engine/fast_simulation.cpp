@@ -3,10 +3,27 @@
 #include "core/engine/fast_simulation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace hogelscope {
+
+namespace {
+
+/// Gives lanes without a hit the cells of one with a hit, so that whole batches stay away from
+/// borders. Returns false if there is none.
+bool fillUnseen(int count, CellBatch& batch) {
+  const auto end = batch.seen.begin() + count;
+  if (count == batchSize && std::find(batch.seen.begin(), end, std::uint8_t{0}) == end) return true;
+  const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
+  if (hit == end) return false;
+  std::fill(end, batch.seen.end(), std::uint8_t{0});
+  const auto at = std::size_t(hit - batch.seen.begin());
+  for (auto& cell : batch.cell)
+    for (std::size_t k = 0; k < batchSize; ++k) cell[k] = batch.seen[k] == 0 ? cell[at] : cell[k];
+  return true;
+}
+
+}  // namespace
 
 struct FastSimulation::Scratch {
   CellBatch cells{};
@@ -62,31 +79,6 @@ const Texel<std::uint8_t>* FastSimulation::byteTexels() const {
   return std::get<TexelArray<std::uint8_t>>(m_texels->texels()).data();
 }
 
-namespace {
-
-/// Gives lanes without a hit the cells of one with a hit, so that whole batches stay away from
-/// borders. Returns false if there is none.
-bool fillUnseen(int count, CellBatch& batch) {
-  const auto end = batch.seen.begin() + count;
-  if (count == batchSize && std::find(batch.seen.begin(), end, std::uint8_t{0}) == end) return true;
-  const auto hit = std::find(batch.seen.begin(), end, std::uint8_t{255});
-  if (hit == end) return false;
-  std::fill(end, batch.seen.end(), std::uint8_t{0});
-  const auto at = std::size_t(hit - batch.seen.begin());
-  for (auto& cell : batch.cell)
-    for (std::size_t k = 0; k < batchSize; ++k) cell[k] = batch.seen[k] == 0 ? cell[at] : cell[k];
-  return true;
-}
-
-}  // namespace
-
-/// Finds the cells of the rays of `count` pixels from x0 on. Returns false if none of them hits.
-bool FastSimulation::castRays(int y, int x0, int count, const RaySample& sample,
-                              Scratch& scratch) const {
-  m_rays.cells(y, x0, count, sample, scratch.cells);
-  return fillUnseen(count, scratch.cells);
-}
-
 void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const {
   const auto [begin, end] =
       m_rays.plan().knowsOutline ? m_rays.seenPart(y, x0, x1) : std::array{x0, x1};
@@ -95,7 +87,8 @@ void FastSimulation::sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* see
   for (int first = begin; first < end; first += batchSize) {
     const int count = std::min(batchSize, end - first);
     for (const RaySample& sample : m_rays.samples()) {
-      if (!castRays(y, first, count, sample, *scratch)) continue;
+      m_rays.cells(y, first, count, sample, scratch->cells);
+      if (!fillUnseen(count, scratch->cells)) continue;
       m_filter.sum(count, scratch->cells, scratch->taps, scratch->sum);
       for (int k = 0; k < count; ++k) {
         const auto ray = std::size_t(k);

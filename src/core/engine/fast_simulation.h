@@ -35,8 +35,6 @@ class FastSimulation {
   void copyRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void copyPlainRow(int y, int x0, int x1, std::uint8_t* rgb, std::uint8_t* seen) const;
   void sumRow(int y, int x0, int x1, float* rgb, std::uint8_t* seen) const;
-  [[nodiscard]] bool castRays(int y, int x0, int count, const RaySample& sample,
-                              Scratch& scratch) const;
 
   ViewRays m_rays;
   std::shared_ptr<const LightField> m_texels;

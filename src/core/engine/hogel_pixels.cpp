@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/engine/view_rays.h"
-
 namespace hogelscope {
 
 namespace {

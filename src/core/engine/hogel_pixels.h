@@ -6,17 +6,9 @@
 
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
-#include "core/optics/simulate.h"
+#include "core/engine/view_rays.h"
 
 namespace hogelscope {
-
-/// Pixels [x0, x1) of row y.
-struct PixelRun {
-  int y = 0;
-  int x0 = 0;
-  int x1 = 0;
-  bool operator==(const PixelRun&) const = default;
-};
 
 /// Returns the pixels whose middle ray meets hogel (i, j) inside its angular field, from the top.
 /// Throws InputError as Simulation does, and Cancelled.

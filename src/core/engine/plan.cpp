@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/engine/plan.h"
 
-#include <cmath>
 #include <numeric>
 
 namespace hogelscope {

@@ -13,10 +13,12 @@ Choice Renderer::chooseMethod(const RenderJob& job, const Progress& progress) {
   return hogelscope::chooseMethod(job, m_tables, m_rows, progress);
 }
 
-/// Renders one pixel for each method.scale × method.scale.
+/// Renders one pixel for each method.scale × method.scale, and enlarges the image.
 template <class AnyImage>
-AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress) {
-  const FastSimulation simulation(reduced(job), m_tables, m_rows, progress);
+AnyImage Renderer::renderChosen(const RenderJob& job, const Progress& progress) {
+  const Progress heard = forThreads(progress);
+  const RenderJob chosen = chooseMethod(job, heard).job;
+  const FastSimulation simulation(reduced(chosen), m_tables, m_rows, heard);
   const auto [width, height] = simulation.rays().job().state.camera.res;
   AnyImage image(width, height);
   std::atomic<int> done = 0;
@@ -24,29 +26,22 @@ AnyImage Renderer::renderReduced(const RenderJob& job, const Progress& progress)
     for (int y = begin; y < end; ++y) {
       const std::size_t first = std::size_t(y) * std::size_t(width);
       simulation.row(y, 0, width, &image.rgb[3 * first], &image.seen[first]);
-      reportProgress(progress, double(++done) / height);
+      reportProgress(heard, double(++done) / height);
     }
   });
-  return image;
+  const int scale = chosen.method.scale;
+  return scale == 1 ? image : enlarged(image, scale, job.state.camera.res);
 }
 
 Image Renderer::render(const RenderJob& job, const Progress& progress) {
   if (job.isIdeal || job.bits > 8 || job.keepsUnrounded)
     return rounded(renderFloat(job, progress), job.bits, job.keepsUnrounded);
-  const Progress heard = forThreads(progress);
-  const RenderJob chosen = chooseMethod(job, heard).job;
-  Image image = renderReduced<Image>(chosen, heard);
-  const int scale = chosen.method.scale;
-  return scale == 1 ? image : enlarged(image, scale, job.state.camera.res);
+  return renderChosen<Image>(job, progress);
 }
 
 FloatImage Renderer::renderFloat(const RenderJob& job, const Progress& progress) {
-  if (job.isIdeal) return renderIdeal(job, m_tables, m_rows, progress);
-  const Progress heard = forThreads(progress);
-  const RenderJob chosen = chooseMethod(job, heard).job;
-  FloatImage image = renderReduced<FloatImage>(chosen, heard);
-  const int scale = chosen.method.scale;
-  return scale == 1 ? image : enlarged(image, scale, job.state.camera.res);
+  return job.isIdeal ? renderIdeal(job, m_tables, m_rows, progress)
+                     : renderChosen<FloatImage>(job, progress);
 }
 
 }  // namespace hogelscope

@@ -32,7 +32,7 @@ class Renderer {
 
  private:
   template <class AnyImage>
-  [[nodiscard]] AnyImage renderReduced(const RenderJob& job, const Progress& progress);
+  [[nodiscard]] AnyImage renderChosen(const RenderJob& job, const Progress& progress);
 
   ParallelRows m_rows;
   LensTables m_tables;

@@ -3,7 +3,6 @@
 #include "core/engine/row_kernels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "core/base/multiversioned.h"
@@ -171,28 +170,6 @@ inline __attribute__((always_inline)) void copyTexels(const HitMap& map, const B
   }
 }
 
-}  // namespace
-
-MULTIVERSIONED
-void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              const double* x, double y, int count, std::uint8_t* rgb) {
-  if (map.isSingle)
-    copyTexels<Rays::hits, float>(map, layout, texels, x, &y, count, rgb, nullptr);
-  else
-    copyTexels<Rays::hits, double>(map, layout, texels, x, &y, count, rgb, nullptr);
-}
-
-MULTIVERSIONED
-void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
-              const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen) {
-  if (map.isSingle)
-    copyTexels<Rays::any, float>(map, layout, texels, x, y, count, rgb, seen);
-  else
-    copyTexels<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
-}
-
-namespace {
-
 /// The indices of a batch; 0 where nothing is seen.
 template <class Real>
 struct IndexBatch {
@@ -262,6 +239,24 @@ void curvedCells(const HitMap& map, const double* x, const double* y, int count,
 }
 
 }  // namespace
+
+MULTIVERSIONED
+void copyHits(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+              const double* x, double y, int count, std::uint8_t* rgb) {
+  if (map.isSingle)
+    copyTexels<Rays::hits, float>(map, layout, texels, x, &y, count, rgb, nullptr);
+  else
+    copyTexels<Rays::hits, double>(map, layout, texels, x, &y, count, rgb, nullptr);
+}
+
+MULTIVERSIONED
+void copyRays(const HitMap& map, const BlockLayout& layout, const Texel<std::uint8_t>* texels,
+              const double* x, const double* y, int count, std::uint8_t* rgb, std::uint8_t* seen) {
+  if (map.isSingle)
+    copyTexels<Rays::any, float>(map, layout, texels, x, y, count, rgb, seen);
+  else
+    copyTexels<Rays::any, double>(map, layout, texels, x, y, count, rgb, seen);
+}
 
 void findCells(const HitMap& map, const double* x, const double* y, int count, CellBatch& batch) {
   if (map.panel.lenses[0] == nullptr)

@@ -109,10 +109,6 @@ std::vector<T> enlargedValues(const std::vector<T>& values, int scale,
   return full;
 }
 
-}  // namespace
-
-namespace {
-
 /// Copies the mask of the nearest small pixel; pixels that are not seen become black.
 template <class T>
 std::vector<std::uint8_t> maskEnlarged(const std::vector<std::uint8_t>& small, int scale,

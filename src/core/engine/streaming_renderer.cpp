@@ -33,7 +33,7 @@ StreamingRenderer::StreamingRenderer(const RenderJob& job, LensTables& tables,
   Footprint all(job.lightField->size().nx, job.lightField->size().ny);
   std::vector<int> lastUse(m_due.size());
   std::mutex mutex;
-  const auto add = [&](const Piece& piece) {
+  const auto add = [&](const PixelRun& piece) {
     const Footprint read = rays.footprint(piece.y, piece.x0, piece.x1);
     const CellRange rows = hogelRows(read);
     if (rows.isEmpty()) return;

@@ -41,18 +41,11 @@ class StreamingRenderer {
   [[nodiscard]] Image takeImage();
 
  private:
-  /// Pixels [x0, x1) of row y.
-  struct Piece {
-    int y = 0;
-    int x0 = 0;
-    int x1 = 0;
-  };
-
   RenderJob m_job;
   Progress m_progress;
   std::optional<LensKey> m_lens;
   SliceLayout m_slice;
-  std::vector<std::vector<Piece>> m_due;  ///< pieces that hogel row j completes
+  std::vector<std::vector<PixelRun>> m_due;  ///< pieces that hogel row j completes
   std::shared_ptr<LightField> m_texels;
   std::optional<FastSimulation> m_simulation;
   Image m_image;

@@ -18,37 +18,6 @@ using Word = std::uint32_t __attribute__((may_alias));
 using Word = std::uint32_t;
 #endif
 
-}  // namespace
-
-MULTIVERSIONED
-void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
-                     const float* place, std::uint32_t* offset, float* weight) {
-  const AxisLayout l = layout;
-  for (int k = 0; k < batchSize; ++k) {
-    const int before = place[k] < 0.5F ? 1 : 0;
-    const int left = static_cast<int>(cell[k]) - before;
-    const float share = place[k] - 0.5F + static_cast<float>(before);
-    offset[k] = l(static_cast<std::uint32_t>(std::max(left, 0)));
-    offset[batchSize + k] = l(static_cast<std::uint32_t>(std::min(left + 1, cells - 1)));
-    weight[k] = 1 - share;
-    weight[batchSize + k] = share;
-  }
-}
-
-MULTIVERSIONED
-void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
-  for (int k = 0; k < count; ++k) {
-    const float positive = codeValues[k] > 0 ? codeValues[k] : 0;
-    const float value = positive < 255 ? positive : 255;
-    const auto whole = static_cast<std::int32_t>(value);
-    // The fraction is exact; the sum of the value and a half may not be.
-    const std::int32_t up = value - static_cast<float>(whole) >= 0.5F ? 1 : 0;
-    bytes[k] = static_cast<std::uint8_t>(whole + up);
-  }
-}
-
-namespace {
-
 /// The code values of a stored texel.
 struct Light {
   float r;
@@ -117,6 +86,33 @@ inline __attribute__((always_inline)) void sumTaps(const Texel<T>* texels, const
 }
 
 }  // namespace
+
+MULTIVERSIONED
+void bracketingCells(const AxisLayout& layout, int cells, const std::uint32_t* cell,
+                     const float* place, std::uint32_t* offset, float* weight) {
+  const AxisLayout l = layout;
+  for (int k = 0; k < batchSize; ++k) {
+    const int before = place[k] < 0.5F ? 1 : 0;
+    const int left = static_cast<int>(cell[k]) - before;
+    const float share = place[k] - 0.5F + static_cast<float>(before);
+    offset[k] = l(static_cast<std::uint32_t>(std::max(left, 0)));
+    offset[batchSize + k] = l(static_cast<std::uint32_t>(std::min(left + 1, cells - 1)));
+    weight[k] = 1 - share;
+    weight[batchSize + k] = share;
+  }
+}
+
+MULTIVERSIONED
+void quantise(const float* codeValues, int count, std::uint8_t* bytes) {
+  for (int k = 0; k < count; ++k) {
+    const float positive = codeValues[k] > 0 ? codeValues[k] : 0;
+    const float value = positive < 255 ? positive : 255;
+    const auto whole = static_cast<std::int32_t>(value);
+    // The fraction is exact; the sum of the value and a half may not be.
+    const std::int32_t up = value - static_cast<float>(whole) >= 0.5F ? 1 : 0;
+    bytes[k] = static_cast<std::uint8_t>(whole + up);
+  }
+}
 
 MULTIVERSIONED
 void accumulate(const Texel<std::uint8_t>* texels, const TapBatch& taps, int count,

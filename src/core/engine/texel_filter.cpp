@@ -2,7 +2,6 @@
 #include "core/engine/texel_filter.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/multiversioned.h"
 

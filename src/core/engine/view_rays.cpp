@@ -44,6 +44,29 @@ void widen(std::vector<CellRange>& ranges, int cell, int direction, const Reach&
     ranges[std::size_t(k)].include(range);
 }
 
+/// Returns the cells that a ray reads along an axis: its own, the neighbour that is interpolated
+/// with, and `reach` more on each side.
+CellRange cellsRead(std::uint32_t cell, float place, bool isInterpolated, int reach, int count) {
+  const int own = int(cell);
+  const int neighbour = !isInterpolated ? own : place < 0.5F ? own - 1 : own + 1;
+  return {std::max(std::min(own, neighbour) - reach, 0),
+          std::min(std::max(own, neighbour) + reach, count - 1)};
+}
+
+/// Sets the marks of a box's texels. Several threads may set the same mark, all to 1.
+void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
+             std::vector<std::uint8_t>& marks) {
+  const auto& [is, js, us, vs] = box;
+  for (int j = js.first; j <= js.last; ++j)
+    for (int v = vs.first; v <= vs.last; ++v) {
+      const std::uint32_t row = layout.rowStart[std::size_t(j)] + std::uint32_t(v) * layout.width;
+      for (int i = is.first; i <= is.last; ++i)
+        for (int u = us.first; u <= us.last; ++u)
+          std::atomic_ref(marks[row + layout.columnStart[std::size_t(i)] + std::uint32_t(u)])
+              .store(1, std::memory_order_relaxed);
+    }
+}
+
 }  // namespace
 
 ViewRays::ViewRays(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
@@ -176,33 +199,6 @@ void ViewRays::addFootprint(int y, int x0, int x1, Footprint& result) const {
       }
     }
 }
-
-namespace {
-
-/// Returns the cells that a ray reads along an axis: its own, the neighbour that is interpolated
-/// with, and `reach` more on each side.
-CellRange cellsRead(std::uint32_t cell, float place, bool isInterpolated, int reach, int count) {
-  const int own = int(cell);
-  const int neighbour = !isInterpolated ? own : place < 0.5F ? own - 1 : own + 1;
-  return {std::max(std::min(own, neighbour) - reach, 0),
-          std::min(std::max(own, neighbour) + reach, count - 1)};
-}
-
-/// Sets the marks of a box's texels. Several threads may set the same mark, all to 1.
-void markBox(const std::array<CellRange, 4>& box, const SliceLayout& layout,
-             std::vector<std::uint8_t>& marks) {
-  const auto& [is, js, us, vs] = box;
-  for (int j = js.first; j <= js.last; ++j)
-    for (int v = vs.first; v <= vs.last; ++v) {
-      const std::uint32_t row = layout.rowStart[std::size_t(j)] + std::uint32_t(v) * layout.width;
-      for (int i = is.first; i <= is.last; ++i)
-        for (int u = us.first; u <= us.last; ++u)
-          std::atomic_ref(marks[row + layout.columnStart[std::size_t(i)] + std::uint32_t(u)])
-              .store(1, std::memory_order_relaxed);
-    }
-}
-
-}  // namespace
 
 void ViewRays::mark(int y, const SliceLayout& layout, std::vector<std::uint8_t>& marks) const {
   const int width = m_job.state.camera.res[0];

@@ -20,6 +20,14 @@
 
 namespace hogelscope {
 
+/// Pixels [x0, x1) of row y.
+struct PixelRun {
+  int y = 0;
+  int x0 = 0;
+  int x1 = 0;
+  bool operator==(const PixelRun&) const = default;
+};
+
 /// The rays of a batch as lines; only those that see the display have slopes.
 struct LineBatch {
   std::array<Vec2, batchSize> slopes;

@@ -21,11 +21,6 @@ class Mapping {
         m_distortion(lens.distortion),
         m_inverse(Distortion(lens.distortion), progress) {}
 
-  /// Returns the point of the plane z = 1 under a pixel.
-  [[nodiscard]] Vec2 onSensor(const Vec2& pixel) const {
-    return {(pixel.x - m_lens.centre.x) / m_lens.focalLength.x,
-            (pixel.y - m_lens.centre.y) / m_lens.focalLength.y};
-  }
   [[nodiscard]] Vec2 pixel(const Vec2& onSensor) const {
     return {m_lens.focalLength.x * onSensor.x + m_lens.centre.x,
             m_lens.focalLength.y * onSensor.y + m_lens.centre.y};
@@ -62,8 +57,8 @@ struct Border {
 };
 
 /// Returns the image's corners on the plane z = 1.
-Border borderOf(const LensKey& lens, const Mapping& mapping) {
-  return {mapping.onSensor({-0.5, -0.5}), mapping.onSensor({lens.res[0] - 0.5, lens.res[1] - 0.5})};
+Border borderOf(const LensKey& lens) {
+  return {lens.onSensor(-0.5, -0.5), lens.onSensor(lens.res[0] - 0.5, lens.res[1] - 0.5)};
 }
 
 /// Returns how far from the axis the world is seen, across or down, whichever is more.
@@ -126,7 +121,7 @@ void addFold(const Border& border, const Mapping& mapping, LensGrid& grid) {
 LensGrid lensGrid(const LensKey& lens, const Progress& progress) {
   constexpr int mostLines = 40;  // on each side of the axis
   const Mapping mapping(lens, progress);
-  const Border border = borderOf(lens, mapping);
+  const Border border = borderOf(lens);
   const double square = (border.last.y - border.first.y) / 10;
   const double reach = reachOf(border, mapping);
   const int lines = std::min(int(std::min(std::ceil(reach / square), 1e6)), mostLines);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/lens/lens_rays.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/lens/lens_steps.h"
 
 namespace hogelscope {
@@ -13,16 +10,12 @@ LensRays::LensRays(const LensKey& key, const Progress& progress)
   if (key.mapping == LensMapping::exact && key.inverse == LensInverse::table) makeNodes();
 }
 
-Vec2 LensRays::onSensor(double px, double py) const {
-  return {(px - m_key.centre.x) / m_key.focalLength.x, (py - m_key.centre.y) / m_key.focalLength.y};
-}
-
 void LensRays::row(int y, const RaySample& sample, int x0, int count, double* idealX,
                    double* idealY) const {
   const double py = y + sample.place.y - 0.5;
   for (int k = 0; k < count; ++k) {
     const double px = x0 + k + sample.place.x - 0.5;
-    const Vec2 point = m_nodeX.empty() ? onSensor(px, py) : betweenNodes(px, py);
+    const Vec2 point = m_nodeX.empty() ? m_key.onSensor(px, py) : betweenNodes(px, py);
     idealX[k] = point.x;
     idealY[k] = point.y;
   }
@@ -60,7 +53,7 @@ void LensRays::makeNodes() {
   m_nodesAcross = nodes(m_key.res[0]);
   for (int row = 0; row < nodes(m_key.res[1]); ++row)
     for (int column = 0; column < m_nodesAcross; ++column) {
-      const Vec2 point = onSensor(column * spacing - 0.5, row * spacing - 0.5);
+      const Vec2 point = m_key.onSensor(column * spacing - 0.5, row * spacing - 0.5);
       m_nodeX.push_back(point.x);
       m_nodeY.push_back(point.y);
     }

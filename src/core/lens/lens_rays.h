@@ -21,6 +21,10 @@ struct LensKey {
   int samplesPerPixel = 1;
   LensInverse inverse = LensInverse::exact;
   int steps = 0;  ///< steps of the inverse
+  /// Returns the point of the plane z = 1 under a pixel.
+  [[nodiscard]] Vec2 onSensor(double px, double py) const {
+    return {(px - centre.x) / focalLength.x, (py - centre.y) / focalLength.y};
+  }
   bool operator==(const LensKey&) const = default;
 };
 
@@ -34,7 +38,6 @@ class LensRays {
   void row(int y, const RaySample& sample, int x0, int count, double* idealX, double* idealY) const;
 
  private:
-  [[nodiscard]] Vec2 onSensor(double px, double py) const;
   void invert(double* x, double* y, int count) const;
   void makeNodes();
   [[nodiscard]] Vec2 betweenNodes(double px, double py) const;

@@ -33,8 +33,7 @@ std::size_t LensTable::at(int y, int sample) const {
 std::shared_ptr<const LensTable> LensTables::get(const LensKey& key,
                                                  const ParallelRows& parallelRows,
                                                  const Progress& progress) {
-  const auto found = std::find_if(m_entries.begin(), m_entries.end(),
-                                  [&key](const Entry& entry) { return entry.key == key; });
+  const auto found = std::ranges::find(m_entries, key, &Entry::key);
   if (found != m_entries.end()) {
     m_entries.splice(m_entries.begin(), m_entries, found);
     return m_entries.front().table;

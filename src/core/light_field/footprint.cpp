@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/light_field/footprint.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace hogelscope {

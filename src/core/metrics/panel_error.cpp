@@ -122,16 +122,12 @@ void PanelError::add(const PanelError& other) {
   std::ranges::transform(m_directions, other.m_directions, m_directions.begin(), sum);
 }
 
-void PanelError::resize(std::size_t pixels) {
-  for (auto* list : {&m_pixels.hogel, &m_pixels.direction}) list->resize(pixels);
-  m_pixels.squares.resize(pixels);
-}
-
 void PanelError::add(const RenderJob& job, LensTables& tables, const ParallelRows& parallelRows,
                      const Image& reference, const Image& test, const Progress& progress) {
   checkSizes(job, m_size, reference, test);
   const ViewRays rays(raysThroughCentres(job), tables, parallelRows, progress);
-  resize(reference.pixelCount());
+  for (auto* list : {&m_pixels.hogel, &m_pixels.direction}) list->resize(reference.pixelCount());
+  m_pixels.squares.resize(reference.pixelCount());
   const auto batchAt = [&](int y, int x0, int count) {
     CellBatch batch;
     rays.cells(y, x0, count, {}, batch);

@@ -57,8 +57,6 @@ class PanelError {
     std::vector<std::uint64_t> squares;
   };
 
-  void resize(std::size_t pixels);
-
   LightFieldSize m_size;
   bool m_isDeep;
   std::vector<Cell> m_hogels;

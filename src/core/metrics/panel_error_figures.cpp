@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numbers>
 
 #include "core/base/colour_map.h"
@@ -15,15 +15,10 @@ namespace {
 
 using Cells = std::vector<PanelError::Cell>;
 
-bool isCheaper(const PanelError::Cell& a, const PanelError::Cell& b) {
-  return a.squares < b.squares;
-}
-
 /// Returns the share of the non-empty cells that hold half of the squares.
 double halfShare(Cells cells) {
   std::erase_if(cells, [](const PanelError::Cell& cell) { return cell.pixels == 0; });
-  std::sort(cells.begin(), cells.end(),
-            [](const auto& a, const auto& b) { return isCheaper(b, a); });
+  std::ranges::sort(cells, std::greater{}, &PanelError::Cell::squares);
   std::uint64_t total = 0;
   for (const PanelError::Cell& cell : cells) total += cell.squares;
   std::uint64_t sum = 0;
@@ -33,7 +28,8 @@ double halfShare(Cells cells) {
 }
 
 std::array<int, 2> costliest(const Cells& cells, int columns) {
-  const auto at = int(std::max_element(cells.begin(), cells.end(), isCheaper) - cells.begin());
+  const auto found = std::ranges::max_element(cells, {}, &PanelError::Cell::squares);
+  const auto at = int(found - cells.begin());
   return {at % columns, at / columns};
 }
 

@@ -84,14 +84,8 @@ void alongRow(const Window& w, const Moments& sums, std::size_t count, double* _
   }
 }
 
-MULTIVERSIONED
-void luma(const std::uint8_t* rgb, std::size_t count, double* __restrict y) {
-  for (std::size_t p = 0; p < count; ++p)
-    y[p] = 0.299 * rgb[3 * p] + 0.587 * rgb[3 * p + 1] + 0.114 * rgb[3 * p + 2];
-}
-
-MULTIVERSIONED
-void luma(const double* rgb, std::size_t count, double* __restrict y) {
+template <class T>
+MULTIVERSIONED void luma(const T* rgb, std::size_t count, double* __restrict y) {
   for (std::size_t p = 0; p < count; ++p)
     y[p] = 0.299 * rgb[3 * p] + 0.587 * rgb[3 * p + 1] + 0.114 * rgb[3 * p + 2];
 }

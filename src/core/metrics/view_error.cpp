@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/metrics/view_error.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>

@@ -36,6 +36,33 @@ Vec2 focalLengthOf(const CameraParams& p, const IntrinsicsParams& intrinsics) {
   return {f, f};
 }
 
+constexpr double stepMetres = 0.01;
+constexpr double stepDegrees = 2;
+
+/// Rotates right-handed about a unit vector (Rodrigues' formula).
+Vec3 rotated(const Vec3& v, const Vec3& axis, double degrees) {
+  const double c = std::cos(radians(degrees));
+  const double s = std::sin(radians(degrees));
+  return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
+}
+
+/// Limits a tilt, so that the view stays one degree from `up` and its opposite. A view that is
+/// nearer already may only turn away.
+double tiltLeft(const Vec3& forward, const Vec3& up, double degrees) {
+  constexpr double nearest = 1;
+  const double fromUp =
+      std::atan2(length(cross(forward, up)), dot(forward, up)) * (180 / std::numbers::pi);
+  const double wanted =
+      std::clamp(fromUp - degrees, std::min(fromUp, nearest), std::max(fromUp, 180 - nearest));
+  return fromUp - wanted;
+}
+
+CameraParams shifted(CameraParams camera, const Vec3& by) {
+  camera.eye = camera.eye + by;
+  camera.lookat = camera.lookat + by;
+  return camera;
+}
+
 }  // namespace
 
 void describe(ParameterVisitor& v, CameraParams& p) {
@@ -72,37 +99,6 @@ Camera::Camera(const CameraParams& params, const IntrinsicsParams& intrinsics)
       m_focal(focalLengthOf(params, intrinsics)),
       m_centre{orElse(intrinsics.cx, (params.res[0] - 1) / 2.0),
                orElse(intrinsics.cy, (params.res[1] - 1) / 2.0)} {}
-
-namespace {
-
-constexpr double stepMetres = 0.01;
-constexpr double stepDegrees = 2;
-
-/// Rotates right-handed about a unit vector (Rodrigues' formula).
-Vec3 rotated(const Vec3& v, const Vec3& axis, double degrees) {
-  const double c = std::cos(radians(degrees));
-  const double s = std::sin(radians(degrees));
-  return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
-}
-
-/// Limits a tilt, so that the view stays one degree from `up` and its opposite. A view that is
-/// nearer already may only turn away.
-double tiltLeft(const Vec3& forward, const Vec3& up, double degrees) {
-  constexpr double nearest = 1;
-  const double fromUp =
-      std::atan2(length(cross(forward, up)), dot(forward, up)) * (180 / std::numbers::pi);
-  const double wanted =
-      std::clamp(fromUp - degrees, std::min(fromUp, nearest), std::max(fromUp, 180 - nearest));
-  return fromUp - wanted;
-}
-
-CameraParams shifted(CameraParams camera, const Vec3& by) {
-  camera.eye = camera.eye + by;
-  camera.lookat = camera.lookat + by;
-  return camera;
-}
-
-}  // namespace
 
 double stepOf(Motion motion) {
   const bool isWay = motion == Motion::walk || motion == Motion::strafe || motion == Motion::rise;

@@ -3,7 +3,6 @@
 #include "core/optics/distortion.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/optics/lens_branch.h"
 

@@ -213,27 +213,6 @@ double dot(const Vec2& a, const Vec2& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-}  // namespace
-
-const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine>& lines) {
-  // Lines of one direction are in order. Others may cross within the segments; then either one is
-  // valid.
-  std::size_t first = 0;
-  std::size_t count = lines.size();
-  while (count > 0) {
-    const BranchLine& middle = lines[first + count / 2];
-    if (dot(distorted, middle.normal) < middle.distance) {
-      count /= 2;
-    } else {
-      first += count / 2 + 1;
-      count -= count / 2 + 1;
-    }
-  }
-  return first == 0 ? nullptr : &lines[first - 1];
-}
-
-namespace {
-
 /// Lines of one direction that cut the segments to a disc, since near a fold the lens allows less
 /// along the segments than across them: at t they cut the line through t·centre over a length of
 /// 2·t·halfWidth.
@@ -389,6 +368,23 @@ class Walk {
 };
 
 }  // namespace
+
+const BranchLine* lineBefore(const Vec2& distorted, const std::vector<BranchLine>& lines) {
+  // Lines of one direction are in order. Others may cross within the segments; then either one is
+  // valid.
+  std::size_t first = 0;
+  std::size_t count = lines.size();
+  while (count > 0) {
+    const BranchLine& middle = lines[first + count / 2];
+    if (dot(distorted, middle.normal) < middle.distance) {
+      count /= 2;
+    } else {
+      first += count / 2 + 1;
+      count -= count / 2 + 1;
+    }
+  }
+  return first == 0 ? nullptr : &lines[first - 1];
+}
 
 Branch followBranch(const Distortion& lens, const Disc& disc, const Progress& progress,
                     const BranchLine& start, std::vector<BranchLine>* lines) {

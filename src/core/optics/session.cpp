@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/plugin_params.h"
+#include "core/base/text.h"
 #include "core/optics/state_name.h"
 
 namespace hogelscope {
@@ -111,13 +112,10 @@ PanelParams displayOf(const Session& session) {
 
 PanelParams resolved(const PanelParams& display, const LightFieldSize& fromFile) {
   const auto agree = [](std::array<int, 2> given, std::array<int, 2> found, const char* what) {
-    if (given[0] > 0 && given != found) {
-      const auto text = [](std::array<int, 2> n) {
-        return std::to_string(n[0]) + "×" + std::to_string(n[1]);
-      };
-      throw InputError(what,
-                       "is " + text(given) + ", but the light field's file has " + text(found));
-    }
+    if (given[0] > 0 && given != found)
+      throw InputError(what, "is " + pairText(given[0], given[1]) +
+                                 ", but the light field's file has " +
+                                 pairText(found[0], found[1]));
     return found;
   };
   PanelParams result = display;

@@ -45,38 +45,6 @@ void requireGrowing(const HogelLens& lens) {
   }
 }
 
-}  // namespace
-
-/// The lenses opened so far. They are small, so none is ever removed.
-struct LensParams::Opened {
-  struct Lens {
-    NamedValues values;
-    std::size_t axis;
-    double fov;
-    std::shared_ptr<const HogelLens> lens;
-  };
-  std::mutex mutex;
-  std::vector<Lens> lenses;
-};
-
-LensParams::LensParams(Make make)
-    : PluginParams(std::move(make)), m_opened(std::make_shared<Opened>()) {}
-
-std::shared_ptr<const HogelLens> LensParams::lens(std::size_t axis, double fov) const {
-  if (!isGiven()) throw InputError("display.lensSource", "is missing: name the plugin of the lens");
-  const std::lock_guard lock(m_opened->mutex);
-  for (const Opened::Lens& known : m_opened->lenses)
-    if (known.axis == axis && known.fov == fov && known.values == *this) return known.lens;
-  auto made = make();
-  made->open(std::int32_t(axis), fov, {".", 1});
-  auto lens = std::make_shared<const OpenedLens>(std::move(made));
-  requireGrowing(*lens);
-  m_opened->lenses.push_back({*this, axis, fov, lens});
-  return lens;
-}
-
-namespace {
-
 /// Spaces directions evenly in slope, as behind an ideal lens.
 class RectilinearLens : public HogelLens {
  public:
@@ -118,6 +86,34 @@ constexpr std::array<std::string_view, 3> names{"rectilinear", "equiangular", "p
 constexpr std::array<MakeLens, 2> makers{make<RectilinearLens>, make<EquiangularLens>};
 
 }  // namespace
+
+/// The lenses opened so far. They are small, so none is ever removed.
+struct LensParams::Opened {
+  struct Lens {
+    NamedValues values;
+    std::size_t axis;
+    double fov;
+    std::shared_ptr<const HogelLens> lens;
+  };
+  std::mutex mutex;
+  std::vector<Lens> lenses;
+};
+
+LensParams::LensParams(Make make)
+    : PluginParams(std::move(make)), m_opened(std::make_shared<Opened>()) {}
+
+std::shared_ptr<const HogelLens> LensParams::lens(std::size_t axis, double fov) const {
+  if (!isGiven()) throw InputError("display.lensSource", "is missing: name the plugin of the lens");
+  const std::lock_guard lock(m_opened->mutex);
+  for (const Opened::Lens& known : m_opened->lenses)
+    if (known.axis == axis && known.fov == fov && known.values == *this) return known.lens;
+  auto made = make();
+  made->open(std::int32_t(axis), fov, {".", 1});
+  auto lens = std::make_shared<const OpenedLens>(std::move(made));
+  requireGrowing(*lens);
+  m_opened->lenses.push_back({*this, axis, fov, lens});
+  return lens;
+}
 
 std::span<const std::string_view> hogelLensNames() {
   return names;
