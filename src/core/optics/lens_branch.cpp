@@ -313,7 +313,7 @@ class Walk {
     return true;
   }
 
-  /// JointProgress the step until it is certain. Returns whether that is useful: parts of lines
+  /// Shortens the step until it is certain. Returns whether that is useful: parts of lines
   /// that are wider than the step is long get farther.
   bool shorten(const Place& place, const Moves& moves) {
     constexpr double shortestStep = 1e-13;  // of the reached part; a nearer point is on the fold
