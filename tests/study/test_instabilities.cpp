@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/optics/simulate.h"
-#include "study/single_precision.h"
 #include "study/instabilities.h"
+#include "study/single_precision.h"
 
 using namespace hogelscope;
 
