@@ -140,8 +140,8 @@ struct Scene {
     Setter setter(file);
     content->describe(setter);
     const double step = 2 * std::tan(std::numbers::pi / 6) / 600;
-    content->open({{0.5, 0.5}, {512, 512}, {600, 600}, {step, step}}, {"", threadCount()},
-                  Silent());
+    content->open({{0.5, 0.5}, {512, 512}, {600, 600}, {step, step}},
+                  {"", threadCount(), std::uint64_t{1} << 30}, Silent());
     std::filesystem::remove(file);
     rtcSetSceneFlags(bare, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
