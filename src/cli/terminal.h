@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What batch mode writes to stderr: notes, and a progress bar on a terminal.
+// Output of batch mode on stderr: notes, and a progress bar on a terminal.
 #pragma once
 
 #include <chrono>

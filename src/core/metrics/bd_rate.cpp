@@ -49,7 +49,7 @@ struct Curve {
 double meanDifference(const Curve& anchor, const Curve& test) {
   const double from = std::max(anchor.x.front(), test.x.front());
   const double to = std::min(anchor.x.back(), test.x.back());
-  if (!(from < to)) return nothing;
+  if (!(from < to)) return unknownFigure;
   return (pchipIntegral(test.x, test.y, from, to) - pchipIntegral(anchor.x, anchor.y, from, to)) /
          (to - from);
 }
@@ -106,7 +106,8 @@ double pchipIntegral(const std::vector<double>& x, const std::vector<double>& y,
 }
 
 BdDelta bdDelta(std::vector<RatePoint> anchor, std::vector<RatePoint> test) {
-  BdDelta delta{nothing, nothing, nothing, nothing, problemOf(anchor, "the anchor")};
+  BdDelta delta{unknownFigure, unknownFigure, unknownFigure, unknownFigure,
+                problemOf(anchor, "the anchor")};
   if (delta.problem.empty()) delta.problem = problemOf(test, "the test");
   if (!delta.problem.empty()) return delta;
   const double from = std::max(anchor.front().quality, test.front().quality);

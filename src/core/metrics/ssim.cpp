@@ -164,7 +164,8 @@ Ssim meanOf(const std::vector<RowSums>& rows, std::size_t places) {
 Ssim ssim(const Image& reference, const Image& test, const ParallelRows& parallelRows,
           const Progress& progress) {
   static const Window w = gaussian(1.5);
-  if (reference.width < windowSize || reference.height < windowSize) return {nothing, nothing};
+  if (reference.width < windowSize || reference.height < windowSize)
+    return {unknownFigure, unknownFigure};
   const auto width = std::size_t(reference.width);
   const std::size_t places = width - windowSize + 1;
   const std::size_t rowCount = std::size_t(reference.height) - windowSize + 1;

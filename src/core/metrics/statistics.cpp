@@ -59,7 +59,7 @@ double quantile(std::vector<double>& values, double q) {
 
 Interval interval(std::vector<double>& values, double confidence) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return {nothing, nothing};
+  if (values.empty()) return {unknownFigure, unknownFigure};
   return {quantile(values, (1 - confidence) / 2), quantile(values, (1 + confidence) / 2)};
 }
 

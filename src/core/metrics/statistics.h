@@ -15,7 +15,7 @@
 namespace hogelscope {
 
 /// The value of a figure that is not known.
-inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double unknownFigure = std::numeric_limits<double>::quiet_NaN();
 
 struct Interval {
   double low = 0;

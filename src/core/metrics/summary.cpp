@@ -116,7 +116,7 @@ double qualityOf(const std::vector<TestSummary>& summaries, const std::string& t
                  std::size_t mean) {
   for (const TestSummary& summary : summaries)
     if (summary.test == test) return summary.summary.means[mean];
-  return nothing;
+  return unknownFigure;
 }
 
 }  // namespace

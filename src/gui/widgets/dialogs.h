@@ -30,7 +30,7 @@ void showAbout(QWidget* window);
 QString sessionFilter();
 /// Returns that of the dialogs that ask for a light field; `more` are other patterns it offers.
 QString lightFieldFilter(const QString& more = {});
-/// What lightFieldFilter() offers where a session may stand for its light field.
+/// The patterns that lightFieldFilter() adds if a session may stand for its light field.
 inline constexpr const char* sessionPatterns = " *.hogelscope *.json";
 
 /// Returns the chosen file, or "" if the user cancels; the same for all functions below. `filter`
