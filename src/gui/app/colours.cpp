@@ -8,7 +8,7 @@
 #include <QPalette>
 #include <QSettings>
 
-#include "ui_main_window.h"
+#include "gui/widgets/command.h"
 
 namespace hogelscope {
 
@@ -63,25 +63,20 @@ QPalette darkPalette() {
 Colours::Colours(QMenu* menu, QObject* parent) : QObject(parent) {
   const auto last = Scheme(QSettings().value("colours", 0).toInt());
   auto* group = new QActionGroup(this);
-  const auto add = [&](const QString& title, const QString& tip, Scheme scheme) {
-    QAction* action = menu->addAction(title);
-    action->setToolTip(tip);
-    action->setCheckable(true);
-    action->setChecked(scheme == last);
-    action->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_7 + int(scheme)));
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, scheme] {
+  const auto add = [&](const char* name, const QString& title, const QString& help, Scheme scheme) {
+    const CommandText text{name, title, help,
+                           Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_7 + int(scheme))};
+    QAction* action = addCommand(menu, text, this, [this, scheme] {
       QSettings().setValue("colours", int(scheme));
       apply(scheme);
     });
-    return action;
+    action->setCheckable(true);
+    action->setChecked(scheme == last);
+    group->addAction(action);
   };
-  menu->setToolTipsVisible(true);
-  add(tr("&System"), tr("As the desktop's other programs"), Scheme::system)
-      ->setObjectName("systemColours");
-  add(tr("&Light"), tr("Dark text on a light window"), Scheme::light)
-      ->setObjectName("lightColours");
-  add(tr("&Dark"), tr("Light text on a dark window"), Scheme::dark)->setObjectName("darkColours");
+  add("systemColours", tr("&System"), tr("As the desktop's other programs"), Scheme::system);
+  add("lightColours", tr("&Light"), tr("Dark text on a light window"), Scheme::light);
+  add("darkColours", tr("&Dark"), tr("Light text on a dark window"), Scheme::dark);
   apply(last);
 }
 
@@ -92,13 +87,13 @@ void Colours::apply(Scheme scheme) {
   QApplication::setPalette(QPalette());
 }
 
-void addIcons(const Ui::MainWindow& ui) {
+void addIcons(const QObject& window) {
   QApplication::setWindowIcon(QIcon(":/icons/io.github.hogelscope.Hogelscope.svg"));
   for (const auto& [action, name] :
-       {std::pair(ui.newAction, "new"), std::pair(ui.openAction, "open"),
-        std::pair(ui.saveAction, "save"), std::pair(ui.fitAction, "fit"),
-        std::pair(ui.savePictureAction, "save_picture"), std::pair(ui.copyPictureAction, "copy")})
-    action->setIcon(QIcon(QString(":/icons/%1.svg").arg(name)));
+       {std::pair("newAction", "new"), std::pair("openAction", "open"),
+        std::pair("saveAction", "save"), std::pair("fitAction", "fit"),
+        std::pair("savePictureAction", "save_picture"), std::pair("copyPictureAction", "copy")})
+    window.findChild<QAction*>(action)->setIcon(QIcon(QString(":/icons/%1.svg").arg(name)));
 }
 
 }  // namespace hogelscope

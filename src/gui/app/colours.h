@@ -5,9 +5,6 @@
 
 #include <QObject>
 
-namespace Ui {
-class MainWindow;
-}
 class QMenu;
 
 namespace hogelscope {
@@ -25,7 +22,7 @@ class Colours : public QObject {
   void apply(Scheme scheme);
 };
 
-/// Sets the icons of the tool bar's actions and of the application.
-void addIcons(const Ui::MainWindow& ui);
+/// Sets the icons of the tool bar's actions, which `window` has, and of the application.
+void addIcons(const QObject& window);
 
 }  // namespace hogelscope

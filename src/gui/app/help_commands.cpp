@@ -18,8 +18,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
-#include "ui_main_window.h"
 
 namespace hogelscope {
 
@@ -218,15 +218,22 @@ void ManualWindow::find(QTextDocument::FindFlags flags) {
   m_note->setText(tr("Not found"));
 }
 
-void addHelp(const Ui::MainWindow& ui, QWidget* window) {
-  QObject::connect(ui.manualAction, &QAction::triggered, window, [window] {
-    auto* manual = window->findChild<ManualWindow*>();
-    if (manual == nullptr) manual = new ManualWindow(window);
-    manual->show();
-    manual->raise();
-    manual->activateWindow();
-  });
-  QObject::connect(ui.aboutAction, &QAction::triggered, window, [window] { showAbout(window); });
+void addHelp(QMenu* menu, QWidget* window) {
+  addCommand(menu,
+             {"manualAction", ManualWindow::tr("&Manual"),
+              ManualWindow::tr("Shows the manual in a window of its own"), Qt::Key_F1},
+             window, [window] {
+               auto* manual = window->findChild<ManualWindow*>();
+               if (manual == nullptr) manual = new ManualWindow(window);
+               manual->show();
+               manual->raise();
+               manual->activateWindow();
+             });
+  menu->addSeparator();
+  addCommand(menu,
+             {"aboutAction", ManualWindow::tr("&About Hogelscope"),
+              ManualWindow::tr("Name and version of the program"), Qt::CTRL | Qt::Key_F1},
+             window, [window] { showAbout(window); });
 }
 
 }  // namespace hogelscope

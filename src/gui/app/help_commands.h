@@ -9,11 +9,8 @@
 
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QTreeWidget;
-
-namespace Ui {
-class MainWindow;
-}
 
 namespace hogelscope {
 
@@ -58,7 +55,7 @@ class ManualWindow : public QWidget {
   QLabel* m_note;
 };
 
-/// Connects the Help menu's actions, which open the manual and the About box over `window`.
-void addHelp(const Ui::MainWindow& ui, QWidget* window);
+/// Fills the Help menu: the manual and the About box, which open over `window`.
+void addHelp(QMenu* menu, QWidget* window);
 
 }  // namespace hogelscope

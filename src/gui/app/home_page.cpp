@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "gui/files/recent_files.h"
-#include "ui_main_window.h"
 
 namespace hogelscope {
 
@@ -46,11 +45,11 @@ QCommandLinkButton* buttonFor(QAction* action) {
 
 }  // namespace
 
-HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QScrollArea(parent) {
+HomePage::HomePage(const QList<QAction*>& begins, QWidget* parent) : QScrollArea(parent) {
   setObjectName("homePage");
   auto* columns = new QHBoxLayout;
   columns->setSpacing(40);
-  columns->addWidget(makeActions(ui), 1);
+  columns->addWidget(makeActions(begins), 1);
   columns->addWidget(makeFiles(), 1);
   auto* page = new QWidget;
   page->setMaximumWidth(60 * fontMetrics().horizontalAdvance("mm"));  // even in a large window
@@ -74,14 +73,12 @@ HomePage::HomePage(const Ui::MainWindow& ui, QWidget* parent) : QScrollArea(pare
   setFrameShape(QFrame::NoFrame);
 }
 
-QWidget* HomePage::makeActions(const Ui::MainWindow& ui) {
+QWidget* HomePage::makeActions(const QList<QAction*>& begins) {
   auto* part = new QWidget;
   auto* layout = new QVBoxLayout(part);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("Begin"), 2));
-  for (QAction* action :
-       {ui.openLightFieldAction, ui.openFolderAction, ui.openAction, ui.newAction})
-    layout->addWidget(buttonFor(action));
+  for (QAction* action : begins) layout->addWidget(buttonFor(action));
   auto* hint =
       new QLabel(tr("Or drop files here: a hogel image, a quilt, a mosaic, a folder of "
                     "views, a store, a mesh, a session."));

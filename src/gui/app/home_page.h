@@ -5,11 +5,8 @@
 
 #include <QScrollArea>
 
+class QAction;
 class QVBoxLayout;
-
-namespace Ui {
-class MainWindow;
-}
 
 namespace hogelscope {
 
@@ -17,8 +14,8 @@ class HomePage : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// Creates buttons that trigger actions of `ui`.
-  explicit HomePage(const Ui::MainWindow& ui, QWidget* parent = nullptr);
+  /// Creates buttons that trigger the commands that begin a session.
+  explicit HomePage(const QList<QAction*>& begins, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// A sample or a recent file has been chosen.
@@ -28,7 +25,7 @@ class HomePage : public QScrollArea {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* makeActions(const Ui::MainWindow& ui);
+  QWidget* makeActions(const QList<QAction*>& begins);
   QWidget* makeFiles();
   void fillRecent();
   QWidget* fileButton(const QString& file, const QString& text, const QString& description);

@@ -44,13 +44,20 @@ MainWindow::MainWindow(QWidget* parent)
       m_stateBox(new QComboBox(this)) {
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
-  addIcons(*m_ui);
   m_messages = new Messages(this);
   m_ui->splitter->setSizes({1000, 1000});
-  m_home = new HomePage(*m_ui);
-  m_ui->centralLayout->addWidget(m_home);
   m_ui->splitter->hide();  // until there is a session
-  m_scene = new SceneController(*m_ui, m_model, this);
+  m_files = new FileCommands(m_ui->fileMenu, m_model, this);
+  m_home = new HomePage(m_files->begins());
+  m_ui->centralLayout->addWidget(m_home);
+  m_scene =
+      new SceneController(m_ui->sceneMenu, m_ui->sceneWidget, m_ui->sceneReadout, m_model, this);
+  m_imageCommands = new ImageCommands(m_ui->pictureMenu, m_ui->pictureView, m_ui->pictureLayout,
+                                      m_ui->statusBar, m_model, this);
+  addIcons(*this);
+  for (const char* name :
+       {"openAction", "saveAction", "fitAction", "savePictureAction", "copyPictureAction"})
+    m_ui->toolBar->addAction(findChild<QAction*>(name));
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
   m_stateBox->setMinimumContentsLength(24);
@@ -80,7 +87,8 @@ void MainWindow::addDocks() {
   m_ui->displayArea->setWidget(display);
   connect(display, &DisplayDock::failed, m_messages, &Messages::showError);
   m_ui->cameraArea->setWidget(new CameraDock(m_model));
-  m_ui->distortionArea->setWidget(m_distortion = new DistortionDock(m_model, m_ui->importAction));
+  m_ui->distortionArea->setWidget(m_distortion =
+                                      new DistortionDock(m_model, m_files->importAction()));
   m_ui->psfArea->setWidget(m_psf = new PsfDock(m_model));
   auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
   auto* states = new StateDock(m_model, commands);
@@ -168,8 +176,8 @@ void MainWindow::connectDocks() {
   connect(m_ui->cameraSetView, &CameraSetWidget::previewChanged, m_scene,
           &SceneController::showPreview);
   connect(m_ui->pictureView, &ImageWidget::pixelPicked, m_scene, &SceneController::showPixel);
+  connect(m_scene, &SceneController::pixelsMarked, m_ui->pictureView, &ImageWidget::markPixels);
   m_ui->inspector->follow(m_scene, m_ui->pictureView);
-  m_imageCommands = new ImageCommands(*m_ui, m_model, this);
   for (const PlotSaver* saver : findChildren<PlotSaver*>()) {
     connect(saver, &PlotSaver::done, m_messages, &Messages::showMessage);
     connect(saver, &PlotSaver::failed, m_messages, &Messages::showError);
@@ -277,15 +285,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 /// Creates the helpers for files, help, colours and layout, which need no further connections.
 void MainWindow::addHelpers() {
-  m_files = new FileCommands(*m_ui, m_model, this);
   connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
-  auto* sceneOutput = new SceneOutput(*m_ui, m_scene, m_model, this);
+  auto* sceneOutput = new SceneOutput(m_ui->sceneMenu, m_ui->statusBar, m_scene, m_model, this);
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
   connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
-  addHelp(*m_ui, this);
+  addHelp(m_ui->helpMenu, this);
   new Colours(m_ui->coloursMenu, this);
   m_layout = new WindowLayout(this, *m_ui);
   m_readingBar = new ReadingBar(
@@ -369,8 +376,7 @@ void MainWindow::showTitle() {
   setWindowModified(m_model->isModified());
   setWindowFilePath(m_model->file());
   const bool isOpen = !m_model->session().cameras.empty();
-  for (QAction* action : {m_ui->saveAction, m_ui->saveAsAction, m_ui->importAction})
-    action->setEnabled(isOpen);
+  m_files->setOpen(isOpen);
   for (QWidget* part : std::initializer_list<QWidget*>{
            m_ui->cameraMenu, m_ui->statesMenu, m_ui->displayArea, m_ui->cameraArea,
            m_ui->distortionArea, m_ui->psfArea, m_ui->statesDock->widget()})

@@ -13,6 +13,7 @@
 #include "gui/files/opening_dialog.h"
 #include "gui/files/recent_files.h"
 #include "gui/session/session_model.h"
+#include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/task.h"
@@ -21,7 +22,6 @@
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
 #include "io/scene/view_source.h"
-#include "ui_main_window.h"
 
 namespace hogelscope {
 
@@ -47,25 +47,14 @@ QStringList filesOf(const QMimeData& data) {
 
 }  // namespace
 
-FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window)
+FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
     : QObject(window),
       m_model(model),
       m_window(window),
-      m_recent(new RecentFiles(ui.recentMenu, this)),
       m_task(new Task(this)),
       m_compared(new Task(this)),
       m_autosave(new Autosave(model, this)) {
-  connect(ui.newAction, &QAction::triggered, this, [this] {
-    if (mayLeave()) m_model->openNew(newSession());
-  });
-  connect(ui.openAction, &QAction::triggered, this, &FileCommands::askOpen);
-  connect(ui.openLightFieldAction, &QAction::triggered, this, [this] { askLightField(false); });
-  connect(ui.openLightFieldAsAction, &QAction::triggered, this, [this] { askLightField(true); });
-  connect(ui.openFolderAction, &QAction::triggered, this, &FileCommands::askFolder);
-  connect(ui.saveAction, &QAction::triggered, this, &FileCommands::saveOrAsk);
-  connect(ui.saveAsAction, &QAction::triggered, this, &FileCommands::askSaveAs);
-  connect(ui.importAction, &QAction::triggered, this, &FileCommands::askImport);
-  connect(ui.quitAction, &QAction::triggered, window, &QWidget::close);
+  addCommands(menu);
   connect(m_recent, &RecentFiles::chosen, this, [this](const QString& file) {
     if (mayLeave()) open(file);
   });
@@ -74,6 +63,68 @@ FileCommands::FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidge
     connect(task, &Task::failed, this, &FileCommands::failed);
   window->setAcceptDrops(true);
   window->installEventFilter(this);
+}
+
+void FileCommands::addCommands(QMenu* menu) {
+  m_new = addCommand(menu,
+                     {"newAction", tr("&New session"),
+                      tr("A display that shows the built-in test scene, to be changed"),
+                      Qt::CTRL | Qt::ALT | Qt::Key_N},
+                     this, [this] {
+                       if (mayLeave()) m_model->openNew(newSession());
+                     });
+  m_open = addCommand(menu,
+                      {"openAction", tr("&Open session…"),
+                       tr("Opens a session: display, light field and camera states"),
+                       Qt::CTRL | Qt::Key_O, tr("Open")},
+                      this, &FileCommands::askOpen);
+  auto* recent = menu->addMenu(tr("Open &recent"));
+  recent->setObjectName("recentMenu");
+  m_recent = new RecentFiles(recent, this);
+  m_openLightField =
+      addCommand(menu,
+                 {"openLightFieldAction", tr("Open &light field…"),
+                  tr("Makes a new session around a picture: hogels, or tiles of views"),
+                  Qt::CTRL | Qt::ALT | Qt::Key_O},
+                 this, [this] { askLightField(false); });
+  m_openFolder = addCommand(menu,
+                            {"openFolderAction", tr("Open &folder of views…"),
+                             tr("Makes a new session around a folder of sub-aperture pictures"),
+                             Qt::CTRL | Qt::ALT | Qt::Key_F},
+                            this, &FileCommands::askFolder);
+  addCommand(menu,
+             {"openLightFieldAsAction", tr("Open light field as…"),
+              tr("Shows what is assumed of a picture, or of the folder of views that it is in, "
+                 "before it opens"),
+              Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_O},
+             this, [this] { askLightField(true); });
+  m_save = addCommand(menu,
+                      {"saveAction", tr("&Save session"),
+                       tr("Saves the session with all camera states as they are now"),
+                       Qt::CTRL | Qt::Key_S, tr("Save")},
+                      this, &FileCommands::saveOrAsk);
+  m_saveAs = addCommand(menu,
+                        {"saveAsAction", tr("Save session &as…"),
+                         tr("Saves the session to another file"), Qt::CTRL | Qt::SHIFT | Qt::Key_S},
+                        this, &FileCommands::askSaveAs);
+  menu->addSeparator();
+  m_import = addCommand(menu,
+                        {"importAction", tr("&Import OpenCV calibration…"),
+                         tr("Gives the current state the lens, the intrinsics and the picture size "
+                            "of an OpenCV calibration file"),
+                         Qt::CTRL | Qt::Key_I},
+                        this, &FileCommands::askImport);
+  menu->addSeparator();
+  addCommand(menu, {"quitAction", tr("&Quit"), tr("Closes the window"), Qt::CTRL | Qt::Key_Q},
+             m_window, &QWidget::close);
+}
+
+QList<QAction*> FileCommands::begins() const {
+  return {m_openLightField, m_openFolder, m_open, m_new};
+}
+
+void FileCommands::setOpen(bool isOpen) {
+  for (QAction* action : {m_save, m_saveAs, m_import}) action->setEnabled(isOpen);
 }
 
 /// Takes files and folders dropped onto the window. They are opened after the drop, because a

@@ -3,15 +3,14 @@
 // line; asks before edits are lost, and keeps them through a crash.
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
 
+class QAction;
+class QMenu;
 class QWidget;
-
-namespace Ui {
-class MainWindow;
-}
 
 namespace hogelscope {
 
@@ -26,7 +25,14 @@ class FileCommands : public QObject {
   Q_OBJECT
 
  public:
-  FileCommands(const Ui::MainWindow& ui, SessionModel* model, QWidget* window);
+  /// Fills the menu and takes files dropped onto `window`, which owns it.
+  FileCommands(QMenu* menu, SessionModel* model, QWidget* window);
+
+  /// Returns the commands that begin a session.
+  [[nodiscard]] QList<QAction*> begins() const;
+  /// Enables the commands that need a session.
+  void setOpen(bool isOpen);
+  [[nodiscard]] QAction* importAction() const { return m_import; }
 
   /// These functions ask nothing, report errors through failed(), and return true on success. A
   /// session document opens at once. A light field (an image, a folder or a mesh) opens later in a
@@ -53,6 +59,7 @@ class FileCommands : public QObject {
   void comparisonAsked(const QString& file);
 
  private:
+  void addCommands(QMenu* menu);
   bool eventFilter(QObject* watched, QEvent* event) override;
   void openLater(const QString& file, bool isAsked);
   void offer(const QString& file, const Opening& opening, bool isAsked);
@@ -71,7 +78,9 @@ class FileCommands : public QObject {
 
   SessionModel* m_model;
   QWidget* m_window;
-  RecentFiles* m_recent;
+  RecentFiles* m_recent = nullptr;
+  QAction *m_new = nullptr, *m_open = nullptr, *m_openLightField = nullptr, *m_openFolder = nullptr;
+  QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr;
   Task* m_task;      ///< analyses a light field that is being opened
   Task* m_compared;  ///< checks whether a light field can be compared
   QPointer<OpeningDialog> m_dialog;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/scene_controller.h"
 
+#include <QLabel>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@
 #include "gui/scene/scene_actor.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
-#include "ui_main_window.h"
+#include "gui/widgets/command.h"
 
 namespace hogelscope {
 
@@ -38,13 +39,15 @@ QRegion regionOf(const std::vector<PixelRun>& runs) {
 
 }  // namespace
 
-SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent)
+SceneController::SceneController(QMenu* menu, VtkWidget* widget, QLabel* readout,
+                                 SessionModel* model, QObject* parent)
     : QObject(parent),
-      m_form(form),
+      m_widget(widget),
+      m_readout(readout),
       m_model(model),
       m_worker(new SceneWorker(this)),
-      m_scene(std::make_unique<DisplayScene>(*form.sceneWidget, nullptr)) {
-  connectActions();
+      m_scene(std::make_unique<DisplayScene>(*widget, nullptr)) {
+  addCommands(menu);
   connectModel();
   connectScene();
   showText();
@@ -53,62 +56,160 @@ SceneController::SceneController(const Ui::MainWindow& form, SessionModel* model
 
 SceneController::~SceneController() = default;
 
-void SceneController::connectActions() {
-  const auto on = [this](QAction* action, auto slot) {
-    connect(action, &QAction::triggered, this, slot);
+void SceneController::addCommands(QMenu* menu) {
+  addSides(menu);
+  addTurns(menu->addMenu(tr("T&urn and zoom")));
+  menu->addSeparator();
+  m_forget = addCommand(menu,
+                        {"sceneForgetAction", tr("Re&move what is picked"),
+                         tr("Takes the picked hogel's field and picture and the picked pixel's ray "
+                            "out of the scene (Esc)"),
+                         Qt::Key_Escape},
+                        this, &SceneController::removePicks);
+  menu->addSeparator();
+  addCommand(menu,
+             {"sceneLookThroughAction", tr("&Look through the current state"),
+              tr("Puts the scene's eye where the current state's camera is, with its vertical "
+                 "field of view"),
+              Qt::Key_F8},
+             this, [this] {
+               m_parallel->setChecked(false);  // a camera has a perspective projection
+               m_scene->lookThrough(m_model->current());
+             });
+  addCommand(menu,
+             {"sceneSetStateAction", tr("S&et the current state from the scene"),
+              tr("Gives the current state the eye, look-at point and up of the scene; its field of "
+                 "view and lens stay"),
+              Qt::Key_F9},
+             this, &SceneController::setStateFromScene);
+  menu->addSeparator();
+  m_panelImage = addSwitch(menu,
+                           {"scenePanelPictureAction", tr("&Panel shows what is seen"),
+                            tr("On: what the scene's own eye would see on the panel, with the "
+                               "current state's PSF. Off: a plain panel with its hogel grid"),
+                            Qt::CTRL | Qt::Key_G},
+                           true, this, &SceneController::renderPanel);
+  m_stateImages = addSwitch(menu,
+                            {"sceneStatePicturesAction", tr("P&ictures on the frusta"),
+                             tr("Each state's simulated view, small, on its near plane"),
+                             Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+                            false, this, &SceneController::renderStates);
+  m_showsMesh = addSwitch(
+      menu,
+      {"sceneMeshAction", tr("&Mesh of a live scene"),
+       tr("The mesh that the display shows, where it stands; its ball is dragged to move it"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_B},
+      true, this, &SceneController::showMesh);
+  addParts(menu->addMenu(tr("S&how")));
+  menu->addSeparator();
+}
+
+void SceneController::addSides(QMenu* menu) {
+  addCommand(menu,
+             {"fitAction", tr("&Fit scene"),
+              tr("Shows the display and all cameras in the 3-D scene, from the side that you look "
+                 "from; again: from the front"),
+              Qt::CTRL | Qt::Key_0},
+             this, [this] { m_scene->fit(); });
+  const auto add = [this, menu](const CommandText& text, SceneSide side) {
+    addCommand(menu, text, this, [this, side] { m_scene->lookFrom(side); });
   };
-  on(m_form.fitAction, [this] { m_scene->fit(); });
-  on(m_form.sceneFrontAction, [this] { m_scene->lookFrom(SceneSide::front); });
-  on(m_form.sceneTopAction, [this] { m_scene->lookFrom(SceneSide::top); });
-  on(m_form.sceneSideAction, [this] { m_scene->lookFrom(SceneSide::right); });
-  on(m_form.sceneBackAction, [this] { m_scene->lookFrom(SceneSide::back); });
-  on(m_form.sceneBottomAction, [this] { m_scene->lookFrom(SceneSide::bottom); });
-  on(m_form.sceneLeftSideAction, [this] { m_scene->lookFrom(SceneSide::left); });
-  connect(m_form.sceneParallelAction, &QAction::toggled, this,
-          [this](bool isOn) { m_scene->setParallel(isOn); });
-  // Keys of the scene only, because arrows have other meanings elsewhere.
-  const auto onScene = [this, on](QAction* action, auto slot) {
-    m_form.sceneWidget->addAction(action);
-    on(action, slot);
+  add({"sceneFrontAction", tr("F&ront"), tr("Looks at the panel from its front"), Qt::Key_F5},
+      SceneSide::front);
+  add({"sceneTopAction", tr("&Top"), tr("Looks at the panel from above"), Qt::Key_F6},
+      SceneSide::top);
+  add({"sceneSideAction", tr("Ri&ght side"), tr("Looks at the panel from its right"), Qt::Key_F7},
+      SceneSide::right);
+  add({"sceneBackAction", tr("&Back"), tr("Looks at the panel from behind"),
+       Qt::SHIFT | Qt::Key_F5},
+      SceneSide::back);
+  add({"sceneBottomAction", tr("Botto&m"), tr("Looks at the panel from below"),
+       Qt::SHIFT | Qt::Key_F6},
+      SceneSide::bottom);
+  add({"sceneLeftSideAction", tr("Left si&de"), tr("Looks at the panel from its left"),
+       Qt::SHIFT | Qt::Key_F7},
+      SceneSide::left);
+  m_parallel = addSwitch(menu,
+                         {"sceneParallelAction", tr("Para&llel projection"),
+                          tr("Lengths across the view are the same at any distance; the panel "
+                             "shows what is seen from very far away"),
+                          Qt::ALT | Qt::SHIFT | Qt::Key_P},
+                         false, this, [this](bool isOn) { m_scene->setParallel(isOn); });
+}
+
+/// Adds commands whose keys work in the scene only, because arrows have other meanings elsewhere.
+void SceneController::addTurns(QMenu* menu) {
+  const auto add = [this, menu](const CommandText& text, auto slot) {
+    QAction* action = addCommand(menu, text, this, slot);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    m_widget->addAction(action);
   };
   constexpr double step = 5;  // degrees
-  onScene(m_form.sceneLeftAction, [this] { m_scene->turn(-step, 0); });
-  onScene(m_form.sceneRightAction, [this] { m_scene->turn(step, 0); });
-  onScene(m_form.sceneUpAction, [this] { m_scene->turn(0, step); });
-  onScene(m_form.sceneDownAction, [this] { m_scene->turn(0, -step); });
-  onScene(m_form.sceneNearerAction, [this] { m_scene->approach(1.1); });
-  onScene(m_form.sceneFartherAction, [this] { m_scene->approach(1 / 1.1); });
-  on(m_form.sceneForgetAction, [this] { removePicks(); });
-  on(m_form.sceneLookThroughAction, [this] {
-    m_form.sceneParallelAction->setChecked(false);  // a camera has a perspective projection
-    m_scene->lookThrough(m_model->current());
-  });
-  on(m_form.sceneSetStateAction, [this] { setStateFromScene(); });
-  on(m_form.scenePanelPictureAction, [this] { renderPanel(); });
-  on(m_form.sceneStatePicturesAction, [this] { renderStates(); });
-  on(m_form.sceneMeshAction, [this] { showMesh(); });
-  const auto onPart = [this](QAction* action, auto show) {
-    const auto showAndDraw = [this, show](bool isOn) {
-      show(isOn);
+  add({"sceneLeftAction", tr("Eye to the &left"),
+       tr("The scene's eye goes round the panel, to the left"), Qt::Key_Left},
+      [this] { m_scene->turn(-step, 0); });
+  add({"sceneRightAction", tr("Eye to the &right"),
+       tr("The scene's eye goes round the panel, to the right"), Qt::Key_Right},
+      [this] { m_scene->turn(step, 0); });
+  add({"sceneUpAction", tr("Eye &up"), tr("The scene's eye goes round the panel, upwards"),
+       Qt::Key_Up},
+      [this] { m_scene->turn(0, step); });
+  add({"sceneDownAction", tr("Eye &down"), tr("The scene's eye goes round the panel, downwards"),
+       Qt::Key_Down},
+      [this] { m_scene->turn(0, -step); });
+  add({"sceneNearerAction", tr("&Nearer"), tr("The scene's eye comes nearer"), Qt::Key_Plus},
+      [this] { m_scene->approach(1.1); });
+  add({"sceneFartherAction", tr("&Farther"), tr("The scene's eye goes farther away"),
+       Qt::Key_Minus},
+      [this] { m_scene->approach(1 / 1.1); });
+}
+
+void SceneController::addParts(QMenu* menu) {
+  const auto add = [this, menu](const CommandText& text, bool isOn, auto show) {
+    const auto showAndDraw = [this, show](bool isShown) {
+      show(isShown);
       m_scene->redraw();
     };
-    connect(action, &QAction::toggled, this, showAndDraw);
-    showAndDraw(action->isChecked());
+    addSwitch(menu, text, isOn, this, showAndDraw);
+    showAndDraw(isOn);
   };
-  onPart(m_form.sceneFrustaAction, [this](bool isOn) { m_scene->frusta().setVisible(isOn); });
-  onPart(m_form.sceneZoneAction, [this](bool isOn) { m_scene->zone().setVisible(isOn); });
-  onPart(m_form.sceneGridAction, [this](bool isOn) { m_scene->panel().setGridVisible(isOn); });
-  onPart(m_form.sceneAxesAction, [this](bool isOn) { m_scene->panel().setAxesVisible(isOn); });
-  onPart(m_form.sceneScaleBarAction,
-         [this](bool isOn) { m_scene->panel().setScaleBarVisible(isOn); });
-  const auto resize = [this](double factor) {
-    return [this, factor] {
+  const auto addSize = [this, menu](const CommandText& text, double factor) {
+    addCommand(menu, text, this, [this, factor] {
       m_scene->frusta().setSize(factor * m_scene->frusta().size());
       m_scene->redraw();
-    };
+    });
   };
-  on(m_form.sceneLargerFrustaAction, resize(1.5));
-  on(m_form.sceneSmallerFrustaAction, resize(1 / 1.5));
+  add({"sceneFrustaAction", tr("&Frusta"),
+       tr("All states, each at its true field of view and aspect"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_F},
+      true, [this](bool isOn) { m_scene->frusta().setVisible(isOn); });
+  addSize({"sceneLargerFrustaAction", tr("&Larger frusta"),
+           tr("Makes all frusta half as large again"), Qt::ALT | Qt::SHIFT | Qt::Key_Up},
+          1.5);
+  addSize({"sceneSmallerFrustaAction", tr("&Smaller frusta"),
+           tr("Makes all frusta smaller by a third, at last no more than points"),
+           Qt::ALT | Qt::SHIFT | Qt::Key_Down},
+          1 / 1.5);
+  add({"sceneZoneAction", tr("Viewing &zone"),
+       tr("The points from which the whole panel is seen, as a body, and those from which some of "
+          "it is seen, in lines"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_Z},
+      false, [this](bool isOn) { m_scene->zone().setVisible(isOn); });
+  add({"sceneGridAction", tr("Hogel &grid"),
+       tr("The hogel grid also where the panel shows what is seen; every 2nd, 4th, 8th … line "
+          "where they are close together"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_G},
+      false, [this](bool isOn) { m_scene->panel().setGridVisible(isOn); });
+  add({"sceneAxesAction", tr("World &axes"), tr("The axes x, y, z of the world"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_A},
+      true, [this](bool isOn) { m_scene->panel().setAxesVisible(isOn); });
+  add({"sceneScaleBarAction", tr("Scale &bar"), tr("A length in metres below the panel"),
+       Qt::ALT | Qt::SHIFT | Qt::Key_R},
+      true, [this](bool isOn) { m_scene->panel().setScaleBarVisible(isOn); });
+}
+
+bool SceneController::showsPanelImage() const {
+  return m_panelImage->isChecked();
 }
 
 void SceneController::connectModel() {
@@ -135,11 +236,11 @@ void SceneController::connectModel() {
 }
 
 void SceneController::connectScene() {
-  connect(m_form.sceneWidget, &VtkWidget::clicked, this, &SceneController::pickAt);
-  connect(m_form.sceneWidget, &VtkWidget::hovered, this, &SceneController::nameAt);
+  connect(m_widget, &VtkWidget::clicked, this, &SceneController::pickAt);
+  connect(m_widget, &VtkWidget::hovered, this, &SceneController::nameAt);
   connect(m_scene.get(), &DisplayScene::eyeChanged, this, &SceneController::renderPanel);
   connect(m_worker, &SceneWorker::panelRendered, this, [this](const VtkImage& image) {
-    if (!m_form.scenePanelPictureAction->isChecked() || m_isPanelDark) return;
+    if (!showsPanelImage() || m_isPanelDark) return;
     m_scene->panel().setImage(image);
     m_scene->redraw();
   });
@@ -203,7 +304,7 @@ Vec3 SceneController::toMeshBall() const {
 
 /// Shows the mesh, with a ball beside it if the content has a position.
 void SceneController::showMesh() {
-  const bool isShown = m_form.sceneMeshAction->isChecked();
+  const bool isShown = m_showsMesh->isChecked();
   m_scene->mesh().setVisible(isShown);
   const auto* position =
       m_model->session().lightField.content.find<std::vector<double>>("position");
@@ -241,7 +342,7 @@ void SceneController::renderPanel() {
   const std::optional<CameraState> state =
       panelState(m_display, m_scene->viewpoint(), {pixels(width), pixels(height)});
   m_isPanelDark = !state || shareSeenFrom(m_display, m_scene->viewpoint()) == 0;
-  if (!m_form.scenePanelPictureAction->isChecked() || !m_loaded || m_isPanelDark) {
+  if (!showsPanelImage() || !m_loaded || m_isPanelDark) {
     m_scene->panel().setImage(nullptr);
     return m_scene->redraw();
   }
@@ -251,7 +352,7 @@ void SceneController::renderPanel() {
 }
 
 void SceneController::renderStates() {
-  const bool areShown = m_form.sceneStatePicturesAction->isChecked();
+  const bool areShown = m_stateImages->isChecked();
   m_scene->frusta().setImagesVisible(areShown);
   if (areShown && m_loaded)
     m_worker->renderStates(m_model->session().cameras, m_model->currentIndex());
@@ -292,7 +393,7 @@ void SceneController::nameAt(int x, int y) {
     names << SceneText::eye(m_model->session().cameras[std::size_t(index)], m_display);
   }
   if (names.isEmpty()) return QToolTip::hideText();
-  QToolTip::showText(QCursor::pos(), names.join('\n'), m_form.sceneWidget);
+  QToolTip::showText(QCursor::pos(), names.join('\n'), m_widget);
 }
 
 void SceneController::forgetPicks() {
@@ -300,7 +401,7 @@ void SceneController::forgetPicks() {
   m_hogel.reset();
   m_pixelSearch.abandon();
   m_pickText.clear();
-  m_form.pictureView->markPixels({});
+  Q_EMIT pixelsMarked({});
   m_scene->picked().hideHogel();
   m_scene->picked().hideRay();
 }
@@ -330,9 +431,9 @@ void SceneController::markHogel() {
       [this, job = *view, hogel = *m_hogel](const Progress& progress) -> Task::Answer {
         try {
           const auto runs = pixelsSeeing(job, hogel.x(), hogel.y(), parallelRows, progress);
-          return [this, region = regionOf(runs)] { m_form.pictureView->markPixels(region); };
+          return [this, region = regionOf(runs)] { Q_EMIT pixelsMarked(region); };
         } catch (const InputError&) {  // a camera without a frame, reported by the simulated view
-          return [this] { m_form.pictureView->markPixels({}); };
+          return [this] { Q_EMIT pixelsMarked({}); };
         }
       });
 }
@@ -360,7 +461,7 @@ void SceneController::tracePixel() {
   try {
     const PixelTrace traced = pixelTrace(*view, pixel.x(), pixel.y());
     m_pixel = pixel;
-    m_form.pictureView->markPixels(QRect(pixel, QSize(1, 1)));
+    Q_EMIT pixelsMarked(QRect(pixel, QSize(1, 1)));
     m_pickText = SceneText::pixel(pixel.x(), pixel.y(), traced);
     if (traced.end == RayEnd::noRay) return;
     m_scene->picked().showRay(traced.eye, traced.target);
@@ -374,12 +475,12 @@ void SceneController::tracePixel() {
 }
 
 void SceneController::showText() {
-  m_form.sceneForgetAction->setEnabled(!m_pickText.isEmpty());
+  m_forget->setEnabled(!m_pickText.isEmpty());
   Q_EMIT pickChanged();
-  if (m_model->session().cameras.empty()) return m_form.sceneReadout->clear();
+  if (m_model->session().cameras.empty()) return m_readout->clear();
   const QString hint = tr("Click a frustum, a hogel, or a pixel of the simulated view.");
-  m_form.sceneReadout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +
-                               (m_pickText.isEmpty() ? hint : m_pickText));
+  m_readout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +
+                     (m_pickText.isEmpty() ? hint : m_pickText));
 }
 
 }  // namespace hogelscope

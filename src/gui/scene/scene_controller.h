@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QPoint>
+#include <QRegion>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,21 +14,23 @@
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
 
-namespace Ui {
-class MainWindow;
-}
+class QAction;
+class QLabel;
+class QMenu;
 
 namespace hogelscope {
 
 class DisplayScene;
 class SessionModel;
+class VtkWidget;
 
 class SceneController : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes the scene's widget, read-out and actions from the form.
-  SceneController(const Ui::MainWindow& form, SessionModel* model, QObject* parent);
+  /// `readout` shows a description of what is picked in `widget`.
+  SceneController(QMenu* menu, VtkWidget* widget, QLabel* readout, SessionModel* model,
+                  QObject* parent);
   ~SceneController() override;
 
   /// Sets the session's light field with its display; none while it is read.
@@ -40,6 +43,9 @@ class SceneController : public QObject {
   /// Picks a pixel of the current state's simulated view, and shows its ray and where the ray ends.
   /// A pixel outside the image removes the pick.
   void showPixel(int x, int y);
+  /// Whether the panel shows what is seen.
+  [[nodiscard]] bool showsPanelImage() const;
+  [[nodiscard]] VtkWidget* widget() const { return m_widget; }
   [[nodiscard]] DisplayScene& scene() const { return *m_scene; }
   /// Renders the panel again as the scene's eye sees it.
   void renderPanel();
@@ -53,9 +59,14 @@ class SceneController : public QObject {
  Q_SIGNALS:
   /// The pick or its description has changed.
   void pickChanged();
+  /// The picked pixel, or the pixels that see the picked hogel; empty: none.
+  void pixelsMarked(const QRegion& pixels);
 
  private:
-  void connectActions();
+  void addCommands(QMenu* menu);
+  void addSides(QMenu* menu);
+  void addTurns(QMenu* menu);
+  void addParts(QMenu* menu);
   void connectModel();
   void connectScene();
   void refresh();
@@ -74,9 +85,12 @@ class SceneController : public QObject {
   void renderStates();
   void setStateFromScene();
 
-  const Ui::MainWindow& m_form;
+  VtkWidget* m_widget;
+  QLabel* m_readout;
   SessionModel* m_model;
   SceneWorker* m_worker;
+  QAction *m_parallel = nullptr, *m_forget = nullptr;
+  QAction *m_panelImage = nullptr, *m_stateImages = nullptr, *m_showsMesh = nullptr;
   std::unique_ptr<DisplayScene> m_scene;
   PanelParams m_display;               ///< resolved once the light field has been read
   std::optional<ViewSource> m_loaded;  ///< none while a light field is read

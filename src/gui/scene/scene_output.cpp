@@ -2,6 +2,7 @@
 #include "gui/scene/scene_output.h"
 
 #include <QFileInfo>
+#include <QStatusBar>
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -13,11 +14,11 @@
 #include "gui/scene/scene_export.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
+#include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
 #include "io/images/image_writer.h"
-#include "ui_main_window.h"
 
 namespace hogelscope {
 
@@ -47,26 +48,35 @@ VtkImage imageOf(const std::optional<RenderJob>& panel, const Progress& progress
 
 }  // namespace
 
-SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, SessionModel* model,
-                         QObject* parent)
+SceneOutput::SceneOutput(QMenu* menu, QStatusBar* statusBar, SceneController* controller,
+                         SessionModel* model, QObject* parent)
     : QObject(parent),
-      m_ui(ui),
       m_controller(controller),
       m_model(model),
       m_task(new Task(this)),
       m_bar(new ReadingBar(
-          tr("Scene"), [this] { return m_task->share(); }, ui.statusBar,
+          tr("Scene"), [this] { return m_task->share(); }, statusBar,
           tr("How much of the scene has been drawn and written"),
-          tr("Stops, and leaves no file behind"))) {
+          tr("Stops, and leaves no file behind"))),
+      m_savePicture(addCommand(menu,
+                               {"saveSceneAction", tr("Sa&ve scene picture…"),
+                                tr("Saves the 3-D scene from where it is seen now, with as many "
+                                   "pixels as you say: PNG, TIFF, JPEG or EXR"),
+                                Qt::CTRL | Qt::ALT | Qt::Key_S},
+                               this, &SceneOutput::askPicture)),
+      m_export(addCommand(menu,
+                          {"exportSceneAction", tr("E&xport scene…"),
+                           tr("Saves panel, hogel grid, frusta and mesh in metres of the world: "
+                              "glTF for viewers and renderers, VTP for ParaView and VTK"),
+                           Qt::CTRL | Qt::ALT | Qt::Key_X},
+                          this, &SceneOutput::askExport)) {
   m_bar->setObjectName("sceneOutputBar");
-  ui.statusBar->addPermanentWidget(m_bar);
+  statusBar->addPermanentWidget(m_bar);
   connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
   connect(m_task, &Task::stopped, this, [this] {
     showState();
     Q_EMIT done(tr("Stopped; nothing was written"));
   });
-  connect(ui.saveSceneAction, &QAction::triggered, this, &SceneOutput::askPicture);
-  connect(ui.exportSceneAction, &QAction::triggered, this, &SceneOutput::askExport);
   connect(model, &SessionModel::opened, this, [this] {
     // Results that arrive later would be of another scene.
     if (m_task->isRunning())
@@ -83,7 +93,7 @@ SceneOutput::SceneOutput(const Ui::MainWindow& ui, SceneController* controller, 
 
 void SceneOutput::showState() {
   m_bar->setVisible(m_task->isRunning());
-  for (QAction* action : {m_ui.saveSceneAction, m_ui.exportSceneAction})
+  for (QAction* action : {m_savePicture, m_export})
     action->setEnabled(!m_model->session().cameras.empty() && !m_task->isRunning());
 }
 
@@ -99,9 +109,9 @@ void SceneOutput::savePicture(const QString& file, const QSize& size) {
   DisplayScene& scene = m_controller->scene();
   const std::optional<RenderJob> current = m_controller->job();
   std::optional<RenderJob> panel;
-  if (current && m_ui.scenePanelPictureAction->isChecked())
+  if (current && m_controller->showsPanelImage())
     panel = panelJob(*current, scene.viewpoint(),
-                     scene.pixelOnPanel() * m_ui.sceneWidget->deviceSize().height() /
+                     scene.pixelOnPanel() * m_controller->widget()->deviceSize().height() /
                          std::max(1, size.height()));
   m_task->start([this, panel, file, size](const Progress& progress) {
     return [this, image = imageOf(panel, progress), file, size] {
@@ -114,9 +124,11 @@ void SceneOutput::savePicture(const QString& file, const QSize& size) {
 
 void SceneOutput::draw(const QString& file, const QSize& size) {
   try {
-    if (m_ui.sceneWidget->image().isNull())  // initialises OpenGL if the scene was never shown
+    if (m_controller->widget()
+            ->image()
+            .isNull())  // initialises OpenGL if the scene was never shown
       throw InputError("the scene's picture", "OpenGL 3.2 is not available");
-    const auto rgb = scenePicture(*m_ui.sceneWidget->renderWindow(), size);
+    const auto rgb = scenePicture(*m_controller->widget()->renderWindow(), size);
     m_controller->scene().redraw();
     m_controller->renderPanel();  // replaces the fine image, which is slow to rotate
     m_task->start([this, rgb, file, size](const Progress& progress) {
@@ -150,15 +162,16 @@ void SceneOutput::exportTo(const QString& file) {
 }
 
 void SceneOutput::askPicture() {
-  SizeDialog dialog(tr("Save scene picture"), m_ui.sceneWidget->deviceSize(), m_ui.sceneWidget);
+  SizeDialog dialog(tr("Save scene picture"), m_controller->widget()->deviceSize(),
+                    m_controller->widget());
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString file = chooseNewFile(m_ui.sceneWidget, tr("Save scene picture"), "scene.png",
+  const QString file = chooseNewFile(m_controller->widget(), tr("Save scene picture"), "scene.png",
                                      tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
   if (!file.isEmpty()) savePicture(file, dialog.size());
 }
 
 void SceneOutput::askExport() {
-  const QString file = chooseNewFile(m_ui.sceneWidget, tr("Export scene"), "scene.gltf",
+  const QString file = chooseNewFile(m_controller->widget(), tr("Export scene"), "scene.gltf",
                                      tr("Scenes (*.gltf *.vtp)"));
   if (!file.isEmpty()) exportTo(file);
 }

@@ -5,9 +5,9 @@
 #include <QObject>
 #include <QSize>
 
-namespace Ui {
-class MainWindow;
-}
+class QAction;
+class QMenu;
+class QStatusBar;
 
 namespace hogelscope {
 
@@ -20,7 +20,7 @@ class SceneOutput : public QObject {
   Q_OBJECT
 
  public:
-  SceneOutput(const Ui::MainWindow& ui, SceneController* controller, SessionModel* model,
+  SceneOutput(QMenu* menu, QStatusBar* statusBar, SceneController* controller, SessionModel* model,
               QObject* parent);
 
   /// Saves the current scene; the panel has as many pixels as the image can show. The extension
@@ -40,12 +40,13 @@ class SceneOutput : public QObject {
   void askExport();
   void showState();
 
-  const Ui::MainWindow& m_ui;
   SceneController* m_controller;
   SessionModel* m_model;
   QString m_file;  ///< the output file of the task
   Task* m_task;
   ReadingBar* m_bar;
+  QAction* m_savePicture;
+  QAction* m_export;
 };
 
 }  // namespace hogelscope

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/session/session_model.h"
+#include "gui/widgets/command.h"
 #include "gui/widgets/guarded.h"
 
 namespace hogelscope {
@@ -94,11 +95,7 @@ CameraCommands::CameraCommands(QMenu* menu, SessionModel* model, QObject* parent
 template <class Action>
 void CameraCommands::add(QMenu* menu, const QString& name, const QString& title,
                          const QString& help, const QKeySequence& key, Action action) {
-  menu->setToolTipsVisible(true);
-  QAction* entry = menu->addAction(title, this, action);
-  entry->setObjectName(name + "Action");
-  entry->setToolTip(help);
-  entry->setShortcut(key);
+  addCommand(menu, {name + "Action", title, help, key}, this, action);
 }
 
 /// Adds the motions; those with Shift have larger steps.

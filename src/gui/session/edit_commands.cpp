@@ -5,13 +5,13 @@
 #include "gui/keys/key_dialog.h"
 #include "gui/keys/key_map.h"
 #include "gui/session/session_model.h"
+#include "gui/widgets/command.h"
 
 namespace hogelscope {
 
 EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window)
     : QObject(window), m_window(window) {
   new FieldGuards(this);
-  menu->setToolTipsVisible(true);
   const auto add = [menu](QAction* action, const char* name, const QString& help,
                           const QKeySequence& key) {
     action->setObjectName(name);
@@ -24,10 +24,10 @@ EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window
   add(model->undoStack()->createRedoAction(this, tr("&Redo")), "redoAction",
       tr("Does again what was taken back"), Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   menu->addSeparator();
-  auto* keys = new QAction(tr("&Keys…"), this);
-  add(keys, "keysAction", tr("All commands and their keys, to search and to change"),
-      Qt::CTRL | Qt::Key_K);
-  connect(keys, &QAction::triggered, this, &EditCommands::showKeys);
+  addCommand(menu,
+             {"keysAction", tr("&Keys…"),
+              tr("All commands and their keys, to search and to change"), Qt::CTRL | Qt::Key_K},
+             this, &EditCommands::showKeys);
 }
 
 void EditCommands::readKeys() {

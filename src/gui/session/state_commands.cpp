@@ -14,42 +14,39 @@ namespace hogelscope {
 
 StateCommands::StateCommands(QMenu* menu, SessionModel* model, QObject* parent)
     : QObject(parent), m_menu(menu), m_model(model) {
-  m_menu->setToolTipsVisible(true);
   addListEntries();
   m_menu->addSeparator();
   addFileEntries();
 }
 
-template <class Action>
-void StateCommands::add(const Entry& entry, Action action) {
-  auto* made = m_menu->addAction(entry.title, this, action);
-  made->setObjectName(entry.name);
-  made->setIconText(entry.buttonText);
-  made->setShortcut(entry.key);
-  made->setToolTip(tr("%1 (%2)").arg(entry.help, entry.key.toString(QKeySequence::NativeText)));
-  m_actions.push_back(made);
+/// The button's tooltip names the key.
+template <class Slot>
+void StateCommands::add(const CommandText& text, Slot slot) {
+  QAction* action = addCommand(m_menu, text, this, slot);
+  action->setToolTip(tr("%1 (%2)").arg(text.help, text.key.toString(QKeySequence::NativeText)));
+  m_actions.push_back(action);
 }
 
 /// Adds the functions of core/cameras/state_list_edits.h, applied to the current state.
 void StateCommands::addListEntries() {
-  add({"addStateAction", tr("&New"), tr("New"), tr("A new state in front of the display"),
-       Qt::CTRL | Qt::Key_N},
+  add({"addStateAction", tr("&New"), tr("A new state in front of the display"),
+       Qt::CTRL | Qt::Key_N, tr("New")},
       [this] {
         change(tr("Add state"), [](Session& session, std::size_t) {
           return addState(session, inFrontOf(displayOf(session)));
         });
       });
-  add({"duplicateAction", tr("&Duplicate"), tr("Duplicate"),
-       tr("A copy of the current state behind it"), Qt::CTRL | Qt::Key_D},
+  add({"duplicateAction", tr("&Duplicate"), tr("A copy of the current state behind it"),
+       Qt::CTRL | Qt::Key_D, tr("Duplicate")},
       [this] { change(tr("Duplicate state"), duplicateState); });
-  add({"renameAction", tr("&Rename"), tr("Rename"), tr("Edits the current state's name"),
-       Qt::Key_F2},
+  add({"renameAction", tr("&Rename"), tr("Edits the current state's name"), Qt::Key_F2,
+       tr("Rename")},
       [this] { Q_EMIT nameAsked(); });
-  add({"removeAction", tr("De&lete"), tr("Delete"), tr("Deletes the marked states"),
-       Qt::CTRL | Qt::Key_Delete},
+  add({"removeAction", tr("De&lete"), tr("Deletes the marked states"), Qt::CTRL | Qt::Key_Delete,
+       tr("Delete")},
       [this] { remove(); });
-  add({"moveUpAction", tr("Move &up"), tr("Up"), tr("Moves the current state up"),
-       Qt::CTRL | Qt::SHIFT | Qt::Key_Up},
+  add({"moveUpAction", tr("Move &up"), tr("Moves the current state up"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_Up, tr("Up")},
       [this] {
         change(tr("Move state"), [](Session& session, std::size_t index) {
           const std::size_t to = index > 0 ? index - 1 : 0;
@@ -57,8 +54,8 @@ void StateCommands::addListEntries() {
           return to;
         });
       });
-  add({"moveDownAction", tr("Move dow&n"), tr("Down"), tr("Moves the current state down"),
-       Qt::CTRL | Qt::SHIFT | Qt::Key_Down},
+  add({"moveDownAction", tr("Move dow&n"), tr("Moves the current state down"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_Down, tr("Down")},
       [this] {
         change(tr("Move state"), [](Session& session, std::size_t index) {
           const std::size_t to = std::min(index + 1, session.cameras.size() - 1);
@@ -69,14 +66,17 @@ void StateCommands::addListEntries() {
 }
 
 void StateCommands::addFileEntries() {
-  add({"loadStatesAction", tr("&Load states from file…"), tr("Load…"),
-       tr("Adds another session's states behind these"), Qt::CTRL | Qt::SHIFT | Qt::Key_O},
+  add({"loadStatesAction", tr("&Load states from file…"),
+       tr("Adds another session's states behind these"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+       tr("Load…")},
       [this] { askStates(); });
-  add({"addToFileAction", tr("&Add to file…"), tr("Add to…"),
-       tr("Adds the marked states to another session's file"), Qt::CTRL | Qt::SHIFT | Qt::Key_A},
+  add({"addToFileAction", tr("&Add to file…"),
+       tr("Adds the marked states to another session's file"), Qt::CTRL | Qt::SHIFT | Qt::Key_A,
+       tr("Add to…")},
       [this] { askFile(); });
-  add({"saveStatesAction", tr("&Save to new file…"), tr("Save as…"),
-       tr("Writes a session of the marked states only"), Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+  add({"saveStatesAction", tr("&Save to new file…"),
+       tr("Writes a session of the marked states only"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
+       tr("Save as…")},
       [this] { askNewFile(); });
 }
 

@@ -2,12 +2,11 @@
 // The States menu: changes of the list of camera states (core/cameras/state_list_edits.h).
 #pragma once
 
-#include <QAction>
-#include <QMenu>
 #include <QObject>
 #include <vector>
 
 #include "core/optics/session.h"
+#include "gui/widgets/command.h"
 
 namespace hogelscope {
 
@@ -39,18 +38,10 @@ class StateCommands : public QObject {
   void failed(const QString& line);
 
  private:
-  struct Entry {
-    const char* name;
-    QString title;
-    QString buttonText;
-    QString help;
-    QKeySequence key;
-  };
-
   void addListEntries();
   void addFileEntries();
-  template <class Action>
-  void add(const Entry& entry, Action action);
+  template <class Slot>
+  void add(const CommandText& text, Slot slot);
   void change(const QString& name, std::size_t (*action)(Session&, std::size_t));
   void remove();
   void askStates();

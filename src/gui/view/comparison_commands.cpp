@@ -9,17 +9,17 @@
 
 #include "gui/view/comparison.h"
 #include "gui/view/error_image.h"
-#include "ui_main_window.h"
+#include "gui/widgets/command.h"
 
 namespace hogelscope {
 
-ComparisonCommands::ComparisonCommands(const Ui::MainWindow& ui, QObject* parent)
+ComparisonCommands::ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around,
+                                       QObject* parent)
     : QObject(parent),
-      m_ui(ui),
-      m_view(ui.pictureView),
+      m_menu(menu),
+      m_view(view),
       m_modes(new QActionGroup(this)),
       m_kinds(new QActionGroup(this)),
-      m_errorMenu(new QMenu(tr("Err&or map"), ui.pictureMenu)),
       m_bar(new QWidget),
       m_figures(new QLabel),
       m_histogram(new HistogramWidget),
@@ -27,8 +27,8 @@ ComparisonCommands::ComparisonCommands(const Ui::MainWindow& ui, QObject* parent
   addModes();
   addErrorMaps();
   addTone();
-  addHistogram();
-  addBar();
+  addHistogram(around);
+  addBar(around);
   connect(m_view, &ImageWidget::regionChanged, this, &ComparisonCommands::measure);
   connect(m_meter, &ComparisonMeter::measured, this, [this](const ComparisonFigures& figures) {
     m_figures->setText(textOf(figures));
@@ -36,34 +36,36 @@ ComparisonCommands::ComparisonCommands(const Ui::MainWindow& ui, QObject* parent
   });
 }
 
-QAction* ComparisonCommands::add(QMenu* menu, const char* name, const QString& text,
-                                 const QString& help, const QKeySequence& key) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setToolTip(help);
-  action->setShortcut(key);
-  action->setCheckable(true);
-  menu->insertAction(menu == m_ui.pictureMenu ? m_ui.maskAction : nullptr, action);
-  return action;
-}
-
 void ComparisonCommands::addModes() {
   using Mode = ImageWidget::Mode;
-  QAction* blink =
-      add(m_ui.pictureMenu, "blinkAction", tr("Bl&ink"),
-          tr("The two pictures take turns, twice a second; Space: by hand"), Qt::CTRL | Qt::Key_7);
-  m_ui.pictureMenu->insertAction(m_ui.differenceAction, blink);
-  for (const auto& [action, word, mode] :
-       {std::tuple(m_ui.singleAction, tr("One"), Mode::single),
-        std::tuple(m_ui.sideBySideAction, tr("Both"), Mode::sideBySide),
-        std::tuple(m_ui.wipeAction, tr("Wipe"), Mode::wipe),
-        std::tuple(blink, tr("Blink"), Mode::blink),
-        std::tuple(m_ui.differenceAction, tr("Error"), Mode::difference)}) {
-    action->setIconText(word);
+  const auto add = [this](const CommandText& text, Mode mode) {
+    QAction* action = addCommand(m_menu, text, this, [this, mode] { m_view->setMode(mode); });
+    action->setCheckable(true);
     m_modes->addAction(action);
-    connect(action, &QAction::triggered, this, [this, m = mode] { m_view->setMode(m); });
-  }
-  m_ui.sideBySideAction->setChecked(true);
+    return action;
+  };
+  add({"singleAction", tr("&One picture"), tr("Shows the session's own picture"),
+       Qt::CTRL | Qt::Key_1, tr("One")},
+      Mode::single);
+  add({"sideBySideAction", tr("Side &by side"), tr("Both pictures, zoomed and moved together"),
+       Qt::CTRL | Qt::Key_2, tr("Both")},
+      Mode::sideBySide)
+      ->setChecked(true);
+  add({"wipeAction", tr("&Wipe"),
+       tr("One picture left of a line, the other right of it; drag the line, or Shift+Left and "
+          "Shift+Right"),
+       Qt::CTRL | Qt::Key_3, tr("Wipe")},
+      Mode::wipe);
+  add({"blinkAction", tr("Bl&ink"),
+       tr("The two pictures take turns, twice a second; Space: by hand"), Qt::CTRL | Qt::Key_7,
+       tr("Blink")},
+      Mode::blink);
+  m_difference = add({"differenceAction", tr("&Difference"),
+                      tr("Error of the other picture, as the error map chosen, times a gain; "
+                         "Shift+Up and Shift+Down change the gain"),
+                      Qt::CTRL | Qt::Key_4, tr("Error")},
+                     Mode::difference);
+  m_menu->addSeparator();
 }
 
 void ComparisonCommands::addErrorMaps() {
@@ -81,33 +83,33 @@ void ComparisonCommands::addErrorMaps() {
       MapChoice{ErrorKind::relative, "relativeErrorAction",
                 tr("|t − r| / max(r, 1) of each channel, in percent")},
       MapChoice{ErrorKind::luma, "lumaErrorAction", tr("|Y(t) − Y(r)|, Y of BT.709")}};
+  m_errorMenu = m_menu->addMenu(tr("Err&or map"));
   int digit = Qt::Key_1;
   for (const MapChoice& choice : choices) {
-    QAction* action =
-        add(m_errorMenu, choice.name, ErrorText::name(choice.kind),
-            tr("Shows %1 for the other picture's value t and the session's own r").arg(choice.help),
-            Qt::ALT | Qt::Key(digit++));
+    QAction* action = addCommand(
+        m_errorMenu,
+        {choice.name, ErrorText::name(choice.kind),
+         tr("Shows %1 for the other picture's value t and the session's own r").arg(choice.help),
+         Qt::ALT | Qt::Key(digit++)},
+        m_difference, &QAction::trigger);
+    action->setCheckable(true);
     action->setData(int(choice.kind));
     m_kinds->addAction(action);
-    connect(action, &QAction::triggered, m_ui.differenceAction, &QAction::trigger);
   }
   m_kinds->actions().front()->setChecked(true);
   connect(m_kinds, &QActionGroup::triggered, this, &ComparisonCommands::showErrorMap);
   m_errorMenu->addSeparator();
-  m_errorMenu->setToolTipsVisible(true);
-  m_falseColour = add(m_errorMenu, "falseColourAction", tr("&False colour"),
-                      tr("Shows the mean error of the channels in the colours of a scale"),
-                      Qt::ALT | Qt::Key_6);
-  m_falseColour->setIconText(tr("Colours"));
-  connect(m_falseColour, &QAction::toggled, this, &ComparisonCommands::showErrorMap);
-  connect(m_falseColour, &QAction::triggered, m_ui.differenceAction, &QAction::trigger);
-  m_ui.pictureMenu->insertMenu(m_ui.maskAction, m_errorMenu);
+  m_falseColour = addSwitch(m_errorMenu,
+                            {"falseColourAction", tr("&False colour"),
+                             tr("Shows the mean error of the channels in the colours of a scale"),
+                             Qt::ALT | Qt::Key_6, tr("Colours")},
+                            false, this, &ComparisonCommands::showErrorMap);
+  connect(m_falseColour, &QAction::triggered, m_difference, &QAction::trigger);
 }
 
 /// Adds the image widget's commands to the menu, with keys that work anywhere in the window.
 void ComparisonCommands::addTone() {
-  auto* menu = new QMenu(tr("&Gain and gamma"), m_ui.pictureMenu);
-  menu->setToolTipsVisible(true);
+  auto* menu = m_menu->addMenu(tr("&Gain and gamma"));
   for (const auto& [own, name, key] :
        {std::tuple("moreGainAction", "moreGainViewAction", Qt::ALT | Qt::Key_Plus),
         std::tuple("lessGainAction", "lessGainViewAction", Qt::ALT | Qt::Key_Minus),
@@ -115,11 +117,8 @@ void ComparisonCommands::addTone() {
         std::tuple("lessGammaAction", "lessGammaViewAction", Qt::ALT | Qt::Key_Comma),
         std::tuple("resetToneAction", "resetToneViewAction", Qt::ALT | Qt::Key_0)}) {
     auto* does = m_view->findChild<QAction*>(own);
-    QAction* action = add(menu, name, does->text(), does->toolTip(), key);
-    action->setCheckable(false);
-    connect(action, &QAction::triggered, does, &QAction::trigger);
+    addCommand(menu, {name, does->text(), does->toolTip(), key}, does, &QAction::trigger);
   }
-  m_ui.pictureMenu->insertMenu(m_ui.maskAction, menu);
 }
 
 void ComparisonCommands::showErrorMap() {
@@ -127,19 +126,20 @@ void ComparisonCommands::showErrorMap() {
                       m_falseColour->isChecked());
 }
 
-void ComparisonCommands::addHistogram() {
-  m_showHistogram = add(m_ui.pictureMenu, "histogramAction", tr("&Histogram"),
-                        tr("Below the picture: how many pixels have which luma"),
-                        Qt::CTRL | Qt::SHIFT | Qt::Key_H);
+void ComparisonCommands::addHistogram(QVBoxLayout* around) {
+  m_showHistogram = addSwitch(
+      m_menu,
+      {"histogramAction", tr("&Histogram"),
+       tr("Below the picture: how many pixels have which luma"), Qt::CTRL | Qt::SHIFT | Qt::Key_H},
+      false, m_histogram, &QWidget::setVisible);
   m_histogram->setObjectName("histogram");
   m_histogram->hide();
-  m_ui.pictureLayout->addWidget(m_histogram);
-  connect(m_showHistogram, &QAction::toggled, m_histogram, &QWidget::setVisible);
+  around->addWidget(m_histogram);
   connect(m_showHistogram, &QAction::toggled, this, &ComparisonCommands::measure);
 }
 
 /// Fills the bar with the menu's commands and those of the image widget.
-void ComparisonCommands::addBar() {
+void ComparisonCommands::addBar(QVBoxLayout* around) {
   const auto own = [this](const char* name, const QString& word) {
     auto* action = m_view->findChild<QAction*>(name);
     action->setIconText(word);
@@ -154,7 +154,7 @@ void ComparisonCommands::addBar() {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
     button->setDefaultAction(action);
-    if (action == m_ui.differenceAction) {
+    if (action == m_difference) {
       button->setMenu(m_errorMenu);
       button->setPopupMode(QToolButton::MenuButtonPopup);
     }
@@ -175,8 +175,8 @@ void ComparisonCommands::addBar() {
   rows->addLayout(buttons);
   rows->addWidget(m_figures);
   m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the image
-  m_ui.pictureLayout->insertWidget(0, m_bar);
-  m_ui.pictureLayout->setStretchFactor(m_view, 1);
+  around->insertWidget(0, m_bar);
+  around->setStretchFactor(m_view, 1);
 }
 
 void ComparisonCommands::setComparing(bool isComparing) {

@@ -10,10 +10,7 @@
 class QActionGroup;
 class QLabel;
 class QMenu;
-
-namespace Ui {
-class MainWindow;
-}
+class QVBoxLayout;
 
 namespace hogelscope {
 
@@ -24,7 +21,8 @@ class ComparisonCommands : public QObject {
   Q_OBJECT
 
  public:
-  ComparisonCommands(const Ui::MainWindow& ui, QObject* parent);
+  /// Puts the bar above `view` and the histogram below it, into the layout `around` it.
+  ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around, QObject* parent);
 
   /// Sets whether there is an image to compare with.
   void setComparing(bool isComparing);
@@ -35,17 +33,16 @@ class ComparisonCommands : public QObject {
   void addModes();
   void addErrorMaps();
   void addTone();
-  void addHistogram();
-  void addBar();
-  QAction* add(QMenu* menu, const char* name, const QString& text, const QString& help,
-               const QKeySequence& key);
+  void addHistogram(QVBoxLayout* around);
+  void addBar(QVBoxLayout* around);
   void showErrorMap();
 
-  const Ui::MainWindow& m_ui;
+  QMenu* m_menu;
   ImageWidget* m_view;
   QActionGroup* m_modes;
   QActionGroup* m_kinds;
-  QMenu* m_errorMenu;
+  QMenu* m_errorMenu = nullptr;
+  QAction* m_difference = nullptr;
   QAction* m_falseColour = nullptr;
   QAction* m_showHistogram = nullptr;
   QWidget* m_bar;

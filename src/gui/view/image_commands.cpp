@@ -3,42 +3,32 @@
 
 #include <QClipboard>
 #include <QFileInfo>
+#include <QGuiApplication>
+#include <QStatusBar>
 
 #include "gui/session/session_model.h"
 #include "gui/view/comparison_commands.h"
 #include "gui/view/view_output.h"
 #include "gui/view/view_worker.h"
+#include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/guarded.h"
 #include "gui/widgets/polled_bar.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
-#include "ui_main_window.h"
 
 namespace hogelscope {
 
-ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
+ImageCommands::ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around,
+                             QStatusBar* statusBar, SessionModel* model, QObject* parent)
     : QObject(parent),
-      m_ui(ui),
+      m_view(view),
       m_model(model),
       m_comparison(new Comparison(this)),
-      m_comparing(new ComparisonCommands(ui, this)),
-      m_output(new ViewOutput(ui, model, this)),
       m_bar(new ReadingBar(
-          tr("Other light field"), [this] { return m_comparison->readShare(); }, ui.statusBar)) {
-  const auto connectAction = [this](QAction* action, void (ImageCommands::*does)()) {
-    connect(action, &QAction::triggered, this, does);
-  };
-  connectAction(m_ui.compareAction, &ImageCommands::askFile);
-  connectAction(m_ui.compareFolderAction, &ImageCommands::askFolder);
-  connect(m_ui.compareIdealAction, &QAction::triggered, m_comparison, &Comparison::startIdeal);
-  connectAction(m_ui.stopComparingAction, &ImageCommands::stopComparing);
-  connectAction(m_ui.savePictureAction, &ImageCommands::askImage);
-  connectAction(m_ui.copyPictureAction, &ImageCommands::copy);
-  connect(m_ui.fitViewAction, &QAction::triggered, m_ui.pictureView, &ImageWidget::fit);
-  connect(m_ui.oneToOneViewAction, &QAction::triggered, m_ui.pictureView, &ImageWidget::oneToOne);
-  connect(m_ui.maskAction, &QAction::toggled, m_ui.pictureView, &ImageWidget::showMask);
+          tr("Other light field"), [this] { return m_comparison->readShare(); }, statusBar)) {
+  addCommands(menu, around, statusBar);
   connect(m_comparison, &Comparison::changed, this, &ImageCommands::otherChanged);
   connect(m_comparison, &Comparison::changed, this, &ImageCommands::showComparison);
   connect(m_comparison, &Comparison::changed, this,
@@ -49,9 +39,62 @@ ImageCommands::ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObj
   connect(m_output, &ViewOutput::done, this, &ImageCommands::done);
   connect(m_output, &ViewOutput::failed, this, &ImageCommands::failed);
   m_bar->setObjectName("otherReadingBar");
-  m_ui.statusBar->addPermanentWidget(m_bar);
+  statusBar->addPermanentWidget(m_bar);
   connect(m_bar, &ReadingBar::stopAsked, this, &ImageCommands::stopReading);
   drop(tr("No view yet: open a session (Ctrl+O)"));
+}
+
+void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar) {
+  m_compare = addCommand(menu,
+                         {"compareAction", tr("&Compare with light field…"),
+                          tr("Shows the current state on another light field too: a picture, or a "
+                             "session with its own display"),
+                          Qt::CTRL | Qt::Key_L},
+                         this, &ImageCommands::askFile);
+  m_compareFolder = addCommand(
+      menu,
+      {"compareFolderAction", tr("Compare with &folder of views…"),
+       tr("Shows the current state on another light field too: a folder of sub-aperture pictures"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_F},
+      this, &ImageCommands::askFolder);
+  m_compareIdeal = addCommand(menu,
+                              {"compareIdealAction", tr("Compare with the &ideal view"),
+                               tr("Shows beside the display what the eye would see of the live "
+                                  "scene itself, without a display"),
+                               Qt::CTRL | Qt::SHIFT | Qt::Key_I},
+                              m_comparison, &Comparison::startIdeal);
+  m_stop = addCommand(menu,
+                      {"stopComparingAction", tr("&Stop comparing"),
+                       tr("Frees the other light field"), Qt::CTRL | Qt::SHIFT | Qt::Key_L},
+                      this, &ImageCommands::stopComparing);
+  menu->addSeparator();
+  m_comparing = new ComparisonCommands(menu, m_view, around, this);
+  addSwitch(menu,
+            {"maskAction", tr("Show &mask"),
+             tr("Hatches the pixels whose rays do not meet the display inside its angular field"),
+             Qt::CTRL | Qt::Key_M},
+            false, m_view, &ImageWidget::showMask);
+  m_fit = addCommand(menu,
+                     {"fitViewAction", tr("&Fit picture"), tr("Shows the whole simulated view"),
+                      Qt::CTRL | Qt::Key_5},
+                     m_view, &ImageWidget::fit);
+  m_oneToOne = addCommand(
+      menu,
+      {"oneToOneViewAction", tr("One &to one"),
+       tr("Shows one pixel of the simulated view on one of the screen"), Qt::CTRL | Qt::Key_6},
+      m_view, &ImageWidget::oneToOne);
+  menu->addSeparator();
+  m_save = addCommand(menu,
+                      {"savePictureAction", tr("Sa&ve picture…"),
+                       tr("Saves the picture as the mode shows it, in full size"),
+                       Qt::CTRL | Qt::Key_E, tr("Save picture")},
+                      this, &ImageCommands::askImage);
+  m_output = new ViewOutput(menu, m_view, statusBar, m_model, this);
+  m_copy = addCommand(menu,
+                      {"copyPictureAction", tr("Co&py picture"),
+                       tr("Copies the picture as the mode shows it, in full size"),
+                       Qt::CTRL | Qt::SHIFT | Qt::Key_C, tr("Copy picture")},
+                      this, &ImageCommands::copy);
 }
 
 void ImageCommands::setSource(const std::optional<ViewSource>& own) {
@@ -65,48 +108,47 @@ std::optional<ViewSource> ImageCommands::other() const {
 
 void ImageCommands::show(const RenderedView& view) {
   const bool hasOther = other().has_value();  // false for an image that arrives after the stop
-  m_ui.pictureView->setImages(view.image, hasOther ? view.otherImage : QImage());
-  m_ui.pictureView->setMask(view.seen, hasOther ? view.otherSeen : QImage());
+  m_view->setImages(view.image, hasOther ? view.otherImage : QImage());
+  m_view->setMask(view.seen, hasOther ? view.otherSeen : QImage());
   showNotice({});
 }
 
 void ImageCommands::showNotice(const QString& why) {
-  m_ui.pictureView->setNotice(why);
+  m_view->setNotice(why);
   showComparison();
 }
 
 void ImageCommands::drop(const QString& why) {
-  m_ui.pictureView->setMask({}, {});
-  m_ui.pictureView->setImages({});
+  m_view->setMask({}, {});
+  m_view->setImages({});
   showNotice(why);
 }
 
 bool ImageCommands::isRight() const {
-  return !m_ui.pictureView->image().isNull() && m_ui.pictureView->notice().isEmpty();
+  return !m_view->image().isNull() && m_view->notice().isEmpty();
 }
 
 /// Enables the commands that are available now.
 void ImageCommands::showComparison() {
-  const bool hasImage = !m_ui.pictureView->image().isNull();
+  const bool hasImage = !m_view->image().isNull();
   m_bar->setVisible(m_comparison->isReading());
   m_comparing->setComparing(other().has_value());
   m_comparing->measure();
-  m_ui.stopComparingAction->setEnabled(other() || m_comparison->isReading());
-  m_ui.compareAction->setEnabled(hasImage);
-  m_ui.compareFolderAction->setEnabled(hasImage);
-  m_ui.compareIdealAction->setEnabled(hasImage && m_model->session().lightField.isLive());
-  for (QAction* action : {m_ui.fitViewAction, m_ui.oneToOneViewAction})
-    action->setEnabled(hasImage);
-  for (QAction* action : {m_ui.savePictureAction, m_ui.copyPictureAction})
-    action->setEnabled(isRight());
+  m_stop->setEnabled(other() || m_comparison->isReading());
+  m_compare->setEnabled(hasImage);
+  m_compareFolder->setEnabled(hasImage);
+  m_compareIdeal->setEnabled(hasImage && m_model->session().lightField.isLive());
+  m_fit->setEnabled(hasImage);
+  m_oneToOne->setEnabled(hasImage);
+  m_save->setEnabled(isRight());
+  m_copy->setEnabled(isRight());
   const std::string own = contentName(m_model->session().lightField);
-  m_ui.pictureView->setTitles(QFileInfo(QString::fromStdString(own)).fileName(),
-                              m_comparison->name());
+  m_view->setTitles(QFileInfo(QString::fromStdString(own)).fileName(), m_comparison->name());
 }
 
 void ImageCommands::stopComparing() {
   m_comparison->stop();
-  m_ui.pictureView->setImages(m_ui.pictureView->image());
+  m_view->setImages(m_view->image());
   m_comparing->measure();
 }
 
@@ -129,7 +171,7 @@ bool ImageCommands::saveImage(const QString& file) {
     Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
     return false;
   }
-  const QImage image = m_ui.pictureView->shownImage().convertToFormat(QImage::Format_RGB888);
+  const QImage image = m_view->shownImage().convertToFormat(QImage::Format_RGB888);
   const auto rowBytes = 3 * std::size_t(image.width());
   std::vector<std::uint8_t> rgb;
   for (int y = 0; y < image.height(); ++y)
@@ -142,24 +184,24 @@ bool ImageCommands::saveImage(const QString& file) {
 }
 
 void ImageCommands::copy() {
-  QGuiApplication::clipboard()->setImage(m_ui.pictureView->shownImage());
+  QGuiApplication::clipboard()->setImage(m_view->shownImage());
   Q_EMIT done(tr("Copied"));
 }
 
 void ImageCommands::askFile() {
-  const QString file = chooseFile(m_ui.pictureView, tr("Compare with light field"),
-                                  lightFieldFilter(sessionPatterns));
+  const QString file =
+      chooseFile(m_view, tr("Compare with light field"), lightFieldFilter(sessionPatterns));
   if (!file.isEmpty()) compareWith(file);
 }
 
 void ImageCommands::askFolder() {
-  const QString folder = chooseFolder(m_ui.pictureView, tr("Compare with folder of views"));
+  const QString folder = chooseFolder(m_view, tr("Compare with folder of views"));
   if (!folder.isEmpty()) compareWith(folder);
 }
 
 void ImageCommands::askImage() {
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file = chooseNewFile(m_ui.pictureView, tr("Save picture"), name,
+  const QString file = chooseNewFile(m_view, tr("Save picture"), name,
                                      tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
   if (!file.isEmpty()) saveImage(file);
 }

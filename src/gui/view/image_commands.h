@@ -6,13 +6,15 @@
 
 #include "gui/view/comparison.h"
 
-namespace Ui {
-class MainWindow;
-}
+class QAction;
+class QMenu;
+class QStatusBar;
+class QVBoxLayout;
 
 namespace hogelscope {
 
 class ComparisonCommands;
+class ImageWidget;
 class ReadingBar;
 class SessionModel;
 class ViewOutput;
@@ -22,7 +24,9 @@ class ImageCommands : public QObject {
   Q_OBJECT
 
  public:
-  ImageCommands(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
+  /// `around` is the layout that holds `view`.
+  ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around, QStatusBar* statusBar,
+                SessionModel* model, QObject* parent);
 
   /// Sets the session's own light field; none while it is read.
   void setSource(const std::optional<ViewSource>& own);
@@ -47,6 +51,7 @@ class ImageCommands : public QObject {
   void failed(const QString& line);
 
  private:
+  void addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar);
   [[nodiscard]] bool isRight() const;
   void stopComparing();
   void stopReading();
@@ -56,11 +61,14 @@ class ImageCommands : public QObject {
   void askFolder();
   void askImage();
 
-  const Ui::MainWindow& m_ui;
+  QAction *m_compare = nullptr, *m_compareFolder = nullptr, *m_compareIdeal = nullptr;
+  QAction *m_stop = nullptr, *m_fit = nullptr, *m_oneToOne = nullptr, *m_save = nullptr,
+          *m_copy = nullptr;
+  ImageWidget* m_view;
   SessionModel* m_model;
   Comparison* m_comparison;
-  ComparisonCommands* m_comparing;
-  ViewOutput* m_output;
+  ComparisonCommands* m_comparing = nullptr;
+  ViewOutput* m_output = nullptr;
   ReadingBar* m_bar;
 };
 

@@ -2,6 +2,7 @@
 #include "gui/view/view_output.h"
 
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <algorithm>
 #include <cmath>
 
@@ -9,11 +10,11 @@
 #include "core/engine/scaled_view.h"
 #include "gui/session/session_model.h"
 #include "gui/view/animation.h"
+#include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/polled_bar.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
-#include "ui_main_window.h"
 
 namespace hogelscope {
 
@@ -47,19 +48,31 @@ std::vector<fs::path> lightFieldFiles(const Session& session) {
   return openLightField(session.lightField, session.display)->files();
 }
 
-ViewOutput::ViewOutput(const Ui::MainWindow& ui, SessionModel* model, QObject* parent)
+ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, SessionModel* model,
+                       QObject* parent)
     : QObject(parent),
-      m_ui(ui),
+      m_view(view),
       m_model(model),
       m_task(new Task(this)),
       m_bar(new ReadingBar(
-          tr("Writing"), [this] { return m_task->share(); }, ui.statusBar,
-          tr("How much has been rendered and written"), tr("Stops, and leaves no file behind"))) {
+          tr("Writing"), [this] { return m_task->share(); }, statusBar,
+          tr("How much has been rendered and written"), tr("Stops, and leaves no file behind"))),
+      m_saveView(addCommand(
+          menu,
+          {"saveViewAction", tr("Save vie&w at any size…"),
+           tr("Renders the current state's simulated view again, with as many pixels as you say "
+              "over the same field: PNG, TIFF of 16 bits, or EXR of floats that are not rounded"),
+           Qt::CTRL | Qt::ALT | Qt::Key_E},
+          this, &ViewOutput::askView)),
+      m_saveAnimation(addCommand(menu,
+                                 {"saveAnimationAction", tr("Save a&nimation…"),
+                                  tr("Renders all states in their order: numbered pictures, and a "
+                                     "video where the program ffmpeg is installed"),
+                                  Qt::CTRL | Qt::ALT | Qt::Key_A},
+                                 this, &ViewOutput::askAnimation)) {
   m_bar->setObjectName("outputBar");
-  ui.statusBar->addPermanentWidget(m_bar);
+  statusBar->addPermanentWidget(m_bar);
   connect(m_bar, &ReadingBar::stopAsked, m_task, &Task::stop);
-  connect(ui.saveViewAction, &QAction::triggered, this, &ViewOutput::askView);
-  connect(ui.saveAnimationAction, &QAction::triggered, this, &ViewOutput::askAnimation);
   connect(m_task, &Task::stopped, this, [this] {
     showState();
     Q_EMIT done(tr("Stopped; nothing was written"));
@@ -78,7 +91,7 @@ void ViewOutput::setSource(const std::optional<ViewSource>& source) {
 
 void ViewOutput::showState() {
   m_bar->setVisible(m_task->isRunning());
-  for (QAction* action : {m_ui.saveViewAction, m_ui.saveAnimationAction})
+  for (QAction* action : {m_saveView, m_saveAnimation})
     action->setEnabled(m_source && !m_task->isRunning());
 }
 
@@ -129,19 +142,19 @@ QSize ViewOutput::currentSize() const {
 }
 
 void ViewOutput::askView() {
-  SizeDialog dialog(tr("Save view at any size"), currentSize(), m_ui.pictureView);
+  SizeDialog dialog(tr("Save view at any size"), currentSize(), m_view);
   if (dialog.exec() != QDialog::Accepted) return;
   const QString name = QString::fromStdString(m_model->current().camera.name) + ".png";
-  const QString file = chooseNewFile(m_ui.pictureView, tr("Save view"), name,
-                                     tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
+  const QString file =
+      chooseNewFile(m_view, tr("Save view"), name, tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
   if (!file.isEmpty()) saveView(file, dialog.size());
 }
 
 void ViewOutput::askAnimation() {
   const QString ffmpeg = QStandardPaths::findExecutable("ffmpeg");
-  AnimationDialog dialog(currentSize(), ffmpeg, m_ui.pictureView);
+  AnimationDialog dialog(currentSize(), ffmpeg, m_view);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString folder = chooseOutputFolder(m_ui.pictureView, tr("Folder of the animation"));
+  const QString folder = chooseOutputFolder(m_view, tr("Folder of the animation"));
   if (folder.isEmpty()) return;
   const double scale = double(dialog.size().width()) / currentSize().width();
   saveAnimation(folder, scale, dialog.hasVideo() ? ffmpeg : QString(), dialog.framesPerSecond());

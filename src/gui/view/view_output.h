@@ -11,9 +11,9 @@
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
 
-namespace Ui {
-class MainWindow;
-}
+class QAction;
+class QMenu;
+class QStatusBar;
 
 namespace hogelscope {
 
@@ -26,7 +26,9 @@ class ViewOutput : public QObject {
   Q_OBJECT
 
  public:
-  ViewOutput(const Ui::MainWindow& ui, SessionModel* model, QObject* parent);
+  /// Dialogs are shown over `view`.
+  ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, SessionModel* model,
+             QObject* parent);
 
   /// Sets the session's light field; none while it is read. A running job keeps its own.
   void setSource(const std::optional<ViewSource>& source);
@@ -49,11 +51,13 @@ class ViewOutput : public QObject {
   void showState();
   [[nodiscard]] QSize currentSize() const;
 
-  const Ui::MainWindow& m_ui;
+  QWidget* m_view;
   SessionModel* m_model;
   std::optional<ViewSource> m_source;
   Task* m_task;
   ReadingBar* m_bar;
+  QAction* m_saveView;
+  QAction* m_saveAnimation;
 };
 
 /// Returns the files of the session's light field, which must not be overwritten. For a live scene
