@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QIcon>
 #include <QLocale>
 #include <QTranslator>
 #include <cstdlib>
@@ -29,6 +30,7 @@ int runWindow(int argc, char** argv, const std::vector<std::string>& files) {
                      "batch mode needs none, see --help");
   const QApplication application(argc, argv);
   QApplication::setApplicationName("Hogelscope");
+  QApplication::setWindowIcon(QIcon(":/icons/io.github.hogelscope.Hogelscope.svg"));
   QApplication::setApplicationVersion(programVersion());
   QApplication::setOrganizationName("Hogelscope");
   installTranslations();

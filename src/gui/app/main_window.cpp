@@ -10,7 +10,6 @@
 #include <QSignalBlocker>
 #include <utility>
 
-#include "gui/app/colours.h"
 #include "gui/app/help_commands.h"
 #include "gui/app/home_page.h"
 #include "gui/app/messages.h"
@@ -31,6 +30,7 @@
 #include "gui/view/content_loader.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
+#include "gui/widgets/colours.h"
 #include "gui/widgets/polled_bar.h"
 #include "ui_main_window.h"
 
@@ -54,7 +54,6 @@ MainWindow::MainWindow(QWidget* parent)
       new SceneController(m_ui->sceneMenu, m_ui->sceneWidget, m_ui->sceneReadout, m_model, this);
   m_imageCommands = new ImageCommands(m_ui->pictureMenu, m_ui->pictureView, m_ui->pictureLayout,
                                       m_ui->statusBar, m_model, this);
-  addIcons(*this);
   for (const char* name :
        {"openAction", "saveAction", "fitAction", "savePictureAction", "copyPictureAction"})
     m_ui->toolBar->addAction(findChild<QAction*>(name));
@@ -293,7 +292,7 @@ void MainWindow::addHelpers() {
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
   connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
   addHelp(m_ui->helpMenu, this);
-  new Colours(m_ui->coloursMenu, this);
+  new Colours(m_ui->coloursMenu, m_ui->textMenu, this);
   m_layout = new WindowLayout(this, *m_ui);
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);

@@ -59,7 +59,7 @@ ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, Sessio
           tr("How much has been rendered and written"), tr("Stops, and leaves no file behind"))),
       m_saveView(addCommand(
           menu,
-          {"saveViewAction", tr("Save vie&w at any size…"),
+          {"saveViewAction", tr("Save view at any si&ze…"),
            tr("Renders the current state's simulated view again, with as many pixels as you say "
               "over the same field: PNG, TIFF of 16 bits, or EXR of floats that are not rounded"),
            Qt::CTRL | Qt::ALT | Qt::Key_E},
