@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>hogelscope::Properties</name>
+    <message numerus="yes">
+        <source>%1 · %n rays</source>
+        <translation>
+            <numerusform>%1 · %n ray</numerusform>
+            <numerusform>%1 · %n rays</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hogelscope::SessionModel</name>
     <message numerus="yes">
         <source>Change %1 of %n states</source>

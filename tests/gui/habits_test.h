@@ -99,8 +99,8 @@ class HabitsTest : public QObject {
   QString message() const { return m_window->statusBar()->currentMessage(); }
   QString errors() const { return m_window->findChild<QPlainTextEdit*>("errors")->toPlainText(); }
   QDoubleSpinBox* eye() const {
-    auto* area = m_window->findChild<QScrollArea*>("cameraArea");
-    return area->widget()->findChild<QDoubleSpinBox*>("eye.0");
+    auto* area = m_window->findChild<QWidget*>("cameraArea");
+    return area->findChild<QDoubleSpinBox*>("eye.0");
   }
   void makeWindow(const QStringList& files) {
     m_window.reset();

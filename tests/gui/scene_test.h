@@ -6,6 +6,7 @@
 #include <vtkRenderer.h>
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 
@@ -47,6 +48,9 @@ class SceneTest : public WindowTest {
     m_session = session;
     m_loaded = hogelscope::loadViewSource(session, {});
     WindowTest::open(file);
+    // Half of the window, so that the scene has the pixels that tests pick and count.
+    child<QDockWidget>("statesDock")->hide();
+    m_window->resizeDocks({child<QDockWidget>("sceneDock")}, {560}, Qt::Horizontal);
     QTest::qWait(100);
   }
 

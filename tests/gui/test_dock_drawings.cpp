@@ -46,7 +46,7 @@ class TestDockDrawings : public DocksTest {
 
   void theKernelIsDrawnAndItsLossTold() {
     openSmall();
-    child<QDockWidget>("psfDock")->raise();
+    openSection("psf");
     auto* kernel = m_window->findChild<KernelWidget*>("kernelView");
     auto* energy = child<QLabel>("energyLabel");
     QTRY_VERIFY_WITH_TIMEOUT(kernel->isVisible(), patience);
@@ -76,13 +76,15 @@ class TestDockDrawings : public DocksTest {
 
   void theLensIsDrawnWithItsFold() {
     openSmall();
-    child<QDockWidget>("distortionDock")->raise();
+    openSection("distortion");
     auto* lens = m_window->findChild<LensWidget*>();
     QTRY_VERIFY_WITH_TIMEOUT(lens->isVisible(), patience);
+    lens->setFixedHeight(280);
     const QColor red(200, 40, 40);
     const QColor blue(52, 94, 150);
     for (const char* name : {"k1", "k2", "k3"})
       editor<QDoubleSpinBox>("distortionArea", name)->setValue(0);
+    QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) == 0, patience);
     QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, blue) > 1000 && pixelsOf(lens, red) == 0, patience);
     const int straight = pixelsOf(lens, blue);
     editor<QDoubleSpinBox>("distortionArea", "k1")->setValue(-1.2);  // folds at r = 0.527
@@ -90,7 +92,7 @@ class TestDockDrawings : public DocksTest {
     QVERIFY(pixelsOf(lens, blue) != straight);
     auto* certificate = child<QLabel>("certificateLabel");
     QVERIFY(certificate->text().contains("have no ray: the lens folds"));
-    editor<QComboBox>("lightFieldArea", "mapping")->setCurrentText("direct");
+    editor<QComboBox>("samplingArea", "mapping")->setCurrentText("direct");
     QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(lens, red) == 0, patience);
     lens->resize(1, 1);
     lens->grab();
@@ -99,7 +101,7 @@ class TestDockDrawings : public DocksTest {
   /// Grey from the edit on, until what is said is of this lens.
   void aStaleCertificateIsGrey() {
     openSmall();
-    child<QDockWidget>("distortionDock")->raise();
+    openSection("distortion");
     auto* certificate = child<QLabel>("certificateLabel");
     auto* lens = m_window->findChild<LensWidget*>();
     const auto isGrey = [&] { return !certificate->isEnabled() && !lens->isEnabled(); };

@@ -46,31 +46,53 @@ class TestHabits : public HabitsTest {
 
   void layoutPersistsAndResets() {
     auto* dock = m_window->findChild<QDockWidget*>("errorsDock");
+    auto* states = m_window->findChild<QDockWidget*>("statesDock");
     auto* camera = m_window->findChild<QDockWidget*>("cameraDock");
-    QVERIFY(!dock->isVisible());
+    QVERIFY(!dock->isVisible() && !camera->isVisible());
     dock->show();
-    m_window->addDockWidget(Qt::LeftDockWidgetArea, camera);
+    camera->show();
+    m_window->addDockWidget(Qt::RightDockWidgetArea, states);
     const QSize size = m_window->screen()->availableSize() - QSize(66, 55);
     m_window->resize(size);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), size, patience);
     QVERIFY(m_window->close());
-    makeWindow({});
+    makeWindow({m_session});
     dock = m_window->findChild<QDockWidget*>("errorsDock");
+    states = m_window->findChild<QDockWidget*>("statesDock");
     camera = m_window->findChild<QDockWidget*>("cameraDock");
+    auto* content = m_window->findChild<QWidget*>("cameraArea");
     QTRY_COMPARE_WITH_TIMEOUT(m_window->size(), size, patience);
-    QVERIFY(dock->isVisible());
-    QCOMPARE(m_window->dockWidgetArea(camera), Qt::LeftDockWidgetArea);
+    QVERIFY(dock->isVisible() && camera->isVisible() && camera->isAncestorOf(content));
+    QCOMPARE(m_window->dockWidgetArea(states), Qt::RightDockWidgetArea);
     action("resetLayoutAction")->trigger();
-    QVERIFY(!dock->isVisible());
-    QVERIFY(camera->isVisible());
-    QCOMPARE(m_window->dockWidgetArea(camera), Qt::RightDockWidgetArea);
+    QVERIFY(!dock->isVisible() && !camera->isVisible() && states->isVisible());
+    QVERIFY(content->isVisible());
+    QCOMPARE(m_window->dockWidgetArea(states), Qt::LeftDockWidgetArea);
     QCOMPARE(m_window->size(), size);
+  }
+
+  /// The first page has no docks; they come with the first session, as they were at last.
+  void theHomePageHasNoDocks() {
+    m_window->findChild<QDockWidget*>("statesDock")->close();
+    QVERIFY(m_window->close());
+    for (const int start : {1, 2}) {  // a start without a session keeps them, too
+      makeWindow({});
+      QVERIFY(m_window->findChild<QWidget*>("homePage")->isVisible());
+      for (const auto* dock : m_window->findChildren<QDockWidget*>())
+        QVERIFY2(!dock->isVisible(), qPrintable(dock->objectName()));
+      if (start == 1) QVERIFY(m_window->close());
+    }
+    QVERIFY(files(*m_window).open(m_session));
+    QVERIFY(!m_window->findChild<QWidget*>("homePage")->isVisible());
+    QVERIFY(m_window->findChild<QDockWidget*>("propertiesDock")->isVisible());
+    QVERIFY(m_window->findChild<QDockWidget*>("sceneDock")->isVisible());
+    QVERIFY(!m_window->findChild<QDockWidget*>("statesDock")->isVisible());
   }
 
   void oneKeyShowsTheViewAlone() {
     auto* view = m_window->findChild<QWidget*>("pictureView");
     auto* scene = m_window->findChild<QWidget*>("sceneArea");
-    auto* camera = m_window->findChild<QDockWidget*>("cameraDock");
+    auto* camera = m_window->findChild<QWidget*>("cameraArea");
     auto* report = m_window->findChild<QDockWidget*>("reportDock");
     activate(m_window.get());
     const int width = view->width();
@@ -90,14 +112,14 @@ class TestHabits : public HabitsTest {
     QVERIFY(!view->isVisible() && scene->isVisible());
     QVERIFY(m_window->close());  // the docks come back at the next start
     makeWindow({m_session});
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QDockWidget*>("cameraDock")->isVisible(),
-                             patience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QWidget*>("cameraArea")->isVisible(), patience);
   }
 
   /// What no dock takes goes on to the window.
   void aDoubleClickOnADockIsNone() {
     const bool before = action("onlySceneAction")->isChecked();
-    for (const char* name : {"statesDock", "cameraDock", "toolBar", "statusBar", "cameraArea"}) {
+    for (const char* name :
+         {"statesDock", "propertiesDock", "toolBar", "statusBar", "cameraArea"}) {
       auto* part = m_window->findChild<QWidget*>(name);
       QTest::mouseDClick(part, Qt::LeftButton, {}, {part->width() - 3, part->height() - 3});
       QVERIFY2(action("onlySceneAction")->isChecked() == before, name);
@@ -109,7 +131,6 @@ class TestHabits : public HabitsTest {
 
   /// Else the wheel, which scrolls the dock, would change what lies under it.
   void theWheelEditsOnlyWithFocus() {
-    m_window->findChild<QDockWidget*>("cameraDock")->raise();
     activate(m_window.get());
     const auto turn = [](QWidget* field) {
       const QPointF at = field->rect().center();
@@ -120,9 +141,9 @@ class TestHabits : public HabitsTest {
     const Session before = model().session();
     auto* view = m_window->findChild<QWidget*>("pictureView");
     view->setFocus();
-    auto* area = m_window->findChild<QScrollArea*>("cameraArea");
-    auto* fov = area->widget()->findChild<QWidget*>("fov");
-    auto* slider = area->widget()->findChild<QWidget*>("fov.slider");
+    auto* area = m_window->findChild<QWidget*>("cameraArea");
+    auto* fov = area->findChild<QWidget*>("fov");
+    auto* slider = area->findChild<QWidget*>("fov.slider");
     auto* states = m_window->findChild<QComboBox*>("stateBox");
     for (QWidget* field : std::initializer_list<QWidget*>{eye(), fov, slider, states}) {
       QVERIFY(field != nullptr && !field->visibleRegion().isEmpty());
@@ -139,23 +160,28 @@ class TestHabits : public HabitsTest {
   void layoutsForTasks() {
     const auto shown = [this] {
       QStringList names;
-      for (const char* name : {"sceneArea", "pictureArea", "statesDock", "cameraDock",
-                               "distortionDock", "reportDock", "tradeoffDock"})
-        if (!m_window->findChild<QWidget*>(name)->isHidden()) names << name;
+      for (const char* name : {"sceneDock", "statesDock", "pictureView", "propertiesDock",
+                               "tradeoffDock", "reportDock"})
+        if (m_window->findChild<QWidget*>(name)->isVisible()) names << name;
       return names.join(' ');
     };
     const QString first = shown();
+    QCOMPARE(first, QString("sceneDock statesDock pictureView propertiesDock"));
     activate(m_window.get());
-    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("pictureArea cameraDock distortionDock"));
-    QVERIFY(!m_window->findChild<QWidget*>("distortionArea")->visibleRegion().isEmpty());
-    QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("pictureArea statesDock"));
-    QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("sceneArea pictureArea reportDock"));
-    QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);
-    QCOMPARE(shown(), QString("pictureArea statesDock tradeoffDock"));
-    QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);
+    const auto go = [this](int digit) {
+      QTest::keyClick(m_window.get(), Qt::Key(Qt::Key_0 + digit),
+                      Qt::ControlModifier | Qt::AltModifier);
+    };
+    go(2);
+    QCOMPARE(shown(), QString("statesDock pictureView"));
+    QVERIFY(action("layoutCompareAction")->isChecked());
+    go(4);
+    QCOMPARE(shown(), QString("pictureView tradeoffDock"));
+    QVERIFY(m_window->findChild<QWidget*>("tradeoffDock")->width() > m_window->width() / 3);
+    go(5);
+    QCOMPARE(shown(), QString("reportDock"));
+    QVERIFY(m_window->findChild<QWidget*>("reportDock")->width() > 9 * m_window->width() / 10);
+    go(1);
     QCOMPARE(shown(), first);
     QVERIFY(!m_window->findChild<QWidget*>("cameraArea")->visibleRegion().isEmpty());
   }
@@ -166,14 +192,11 @@ class TestHabits : public HabitsTest {
     makeWindow({m_session});
     const QRect screen = m_window->screen()->availableGeometry();
     QTRY_VERIFY_WITH_TIMEOUT(screen.contains(m_window->frameGeometry()), patience);
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QWidget*>("cameraDock")->width() <= 300, patience);
-    for (const auto* tabs : m_window->findChildren<QTabBar*>())
-      for (int k = 0; tabs->isVisible() && k < tabs->count(); ++k)
-        QVERIFY2(tabs->rect().contains(tabs->tabRect(k)), qPrintable(tabs->tabText(k)));
-    for (const char* area : {"cameraArea", "displayArea", "distortionArea", "psfArea"}) {
-      auto* scrolled = m_window->findChild<QScrollArea*>(area);
-      QVERIFY2(scrolled->widget()->minimumSizeHint().width() <= 272, area);
-    }
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<QWidget*>("propertiesDock")->width() <= 320,
+                             patience);
+    for (const char* area : {"lightFieldArea", "displayArea", "cameraArea", "distortionArea",
+                             "psfArea", "samplingArea"})
+      QVERIFY2(m_window->findChild<QWidget*>(area)->minimumSizeHint().width() <= 288, area);
   }
 
   void windowsAreFitted_data() {
@@ -275,7 +298,8 @@ class TestHabits : public HabitsTest {
   }
 
   void darkAndLight() {
-    QVERIFY(action("systemColours")->isChecked());
+    QVERIFY(action("darkColours")->isChecked());  // at first
+    choose("lightColours");
     choose("darkColours");
     QVERIFY(m_window->palette().color(QPalette::Window).lightness() < 80);
     QVERIFY(m_window->palette().color(QPalette::WindowText).lightness() > 180);

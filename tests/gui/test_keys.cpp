@@ -83,9 +83,10 @@ void TestKeys::whereverTheFocusIs() {
   m_window->findChild<QDockWidget*>("reportDock")->show();
   m_window->findChild<QDockWidget*>("tradeoffDock")->show();
   m_window->findChild<QDockWidget*>("tradeoffDock")->raise();
+  openSection("distortion");
   double z = 0.7;
-  for (const char* name : {"sceneWidget", "pictureView", "cameraArea", "psfDock", "measureButton",
-                           "k1.slider", "tradeoffChart"}) {
+  for (const char* name : {"sceneWidget", "pictureView", "cameraArea", "propertiesDock",
+                           "measureButton", "k1.slider", "tradeoffChart"}) {
     auto* widget = child<QWidget>(name);
     QVERIFY2(widget != nullptr, name);
     widget->setFocus();
@@ -95,6 +96,7 @@ void TestKeys::whereverTheFocusIs() {
   }
   auto* floating = child<QDockWidget>("psfDock");
   floating->setFloating(true);
+  floating->show();
   activate(floating);
   auto* slider = child<QWidget>("sigma.slider");
   slider->setFocus();
@@ -146,6 +148,7 @@ void TestKeys::afterReturn() {
   QFETCH(bool, isFloating);
   auto* dock = child<QDockWidget>("cameraDock");
   dock->setFloating(isFloating);
+  dock->setVisible(isFloating);
   const auto type = [&](QWidget* field, const QString& text) {
     activate(dock->window());
     field->setFocus();

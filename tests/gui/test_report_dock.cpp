@@ -361,10 +361,7 @@ void TestReportDock::metricsOfPlugins() {
     QVERIFY(figure > 0.1 && figure < 1);
     QCOMPARE(cell(row, 5), QString::number(figure, 'f', 4));
   }
-  m_window->findChild<QScrollArea*>("cameraArea")
-      ->widget()
-      ->findChild<QDoubleSpinBox*>("eye.0")
-      ->setValue(0.05);
+  m_window->findChild<QWidget*>("cameraArea")->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.05);
   QVERIFY(child<QLabel>("reportStale")->isVisible());
   QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(!child<QLabel>("reportStale")->isVisible());  // the session is whole again, metrics too
@@ -386,10 +383,7 @@ void TestReportDock::unknownMetrics() {
 
 void TestReportDock::editsAreNoted() {
   make();
-  m_window->findChild<QScrollArea*>("cameraArea")
-      ->widget()
-      ->findChild<QDoubleSpinBox*>("eye.0")
-      ->setValue(0.05);
+  m_window->findChild<QWidget*>("cameraArea")->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.05);
   auto* stale = child<QLabel>("reportStale");
   QVERIFY(stale->isVisible() && stale->text().contains("edited"));
   QVERIFY(child<QLabel>("reportNote")->text().contains("mean of the finite"));
@@ -404,10 +398,7 @@ void TestReportDock::unsavedEditsHaveAHeading() {
   QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());  // there is no page
   open();
   QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
-  m_window->findChild<QScrollArea*>("cameraArea")
-      ->widget()
-      ->findChild<QDoubleSpinBox*>("eye.0")
-      ->setValue(0.05);
+  m_window->findChild<QWidget*>("cameraArea")->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.05);
   m_dock->addTest("b.png");
   click("makeReportButton");
   QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());

@@ -73,7 +73,7 @@ class TestSimulatedView : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!view()->otherImage().isNull() && isFull(), patience);
   }
   void moveTo(const char* area, const char* name, int value) const {
-    auto* widget = m_window->findChild<QScrollArea*>(area)->widget();
+    auto* widget = m_window->findChild<QWidget*>(area);
     widget->findChild<QSpinBox*>(name)->setValue(value);
   }
   Image expected(const QString& lightField, const CameraState& state, int samples = 1) const {
@@ -368,7 +368,7 @@ class TestSimulatedView : public QObject {
   void theNewestWinsWhileASliderMoves() {
     openSample();
     compare();
-    moveTo("lightFieldArea", "samplesPerPixel", 16);
+    moveTo("samplingArea", "samplesPerPixel", 16);
     moveTo("cameraArea", "res.0", 2 * side);
     std::vector<RenderedView> views;
     connect(m_window->findChild<ViewWorker*>(), &ViewWorker::rendered, this,
@@ -376,9 +376,7 @@ class TestSimulatedView : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(view()->image().width() == 2 * side && isFull(), patience);
     const bool isSlow = views.back().milliseconds > 3 * ViewPace::quick;
     views.clear();
-    auto* k1 = m_window->findChild<QScrollArea*>("distortionArea")
-                   ->widget()
-                   ->findChild<QSlider*>("k1.slider");
+    auto* k1 = m_window->findChild<QWidget*>("distortionArea")->findChild<QSlider*>("k1.slider");
     const int start = k1->value();
     constexpr std::size_t edits = 20;
     for (int step = 1; step <= int(edits); ++step) {
@@ -388,10 +386,8 @@ class TestSimulatedView : public QObject {
     Session session = loadSession(m_sampleFile.toStdString());
     CameraState& state = session.cameras[0];
     state.camera.res = {2 * side, side};
-    state.distortion.k1 = m_window->findChild<QScrollArea*>("distortionArea")
-                              ->widget()
-                              ->findChild<QDoubleSpinBox*>("k1")
-                              ->value();
+    state.distortion.k1 =
+        m_window->findChild<QWidget*>("distortionArea")->findChild<QDoubleSpinBox*>("k1")->value();
     QVERIFY(state.distortion.k1 < 0.59);
     const Image own = expected(m_ownFile, state, 16);
     const Image other = expected(m_otherFile, state, 16);

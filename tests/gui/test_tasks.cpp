@@ -81,7 +81,7 @@ void TestTasks::aReportOfTwoJpegs() {
     });
   start();
   QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
-  press(Qt::Key_4, Qt::ControlModifier | Qt::AltModifier);
+  press(Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);
   typeNames(
       QString("\"%1\" \"%2\"").arg(m_folder.filePath("q90.jpg"), m_folder.filePath("q50.jpg")));
   click("addTestButton");

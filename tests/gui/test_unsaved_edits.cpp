@@ -195,8 +195,8 @@ namespace {
 int editAndDie(const QString& file) {
   MainWindow window;
   window.start({file});
-  auto* area = window.findChild<QScrollArea*>("cameraArea");
-  area->widget()->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.0123);
+  auto* area = window.findChild<QWidget*>("cameraArea");
+  area->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.0123);
   const QDir folder(autosaveFolder());
   if (QTest::qWaitFor([&] { return !folder.entryList({"*.json"}, QDir::Files).isEmpty(); },
                       patience))

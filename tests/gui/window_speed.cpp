@@ -94,8 +94,7 @@ int main(int argc, char** argv) {
       [](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
   sceneWidget->renderWindow()->AddObserver(vtkCommand::EndEvent, count);
 
-  auto* sigma =
-      window.findChild<QScrollArea*>("psfArea")->widget()->findChild<QDoubleSpinBox*>("sigma");
+  auto* sigma = window.findChild<QWidget*>("psfArea")->findChild<QDoubleSpinBox*>("sigma");
   sayCost("edit of the PSF", [&](int k) {
     const qint64 before = view->image().cacheKey();
     sigma->setValue(0.5 + 0.01 * k);

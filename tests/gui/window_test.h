@@ -2,7 +2,8 @@
 // Common parts of tests of the real window: a small session, fast to read and render, and keys.
 #pragma once
 
-#include <QScrollArea>
+#include <QAbstractButton>
+#include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -43,6 +44,7 @@ class WindowTest : public QObject {
   }
   /// Shows the window without a session.
   void showWindow(const QSize& size = {}) {
+    QSettings().remove("window/sections");  // open are those of a first start
     m_window = std::make_unique<hogelscope::MainWindow>();
     if (size.isValid()) m_window->resize(size);
     m_window->show();
@@ -62,7 +64,11 @@ class WindowTest : public QObject {
   }
   template <class T>
   T* editor(const char* area, const char* name) const {
-    return child<QScrollArea>(area)->widget()->findChild<T*>(name);
+    return child<QWidget>(area)->findChild<T*>(name);
+  }
+  /// Opens a section of the Properties dock, such as "camera".
+  void openSection(const QString& name) const {
+    m_window->findChild<QAbstractButton*>(name + "Header")->setChecked(true);
   }
   void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) const {
     QTest::keyClick(m_window.get(), which, modifiers);

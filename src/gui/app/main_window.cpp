@@ -6,8 +6,9 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QFileInfo>
-#include <QScrollArea>
+#include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <utility>
 
 #include "gui/app/help_commands.h"
@@ -17,6 +18,7 @@
 #include "gui/docks/light_field_dock.h"
 #include "gui/docks/parameter_docks.h"
 #include "gui/docks/plot_saver.h"
+#include "gui/docks/properties.h"
 #include "gui/docks/state_dock.h"
 #include "gui/files/file_commands.h"
 #include "gui/scene/display_scene.h"
@@ -45,8 +47,6 @@ MainWindow::MainWindow(QWidget* parent)
   vtkObject::GlobalWarningDisplayOff();  // errors are shown in the status bar
   m_ui->setupUi(this);
   m_messages = new Messages(this);
-  m_ui->splitter->setSizes({1000, 1000});
-  m_ui->splitter->hide();  // until there is a session
   m_files = new FileCommands(m_ui->fileMenu, m_model, this);
   m_home = new HomePage(m_files->begins());
   m_ui->centralLayout->addWidget(m_home);
@@ -54,16 +54,11 @@ MainWindow::MainWindow(QWidget* parent)
       new SceneController(m_ui->sceneMenu, m_ui->sceneWidget, m_ui->sceneReadout, m_model, this);
   m_imageCommands = new ImageCommands(m_ui->pictureMenu, m_ui->pictureView, m_ui->pictureLayout,
                                       m_ui->statusBar, m_model, this);
-  for (const char* name :
-       {"openAction", "saveAction", "fitAction", "savePictureAction", "copyPictureAction"})
-    m_ui->toolBar->addAction(findChild<QAction*>(name));
   m_stateBox->setObjectName("stateBox");
   m_stateBox->setToolTip(tr("The current camera state"));
-  m_stateBox->setMinimumContentsLength(24);
+  m_stateBox->setMinimumContentsLength(8);
   m_stateBox->setFocusPolicy(Qt::TabFocus);  // keys still move the camera after a click
-  m_ui->toolBar->addWidget(m_stateBox);
   addDocks();
-  arrangeDocks();
   connectActions();
   connectModel();
   connectDocks();
@@ -72,6 +67,8 @@ MainWindow::MainWindow(QWidget* parent)
   connectLoader();
   addHelpers();
   addEditing();
+  fillToolBar();
+  addTopBar();
   showTitle();
 }
 
@@ -81,14 +78,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::addDocks() {
-  m_ui->lightFieldArea->setWidget(m_lightField = new LightFieldDock(m_model));
-  auto* display = new DisplayDock(m_model);
-  m_ui->displayArea->setWidget(display);
-  connect(display, &DisplayDock::failed, m_messages, &Messages::showError);
-  m_ui->cameraArea->setWidget(new CameraDock(m_model));
-  m_ui->distortionArea->setWidget(m_distortion =
-                                      new DistortionDock(m_model, m_files->importAction()));
-  m_ui->psfArea->setWidget(m_psf = new PsfDock(m_model));
+  m_properties = new Properties(m_model, m_files->importAction(), this);
+  m_ui->propertiesDock->setWidget(m_properties);
+  connect(m_properties, &Properties::failed, m_messages, &Messages::showError);
   auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
   auto* states = new StateDock(m_model, commands);
   m_ui->statesDock->setWidget(states);
@@ -101,46 +93,81 @@ void MainWindow::addDocks() {
   connect(commands, &StateCommands::done, m_messages, &Messages::showMessage);
 }
 
-/// Arranges the docks as tabs below the list of states, in processing order. Each dock is fully
-/// visible, and all fit into 1280 × 800.
-void MainWindow::arrangeDocks() {
-  const std::vector<QDockWidget*> parts{m_ui->lightFieldDock, m_ui->displayDock,
-                                        m_ui->cameraDock,     m_ui->distortionDock,
-                                        m_ui->psfDock,        m_ui->cameraSetDock};
-  m_ui->viewMenu->addAction(m_ui->statesDock->toggleViewAction());
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    m_ui->viewMenu->addAction(parts[k]->toggleViewAction());
-    if (k > 0) tabifyDockWidget(parts[k - 1], parts[k]);
-  }
-  for (QDockWidget* dock :
-       {m_ui->inspectorDock, m_ui->reportDock, m_ui->tradeoffDock, m_messages->dock()})
-    m_ui->viewMenu->addAction(dock->toggleViewAction());
-  tabifyDockWidget(m_ui->reportDock, m_ui->tradeoffDock);
-  for (QDockWidget* dock :
-       {m_ui->inspectorDock, m_ui->cameraSetDock, m_ui->reportDock, m_ui->tradeoffDock})
-    dock->hide();
-  m_ui->cameraDock->raise();
-  const int states = m_ui->statesDock->sizeHint().height();  // a few rows
-  resizeDocks({m_ui->statesDock, m_ui->cameraDock}, {states, 800 - states}, Qt::Vertical);
-  constexpr int narrow = 290;  // px, so that the view gets the rest
-  resizeDocks({m_ui->statesDock, m_ui->inspectorDock}, {narrow, narrow}, Qt::Horizontal);
-  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-}
-
 void MainWindow::connectActions() {
   connect(m_stateBox, &QComboBox::currentIndexChanged, this,
           [this](int index) { m_model->setCurrentIndex(std::size_t(index)); });
-  m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
   m_ui->toolBar->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_T);
+  m_ui->viewMenu->addAction(m_ui->toolBar->toggleViewAction());
   int digit = Qt::Key_1;
-  for (QDockWidget* dock : {m_ui->cameraDock, m_ui->distortionDock, m_ui->psfDock,
-                            m_ui->lightFieldDock, m_ui->displayDock, m_ui->statesDock})
-    dock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key(digit++));
-  m_ui->cameraSetDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_M);
-  m_ui->inspectorDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
-  m_ui->reportDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_R);
-  m_ui->tradeoffDock->toggleViewAction()->setShortcut(Qt::CTRL | Qt::Key_T);
+  for (const char* name : {"cameraDock", "distortionDock", "psfDock", "lightFieldDock",
+                           "displayDock", "statesDock", "samplingDock", "propertiesDock"})
+    findChild<QDockWidget*>(name)->toggleViewAction()->setShortcut(Qt::CTRL | Qt::SHIFT |
+                                                                   Qt::Key(digit++));
+  for (const auto& [dock, key] :
+       {std::pair(m_ui->sceneDock, Qt::CTRL | Qt::SHIFT | Qt::Key_9),
+        std::pair(m_ui->cameraSetDock, Qt::CTRL | Qt::SHIFT | Qt::Key_M),
+        std::pair(m_ui->inspectorDock, Qt::CTRL | Qt::SHIFT | Qt::Key_P),
+        std::pair(m_ui->reportDock, QKeyCombination(Qt::CTRL | Qt::Key_R)),
+        std::pair(m_ui->tradeoffDock, QKeyCombination(Qt::CTRL | Qt::Key_T))})
+    dock->toggleViewAction()->setShortcut(key);
+}
+
+/// Fills the row above the simulated view, once all commands exist.
+void MainWindow::fillToolBar() {
+  QToolBar* bar = m_ui->toolBar;
+  const int side = scaled(16);
+  bar->setIconSize({side, side});
+  const auto add = [this, bar](const char* command, const char* image) {
+    auto* action = findChild<QAction*>(command);
+    action->setIcon(icon(image));
+    action->setIconVisibleInMenu(false);
+    bar->addAction(action);
+  };
+  add("previousStateAction", "previous");
+  bar->addWidget(m_stateBox);
+  add("nextStateAction", "next");
+  bar->addSeparator();
+  add("singleAction", "one");
+  add("sideBySideAction", "both");
+  add("wipeAction", "wipe");
+  add("blinkAction", "blink");
+  add("differenceAction", "error_map");
+  bar->addSeparator();
+  add("compareIdealAction", "ideal");
+  add("maskAction", "mask");
+  add("histogramAction", "histogram");
+  bar->addSeparator();
+  add("fitViewAction", "fit");
+  add("savePictureAction", "save_picture");
+  add("copyPictureAction", "copy");
+}
+
+/// Puts the menus, the workspaces and the search field into one bar.
+void MainWindow::addTopBar() {
+  layout()->setMenuBar(nullptr);  // or Qt would delete the menus with the old bar
+  auto* segments = new QWidget;
+  segments->setObjectName("workspaces");
+  auto* choices = new QHBoxLayout(segments);
+  choices->setContentsMargins(2, 2, 2, 2);
+  choices->setSpacing(2);
+  for (QAction* action : m_layout->workspaces()) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setFocusPolicy(Qt::NoFocus);
+    choices->addWidget(button);
+  }
+  auto* bar = new QWidget;
+  bar->setObjectName("topBar");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(scaled(4), scaled(4), scaled(8), scaled(4));
+  row->addWidget(m_ui->menuBar);
+  row->addStretch(1);
+  row->addWidget(segments);
+  segments->hide();  // on the home page
+  connect(m_model, &SessionModel::opened, segments, &QWidget::show);
+  row->addStretch(1);
+  m_ui->menuBar->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  setMenuWidget(bar);
 }
 
 void MainWindow::connectModel() {
@@ -183,7 +210,6 @@ void MainWindow::connectDocks() {
   }
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
-  connect(m_lightField, &LightFieldDock::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::otherChanged, this, &MainWindow::render);
   connect(m_imageCommands, &ImageCommands::compared, m_ui->reportPanel, &ReportDock::offerTest);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
@@ -206,7 +232,7 @@ void MainWindow::leaveForm() {
 }
 
 void MainWindow::connectWorker() {
-  connect(m_worker, &ViewWorker::certified, m_distortion, &DistortionDock::showLens);
+  connect(m_worker, &ViewWorker::certified, m_properties->distortion(), &DistortionDock::showLens);
   connect(m_worker, &ViewWorker::failed, m_messages, &Messages::showError);
   connect(m_worker, &ViewWorker::loaded, m_messages, &Messages::dismiss);  // clears older errors
   connect(m_worker, &ViewWorker::rendered, this, &MainWindow::showView);
@@ -292,8 +318,13 @@ void MainWindow::addHelpers() {
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
   connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
   addHelp(m_ui->helpMenu, this);
-  new Colours(m_ui->coloursMenu, m_ui->textMenu, this);
-  m_layout = new WindowLayout(this, *m_ui);
+  m_layout =
+      new WindowLayout(this, m_ui->viewMenu,
+                       {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock,
+                        m_ui->propertiesDock, m_ui->tradeoffDock, m_ui->reportDock, m_properties},
+                       {m_ui->pictureView, m_ui->sceneWidget});
+  new Colours(m_ui->viewMenu->addMenu(tr("&Colours")), m_ui->viewMenu->addMenu(tr("&Text size")),
+              this);
   m_readingBar = new ReadingBar(
       tr("Light field"), [this] { return m_worker->readShare(); }, this);
   m_readingBar->setObjectName("readingBar");
@@ -330,8 +361,7 @@ void MainWindow::showStates() {
 }
 
 void MainWindow::showSession() {
-  m_home->hide();
-  m_ui->splitter->show();
+  m_layout->leaveHome();
   m_method.reset();
   m_isNew = true;
   m_ui->tradeoffView->forgetChoice();
@@ -348,8 +378,8 @@ void MainWindow::showContent() {
 
 void MainWindow::showScene() {
   const std::optional<ViewSource>& source = m_loader->source();
-  m_lightField->setSource(source);
-  if (source) m_psf->setSource(*source);
+  m_properties->lightField()->setSource(source);
+  if (source) m_properties->psf()->setSource(*source);
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
   m_ui->reportPanel->setReference(source);
@@ -376,9 +406,9 @@ void MainWindow::showTitle() {
   setWindowFilePath(m_model->file());
   const bool isOpen = !m_model->session().cameras.empty();
   m_files->setOpen(isOpen);
-  for (QWidget* part : std::initializer_list<QWidget*>{
-           m_ui->cameraMenu, m_ui->statesMenu, m_ui->displayArea, m_ui->cameraArea,
-           m_ui->distortionArea, m_ui->psfArea, m_ui->statesDock->widget()})
+  m_properties->setOpen(isOpen);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_ui->cameraMenu, m_ui->statesMenu,
+                                                       m_ui->statesDock->widget()})
     part->setEnabled(isOpen);
 }
 

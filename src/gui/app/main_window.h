@@ -20,13 +20,11 @@ class MainWindow;
 namespace hogelscope {
 
 class ContentLoader;
-class DistortionDock;
 class FileCommands;
 class HomePage;
-class LightFieldDock;
 class Messages;
 class ImageCommands;
-class PsfDock;
+class Properties;
 class ReadingBar;
 class SceneController;
 class SessionModel;
@@ -49,8 +47,9 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectModel();
   void addDocks();
-  void arrangeDocks();
   void connectDocks();
+  void fillToolBar();
+  void addTopBar();
   void connectWorker();
   void connectLoader();
   void addEditing();
@@ -81,9 +80,7 @@ class MainWindow : public QMainWindow {
   QComboBox* m_stateBox;
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
-  DistortionDock* m_distortion = nullptr;
-  LightFieldDock* m_lightField = nullptr;
-  PsfDock* m_psf = nullptr;
+  Properties* m_properties = nullptr;
   PictureRate m_rate;
   bool m_isNew = false;                 ///< the session is new, so the scene has to be fitted to it
   std::optional<NamedMethod> m_method;  ///< of the live view; none: the session's own

@@ -2,19 +2,21 @@
 #include "gui/app/window_layout.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QMenu>
 #include <QMouseEvent>
-#include <QProxyStyle>
 #include <QScreen>
 #include <QSettings>
-#include <QSplitter>
-#include <QTabBar>
 #include <QWindow>
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "ui_main_window.h"
+#include "gui/docks/properties.h"
+#include "gui/widgets/command.h"
+#include "gui/widgets/section.h"
 
 namespace hogelscope {
 
@@ -23,26 +25,14 @@ namespace {
 /// The version of saved layouts. Layouts of another version are ignored.
 constexpr int version = 2;
 
-/// Raises a dock that is hidden or behind another one; closes a visible one.
-void toggle(QDockWidget* dock) {
-  if (dock->visibleRegion().isEmpty()) {
-    dock->show();
-    dock->raise();
-  } else {
-    dock->close();
-  }
-  dock->toggleViewAction()->setChecked(!dock->isHidden());
+bool isSeen(const QWidget* part) {
+  return !part->visibleRegion().isEmpty();
 }
 
-/// A style whose dock tabs fit into a narrow window.
-class NarrowTabs : public QProxyStyle {
- public:
-  int pixelMetric(PixelMetric metric, const QStyleOption* option,
-                  const QWidget* widget) const override {
-    constexpr int space = 10;  // px, both sides of the text together
-    return metric == PM_TabBarTabHSpace ? space : QProxyStyle::pixelMetric(metric, option, widget);
-  }
-};
+/// Returns a length that is `small` in a window 1280 px wide and `large` in one of 2560.
+int atWidth(int width, int small, int large) {
+  return std::clamp(small + (large - small) * (width - 1280) / 1280, small, large);
+}
 
 }  // namespace
 
@@ -53,95 +43,184 @@ QRect fitted(QRect frame, const QRect& screen) {
   return frame;
 }
 
-WindowLayout::WindowLayout(QMainWindow* window, const Ui::MainWindow& ui)
+WindowLayout::WindowLayout(QMainWindow* window, QMenu* menu, const Parts& parts,
+                           const std::array<QWidget*, 2>& views)
     : QObject(window),
       m_window(window),
-      m_ui(ui),
-      m_docks(window->saveState(version)),
-      m_split(ui.splitter->saveState()),
-      m_tabStyle(new NarrowTabs) {
-  connectDocks();
-  connectTasks();
-  connectParts();
-  connect(ui.resetLayoutAction, &QAction::triggered, this, &WindowLayout::reset);
-}
-
-void WindowLayout::narrow(QTabBar* tabs) {
-  tabs->setStyle(m_tabStyle);
-  tabs->setElideMode(Qt::ElideNone);
-}
-
-void WindowLayout::connectDocks() {
-  m_tabStyle->setParent(this);
-  for (QTabBar* tabs : m_window->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-    narrow(tabs);
+      m_parts(parts),
+      m_views(views),
+      m_group(new QActionGroup(this)) {
+  placeDocks();
+  addCommands(menu);
+  addDockCommands(menu);
   m_window->installEventFilter(this);
-  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+  for (QWidget* view : m_views) view->installEventFilter(this);
+  for (QDockWidget* dock : docks()) dock->hide();  // until there is a session
+  m_parts.view->hide();
+}
+
+void WindowLayout::placeDocks() {
+  m_window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  m_window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  m_window->setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
+                           QMainWindow::AllowTabbedDocks);
+  m_window->splitDockWidget(m_parts.scene, m_parts.states, Qt::Vertical);
+  m_parts.scene->setTitleBarWidget(new QWidget);  // none: the scene has no room to lose
+}
+
+void WindowLayout::addCommands(QMenu* menu) {
+  m_onlyView = addCommand(
+      menu,
+      {"onlyViewAction", tr("Only the &simulated view"),
+       tr("Hides all but the simulated view, or shows it again; a double click does so too"),
+       Qt::Key_F11},
+      this, [this] { showOnly(m_onlyView, true); });
+  m_onlyScene =
+      addCommand(menu,
+                 {"onlySceneAction", tr("Only the 3-D s&cene"),
+                  tr("Hides all but the 3-D scene, or shows it again; a double click does so too"),
+                  Qt::SHIFT | Qt::Key_F11},
+                 this, [this] { showOnly(m_onlyScene, false); });
+  for (QAction* action : {m_onlyView, m_onlyScene}) action->setCheckable(true);
+  auto* layouts = menu->addMenu(tr("&Workspace"));
+  const auto key = [](int digit) { return Qt::CTRL | Qt::ALT | Qt::Key(Qt::Key_0 + digit); };
+  addWorkspace(
+      layouts,
+      {"layoutViewAction", tr("&View"), tr("Scene, states, simulated view, properties"), key(1)},
+      {m_parts.scene, m_parts.states, m_parts.properties}, true);
+  addWorkspace(layouts,
+               {"layoutCompareAction", tr("&Compare"),
+                tr("The simulated view, large, and the states"), key(2)},
+               {m_parts.states}, true);
+  addWorkspace(layouts,
+               {"layoutMeasureAction", tr("&Speed"),
+                tr("Time and error of the methods beside the simulated view"), key(4)},
+               {m_parts.tradeoff}, true);
+  addWorkspace(
+      layouts,
+      {"layoutReportAction", tr("&Report"), tr("The report's tables and plots alone"), key(5)},
+      {m_parts.report}, false);
+  layouts->addSeparator();
+  addCommand(layouts,
+             {"resetLayoutAction", tr("R&eset layout"),
+              tr("Puts docks and tool bar back where they were at first"),
+              Qt::CTRL | Qt::SHIFT | Qt::Key_R},
+             this, &WindowLayout::reset);
+}
+
+void WindowLayout::addWorkspace(QMenu* menu, const CommandText& text,
+                                const QList<QDockWidget*>& docks, bool hasView) {
+  const std::size_t index = m_workspaces.size();
+  QAction* action = addCommand(menu, text, this, [this, index] { arrange(m_workspaces[index]); });
+  action->setCheckable(true);
+  m_group->addAction(action);
+  m_workspaces.push_back({action, docks, hasView});
+}
+
+/// Adds the docks' own commands. Qt's would close a dock that another one covers.
+void WindowLayout::addDockCommands(QMenu* menu) {
+  menu->addSeparator();
+  for (QDockWidget* dock : docks()) {
     QAction* action = dock->toggleViewAction();
-    disconnect(action, &QAction::triggered, dock, nullptr);  // Qt's would close a covered dock
-    connect(action, &QAction::triggered, this, [dock] { toggle(dock); });
+    menu->addAction(action);
+    disconnect(action, &QAction::triggered, dock, nullptr);
+    connect(action, &QAction::triggered, this, [this, dock] { toggle(dock); });
   }
 }
 
-/// Connects each task to its docks and views; the last dock is raised.
-void WindowLayout::connectTasks() {
-  const auto on = [this](QAction* action, const QList<QDockWidget*>& docks,
-                         const QList<QWidget*>& parts) {
-    connect(action, &QAction::triggered, this, [=, this] { arrange(docks, parts); });
-  };
-  QWidget* const scene = m_ui.sceneArea;
-  QWidget* const view = m_ui.pictureArea;
-  const QList<QDockWidget*> forms{m_ui.statesDock,     m_ui.lightFieldDock, m_ui.displayDock,
-                                  m_ui.distortionDock, m_ui.psfDock,        m_ui.cameraDock};
-  on(m_ui.layoutViewAction, forms, {scene, view});
-  on(m_ui.layoutLensAction, {m_ui.cameraDock, m_ui.psfDock, m_ui.distortionDock}, {view});
-  on(m_ui.layoutCompareAction, {m_ui.statesDock}, {view});
-  on(m_ui.layoutReportAction, {m_ui.reportDock}, {scene, view});
-  on(m_ui.layoutMeasureAction, {m_ui.statesDock, m_ui.tradeoffDock}, {view});
+QList<QAction*> WindowLayout::workspaces() const {
+  return m_group->actions();
 }
 
-void WindowLayout::connectParts() {
-  for (const auto& [action, part] :
-       {std::pair(m_ui.onlyViewAction, m_ui.pictureArea),
-        std::pair(m_ui.onlySceneAction, static_cast<QWidget*>(m_ui.sceneArea))})
-    connect(action, &QAction::triggered, this, [this, a = action, p = part] { showOnly(a, p); });
-  m_ui.pictureView->installEventFilter(this);
-  m_ui.sceneWidget->installEventFilter(this);
+QList<QDockWidget*> WindowLayout::docks() const {
+  return m_window->findChildren<QDockWidget*>();
 }
 
-void WindowLayout::arrange(const QList<QDockWidget*>& docks, const QList<QWidget*>& parts) {
+/// Raises a dock that is hidden or behind another one; closes a visible one.
+void WindowLayout::toggle(QDockWidget* dock) {
+  Section* section = m_parts.sections->sectionOf(dock);
+  if (section != nullptr && !section->isOut()) return toggle(section);
+  if (isSeen(dock)) {
+    dock->close();
+  } else {
+    dock->show();
+    dock->raise();
+  }
+  dock->toggleViewAction()->setChecked(!dock->isHidden());
+}
+
+void WindowLayout::toggle(Section* section) {
+  const bool shows = !isSeen(section->content());
+  if (shows) {
+    m_parts.properties->show();
+    m_parts.properties->raise();
+    m_parts.sections->reveal(section);
+  } else {
+    section->setOpen(false);
+  }
+  section->dock()->toggleViewAction()->setChecked(shows);
+}
+
+void WindowLayout::arrange(const Workspace& workspace) {
+  leaveHome();
   showAll();
-  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>())
-    dock->setVisible(docks.contains(dock));
-  for (QWidget* part : {m_ui.sceneArea, m_ui.pictureArea}) part->setVisible(parts.contains(part));
-  docks.back()->raise();
+  const bool isSpeed = workspace.docks.contains(m_parts.tradeoff);
+  if (isSpeed)
+    m_window->addDockWidget(Qt::LeftDockWidgetArea, m_parts.tradeoff);
+  else
+    m_window->tabifyDockWidget(m_parts.report, m_parts.tradeoff);
+  for (QDockWidget* dock : docks()) dock->setVisible(workspace.docks.contains(dock));
+  m_window->centralWidget()->setVisible(workspace.hasView);
+  workspace.action->setChecked(true);
+  resize(workspace);
+}
+
+void WindowLayout::resize(const Workspace& workspace) {
+  const int width = m_window->width();
+  const int height = m_window->height();
+  const bool hasScene = workspace.docks.contains(m_parts.scene);
+  m_window->resizeDocks({m_parts.states, m_parts.scene, m_parts.properties, m_parts.tradeoff},
+                        {hasScene ? atWidth(width, 320, 640) : 230, atWidth(width, 320, 640),
+                         atWidth(width, 296, 320), 3 * width / 5},
+                        Qt::Horizontal);
+  m_window->resizeDocks({m_parts.scene, m_parts.states}, {height * 11 / 20, height * 9 / 20},
+                        Qt::Vertical);
+}
+
+void WindowLayout::leaveHome() {
+  if (m_parts.home->isHidden()) return;
+  m_parts.home->hide();
+  m_parts.view->show();
+  if (m_before.isEmpty()) return arrange(m_workspaces.front());
+  m_window->restoreState(std::exchange(m_before, {}), version);
 }
 
 /// Shows one view alone. A second call restores the docks.
-void WindowLayout::showOnly(QAction* action, QWidget* part) {
+void WindowLayout::showOnly(QAction* action, bool isView) {
   const bool begins = action->isChecked();
-  const QByteArray docks = m_before.isEmpty() ? m_window->saveState(version) : m_before;
+  if (!m_parts.home->isHidden()) return action->setChecked(false);
+  const bool isFirst = m_before.isEmpty();
+  const QByteArray docksNow = isFirst ? m_window->saveState(version) : m_before;
+  const bool hasView = isFirst ? !m_window->centralWidget()->isHidden() : m_hadView;
   showAll();
   if (!begins) return;
-  m_before = docks;
+  m_before = docksNow;
+  m_hadView = hasView;
   action->setChecked(true);
-  for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) dock->hide();
-  for (QWidget* other : {m_ui.sceneArea, m_ui.pictureArea}) other->setVisible(other == part);
+  for (QDockWidget* dock : docks()) dock->setVisible(!isView && dock == m_parts.scene);
+  m_window->centralWidget()->setVisible(isView);
 }
 
+/// Ends the mode of one view alone.
 void WindowLayout::showAll() {
-  for (QAction* action : {m_ui.onlyViewAction, m_ui.onlySceneAction}) action->setChecked(false);
-  m_ui.sceneArea->show();
-  m_ui.pictureArea->show();
-  if (!m_before.isEmpty()) m_window->restoreState(std::exchange(m_before, {}), version);
+  for (QAction* action : {m_onlyView, m_onlyScene}) action->setChecked(false);
+  if (m_before.isEmpty()) return;
+  m_window->centralWidget()->setVisible(m_hadView);
+  m_window->restoreState(std::exchange(m_before, {}), version);
 }
 
-/// Maps a double click to the action of its key, and styles dock tabs when Qt creates them.
+/// Maps a double click on a view to the command of its key.
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ChildPolished) {
-    auto* tabs = qobject_cast<QTabBar*>(static_cast<const QChildEvent*>(event)->child());
-    if (tabs != nullptr) narrow(tabs);
-  }
   if (watched == m_window) {  // receives events that none of its parts accepts
     fitOnceFramed();
     return false;
@@ -149,7 +228,7 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::MouseButtonDblClick ||
       static_cast<const QMouseEvent*>(event)->button() != Qt::LeftButton)
     return false;
-  (watched == m_ui.pictureView ? m_ui.onlyViewAction : m_ui.onlySceneAction)->trigger();
+  (watched == m_views[0] ? m_onlyView : m_onlyScene)->trigger();
   return true;
 }
 
@@ -180,17 +259,17 @@ void WindowLayout::save() const {
   QSettings settings;
   settings.setValue("window/version", version);
   settings.setValue("window/geometry", m_window->saveGeometry());
-  settings.setValue("window/docks", m_before.isEmpty() ? m_window->saveState(version) : m_before);
-  settings.setValue("window/splitter", m_ui.splitter->saveState());
+  if (!m_before.isEmpty() || m_parts.home->isHidden())
+    settings.setValue("window/docks", m_before.isEmpty() ? m_window->saveState(version) : m_before);
 }
 
+/// The docks follow once the home page is left.
 void WindowLayout::restore() {
   const QSettings settings;
   QByteArray geometry;
   if (settings.value("window/version").toInt() == version) {
     geometry = settings.value("window/geometry").toByteArray();
-    m_window->restoreState(settings.value("window/docks").toByteArray(), version);
-    m_ui.splitter->restoreState(settings.value("window/splitter").toByteArray());
+    m_before = settings.value("window/docks").toByteArray();
   }
   place(geometry);
   // A second placement, because docks enlarge the window during their first layout.
@@ -201,9 +280,12 @@ void WindowLayout::restore() {
 }
 
 void WindowLayout::reset() {
-  showAll();
-  m_window->restoreState(m_docks, version);
-  m_ui.splitter->restoreState(m_split);
+  m_window->addDockWidget(Qt::LeftDockWidgetArea, m_parts.scene);
+  m_window->addDockWidget(Qt::LeftDockWidgetArea, m_parts.states);
+  m_window->addDockWidget(Qt::RightDockWidgetArea, m_parts.properties);
+  m_window->addDockWidget(Qt::BottomDockWidgetArea, m_parts.report);
+  for (QDockWidget* dock : docks()) dock->setFloating(false);
+  arrange(m_workspaces.front());
 }
 
 }  // namespace hogelscope

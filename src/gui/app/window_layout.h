@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layout of the window and its docks: saved between runs, predefined for tasks, or with one
-// view alone. Also defines the effect of a dock's key.
+// The layout of the window and its docks: the home page, workspaces for tasks, one view alone;
+// saved between runs. Also defines the effect of a dock's key.
 #pragma once
 
 #include <QByteArray>
+#include <QList>
 #include <QObject>
 #include <QRect>
+#include <vector>
 
 class QAction;
+class QActionGroup;
 class QDockWidget;
 class QMainWindow;
-class QStyle;
-class QTabBar;
+class QMenu;
 class QWidget;
 
-namespace Ui {
-class MainWindow;
-}
-
 namespace hogelscope {
+
+class Properties;
+class Section;
+struct CommandText;
 
 /// Returns the window's frame, shrunk and moved only as far as needed to fit the screen.
 QRect fitted(QRect frame, const QRect& screen);
@@ -27,36 +29,65 @@ class WindowLayout : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes the window's current state, with all docks, as the default for reset(). `window` owns
-  /// it.
-  WindowLayout(QMainWindow* window, const Ui::MainWindow& ui);
+  struct Parts {
+    QWidget* home;
+    QWidget* view;  ///< the simulated view with its bars
+    QDockWidget *scene, *states, *properties, *tradeoff, *report;
+    Properties* sections;
+  };
 
+  /// Places the docks, adds the commands to the View menu and shows the home page. A double click
+  /// on one of `views` (simulated view, scene) shows it alone. `window` owns the layout.
+  WindowLayout(QMainWindow* window, QMenu* menu, const Parts& parts,
+               const std::array<QWidget*, 2>& views);
+
+  /// Returns the commands of the workspaces.
+  [[nodiscard]] QList<QAction*> workspaces() const;
+  /// Leaves the home page: shows the docks.
+  void leaveHome();
   void save() const;
   /// Restores the saved layout before the window is shown, and fits it into the screen.
   void restore();
-  /// Resets docks, tool bars and splitter; the window keeps its place.
+  /// Resets docks and tool bar; the window keeps its place.
   void reset();
 
  private:
-  void connectDocks();
-  void connectTasks();
-  void connectParts();
-  void arrange(const QList<QDockWidget*>& docks, const QList<QWidget*>& parts);
-  void showOnly(QAction* action, QWidget* part);
+  /// A set of docks for a task.
+  struct Workspace {
+    QAction* action;
+    QList<QDockWidget*> docks;
+    bool hasView;
+  };
+
+  void placeDocks();
+  void addCommands(QMenu* menu);
+  void addWorkspace(QMenu* menu, const CommandText& text, const QList<QDockWidget*>& docks,
+                    bool hasView);
+  void addDockCommands(QMenu* menu);
+  void arrange(const Workspace& workspace);
+  void resize(const Workspace& workspace);
+  void toggle(QDockWidget* dock);
+  void toggle(Section* section);
+  void showOnly(QAction* action, bool isView);
   void showAll();
   void place(const QByteArray& geometry);
   void fitScreen();
   void fitOnceFramed();
-  void narrow(QTabBar* tabs);
+  [[nodiscard]] QList<QDockWidget*> docks() const;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   QMainWindow* m_window;
-  const Ui::MainWindow& m_ui;
-  QByteArray m_docks;
-  QByteArray m_split;
-  QStyle* m_tabStyle;
+  Parts m_parts;
+  std::array<QWidget*, 2> m_views;
+  std::vector<Workspace> m_workspaces;
+  QActionGroup* m_group;
+  QAction* m_onlyView = nullptr;
+  QAction* m_onlyScene = nullptr;
   bool m_isFramed = false;  ///< the desktop has added a frame to the window
-  QByteArray m_before;      ///< the docks before one view was shown alone; empty: not in that mode
+  /// The docks before the home page, or one view alone, hid them; empty: not in such a mode, or
+  /// those of the first workspace.
+  QByteArray m_before;
+  bool m_hadView = true;  ///< the simulated view was shown before one view alone was
 };
 
 }  // namespace hogelscope

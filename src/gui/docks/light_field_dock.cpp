@@ -63,13 +63,9 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   };
   const auto visitLive = [](ParameterVisitor& v, LightFieldParams& p) { describe(v, p.live); };
   m_liveForms = {form(visitContent), form(visitLive)};
-  auto* sampling = checkedForm<SamplingParams>(
-      m_model, &Session::sampling, [](ParameterVisitor& v, SamplingParams& p) { describe(v, p); },
-      [](const SamplingParams&, SamplingParams after) { return after; },
-      [this](const QString& why) { Q_EMIT failed(why); });
   layout->addWidget(
       stackWidgets({form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); }), buttons,
-                    m_liveForms[0], m_liveForms[1], m_contents, sampling}));
+                    m_liveForms[0], m_liveForms[1], m_contents}));
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &LightFieldDock::showForms);
   showForms();

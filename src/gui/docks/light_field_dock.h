@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light field dock: the file and its layout, or a live scene and its parameters; its contents
-// and its sampling.
+// The light field dock: the file and its layout, or a live scene and its parameters; its contents.
 #pragma once
 
 #include <QWidget>

@@ -38,7 +38,7 @@ LensWidget::LensWidget(QWidget* parent)
   setToolTip(
       tr("Blue: a grid of straight lines, ten squares in a pinhole's picture height, as the "
          "lens shows it. Frame: the picture. Red: the fold; what is hatched has no ray"));
-  setMinimumSize(120, 120);
+  setMinimumSize(120, 200);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
@@ -142,7 +142,7 @@ QString percent(double weight) {
 
 KernelWidget::KernelWidget(QWidget* parent) : QWidget(parent) {
   setObjectName("kernelView");
-  setMinimumSize(120, 120);
+  setMinimumSize(120, 200);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   new PlotSaver(this, tr("Leakage"), {400, 424},
                 [this](QPainter& painter, const QSizeF& size) { paint(painter, size); });
