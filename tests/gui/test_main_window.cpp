@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStatusBar>
@@ -47,7 +46,7 @@ class TestMainWindow : public QObject {
   const QImage& view() const { return m_window->findChild<ImageWidget*>("pictureView")->image(); }
   template <class T>
   T* editor(const char* dock, const char* name) const {
-    return m_window->findChild<QScrollArea*>(dock)->widget()->findChild<T*>(name);
+    return m_window->findChild<QWidget*>(dock)->findChild<T*>(name);
   }
   QString message() const { return m_window->statusBar()->currentMessage(); }
   void waitForSample() {

@@ -8,7 +8,6 @@
 
 #include <QApplication>
 #include <QDoubleSpinBox>
-#include <QScrollArea>
 #include <QTimer>
 #include <QtTest>
 #include <algorithm>
