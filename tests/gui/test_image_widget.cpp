@@ -489,6 +489,38 @@ class TestImageWidget : public QObject {
     QCOMPARE(m_view->readOut(), QString());  // beside the image
   }
 
+  /// The lines of text are counted in the middle of a pixel: rows with ink, in groups.
+  void codeValuesStandInLargePixels() {
+    const auto linesIn = [this](int shownZoom) {
+      const QImage image = grabbed();
+      const QPoint middle(image.width() / 2, image.height() / 2);
+      const QRect inside(middle - QPoint(shownZoom / 3, shownZoom / 2 - 3),
+                         QSize(2 * shownZoom / 3, shownZoom - 6));
+      int lines = 0;
+      bool wasInk = false;
+      for (int y = inside.top(); y <= inside.bottom(); ++y) {
+        bool isInk = false;
+        for (int x = inside.left(); x <= inside.right(); ++x)
+          isInk = isInk || qGray(image.pixel(x, y)) > 150;
+        lines += isInk && !wasInk ? 1 : 0;
+        wasInk = isInk;
+      }
+      return lines;
+    };
+    const QPointF centre(50.5, 60.5);  // a dark pixel: 50 60 50
+    m_view->setViewport({false, 16, centre});
+    QCOMPARE(linesIn(16), 0);
+    m_view->setViewport({false, 64, centre});
+    QCOMPARE(linesIn(64), 3);
+    compare();
+    m_view->setMode(ImageWidget::Mode::difference);
+    m_view->setGain(1);
+    QCOMPARE(linesIn(64), 3);
+    m_view->setErrorMap(ErrorKind::luma, false);
+    m_view->setGain(1);
+    QCOMPARE(linesIn(64), 1);
+  }
+
   void theMaskMarksWhatIsNotSeen() {
     QImage seen(200, 150, QImage::Format_Grayscale8);
     seen.fill(255);

@@ -17,6 +17,7 @@
 #include "gui/view/image_commands.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
+#include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
 #include "io/opening/session_around.h"
 #include "io/scene/view_source.h"
@@ -46,9 +47,14 @@ class TestNotices : public WindowTest {
   void aPathThatCannotBeReadAndItsUndo();
   void aStateThatCannotBeRendered();
   void aNoticeIsPaintedOnTheDimmedImage();
+  void theCuresAreButtons();
   void aReportGoesOn();
 
  private:
+  QRect cures() const {
+    auto* undo = view()->findChild<QPushButton*>("undoActionCure");
+    return undo ? undo->parentWidget()->geometry() : QRect();
+  }
   ImageWidget* view() const { return child<ImageWidget>("pictureView"); }
   ImageCommands* commands() const { return m_window->findChild<ImageCommands*>(); }
   QAction* action(const char* name) const { return child<QAction>(name); }
@@ -227,17 +233,41 @@ void TestNotices::aNoticeIsPaintedOnTheDimmedImage() {
   QTRY_VERIFY_WITH_TIMEOUT(isWrong("none.png: there is no such file"), patience);
   const QImage after = view()->grab().toImage();
   QCOMPARE(after.size(), before.size());
+  const int ground = qGray(tokens().canvas.rgb());
+  const auto isText = [](QRgb pixel) {
+    return std::abs(qGray(pixel) - qGray(tokens().text.rgb())) < 40;
+  };
   int white = 0;
   int dimmed = 0;
   for (int y = 0; y < after.height(); ++y)
     for (int x = 0; x < after.width(); ++x) {
-      const bool isWhite = qGray(after.pixel(x, y)) > 200;
+      const bool isWhite = isText(after.pixel(x, y)) && !cures().contains(x, y);
       white += isWhite ? 1 : 0;
-      dimmed += qGray(after.pixel(x, y)) < qGray(before.pixel(x, y)) / 2 + 1 ? 1 : 0;
+      const int rest = std::abs(qGray(after.pixel(x, y)) - ground);
+      dimmed += rest < std::abs(qGray(before.pixel(x, y)) - ground) / 2 + 2 ? 1 : 0;
       QVERIFY2(!isWhite || (x > 3 && x < after.width() - 4), "the text is cut off");
     }
   QVERIFY2(white > enoughToSee, qPrintable(QString::number(white)));
   QVERIFY2(dimmed > after.width() * after.height() / 2, qPrintable(QString::number(dimmed)));
+}
+
+void TestNotices::theCuresAreButtons() {
+  openSmall();
+  QVERIFY(!child<QPushButton>("undoActionCure"));
+  typeFile("none.png");
+  QTRY_VERIFY_WITH_TIMEOUT(isWrong("none.png: there is no such file"), patience);
+  auto* undo = child<QPushButton>("undoActionCure");
+  QVERIFY(undo);
+  QTRY_VERIFY_WITH_TIMEOUT(undo->isVisible(), patience);
+  QVERIFY(view()->rect().contains(cures()));
+  QVERIFY(child<QPushButton>("openActionCure"));
+  QVERIFY(!child<QPushButton>("stopComparingActionCure")->isVisible());  // nothing is compared
+  const QColor frame = view()->grab().toImage().pixelColor(0, 0);
+  QCOMPARE(frame, tokens().error);
+  QTest::mouseClick(undo, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(isRight(), patience);
+  QVERIFY(!child<QPushButton>("undoActionCure"));
+  QVERIFY(view()->grab().toImage().pixelColor(0, 0) != tokens().error);
 }
 
 /// It has a light field of its own; and what it says of its tests is not about the image.

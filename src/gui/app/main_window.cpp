@@ -347,7 +347,10 @@ void MainWindow::showFailure(const QString& line) {
            "again.");
   else if (m_imageCommands->other())
     advice += tr(" Where it is the other light field's fault, stop comparing.");
-  m_imageCommands->showNotice(what + "\n\n" + line + "\n\n" + advice);
+  QList<QAction*> cures;
+  for (const char* name : {"undoAction", "locateFileAction", "stopComparingAction", "openAction"})
+    if (auto* cure = findChild<QAction*>(name)) cures << cure;
+  m_imageCommands->showNotice(what + "\n\n" + line + "\n\n" + advice, cures);
 }
 
 /// Refills the list of states.

@@ -9,6 +9,7 @@
 
 #include "gui/session/session_forms.h"
 #include "gui/view/error_image.h"
+#include "gui/widgets/colours.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
 #include "io/scene/view_source.h"
@@ -34,7 +35,9 @@ QString tableOf(const Opening& opening) {
                 "<tr><td>%3&nbsp;</td><td><i>%4</i></td></tr>")
                 .arg(QString::fromStdString(each.what).toHtmlEscaped(),
                      QString::fromStdString(each.value).toHtmlEscaped(),
-                     isOpen ? "<b>" + wordFor(each) + "</b>" : wordFor(each),
+                     isOpen ? QStringLiteral("<b style='color:%1'>%2</b>")
+                                  .arg(tokens().amber.name(), wordFor(each))
+                            : wordFor(each),
                      QString::fromStdString(each.reason).toHtmlEscaped());
   }
   for (const std::string& warning : opening.around.order.warnings)

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/metrics/metric.h"
+#include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
 #include "io/opening/session_around.h"
 
@@ -181,25 +182,34 @@ void HistogramWidget::setHistograms(const std::vector<Histogram>& histograms) {
 
 void HistogramWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().base());
+  painter.fillRect(rect(), tokens().canvas);
   std::size_t most = 1;
   for (const Histogram& counts : m_histograms)
     most = std::max(most, *std::ranges::max_element(counts));
   painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(textFont(TextSize::caption));
+  const int ticks = painter.fontMetrics().height();
+  const int bottom = height() - ticks;
+  for (int value = 0; value < 256; value += 32) {
+    const int x = value * width() / 256;
+    painter.fillRect(x, 0, 1, bottom, tokens().grid);
+    painter.setPen(tokens().text3);
+    painter.drawText(QRect(x + 2, bottom, width(), ticks), Qt::AlignLeft, QString::number(value));
+  }
   for (std::size_t which = 0; which < m_histograms.size(); ++which) {
     const Histogram& counts = m_histograms[which];
     const double step = double(width()) / double(counts.size());
-    QPainterPath line(QPointF(0, height()));
+    QPainterPath line(QPointF(0, bottom));
     for (std::size_t k = 0; k < counts.size(); ++k) {
-      const double y = height() * (1 - 0.95 * std::sqrt(double(counts[k]) / double(most)));
+      const double y = bottom * (1 - 0.95 * std::sqrt(double(counts[k]) / double(most)));
       line.lineTo(step * double(k), y);
       line.lineTo(step * double(k + 1), y);
     }
-    line.lineTo(width(), height());
+    line.lineTo(width(), bottom);
     if (which == 0)
-      painter.fillPath(line, QColor(128, 128, 128));
+      painter.fillPath(line, tokens().series[0]);
     else
-      painter.strokePath(line, QPen(palette().highlight(), 1.5));
+      painter.strokePath(line, QPen(tokens().series[1], 1.5));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "gui/view/comparison.h"
 #include "gui/view/error_image.h"
+#include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 
 namespace hogelscope {
@@ -65,6 +66,9 @@ void ComparisonCommands::addModes() {
                          "Shift+Up and Shift+Down change the gain"),
                       Qt::CTRL | Qt::Key_4, tr("Error")},
                      Mode::difference);
+  const std::array names{"one", "both", "wipe", "blink", "error_map"};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    m_modes->actions()[qsizetype(k)]->setIcon(icon(names[k]));
   m_menu->addSeparator();
 }
 
@@ -132,6 +136,7 @@ void ComparisonCommands::addHistogram(QVBoxLayout* around) {
       {"histogramAction", tr("&Histogram"),
        tr("Below the picture: how many pixels have which luma"), Qt::CTRL | Qt::SHIFT | Qt::Key_H},
       false, m_histogram, &QWidget::setVisible);
+  m_showHistogram->setIcon(icon("histogram"));
   m_histogram->setObjectName("histogram");
   m_histogram->hide();
   around->addWidget(m_histogram);
@@ -154,6 +159,7 @@ void ComparisonCommands::addBar(QVBoxLayout* around) {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
     button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     if (action == m_difference) {
       button->setMenu(m_errorMenu);
       button->setPopupMode(QToolButton::MenuButtonPopup);

@@ -113,8 +113,8 @@ void ImageCommands::show(const RenderedView& view) {
   showNotice({});
 }
 
-void ImageCommands::showNotice(const QString& why) {
-  m_view->setNotice(why);
+void ImageCommands::showNotice(const QString& why, const QList<QAction*>& cures) {
+  m_view->setNotice(why, cures);
   showComparison();
 }
 

@@ -35,7 +35,7 @@ class ImageCommands : public QObject {
   void show(const RenderedView& view);
   /// Shows on the image why it is outdated. Until the next image is shown, it can be neither saved
   /// nor copied.
-  void showNotice(const QString& why);
+  void showNotice(const QString& why, const QList<QAction*>& cures = {});
   /// Removes the image, which is of another session, and shows the notice.
   void drop(const QString& why);
   /// Starts reading. Errors are reported through failed(), now or later.

@@ -5,7 +5,9 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QHBoxLayout>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
@@ -18,7 +20,10 @@
 namespace hogelscope {
 
 ImageWidget::ImageWidget(QWidget* parent)
-    : QWidget(parent), m_mapping(new Task(this)), m_turns(new QTimer(this)) {
+    : QWidget(parent),
+      m_mapping(new Task(this)),
+      m_turns(new QTimer(this)),
+      m_cures(new QWidget(this)) {
   constexpr int turn = 500;  // milliseconds
   m_turns->setInterval(turn);
   connect(m_turns, &QTimer::timeout, this, &ImageWidget::takeTurn);
@@ -27,6 +32,9 @@ ImageWidget::ImageWidget(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   setAccessibleName(tr("Picture"));
+  new QHBoxLayout(m_cures);
+  m_cures->setCursor(Qt::ArrowCursor);
+  m_cures->hide();
   addCommands();
 }
 
@@ -122,9 +130,33 @@ void ImageWidget::setTitles(const QString& title, const QString& otherTitle) {
   update();
 }
 
-void ImageWidget::setNotice(const QString& notice) {
+void ImageWidget::setNotice(const QString& notice, const QList<QAction*>& cures) {
   m_notice = notice;
   setAccessibleDescription(notice);
+  // A button whose click leads here is still needed when this returns.
+  for (auto* old : m_cures->findChildren<QPushButton*>()) {
+    old->hide();
+    old->setObjectName({});
+    m_cures->layout()->removeWidget(old);
+    old->deleteLater();
+  }
+  for (QAction* cure : cures) {
+    auto* button = new QPushButton;
+    button->setObjectName(cure->objectName() + "Cure");
+    button->setToolTip(cure->toolTip());
+    m_cures->layout()->addWidget(button);
+    connect(button, &QPushButton::clicked, cure, &QAction::trigger);
+    // An undo is enabled only after the edit's failure has been shown.
+    const auto follow = [this, button, cure] {
+      button->setText(cure->text().remove('&'));
+      button->setVisible(cure->isEnabled());
+      placeCures();
+    };
+    connect(cure, &QAction::changed, button, follow);
+    follow();
+  }
+  m_cures->setHidden(cures.isEmpty());
+  placeCures();
   update();
 }
 
@@ -385,6 +417,20 @@ void ImageWidget::leaveEvent(QEvent*) {
   m_pointer.reset();
   Q_EMIT pointed(QPoint(-1, -1));
   update();
+}
+
+void ImageWidget::resizeEvent(QResizeEvent*) {
+  placeCures();
+}
+
+/// Puts the buttons below the notice's text.
+void ImageWidget::placeCures() {
+  constexpr int gap = 8;
+  m_cures->adjustSize();
+  const QRect text = fontMetrics().boundingRect(
+      noticeArea(), int(Qt::AlignCenter) | int(Qt::TextWordWrap), m_notice);
+  m_cures->move((width() - m_cures->width()) / 2,
+                std::min(text.bottom() + gap, height() - m_cures->height()));
 }
 
 void ImageWidget::wheelEvent(QWheelEvent* event) {

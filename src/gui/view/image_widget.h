@@ -34,8 +34,10 @@ class ImageWidget : public QWidget {
   /// Sets the titles, shown while both images are shown.
   void setTitles(const QString& title, const QString& otherTitle);
   /// Shows a notice in place of an image or on it. The image is then outdated: it is dimmed, and
-  /// its pixels cannot be read out or picked. Empty: the image is up to date.
-  void setNotice(const QString& notice);
+  /// its pixels cannot be read out or picked. Empty: the image is up to date. A notice with `cures`
+  /// is that of an error: it has a frame, and a button for each of them that is enabled, named as
+  /// the action with "Cure" appended.
+  void setNotice(const QString& notice, const QList<QAction*>& cures = {});
   /// Sets the mode of the comparison. Mode::blink alternates twice a second.
   void setMode(Mode mode);
   /// Sets the error map of Mode::difference.
@@ -93,6 +95,7 @@ class ImageWidget : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;  ///< fits the image
   void leaveEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Shown {
@@ -141,6 +144,10 @@ class ImageWidget : public QWidget {
   void paintTexts(QPainter& painter) const;
   [[nodiscard]] QString heading() const;
   void paintNotice(QPainter& painter) const;
+  [[nodiscard]] QRect noticeArea() const;
+  void placeCures();
+  void paintValues(QPainter& painter, const QRect& clip, const Placement& at,
+                   std::size_t which) const;
 
   std::array<Shown, 2> m_images;
   ZoomableImage m_difference;  ///< in Mode::difference only, as is the next
@@ -160,6 +167,7 @@ class ImageWidget : public QWidget {
   QPainterPath m_marks;  ///< the outline of the marked pixels
   QRect m_region;
   QString m_notice;
+  QWidget* m_cures;                  ///< the buttons of the notice; hidden if there are none
   std::optional<QPointF> m_pointer;  ///< widget coordinates, as is the next
   QPointF m_pressed;
   Viewport m_draggedFrom;

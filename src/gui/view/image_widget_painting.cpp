@@ -6,6 +6,7 @@
 
 #include "gui/view/error_image.h"
 #include "gui/view/image_widget.h"
+#include "gui/widgets/colours.h"
 
 namespace hogelscope {
 
@@ -20,15 +21,40 @@ QColor difference(const QColor& a, const QColor& b) {
           std::abs(a.blue() - b.blue())};
 }
 
-/// Paints a text on a dark background in the given corner of `area`.
-void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const QString& text) {
+QColor withAlpha(QColor colour, double alpha) {
+  colour.setAlphaF(float(alpha));
+  return colour;
+}
+
+/// Paints the ground of a text that stands on a picture.
+void paintGround(QPainter& painter, const QRect& box) {
+  constexpr int radius = 4;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(withAlpha(tokens().raised, 0.85));
+  painter.drawRoundedRect(box, radius, radius);
+  painter.restore();
+}
+
+/// Paints a text on a ground in the given corner of `area`, after a square of colour `mark` if that
+/// is valid.
+void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const QString& text,
+               const QColor& mark = {}) {
   if (text.isEmpty()) return;
   constexpr int margin = 4;
   const QRect inner = area.adjusted(margin, margin, -margin, -margin);
   QRect box = painter.boundingRect(inner, int(corner) | int(Qt::TextWordWrap), text);
   box = box.adjusted(-margin, -margin / 2, margin, margin / 2);
-  painter.fillRect(box, QColor(0, 0, 0, 170));
-  painter.setPen(Qt::white);
+  const int square = mark.isValid() ? scaled(8) : 0;
+  const int indent = mark.isValid() ? square + margin : 0;
+  const bool isRight = corner.testFlag(Qt::AlignRight);
+  paintGround(painter, box.adjusted(isRight ? -indent : 0, 0, isRight ? 0 : indent, 0));
+  if (!isRight) box.translate(indent, 0);
+  if (mark.isValid())
+    painter.fillRect(box.left() + margin - indent, box.center().y() - square / 2, square, square,
+                     mark);
+  painter.setPen(tokens().text);
   painter.drawText(box, int(Qt::AlignCenter) | int(Qt::TextWordWrap), text);
 }
 
@@ -87,15 +113,15 @@ void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const
   const int height = std::min(area.height() - 4 * line, 260);
   if (height < (parts + 1) * line) return;
   const QRect ground(area.right() - barWidth - textWidth - 4 * gap,
-                     area.center().y() - height / 2 - 2 * line, barWidth + textWidth + 3 * gap,
+                     area.bottom() - gap - height - 3 * line, barWidth + textWidth + 3 * gap,
                      height + 3 * line);
-  painter.fillRect(ground, QColor(0, 0, 0, 220));
+  paintGround(painter, ground);
   const QRect bar(ground.left() + gap, ground.top() + 2 * line, barWidth, height);
   for (int y = 0; y < height; ++y) {
     const auto [red, green, blue] = map.colourAt(1 - double(y) / (height - 1));
     painter.fillRect(bar.left(), bar.top() + y, barWidth, 1, QColor(red, green, blue));
   }
-  painter.setPen(Qt::white);
+  painter.setPen(tokens().text);
   const int left = bar.right() + gap;
   painter.drawText(QRect(ground.left(), ground.top(), ground.width() - gap, line), Qt::AlignRight,
                    unit);
@@ -104,11 +130,30 @@ void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const
                      int(Qt::AlignRight) | int(Qt::AlignVCenter), numbers[k]);
 }
 
+/// Paints the line of Mode::wipe with its handle, in device pixels.
+void paintWipe(QPainter& painter, int column, int height, double ratio) {
+  painter.fillRect(column - 1, 0, 3, height, withAlpha(Qt::black, 0.5));
+  painter.fillRect(column, 0, 1, height, Qt::white);
+  const QPointF middle(column + 0.5, height / 2.0);
+  const double radius = 11 * ratio;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Qt::black, ratio));
+  painter.setBrush(Qt::white);
+  painter.drawEllipse(middle, radius, radius);
+  painter.setBrush(Qt::black);
+  for (const double side : {-1.0, 1.0})
+    painter.drawPolygon(QPolygonF{middle + QPointF(side * 0.7 * radius, 0),
+                                  middle + QPointF(side * 0.25 * radius, -0.35 * radius),
+                                  middle + QPointF(side * 0.25 * radius, 0.35 * radius)});
+  painter.restore();
+}
+
 }  // namespace
 
 void ImageWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), QColor(38, 40, 44));
+  painter.fillRect(rect(), tokens().canvas);
   if (!image().isNull()) {
     painter.save();
     painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
@@ -122,10 +167,20 @@ void ImageWidget::paintEvent(QPaintEvent*) {
 
 void ImageWidget::paintNotice(QPainter& painter) const {
   if (m_notice.isEmpty()) return;
-  if (!image().isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 150));
+  constexpr double left = 0.35;  // of the outdated picture
+  if (!image().isNull()) painter.fillRect(rect(), withAlpha(tokens().canvas, 1 - left));
+  paintText(painter, noticeArea(), Qt::AlignCenter, m_notice);
+  if (m_cures->isHidden()) return;
+  painter.setPen(tokens().error);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+/// Returns the part in whose middle the notice stands; buttons follow below it.
+QRect ImageWidget::noticeArea() const {
   const int longest = 60 * fontMetrics().averageCharWidth();
   const int margin = std::max(0, width() - longest) / 2;
-  paintText(painter, rect().adjusted(margin, 0, -margin, 0), Qt::AlignCenter, m_notice);
+  const int buttons = m_cures->isHidden() ? 0 : m_cures->height();
+  return rect().adjusted(margin, 0, -margin, -buttons);
 }
 
 void ImageWidget::paintImages(QPainter& painter) const {
@@ -144,8 +199,7 @@ void ImageWidget::paintImages(QPainter& painter) const {
     case Mode::wipe:
       paintOne(painter, all, {0, 0, line, all.height()}, 0);
       paintOne(painter, all, all.adjusted(line, 0, 0, 0), 1);
-      painter.fillRect(line - 1, 0, 3, all.height(), QColor(0, 0, 0, 120));
-      return painter.fillRect(line, 0, 1, all.height(), Qt::white);
+      return paintWipe(painter, line, all.height(), devicePixelRatioF());
     case Mode::difference:
       return paintDifference(painter, all);
   }
@@ -156,13 +210,49 @@ void ImageWidget::paintOne(QPainter& painter, const QRect& pane, const QRect& cl
   const Placement at = placement(pane);
   m_images[which].toned.paint(painter, clip, at);
   m_images[which].hatch.paint(painter, clip, at);
+  paintValues(painter, clip, at, which);
   paintMarks(painter, clip, at);
+}
+
+/// Paints the code values of visible pixels, or their errors, into each, if zoomed enough.
+void ImageWidget::paintValues(QPainter& painter, const QRect& clip, const Placement& at,
+                              std::size_t which) const {
+  constexpr double least = 20;  // device pixels per image pixel
+  if (at.zoom < least) return;
+  const bool isError = shownMode() == Mode::difference;
+  const QImage& shown = isError ? m_difference.image() : m_images[which].toned.image();
+  const QRect visible =
+      QRectF(at.toImage(clip.topLeft()), at.toImage(clip.bottomRight())).toAlignedRect() &
+      shown.rect();
+  QFont font = textFont(TextSize::caption);
+  // Three lines have to fit into a pixel.
+  font.setPixelSize(std::min(int(at.zoom / 3.2), int(11 * devicePixelRatioF())));
+  painter.save();
+  painter.setClipRect(clip);
+  painter.setFont(font);
+  const int line = font.pixelSize();
+  for (int y = visible.top(); y <= visible.bottom(); ++y)
+    for (int x = visible.left(); x <= visible.right(); ++x) {
+      const QStringList lines =
+          (isError ? ErrorText::values(m_error.kind, image().pixel(x, y), otherImage().pixel(x, y))
+                   : values(m_images[which].image.pixelColor(x, y)))
+              .split(' ');
+      const QRectF box(at.toDevice(QPointF(x, y)), QSizeF(at.zoom, at.zoom));
+      const double top = box.center().y() - 0.5 * double(line * lines.size());
+      constexpr int middle = 128;
+      painter.setPen(qGray(shown.pixel(x, y)) < middle ? Qt::white : Qt::black);
+      for (qsizetype k = 0; k < lines.size(); ++k)
+        painter.drawText(QRectF(box.left(), top + double(k * line), box.width(), line),
+                         int(Qt::AlignCenter) | int(Qt::TextDontClip), lines[k]);
+    }
+  painter.restore();
 }
 
 void ImageWidget::paintDifference(QPainter& painter, const QRect& pane) const {
   const Placement at = placement(pane);
   m_difference.paint(painter, pane, at);
   for (const Shown& image : m_images) image.hatch.paint(painter, pane, at);
+  paintValues(painter, pane, at, 0);
   paintMarks(painter, pane, at);
 }
 
@@ -199,16 +289,19 @@ QString ImageWidget::heading() const {
 
 void ImageWidget::paintTexts(QPainter& painter) const {
   const Mode mode = shownMode();
+  const bool hasTwo = mode == Mode::sideBySide || mode == Mode::wipe;
   const auto corner = [](Qt::AlignmentFlag side, Qt::AlignmentFlag end) { return side | end; };
-  paintText(painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), heading());
+  paintText(
+      painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), heading(),
+      hasTwo || mode == Mode::blink ? tokens().series[mode == Mode::blink ? m_turn : 0] : QColor());
   if (mode == Mode::difference && m_error.hasFalseColour)
     paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind));
-  if (mode == Mode::sideBySide || mode == Mode::wipe) {
+  if (hasTwo) {
     QRect second = rect();
     if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
     paintText(painter, second,
               corner(mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignTop),
-              m_images[1].title);
+              m_images[1].title, tokens().series[1]);
   }
   // Moves the text away from the pointer, so that it does not cover that area.
   const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
