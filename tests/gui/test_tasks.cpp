@@ -88,7 +88,7 @@ void TestTasks::aReportOfTwoJpegs() {
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
                            patience);
-  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 6);
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 3);
   QCOMPARE(m_steps, 5);
 }
 
