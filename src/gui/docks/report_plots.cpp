@@ -101,6 +101,7 @@ ReportPlots::ReportPlots(const ReportData& report)
   parts->addWidget(below);
   parts->addWidget(makePictures());
   parts->setSizes({300, 280, 220});
+  parts->setChildrenCollapsible(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(parts);
@@ -131,6 +132,8 @@ QWidget* ReportPlots::makePictures() {
     m_images.push_back(new ReportPlotView(name, help));
     row->addWidget(m_images.back());
   }
+  constexpr int least = 200;
+  m_pictures->setMinimumHeight(scaled(least));
   auto* layout = new QVBoxLayout(m_pictures);
   layout->addLayout(head);
   layout->addLayout(row, 1);

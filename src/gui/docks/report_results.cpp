@@ -254,7 +254,10 @@ void StateTable::fill(const ReportData& data, std::size_t test, std::size_t stat
   const bool isProblem = !row.problem.empty() && row.problem != notYet;
   setItem(at, name, nameCell(text(row.state), text(isProblem ? row.problem : row.state)));
   auto* figure = metricCell(data, row, psnrSeenColumn);
-  if (isProblem) figure->setText(text(row.problem));
+  if (isProblem) {
+    figure->setText(text(row.problem));
+    figure->setToolTip(text(row.problem));
+  }
   if (std::isfinite(data.psnr(index)))
     figure->setData(QVariantList{shareOf(m_range, data.psnr(index))}, barRole);
   setItem(at, psnr, figure);
