@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QUrl>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -265,6 +266,7 @@ void ReportDock::connectAll() {
     m_note->setText(tr("Stopped. What is finished is kept: the same report goes on from there."));
   });
   connect(m_task, &Task::failed, this, [this](const QString& line) {
+    m_testsButton->setChecked(true);
     showIdle();
     m_note->setText(line);
     Q_EMIT failed(line);
@@ -312,6 +314,7 @@ void ReportDock::setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMen
 void ReportDock::forget() {
   if (m_task->isRunning()) stop();
   m_data = ReportData();
+  m_testsButton->setChecked(true);
   m_note->clear();
   m_stale->hide();
   showAll();
@@ -385,6 +388,7 @@ void ReportDock::start() {
   m_note->clear();
   m_stale->hide();
   m_test = 0;
+  m_testsButton->setChecked(false);
   showAll();
   m_makeButton->setText(tr("&Stop"));
   m_clock.start();
@@ -427,7 +431,6 @@ void ReportDock::finish(const Report& report, const std::vector<std::optional<do
   m_data.panels = report.panels;
   for (std::size_t k = 0; k < rates.size(); ++k)
     m_data.plotted[k].rate = rates[k].value_or(std::numeric_limits<double>::quiet_NaN());
-  m_testsButton->setChecked(false);
   showAll();
   compare();
 }
@@ -484,12 +487,11 @@ void ReportDock::sizeColumns() {
   m_tests->setColumnWidth(TestTable::name, scaled(130));
   for (const int column : {TestTable::rate, TestTable::psnr, TestTable::ssim})
     m_tests->setColumnWidth(column, scaled(76));
-  m_tests->setColumnWidth(TestTable::bar, scaled(190));
+  m_tests->setColumnWidth(TestTable::bar, scaled(170));
   m_tests->horizontalHeader()->setStretchLastSection(true);
-  m_rows->setColumnWidth(StateTable::name, scaled(130));
-  m_rows->setColumnWidth(StateTable::psnr, scaled(120));
-  for (int k = StateTable::ssim; k < StateTable::plugins; ++k)
-    m_rows->setColumnWidth(k, scaled(k < StateTable::distance ? 70 : 92));
+  const std::array widths{112, 112, 64, 64, 62, 64, 56, 88, 70};
+  for (int k = StateTable::name; k < StateTable::plugins; ++k)
+    m_rows->setColumnWidth(k, scaled(widths.at(std::size_t(k))));
 }
 
 /// Fills tables and plots. The chosen test stays, and the current state is chosen.
