@@ -44,6 +44,12 @@ void TestRowFilter::rows_data() {
                          << "Fig 2,Random 3";
   QTest::newRow("both") << "lens=0, random"
                         << "Random 3";
+  QTest::newRow("more is not equal") << "angle > 9"
+                                     << "Fig 1";
+  QTest::newRow("less is not equal") << "angle < 9"
+                                     << "Fig 2";
+  QTest::newRow("missing value alone") << "PSNR"
+                                       << "Fig 1,Fig 2";
   QTest::newRow("missing value") << "psnr < 100"
                                  << "Fig 1,Fig 2";
   QTest::newRow("no column") << "weight > 0"
