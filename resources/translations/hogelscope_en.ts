@@ -32,6 +32,16 @@
     </message>
 </context>
 <context>
+    <name>hogelscope::ReportDock</name>
+    <message numerus="yes">
+        <source>&lt;b&gt;%1&lt;/b&gt; %n states</source>
+        <translation>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt; %n state</numerusform>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt; %n states</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hogelscope::SessionModel</name>
     <message numerus="yes">
         <source>Change %1 of %n states</source>

@@ -25,11 +25,22 @@ void paintOn(QPaintDevice& device, const Paint& paint, const QSize& size) {
   QPainter painter(&device);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(chartFont());
-  painter.fillRect(QRect({0, 0}, size), Qt::white);
+  painter.fillRect(QRect({0, 0}, size), printColours().background);
   paint(painter, size);
 }
 
 }  // namespace
+
+const ChartColours& printColours() {
+  static const ChartColours colours{.background = Qt::white,
+                                    .text = 0x1c1f23,
+                                    .text2 = 0x565c65,
+                                    .line = 0xb4b9c0,
+                                    .grid = 0xe4e6e9,
+                                    .accent = 0x0b66d8,
+                                    .series = {0x0072b2, 0xc46f00, 0x007f5f, 0xa8457f}};
+  return colours;
+}
 
 OffscreenPainting::OffscreenPainting() {
   if (QCoreApplication::instance() != nullptr) return;
@@ -41,9 +52,9 @@ OffscreenPainting::OffscreenPainting() {
 }
 
 std::string pngOf(const Paint& paint, const QSize& size) {
-  constexpr int pixelsPerPoint = 2;
-  QImage image(pixelsPerPoint * size, QImage::Format_RGB32);
-  image.setDevicePixelRatio(pixelsPerPoint);
+  constexpr int scale = 2;
+  QImage image(scale * size, QImage::Format_RGB32);
+  image.setDevicePixelRatio(scale);
   paintOn(image, paint, size);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -58,7 +69,7 @@ std::string svgOf(const Paint& paint, const QSize& size, const std::string& titl
   generator.setOutputDevice(&buffer);
   generator.setSize(size);
   generator.setViewBox(QRect({0, 0}, size));
-  generator.setResolution(72);  // one unit per point
+  generator.setResolution(108);  // pixels per inch: 2/3 pt
   generator.setTitle(QString::fromStdString(title));
   paintOn(generator, paint, size);
   return buffer.data().toStdString();

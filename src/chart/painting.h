@@ -2,9 +2,11 @@
 // Export of charts to files: one paint function for PNG, SVG and the widget.
 #pragma once
 
+#include <QColor>
 #include <QGuiApplication>
 #include <QPainter>
 #include <QSize>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,11 +25,24 @@ class OffscreenPainting {
   std::optional<QGuiApplication> m_application;  ///< none if an application exists already
 };
 
-/// Paints on an area of `size`, in points, from (0, 0).
+/// The colours of a chart.
+struct ChartColours {
+  QColor background;
+  QColor text, text2;            ///< text2: axes and captions
+  QColor line, grid;             ///< frames; the lines at ticks
+  QColor accent;                 ///< what is chosen
+  std::array<QColor, 4> series;  ///< circle, square, triangle, diamond
+};
+
+/// Returns the colours of files: dark on white.
+const ChartColours& printColours();
+
+/// Paints on an area of `size`, in pixels of a window, from (0, 0).
 using Paint = std::function<void(QPainter& painter, const QSizeF& size)>;
 
-/// Returns the bytes of a PNG; the next function those of an SVG. Text is DejaVu Sans; PNG has
-/// twice as many pixels as points.
+/// Returns the bytes of a PNG; the next function those of an SVG. Text is DejaVu Sans of 12 pixels.
+/// A PNG has twice as many pixels in each direction; in an SVG a pixel is 2/3 pt, so that text is
+/// 8 pt.
 std::string pngOf(const Paint& paint, const QSize& size);
 std::string svgOf(const Paint& paint, const QSize& size, const std::string& title);
 

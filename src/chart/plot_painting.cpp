@@ -2,25 +2,170 @@
 #include "chart/plot_painting.h"
 
 #include <QObject>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/colour_map.h"
+#include "core/base/text.h"
 
 namespace hogelscope {
 
 namespace {
 
-constexpr double legendLine = 18;
+bool hasLegend(const Plot& plot) {
+  return !plot.hasCurves && plot.series.size() > 1;
+}
 
-PlotBox boxOf(const Plot& plot, const QSizeF& size) {
-  const double legend = plot.series.size() > 1 ? legendLine * double(plot.series.size()) : 0;
-  return {size.width(), size.height(), 44 + legend, 12};
+/// Returns the margins for text of a size; names stand at the right of curves, and the colour bar
+/// at the right of maps.
+PlotBox boxOf(const Plot& plot, const QSizeF& size, double text) {
+  const double line = 1.5 * text;
+  const bool isWide = plot.hasCurves || plot.shades;
+  return {
+      size.width(), size.height(), (hasLegend(plot) ? 3 : 2) * line + 4, isWide ? 5 * text : text,
+      3.7 * text,   1.8 * line};
+}
+
+PlotArea areaOf(const Plot& plot, const QSizeF& size, double text) {
+  return areaOf(plot, boxOf(plot, size, text));
 }
 
 QPointF pointAt(const PlotArea& area, const Plot::Point& point, std::size_t series) {
   const auto [x, y] = area.placeOf(point, series);
   return {x, y};
 }
+
+/// A plot's painter, with what its parts share.
+struct PlotPainter {
+  QPainter& painter;
+  QSizeF size;
+  const Plot& plot;
+  const ChartColours& colours;
+  double text = painter.font().pixelSize();
+  PlotArea area = areaOf(plot, size, text);
+
+  [[nodiscard]] QColor colourOf(std::size_t series) const {
+    return colours.series.at(series % colours.series.size());
+  }
+  [[nodiscard]] QColor shadeOf(double value) const {
+    if (std::isinf(value)) return colours.text;  // identical
+    const auto [r, g, b] =
+        falseColour((value - plot.shades->low) / (plot.shades->high - plot.shades->low));
+    return {r, g, b};
+  }
+  void write(const QRectF& box, int flags, const std::string& words, const QColor& colour) const {
+    painter.setPen(colour);
+    painter.drawText(box, flags | Qt::AlignVCenter, QString::fromStdString(words));
+  }
+
+  void paintFrame() const {
+    const double left = area.across.from, right = area.across.to, bottom = area.up.from;
+    const double line = 1.5 * text;
+    for (const Tick& tick : ticksUp(area.up)) {
+      const double y = area.up.at(tick.value);
+      painter.setPen(colours.grid);
+      painter.drawLine(QPointF(left, y), QPointF(right, y));
+      write({0, y - text, left - 6, 2 * text}, Qt::AlignRight, tick.text, colours.text2);
+    }
+    for (const Tick& tick : ticksAcross(plot, area.across)) {
+      const double x = area.across.at(tick.value);
+      painter.setPen(colours.grid);
+      if (plot.panel <= 0) painter.drawLine(QPointF(x, area.up.to), QPointF(x, bottom));
+      painter.setPen(colours.line);
+      painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + 4));
+      write({x - 40, bottom + 4, 80, line}, Qt::AlignHCenter, tick.text, colours.text2);
+    }
+    painter.setPen(colours.line);
+    painter.drawLine(QPointF(left, bottom), QPointF(right, bottom));
+    if (area.hasIdentical)
+      write({0, area.up.to - 28, left - 6, 2 * text}, Qt::AlignRight,
+            QObject::tr("same").toStdString(), colours.text2);
+    write({left, bottom + 4 + 0.9 * line, right - left, line},
+          plot.panel > 0 ? Qt::AlignHCenter : Qt::AlignRight, plot.titleAcross, colours.text2);
+    painter.save();
+    QFont bold = painter.font();
+    bold.setWeight(QFont::Medium);
+    painter.setFont(bold);
+    write({text, 0.2 * line, size.width() - text, line}, Qt::AlignLeft, plot.titleUp, colours.text);
+    painter.restore();
+    if (plot.panel <= 0) return;
+    const double x = area.across.at(-plot.panel / 2);
+    painter.fillRect(QRectF(x, area.up.at(0) - 2, area.across.at(plot.panel / 2) - x, 4),
+                     colours.text);
+  }
+
+  /// Paints a series' curve over the band of its intervals, and its name at the end.
+  void paintCurve(std::size_t k) const {
+    QPolygonF line;
+    for (const Plot::Point& point : plot.series[k].points) line << pointAt(area, point, k);
+    if (line.isEmpty()) return;
+    QColor light = colourOf(k);
+    light.setAlphaF(0.16F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(light);
+    painter.drawPolygon(bandOf(k));
+    painter.setPen(QPen(colourOf(k), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+    const QString name = painter.fontMetrics().elidedText(
+        QString::fromStdString(plot.series[k].name), Qt::ElideMiddle, int(4 * text));
+    write({line.back() + QPointF(10, -text), QSizeF(4.2 * text, 2 * text)}, Qt::AlignLeft,
+          name.toStdString(), colourOf(k));
+  }
+
+  /// Returns the intervals' lower ends from left to right, then the upper ones back.
+  [[nodiscard]] QPolygonF bandOf(std::size_t k) const {
+    QPolygonF low, high;
+    for (const Plot::Point& point : plot.series[k].points) {
+      const double x = area.across.at(point.across);
+      low << QPointF(x, area.up.at(point.interval.low));
+      high.prepend({x, area.up.at(point.interval.high)});
+    }
+    return low + high;
+  }
+
+  void paintPoints(std::optional<std::size_t> selected) const {
+    const Plot::Point* chosen = nullptr;
+    std::size_t chosenSeries = 0;
+    for (std::size_t k = 0; k < plot.series.size(); ++k)
+      for (const Plot::Point& point : plot.series[k].points) {
+        painter.setPen(QPen(colours.background, 1));
+        painter.setBrush(plot.shades ? shadeOf(point.shade) : colourOf(k));
+        paintMark(painter, pointAt(area, point, k), plot.series[k].radius, k);
+        if (point.row != selected) continue;
+        chosen = &point;
+        chosenSeries = k;
+      }
+    if (chosen == nullptr) return;
+    const QPointF at = pointAt(area, *chosen, chosenSeries);
+    const double radius = plot.series[chosenSeries].radius + 4;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colours.accent, 2));
+    painter.drawEllipse(at, radius, radius);
+    const bool isRight = at.x() < (area.across.from + area.across.to) / 2;
+    const double gap = radius + 6;
+    const QRectF box(isRight ? at.x() + gap : at.x() - gap - 400, at.y() - text, 400, 2 * text);
+    write(box, isRight ? Qt::AlignLeft : Qt::AlignRight, chosen->name, colours.accent);
+  }
+
+  void paintLegend() const {
+    const double line = 1.5 * text;
+    double x = area.across.from;
+    const double each = (size.width() - x) / double(plot.series.size());
+    for (std::size_t k = 0; k < plot.series.size(); ++k, x += each) {
+      const double y = size.height() - 0.6 * line;
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colourOf(k));
+      paintMark(painter, {x + 5, y}, 4, k);
+      const QString name = painter.fontMetrics().elidedText(
+          QString::fromStdString(plot.series[k].name), Qt::ElideMiddle, int(each - 20));
+      write({x + 14, y - text, each - 14, 2 * text}, Qt::AlignLeft, name.toStdString(),
+            colours.text2);
+    }
+  }
+};
+
+}  // namespace
 
 void paintMark(QPainter& painter, const QPointF& at, double radius, std::size_t series) {
   const std::vector<double> corners = markCorners(series);
@@ -31,88 +176,44 @@ void paintMark(QPainter& painter, const QPointF& at, double radius, std::size_t 
   painter.drawPolygon(polygon);
 }
 
-void paintFrame(QPainter& painter, const Plot& plot, const PlotArea& area) {
-  const QRectF frame(QPointF(area.across.from, area.up.to), QPointF(area.across.to, area.up.from));
-  const QColor grid(221, 221, 221);
-  const auto label = [&painter](const QRectF& box, int flags, const std::string& text) {
-    painter.setPen(Qt::black);
-    painter.drawText(box, flags | Qt::AlignVCenter, QString::fromStdString(text));
-  };
-  for (const Tick& tick : ticksAcross(plot, area.across)) {
-    const double x = area.across.at(tick.value);
-    painter.setPen(grid);
-    painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
-    label({x - 40, frame.bottom() + 3, 80, 16}, Qt::AlignHCenter, tick.text);
+void paintColourBar(QPainter& painter, const QRectF& bar, const QString& low, const QString& high,
+                    const QColor& text) {
+  QLinearGradient colours(bar.bottomLeft(), bar.topLeft());
+  constexpr int steps = 16;
+  for (int k = 0; k <= steps; ++k) {
+    const auto [r, g, b] = falseColour(double(k) / steps);
+    colours.setColorAt(double(k) / steps, QColor(r, g, b));
   }
-  for (const Tick& tick : ticksUp(area.up)) {
-    const double y = area.up.at(tick.value);
-    painter.setPen(grid);
-    painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
-    label({18, y - 8, frame.left() - 23, 16}, Qt::AlignRight, tick.text);
-  }
-  painter.setPen(QColor(136, 136, 136));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(frame);
-  if (area.hasIdentical)
-    label({0, 16, frame.left() - 5, 16}, Qt::AlignRight, QObject::tr("identical").toStdString());
-  label({frame.left(), frame.bottom() + 20, frame.width(), 16}, Qt::AlignHCenter, plot.titleAcross);
-  painter.save();
-  painter.translate(10, frame.center().y());
-  painter.rotate(-90);
-  label({-100, -8, 200, 16}, Qt::AlignHCenter, plot.titleUp);
-  painter.restore();
+  painter.fillRect(bar, colours);
+  painter.setPen(text);
+  const QRectF beside(bar.right() + 5, bar.top(), 100, bar.height());
+  painter.drawText(beside, Qt::AlignLeft | Qt::AlignTop, high);
+  painter.drawText(beside, Qt::AlignLeft | Qt::AlignBottom, low);
 }
 
-void paintPoints(QPainter& painter, const Plot& plot, const PlotArea& area,
-                 std::optional<std::size_t> selected) {
-  for (std::size_t k = 0; k < plot.series.size(); ++k)
-    for (const Plot::Point& point : plot.series[k].points) {
-      painter.setPen(QPen(Qt::white, 0.8));
-      painter.setBrush(QColor(seriesColour(k)));
-      paintMark(painter, pointAt(area, point, k), plot.series[k].radius, k);
-    }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(Qt::black, 2));
-  for (std::size_t k = 0; k < plot.series.size(); ++k)
-    for (const Plot::Point& point : plot.series[k].points)
-      if (point.row == selected) {
-        const double radius = plot.series[k].radius + 3;
-        painter.drawEllipse(pointAt(area, point, k), radius, radius);
-      }
-}
-
-void paintLegend(QPainter& painter, const Plot& plot, const PlotArea& area) {
-  double y = area.up.from + 50;
-  for (std::size_t k = 0; k < plot.series.size(); ++k, y += legendLine) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(seriesColour(k)));
-    paintMark(painter, {area.across.from + 6, y}, 4, k);
-    painter.setPen(Qt::black);
-    const QRectF box(area.across.from + 18, y - 8, area.across.to - area.across.from - 18, 16);
-    painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(QString::fromStdString(plot.series[k].name),
-                                                      Qt::ElideMiddle, int(box.width())));
-  }
-}
-
-}  // namespace
-
-void paintPlot(QPainter& painter, const QSizeF& size, const Plot& plot,
+void paintPlot(QPainter& painter, const QSizeF& size, const Plot& plot, const ChartColours& colours,
                std::optional<std::size_t> selected) {
-  const PlotArea area = areaOf(plot, boxOf(plot, size));
   painter.save();
-  QFont font = painter.font();
-  font.setPixelSize(12);
-  painter.setFont(font);
-  paintFrame(painter, plot, area);
-  paintPoints(painter, plot, area, selected);
-  if (plot.series.size() > 1) paintLegend(painter, plot, area);
+  const PlotPainter parts{painter, size, plot, colours};
+  parts.paintFrame();
+  for (std::size_t k = 0; plot.hasCurves && k < plot.series.size(); ++k) parts.paintCurve(k);
+  parts.paintPoints(selected);
+  if (hasLegend(plot)) parts.paintLegend();
+  if (plot.shades) {
+    const QRectF bar(parts.area.across.to + 14, parts.area.up.to + 1.5 * parts.text, 8,
+                     parts.area.up.from - parts.area.up.to - 1.5 * parts.text);
+    paintColourBar(painter, bar, QString::fromStdString(rounded(plot.shades->low, 1)),
+                   QString::fromStdString(rounded(plot.shades->high, 1)), colours.text2);
+    parts.write({bar.left() - 6, parts.area.up.to - 0.4 * parts.text, 80, 1.5 * parts.text},
+                Qt::AlignLeft, "dB", colours.text2);
+  }
   painter.restore();
 }
 
-std::optional<std::size_t> rowAt(const Plot& plot, const QPointF& place, const QSizeF& size) {
-  constexpr double farthest = 8;  // points
-  const PlotArea area = areaOf(plot, boxOf(plot, size));
+std::optional<std::size_t> rowAt(const Plot& plot, const QPointF& place, const QSizeF& size,
+                                 double text) {
+  constexpr double farthest = 8;  // pixels
+  const PlotArea area = areaOf(plot, size, text);
   std::optional<std::size_t> row;
   double least = farthest;
   for (std::size_t k = 0; k < plot.series.size(); ++k)
@@ -126,8 +227,8 @@ std::optional<std::size_t> rowAt(const Plot& plot, const QPointF& place, const Q
   return row;
 }
 
-std::optional<QPointF> placeOf(const Plot& plot, std::size_t row, const QSizeF& size) {
-  const PlotArea area = areaOf(plot, boxOf(plot, size));
+std::optional<QPointF> placeOf(const Plot& plot, std::size_t row, const QSizeF& size, double text) {
+  const PlotArea area = areaOf(plot, size, text);
   for (std::size_t k = 0; k < plot.series.size(); ++k)
     for (const Plot::Point& point : plot.series[k].points)
       if (point.row == row) return pointAt(area, point, k);

@@ -13,8 +13,6 @@ namespace hogelscope {
 
 namespace {
 
-constexpr double left = 62;
-constexpr double top = 14;
 constexpr double strip = 28;  ///< for the identical points
 
 std::vector<Tick> linearTicksAcross(const Axis& across) {
@@ -27,6 +25,18 @@ void pad(Axis& axis, double least) {
   const double by = std::max(0.05 * (axis.high - axis.low), least - (axis.high - axis.low) / 2);
   axis.low -= by;
   axis.high += by;
+}
+
+/// Extends the axis with the larger scale, so that a unit is as long on both.
+void shareScale(Axis& across, Axis& up) {
+  const auto unit = [](const Axis& axis) {
+    return std::abs(axis.to - axis.from) / (axis.high - axis.low);
+  };
+  Axis& wide = unit(across) > unit(up) ? across : up;
+  const double factor = unit(wide) / std::min(unit(across), unit(up));
+  const double middle = (wide.low + wide.high) / 2;
+  wide.low = middle + factor * (wide.low - middle);
+  wide.high = middle + factor * (wide.high - middle);
 }
 
 std::string svgMark(std::size_t series, double x, double y, double radius,
@@ -82,13 +92,14 @@ std::vector<double> markCorners(std::size_t series) {
 
 PlotArea::Place PlotArea::placeOf(const Plot::Point& point, std::size_t series) const {
   const double share = (double(series) + 0.5) / double(std::max<std::size_t>(count, 1));
-  return {across.at(point.across), std::isinf(point.up) ? 12 + 24 * share : up.at(point.up)};
+  return {across.at(point.across),
+          std::isinf(point.up) ? up.to - strip - 2 + 24 * share : up.at(point.up)};
 }
 
 PlotArea areaOf(const Plot& plot, const PlotBox& box) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  PlotArea area{{infinite, -infinite, left, std::max(left + 20, box.width - box.right)},
-                {infinite, -infinite, std::max(top + 20, box.height - box.below), top},
+  PlotArea area{{infinite, -infinite, box.left, std::max(box.left + 20, box.width - box.right)},
+                {infinite, -infinite, std::max(box.top + 20, box.height - box.below), box.top},
                 plot.series.size(),
                 false};
   const auto include = [](Axis& axis, double value) {
@@ -105,8 +116,13 @@ PlotArea areaOf(const Plot& plot, const PlotBox& box) {
       include(area.up, plot.hasCurves ? point.interval.low : point.up);
       include(area.up, plot.hasCurves ? point.interval.high : point.up);
     }
+  if (plot.panel > 0) {
+    for (const double edge : {-plot.panel / 2, plot.panel / 2}) include(area.across, edge);
+    include(area.up, 0);
+  }
   pad(area.across, plot.leastRange[0]);
   pad(area.up, plot.leastRange[1]);
+  if (plot.panel > 0) shareScale(area.across, area.up);
   if (area.hasIdentical) area.up.to += strip;
   return area;
 }
@@ -158,7 +174,7 @@ std::string svgOf(const Plot& plot, const PlotBox& box, const std::string& style
                      "\">" +
                      svgFrame(area.across, area.up, plot.titleAcross, plot.titleUp,
                               ticksAcross(plot, area.across));
-  if (area.hasIdentical) text += svgText(left - 6, 28, "end", "identical");
+  if (area.hasIdentical) text += svgText(box.left - 6, 28, "end", "identical");
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const std::string colour = seriesColour(k);
     text += "<g class=\"points\" fill=\"" + colour + "\" color=\"" + colour + "\">\n";

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ struct Plot {
     std::string title;
     std::size_t row = 0;  ///< the point's row in the table
     Interval interval{};  ///< drawn in plots with curves only
+    std::string name{};   ///< drawn in the window beside the chosen point
+    double shade = 0;     ///< drawn in the window as a colour of `shades`
   };
   struct Series {
     std::string name;
@@ -33,14 +36,20 @@ struct Plot {
   bool hasCurves = false;              ///< whether the points of a series are connected
   bool isLogarithmic = false;          ///< `across` is log10 of the ticks' values
   std::vector<Series> series;
+
+  // For the window only.
+  double panel = 0;  ///< width of a bar at 0; above 0 in maps, whose axes have one scale
+  std::optional<Axis> shades{};  ///< low and high of the colour bar
 };
 
-/// The area of a plot: `width` × `height`, with margins for its titles below and at the right.
+/// The area of a plot: `width` × `height`, with margins for its titles.
 struct PlotBox {
   double width = 0;
   double height = 0;
   double below = 44;
   double right = 16;
+  double left = 62;
+  double top = 14;
 };
 
 /// The axes of a plot in a box.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/metrics/error_map.h"
 #include "io/files/atomic_file.h"
@@ -140,6 +141,37 @@ std::vector<fs::path> filesOf(const ReportRequest& request) {
     }
   }
   return files;
+}
+
+std::vector<std::size_t> worstFirst(const std::vector<ReportRow>& rows, const ReportOrder& order,
+                                    std::size_t test) {
+  std::vector<std::size_t> states;
+  for (std::size_t row = test; row < rows.size(); row += order.tests)
+    if (rows[row].problem.empty()) states.push_back(order.state(row));
+  const auto error = [&](std::size_t state) {
+    const double mse = rows[order.row(state, test)].values[mseSeenColumn];
+    return std::isnan(mse) ? std::numeric_limits<double>::infinity() : mse;  // nothing seen in both
+  };
+  std::ranges::stable_sort(states, std::ranges::greater(), error);
+  return states;
+}
+
+std::vector<fs::path> picturesOf(const fs::path& folder, const std::vector<ReportRow>& rows,
+                                 const ReportOrder& order, std::size_t row) {
+  const std::size_t test = order.test(row);
+  const std::vector<std::size_t> states = worstFirst(rows, order, test);
+  std::vector<fs::path> files;
+  for (const auto& [which, at] :
+       {std::pair("worst", std::size_t(0)), std::pair("median", states.size() / 2),
+        std::pair("best", states.size() - 1)})
+    if (files.empty() && at < states.size() && states[at] == order.state(row))
+      for (const char* ending : {"reference", "test", "difference"})
+        files.push_back(viewFile(folder, {row, test, which}, ending));
+  if (files.empty())
+    files = {referenceImage(folder, rows[row].state), testImage(folder, test, rows[row].state)};
+  const bool areThere =
+      std::ranges::all_of(files, [](const fs::path& file) { return fs::exists(file); });
+  return areThere ? files : std::vector<fs::path>();
 }
 
 void writeTables(const fs::path& folder, const Report& report, const MetricSet& metrics) {

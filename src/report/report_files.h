@@ -23,6 +23,16 @@ std::filesystem::path panelFile(const std::filesystem::path& folder, std::size_t
 void writeTables(const std::filesystem::path& folder, const Report& report,
                  const MetricSet& metrics);
 
+/// Returns the files that show a state of a test if they are there: reference, test and, if the
+/// state is among those of `views`, their difference. `rows` are those of the folder's report.
+std::vector<std::filesystem::path> picturesOf(const std::filesystem::path& folder,
+                                              const std::vector<ReportRow>& rows,
+                                              const ReportOrder& order, std::size_t row);
+
+/// Returns a test's states without those that have a problem, from the worst view to the best.
+std::vector<std::size_t> worstFirst(const std::vector<ReportRow>& rows, const ReportOrder& order,
+                                    std::size_t test);
+
 /// Writes a state's FOLDER/testN/NAME.png, N from 1, and for the first test
 /// FOLDER/reference/NAME.png.
 void writeImages(const std::filesystem::path& folder, std::size_t test, const std::string& state,

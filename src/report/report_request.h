@@ -10,6 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/shard.h"
+#include "core/metrics/panel_error_figures.h"
 #include "core/metrics/report_rows.h"
 #include "core/metrics/summary.h"
 #include "io/files/system_limits.h"
@@ -66,7 +67,8 @@ struct Report {
   std::vector<ReportRow> rows;
   std::vector<TestSummary> summaries;
   std::vector<BdRow> comparisons;
-  std::size_t taken = 0;         ///< rows taken from an earlier run and from shards
+  std::vector<PanelErrorFigures> panels;  ///< of each test
+  std::size_t taken = 0;                  ///< rows taken from an earlier run and from shards
   bool replacedAnother = false;  ///< the folder had the journal of another, unfinished report
   double rendering = 0;          ///< seconds of all threads
   double comparing = 0;          ///< as `rendering`

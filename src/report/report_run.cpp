@@ -179,15 +179,8 @@ void ReportRun::runState(std::size_t test, std::size_t state, std::size_t worker
 
 /// Writes the worst, the median and the best of a test's views.
 void ReportRun::showViews(std::size_t test) {
-  std::vector<std::size_t> order;
-  for (std::size_t state = 0; state < states(); ++state)
-    if (m_report.rows[rowOf(test, state)].problem.empty()) order.push_back(state);
-  const auto error = [&](std::size_t state) {
-    const double mse = m_report.rows[rowOf(test, state)].values[mseSeenColumn];
-    return std::isnan(mse) ? std::numeric_limits<double>::infinity() : mse;  // nothing seen in both
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return error(a) > error(b); });
+  const std::vector<std::size_t> order =
+      worstFirst(m_report.rows, ReportOrder{m_request.tests.size()}, test);
   const auto show = [&](const char* which, std::size_t state) {
     const ViewPair pair = m_pairs.render(state, 0, m_progress.within());
     m_views.push_back(m_writing.of([&] {
@@ -275,9 +268,11 @@ void ReportRun::writeAll() {
                   certifyAll(m_request.session, m_progress.within()),
                   std::move(m_views),
                   {}};
-  for (std::size_t test = 0; test < m_projections.size(); ++test)
+  for (std::size_t test = 0; test < m_projections.size(); ++test) {
     page.panels.push_back(writePanelError(m_folder, test, m_request, m_projections[test]->error(),
                                           m_viewErrors[test], display));
+    m_report.panels.push_back(page.panels.back().figures);
+  }
   writeTextFile(m_folder / "report.html", html(page));
   writeTables(m_folder, m_report, m_request.metrics);
   m_rows.remove();
@@ -313,6 +308,18 @@ std::vector<ReportTest> openTests(const Session& session, const std::vector<std:
     tests.push_back({file, other, openLightField(other.lightField, other.display)});
   }
   return tests;
+}
+
+std::optional<double> rateOfFiles(const ReportTest& test) {
+  double bytes = 0;
+  std::error_code error;
+  if (!test.session.lightField.isLive())
+    for (const fs::path& file : test.file->files()) {
+      const std::uintmax_t size = fs::file_size(file, error);
+      if (!error) bytes += double(size);
+    }
+  if (!(bytes > 0)) return std::nullopt;
+  return 8 * bytes / (double(test.file->size().width()) * double(test.file->size().height()));
 }
 
 namespace {

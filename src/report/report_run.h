@@ -14,6 +14,10 @@ namespace hogelscope {
 /// Opens all tests before rendering. Throws InputError.
 std::vector<ReportTest> openTests(const Session& session, const std::vector<std::string>& files);
 
+/// Returns the bits of the files with pixels per directional pixel; other files of a folder do not
+/// count. None if the light field has no files.
+std::optional<double> rateOfFiles(const ReportTest& test);
+
 /// Writes report.csv, metrics.csv, summary.csv, bd.csv, report.html, panel_error/, and with
 /// `images` the images. A state that cannot be rendered gives a row with a problem. Throws
 /// InputError or Cancelled; finished rows are then on disk. With a shard, only the rows of its

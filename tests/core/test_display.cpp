@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/panel/display.h"
 #include "tests/core/random.h"
@@ -54,6 +55,7 @@ class TestDisplay : public QObject {
   void fieldsCoincide();
   void rayOfByHand();
   void standsAtItsPose();
+  void eyesAreSeenFromTheMiddle();
 };
 
 void TestDisplay::hit_data() {
@@ -229,6 +231,25 @@ void TestDisplay::standsAtItsPose() {
   const Vec3 inFront = display.displayFromWorld().point({2, 2, 3});
   QVERIFY(length(inFront - Vec3{0, 0, 1}) < 1e-15);
   QVERIFY((display.size() == LightFieldSize{4, 2, 8, 6}));
+}
+
+/// The panel stands at (1, 2, 3) and looks along the world's +x.
+void TestDisplay::eyesAreSeenFromTheMiddle() {
+  DisplayParams display;
+  display.position = {1, 2, 3};
+  display.orientation = {0, 90, 0};
+  const auto isAt = [&](const Vec3& eye, double distance, double angle) {
+    const EyePlace place = eyePlaceOf(display, eye);
+    return std::abs(place.distance - distance) < 1e-12 && std::abs(place.angle - angle) < 1e-9;
+  };
+  QVERIFY(isAt({1.5, 2, 3}, 0.5, 0));
+  QVERIFY(isAt({1.5, 2.5, 3}, std::sqrt(0.5), 45));
+  QVERIFY(isAt({1.3, 2, 2.6}, 0.5, 180 / std::numbers::pi * std::acos(0.6)));
+  QVERIFY(isAt({1, 2, 5}, 2, 90));
+  QVERIFY(isAt({0, 2, 3}, 1, 180));
+  const Vec3 point = eyePlaceOf(display, {1.5, 2.2, 2.9}).point;
+  QVERIFY(std::abs(point.x - 0.1) < 1e-12 && std::abs(point.y - 0.2) < 1e-12 &&
+          std::abs(point.z - 0.5) < 1e-12);
 }
 
 QTEST_APPLESS_MAIN(TestDisplay)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drives the report and camera set docks in the real window: makes reports, stops them, looks at
-// their rows and images.
+// Drives the report and camera set docks in the real window: makes reports, stops them, reads them
+// again, looks at their tables, plots and images.
+#include <QAbstractButton>
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -22,9 +25,11 @@
 #include "chart/plot_painting.h"
 #include "gui/docks/camera_set_widget.h"
 #include "gui/docks/report_dock.h"
-#include "gui/docks/report_results.h"
+#include "gui/docks/report_plots.h"
 #include "gui/scene/vtk_widget.h"
+#include "gui/session/session_model.h"
 #include "gui/view/image_widget.h"
+#include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
 #include "tests/cli/csv.h"
 #include "tests/gui/patience.h"
@@ -69,11 +74,21 @@ class TestReportDock : public QObject {
   void init();
   void cleanup() { m_window.reset(); }
   void makesAReport();
+  void statesSayWhy();
   void sorts();
-  void namesStayWhenScrolledSideways();
+  void filters();
+  void copiesTables();
+  void worstAndBest();
   void aRowIsComparedInTheView();
   void theSceneIsTold();
   void plotsShowTheRows();
+  void meansAndEyes();
+  void namesAreShort();
+  void picturesOfTheChosenState();
+  void opensAReport();
+  void opensAReportOfOtherStates();
+  void whatIsNoReport();
+  void narrowDocks();
   void stopsAndGoesOn();
   void errors();
   void metricsOfPlugins();
@@ -90,11 +105,25 @@ class TestReportDock : public QObject {
   T* child(const char* name) const {
     return m_window->findChild<T*>(name);
   }
-  QString state(int row) const {
-    return child<QTableView>("reportTable")->model()->headerData(row, Qt::Vertical).toString();
-  }
+  QString state(int row) const { return cell(row, StateTable::name); }
   void click(const char* name) const {
-    QTest::mouseClick(child<QPushButton>(name), Qt::LeftButton);
+    QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton);
+  }
+  void chooseTest(int test) const { child<QTableView>("testTable")->selectRow(test); }
+  QString testCell(int row, int column) const {
+    return child<QTableView>("testTable")->model()->index(row, column).data().toString();
+  }
+  /// The row that shows a state.
+  int rowOf(const QString& name) const {
+    for (int row = 0; row < child<QTableView>("reportTable")->model()->rowCount(); ++row)
+      if (state(row) == name) return row;
+    return -1;
+  }
+  QStringList states() const {
+    QStringList names;
+    for (int row = 0; row < child<QTableView>("reportTable")->model()->rowCount(); ++row)
+      names << state(row);
+    return names;
   }
   /// Of the page, with its command.
   static QString heading(const QString& folder) {
@@ -107,6 +136,8 @@ class TestReportDock : public QObject {
     auto* table = child<QTableView>("reportTable");
     return table->model()->index(row, column).data().toString();
   }
+  /// Opens the session again.
+  void forgetReport() { QVERIFY(files(*m_window).open(m_folder->filePath("s.json"))); }
   void open(const QByteArray& res = "[80, 60]", const QByteArray& sampling = "{}",
             const QByteArray& metrics = "[]");
   void make();
@@ -158,64 +189,176 @@ void TestReportDock::makesAReport() {
   const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
   const QList<QByteArray> more = contentOf("s-report/metrics.csv").split('\n');
   const qsizetype ssim = cellsOf(more[0]).indexOf("ssim_seen");
-  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
-  for (int row = 0; row < 2 * stateCount; ++row) {
-    const QStringList cells = cellsOf(lines[row + 1]);
-    QCOMPARE(state(row), cells[0]);
-    QCOMPARE(cell(row, 0), cells[1]);
-    const bool isBlind = row / 2 == stateCount - 1;
-    QCOMPARE(cell(row, 1), isBlind ? QString("sees nothing of the display")
-                                   : QString::number(cells[5].toDouble(), 'f', 2));
-    QCOMPARE(cell(row, 3), QString::number(100 * cells[7].toDouble(), 'f', 1));
-    const double similarity = cellsOf(more[row + 1])[ssim].toDouble();
-    QCOMPARE(cell(row, 4), isBlind ? QString("–") : QString::number(similarity, 'f', 4));
+  QCOMPARE(child<QTableView>("testTable")->model()->rowCount(), 2);
+  for (const int test : {0, 1}) {  // each its own figures
+    chooseTest(test);
+    QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), stateCount);
+    double sum = 0, low = 1000, high = 0;
+    for (int k = 0; k < stateCount; ++k) {
+      const int line = 2 * k + test;
+      const QStringList cells = cellsOf(lines[line + 1]);
+      const int row = rowOf(cells[0]);
+      QVERIFY(row >= 0);
+      const bool isBlind = k == stateCount - 1;
+      QCOMPARE(cell(row, StateTable::psnr), isBlind ? QString("sees nothing of the display")
+                                                    : QString::number(cells[5].toDouble(), 'f', 2));
+      const double similarity = cellsOf(more[line + 1])[ssim].toDouble();
+      QCOMPARE(cell(row, StateTable::ssim),
+               isBlind ? QString("–") : QString::number(similarity, 'f', 4));
+      if (isBlind) continue;
+      QCOMPARE(cell(row, StateTable::seen), QString::number(100 * cells[7].toDouble(), 'f', 1));
+      sum += cells[5].toDouble();
+      low = std::min(low, cells[5].toDouble());
+      high = std::max(high, cells[5].toDouble());
+    }
+    QCOMPARE(testCell(test, TestTable::name), test == 0 ? QString("b.png") : QString("c.png"));
+    QCOMPARE(testCell(test, TestTable::psnr), QString::number(sum / (stateCount - 1), 'f', 2));
+    QVERIFY(testCell(test, TestTable::worst).endsWith("  " + QString::number(low, 'f', 1)));
+    QVERIFY(testCell(test, TestTable::best).endsWith("  " + QString::number(high, 'f', 1)));
+    const double bits = 8.0 * double(QFileInfo(testCell(test, TestTable::name)).size());
+    QCOMPARE(testCell(test, TestTable::rate), QString::number(bits / (128 * 128), 'f', 2));
   }
-  const QStringList note = child<QLabel>("reportNote")->text().split('\n');
-  for (const int test : {0, 1}) {  // each its own mean
-    double sum = 0;
-    for (int row = test; row < 2 * (stateCount - 1); row += 2)
-      sum += cellsOf(lines[row + 1])[5].toDouble();
-    const qsizetype at = note.indexOf(cellsOf(lines[test + 1])[1]);
-    QVERIFY2(at >= 0, qPrintable(note.join('\n')));
-    const QString mean = QString::number(sum / (stateCount - 1), 'f', 2);
-    QVERIFY2(note[at + 1].contains("  " + mean + " dB over what is seen"),
-             qPrintable(note[at + 1]));
-  }
-  QVERIFY(child<QPushButton>("openPageButton")->isEnabled());
+  QVERIFY(child<QAbstractButton>("openPageButton")->isEnabled());
   m_window->grab().save(QCoreApplication::applicationDirPath() + "/report_dock.png");
 }
 
+/// The figures that explain a PSNR, and those that differ from most states' in orange.
+void TestReportDock::statesSayWhy() {
+  open();
+  m_dock->addTest("b.png");
+  auto* model = m_window->findChild<SessionModel*>();
+  model->edit("one is odd", [](Session& edited) {
+    for (CameraState& camera : edited.cameras) camera.psf = {0.67, 5};
+    edited.cameras[1].psf = {0.41, 1};
+    edited.cameras[2].distortion.k1 = 0.1;
+    edited.cameras[3].camera.eye = {0.3, 0.3, 0.5};
+  });
+  click("makeReportButton");
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  const auto textOf = [this](const char* name, StateTable::Column column) {
+    return cell(rowOf(name), column);
+  };
+  QCOMPARE(textOf("s0", StateTable::sigma), QString("0.67"));
+  QCOMPARE(textOf("s1", StateTable::sigma), QString("0.41"));
+  QCOMPARE(textOf("s1", StateTable::window), QString("1"));
+  QCOMPARE(textOf("s0", StateTable::lens), QString("–"));
+  QCOMPARE(textOf("s2", StateTable::lens), QString("yes"));
+  QCOMPARE(textOf("s1", StateTable::distance), QString::number(std::sqrt(0.01 + 0.49), 'f', 3));
+  QCOMPARE(textOf("s1", StateTable::angle), QString("8.1"));  // atan(1 / 7)
+  QCOMPARE(textOf("s3", StateTable::angle), QString("40.3"));
+  QCOMPARE(textOf("s4", StateTable::angle), QString("164.1"));  // behind the panel
+  const auto isOrange = [this](const char* name, StateTable::Column column) {
+    const QModelIndex index = child<QTableView>("reportTable")->model()->index(rowOf(name), column);
+    return index.data(Qt::ForegroundRole).value<QBrush>().color() == tokens().eye;
+  };
+  for (const auto column : {StateTable::sigma, StateTable::window}) {
+    QVERIFY(isOrange("s1", column));
+    for (const char* name : {"s0", "s2", "s3", "s4"}) QVERIFY(!isOrange(name, column));
+  }
+}
+
+/// From the worst; a click reverses, the third restores the order of the session.
 void TestReportDock::sorts() {
   make();
   auto* header = child<QTableView>("reportTable")->horizontalHeader();
-  const QPoint psnr(header->sectionViewportPosition(1) + 10, 5);
-  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, psnr);
+  const QPoint psnr(header->sectionViewportPosition(StateTable::psnr) + 10, 5);
   std::vector<double> up;
-  for (int row = 2; row < 2 * stateCount; ++row) up.push_back(cell(row, 1).toDouble());
-  QVERIFY(cell(0, 1).startsWith("sees nothing") && cell(1, 1).startsWith("sees nothing"));
+  for (int row = 1; row < stateCount; ++row) up.push_back(cell(row, StateTable::psnr).toDouble());
+  QVERIFY(cell(0, StateTable::psnr).startsWith("sees nothing"));
   QCOMPARE(state(0), QString("s4"));  // the names go along
   QVERIFY(std::is_sorted(up.begin(), up.end()) && up.front() < up.back());
   QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, psnr);
-  QCOMPARE(cell(0, 1).toDouble(), up.back());
-  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, psnr);  // as the report has them
-  QCOMPARE(state(0), QString("s0"));
-  QCOMPARE(state(2 * stateCount - 1), QString("s4"));
+  QCOMPARE(cell(0, StateTable::psnr).toDouble(), up.back());
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, psnr);  // as the session has them
+  QCOMPARE(states(), QStringList({"s0", "s1", "s2", "s3", "s4"}));
+  chooseTest(1);
+  QCOMPARE(states(), QStringList({"s0", "s1", "s2", "s3", "s4"}));  // also of the other test
 }
 
-void TestReportDock::namesStayWhenScrolledSideways() {
+void TestReportDock::filters() {
+  make();
+  auto* filter = child<QLineEdit>("stateFilter");
+  filter->setText("angle < 12");  // of s1 to s3, 0.1 m and 0 beside the middle in 0.7 m
+  QStringList shown = states();
+  shown.sort();
+  QCOMPARE(shown, QStringList({"s1", "s2", "s3"}));
+  filter->setText("angle<12, s3");
+  QCOMPARE(states(), QStringList({"s3"}));
+  filter->setText("psnr > 0");
+  QVERIFY(!states().contains("s4"));  // it has none
+  chooseTest(1);
+  QVERIFY(!states().contains("s4") && states().size() == stateCount - 1);
+  filter->clear();
+  QCOMPARE(states().size(), stateCount);
+}
+
+/// As CSV, in the order of columns and rows that is shown.
+void TestReportDock::copiesTables() {
   make();
   auto* table = child<QTableView>("reportTable");
-  table->setFixedWidth(250);
-  auto* names = table->verticalHeader();
-  QVERIFY(names->isVisible() && names->width() >= table->fontMetrics().horizontalAdvance("s0"));
-  auto* bar = table->horizontalScrollBar();
-  QTRY_VERIFY_WITH_TIMEOUT(bar->maximum() > 0, patience);
-  bar->setValue(bar->maximum());
-  QVERIFY(table->columnViewportPosition(0) < 0);  // the columns have moved, the names have not
-  QCOMPARE(names->mapTo(table, QPoint(0, 0)).x(), table->frameWidth());
-  const QPoint third(5, names->sectionViewportPosition(6) + 5);
-  QTest::mouseClick(names->viewport(), Qt::LeftButton, {}, third);
-  QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString("s3"));
+  const auto copied = [] { return QApplication::clipboard()->text().split('\n'); };
+  const auto pressCopy = [](QWidget* widget) {
+    widget->setFocus();
+    QTest::keyClick(widget, Qt::Key_C, Qt::ControlModifier);
+  };
+  table->clearSelection();
+  pressCopy(table);
+  QCOMPARE(copied().size(), stateCount + 2);  // a header, and the end of the last line
+  QCOMPARE(cellsOf(copied()[0].toUtf8()),
+           QStringList({"State", "PSNR, dB", "SSIM", "Seen, %", "σ, px", "Window", "Lens",
+                        "Distance, m", "Angle, °"}));
+  for (int row = 0; row < stateCount; ++row) {
+    const QStringList cells = cellsOf(copied()[row + 1].toUtf8());
+    for (int column = 0; column < cells.size(); ++column)
+      QCOMPARE(cells[column], cell(row, column));
+  }
+  table->horizontalHeader()->moveSection(StateTable::angle, 1);
+  table->selectRow(2);
+  pressCopy(table);
+  QCOMPARE(copied().size(), 3);
+  QVERIFY(copied()[0].startsWith("State,\"Angle, °\",\"PSNR, dB\""));
+  QVERIFY(copied()[1].startsWith(state(2) + "," + cell(2, StateTable::angle) + "," +
+                                 cell(2, StateTable::psnr)));
+  click("copyTableButton");
+  QCOMPARE(copied().size(), stateCount + 2);
+  auto* tests = child<QTableView>("testTable");
+  tests->clearSelection();
+  pressCopy(tests);
+  QCOMPARE(copied().size(), 4);
+  const QStringList cells = cellsOf(copied()[1].toUtf8());
+  QCOMPARE(cells[TestTable::name], QString("b.png"));
+  QVERIFY(cells[TestTable::bar].contains(" – " + testCell(0, TestTable::psnr) + " ("));
+}
+
+/// By buttons, keys and links: the state is current, and compared.
+void TestReportDock::worstAndBest() {
+  QVERIFY(!child<QAbstractButton>("worstStateButton")->isEnabled());
+  make();
+  const auto current = [this] { return child<QComboBox>("stateBox")->currentText(); };
+  const auto linkOf = [this](int test, int column) {
+    return testCell(test, column).section("  ", 0, 0);
+  };
+  QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
+  for (const int test : {0, 1}) {
+    chooseTest(test);
+    compared.clear();
+    click("worstStateButton");
+    QCOMPARE(current(), linkOf(test, TestTable::worst));
+    QCOMPARE(current(), state(1));  // the first one sees nothing
+    QCOMPARE(compared.last()[0].toString(), test == 0 ? QString("b.png") : QString("c.png"));
+    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+    QCOMPARE(current(), linkOf(test, TestTable::best));
+    QCOMPARE(current(), state(stateCount - 1));
+    QCOMPARE(child<QTableView>("reportTable")->selectionModel()->selectedRows().size(), 1);
+  }
+  auto* tests = child<QTableView>("testTable");
+  const QRect link = tests->visualRect(tests->model()->index(0, TestTable::worst));
+  QTest::mouseClick(tests->viewport(), Qt::LeftButton, {}, link.center());
+  QCOMPARE(current(), linkOf(0, TestTable::worst));
+  QCOMPARE(compared.last()[0].toString(), QString("b.png"));
+  forgetReport();
+  QVERIFY(!child<QAbstractButton>("worstStateButton")->isEnabled());
 }
 
 /// In the view, where all ways to compare are; the state is the row's.
@@ -233,11 +376,17 @@ void TestReportDock::aRowIsComparedInTheView() {
       }
     return QString::number(10 * std::log10(255.0 * 255 * 3 * 60 * 80 / sum), 'f', 2);
   };
-  for (const int row : {5, 2}) {  // s2 by c.png, s1 by b.png
+  const QList<QByteArray> lines = contentOf("s-report/report.csv").split('\n');
+  for (const auto& [name, test] : {std::pair("s2", 1), std::pair("s1", 0)}) {
+    chooseTest(test);
+    const int row = rowOf(name);
+    table->scrollTo(table->model()->index(row, 0));
     const QRect place = table->visualRect(table->model()->index(row, 0));
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, place.center());
-    QCOMPARE(child<QComboBox>("stateBox")->currentText(), state(row));
-    QTRY_VERIFY_WITH_TIMEOUT(!view->otherImage().isNull() && psnr() == cell(row, 2), patience);
+    QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString(name));
+    const int line = 1 + 2 * QString(name).mid(1).toInt() + test;
+    const QString frame = QString::number(cellsOf(lines[line])[3].toDouble(), 'f', 2);
+    QTRY_VERIFY_WITH_TIMEOUT(!view->otherImage().isNull() && psnr() == frame, patience);
   }
   child<QAction>("stopComparingAction")->trigger();
   child<QComboBox>("stateBox")->setCurrentIndex(3);  // not by the table: it compares nothing
@@ -259,10 +408,10 @@ void TestReportDock::theSceneIsTold() {
   QCOMPARE(last()[1], psnrOf(1, 0));
   QVERIFY(std::isnan(last()[stateCount - 1]));
   auto* table = child<QTableView>("reportTable");
-  table->selectRow(3);  // s1, c.png
+  chooseTest(1);
   QCOMPARE(last()[1], psnrOf(1, 1));
   child<QComboBox>("stateBox")->setCurrentIndex(3);
-  QCOMPARE(table->currentIndex().row(), 7);
+  QCOMPARE(table->currentIndex().row(), rowOf("s3"));
   QVERIFY(files(*m_window).open(m_folder->filePath("s.json")));
   QVERIFY(last().empty());
   QCOMPARE(table->model()->rowCount(), 0);
@@ -275,6 +424,10 @@ void TestReportDock::plotsShowTheRows() {
   const auto psnrOf = [&](std::size_t row) { return cellsOf(lines[1 + int(row)])[5].toDouble(); };
   auto* plot = child<ReportPlotView>("reportPlot");
   auto* table = child<QTableView>("reportTable");
+  auto* kind = child<QComboBox>("reportPlotKind");
+  kind->setCurrentIndex(1);
+  m_window->findChild<QDockWidget*>("reportDock")->setFloating(true);
+  m_window->findChild<QDockWidget*>("reportDock")->resize(1389, 868);
   QTRY_VERIFY_WITH_TIMEOUT(plot->width() > 200 && plot->height() > 100, patience);
   const auto placeOf = [plot](std::size_t row) {
     return hogelscope::placeOf(plot->plot(), row, QSizeF(plot->size()));
@@ -285,40 +438,198 @@ void TestReportDock::plotsShowTheRows() {
       QCOMPARE(placeOf(a)->y() < placeOf(b)->y(), psnrOf(a) > psnrOf(b));
       QCOMPARE(placeOf(a)->x() < placeOf(b)->x(), a / 2 < b / 2);
     }
-  const QColor second("#d55e00");
+  const QColor second = tokens().series[1];
   const auto colourAt = [plot](const QPointF& place) {
     return plot->grab().toImage().pixelColor(place.toPoint());
   };
   QCOMPARE(colourAt(*placeOf(5)), second);
   QTest::mousePress(plot, Qt::RightButton, {}, placeOf(5)->toPoint());  // it has a menu
-  QVERIFY(table->currentIndex().row() != 5);
+  QVERIFY(table->currentIndex().row() != rowOf("s2"));
   QTest::mouseClick(plot, Qt::LeftButton, {}, placeOf(5)->toPoint());
-  QCOMPARE(table->currentIndex().row(), 5);
+  QCOMPARE(table->currentIndex().row(), rowOf("s2"));
+  QCOMPARE(child<QTableView>("testTable")->currentIndex().row(), 1);
   QCOMPARE(child<QComboBox>("stateBox")->currentIndex(), 2);
 
-  auto* kind = child<QComboBox>("reportPlotKind");
   const double byStates = placeOf(4)->x() - placeOf(2)->x();
-  kind->setCurrentIndex(1);
+  kind->setCurrentIndex(2);
   // s1 … s3 are at x = -0.1, 0, 0.1 of z = 0.7: even steps, and s0 a little nearer to s1.
   QVERIFY(std::abs(placeOf(6)->x() + placeOf(2)->x() - 2 * placeOf(4)->x()) < 1);
   QVERIFY(placeOf(2)->x() - placeOf(0)->x() < placeOf(4)->x() - placeOf(2)->x());
   QVERIFY(std::abs(placeOf(4)->x() - placeOf(2)->x() - byStates) > 1);
 
-  kind->setCurrentIndex(2);
+  kind->setCurrentIndex(3);
   QCOMPARE(plot->picture().toImage(), QImage("s-report/panel_error/test2_hogels.png")
                                           .convertToFormat(plot->picture().toImage().format()));
-  table->selectRow(4);
+  chooseTest(0);
   QCOMPARE(plot->picture().toImage(), QImage("s-report/panel_error/test1_hogels.png")
                                           .convertToFormat(plot->picture().toImage().format()));
-  kind->setCurrentIndex(3);
+  kind->setCurrentIndex(4);
   QCOMPARE(plot->picture().size(), QImage("s-report/panel_error/test1_directions.png").size());
+}
+
+/// The means over the rate, and the eyes on a map with one scale; both choose by a click.
+void TestReportDock::meansAndEyes() {
+  make();
+  auto* dock = m_window->findChild<QDockWidget*>("reportDock");
+  dock->setFloating(true);
+  dock->resize(1389, 868);
+  auto* means = child<ReportPlotView>("reportMeans");
+  auto* map = child<ReportPlotView>("reportMap");
+  QTRY_VERIFY_WITH_TIMEOUT(map->height() > 150 && means->height() > 150, patience);
+  const auto placeOf = [](const ReportPlotView* view, std::size_t row) {
+    return hogelscope::placeOf(view->plot(), row, QSizeF(view->size()));
+  };
+  const auto number = [this](int test, int column) { return testCell(test, column).toDouble(); };
+  QCOMPARE(placeOf(means, 0)->x() < placeOf(means, 1)->x(),
+           number(0, TestTable::rate) < number(1, TestTable::rate));
+  QCOMPARE(placeOf(means, 0)->y() > placeOf(means, 1)->y(),
+           number(0, TestTable::psnr) < number(1, TestTable::psnr));
+  QTest::mouseClick(means, Qt::LeftButton, {}, placeOf(means, 1)->toPoint());
+  QCOMPARE(child<QTableView>("testTable")->currentIndex().row(), 1);
+
+  // 0.1 m from each to the next, and 0.7 m to the panel, which is 0.5 m wide
+  const double step = placeOf(map, 3)->x() - placeOf(map, 1)->x();
+  QVERIFY(step > 5);
+  QVERIFY(std::abs(placeOf(map, 7)->x() - placeOf(map, 1)->x() - 3 * step) < 0.1);
+  const PlotArea area = areaOf(map->plot(), {300, 200, 40, 60, 44, 30});
+  QVERIFY(std::abs((area.across.at(0.1) - area.across.at(0)) - (area.up.at(0) - area.up.at(0.1))) <
+          1e-9);
+  for (const double x : {-0.25, 0.25})
+    QVERIFY(area.across.low <= x && x <= area.across.high && area.up.low <= 0);
+  QTest::mouseClick(map, Qt::LeftButton, {}, placeOf(map, 3)->toPoint());
+  QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString("s1"));
+  // the chosen eye is ringed
+  const QImage shown = map->grab().toImage();
+  const QPoint eye = placeOf(map, 3)->toPoint();
+  bool hasRing = false;
+  for (int y = 5; y < 15; ++y) hasRing |= shown.pixelColor(eye + QPoint(0, y)) == tokens().eye;
+  QVERIFY(hasRing);
+  QCOMPARE(map->grab().toImage().pixelColor(2, map->height() - 2), tokens().canvas);
+  dock->grab().save(QCoreApplication::applicationDirPath() + "/report_dock_large.png");
+}
+
+void TestReportDock::namesAreShort() {
+  QCOMPARE(shortNames({"/x/a.jpg", "y/b.jpg", "c"}), QStringList({"a.jpg", "b.jpg", "c"}));
+  QCOMPARE(shortNames({"/x/a/q.jpg", "/x/b/q.jpg", "/x/b/r.jpg"}),
+           QStringList({"a/q.jpg", "b/q.jpg", "r.jpg"}));
+  QCOMPARE(shortNames({"/x/a/out/v/q.jpg", "/x/b/out/v/q.jpg"}),
+           QStringList({"a/…/q.jpg", "b/…/q.jpg"}));
+  QCOMPARE(shortNames({"views/", "/views"}), QStringList({"views", "views"}));
+  QCOMPARE(shortNames({"q.jpg", "q.jpg"}), QStringList({"q.jpg", "q.jpg"}));
+}
+
+/// Those that the report's folder has: the worst, the median and the best.
+void TestReportDock::picturesOfTheChosenState() {
+  make();
+  auto* dock = m_window->findChild<QDockWidget*>("reportDock");
+  dock->setFloating(true);
+  dock->resize(1389, 868);
+  const auto* reference = child<ReportPlotView>("reportReference");
+  click("worstStateButton");
+  QTRY_VERIFY_WITH_TIMEOUT(reference->isVisible(), patience);
+  QCOMPARE(reference->picture().toImage().pixelColor(40, 30),
+           QImage("s-report/views/test1_worst_reference.png").pixelColor(40, 30));
+  QVERIFY(child<QLabel>("reportPicturesTitle")->text().contains(cell(1, StateTable::psnr)));
+  dock->grab().save(QCoreApplication::applicationDirPath() + "/report_dock_pictures.png");
+  click("bestStateButton");
+  QCOMPARE(child<ReportPlotView>("reportDifference")->picture().toImage().pixelColor(40, 30),
+           QImage("s-report/views/test1_best_difference.png").pixelColor(40, 30));
+  QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
+  click("compareStateButton");
+  QCOMPARE(compared.count(), 1);
+  child<QTableView>("reportTable")->selectRow(rowOf("s4"));  // it sees nothing
+  QVERIFY(!reference->isVisible());
+}
+
+/// Its tables and plots are those of the report that was made, without rendering.
+void TestReportDock::opensAReport() {
+  make();
+  chooseTest(0);
+  const auto contents = [this] {
+    QStringList all;
+    for (const char* name : {"testTable", "reportTable"}) {
+      const auto* model = child<QTableView>(name)->model();
+      for (int row = 0; row < model->rowCount(); ++row)
+        for (int column = 0; column < model->columnCount(); ++column)
+          all << model->index(row, column).data().toString();
+    }
+    return all;
+  };
+  const QStringList made = contents();
+  const QByteArray before = contentOf("s-report/report.csv");
+  forgetReport();
+  QVERIFY(contents() != made);
+  QSignalSpy told(m_dock, &ReportDock::psnrChanged);
+  m_dock->openReport(m_folder->filePath("s-report"));
+  QTRY_COMPARE_WITH_TIMEOUT(contents(), made, patience);
+  QCOMPARE(contentOf("s-report/report.csv"), before);
+  QCOMPARE(told.last()[0].value<std::vector<double>>().size(), std::size_t(stateCount));
+  QVERIFY(child<QAbstractButton>("openPageButton")->isEnabled());
+  QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
+  click("worstStateButton");
+  QCOMPARE(compared.last()[0].toString(), QString("b.png"));
+  QCOMPARE(child<QComboBox>("stateBox")->currentText(), state(1));
+}
+
+/// The session's states are others by now: the report's are shown by name, and nothing follows.
+void TestReportDock::opensAReportOfOtherStates() {
+  make();
+  const QStringList names = states();
+  QByteArray other = contentOf("s.json");
+  other.replace("\"s1\"", "\"new\"");
+  writeFile("t.json", other);
+  QVERIFY(files(*m_window).open(m_folder->filePath("t.json")));
+  QFile::remove("b.png");
+  m_dock->openReport(m_folder->filePath("s-report"));
+  QTRY_COMPARE_WITH_TIMEOUT(states(), names, patience);
+  QCOMPARE(testCell(0, TestTable::rate), QString("–"));  // its file is gone
+  child<QComboBox>("stateBox")->setCurrentIndex(0);
+  QSignalSpy compared(m_dock, &ReportDock::comparisonAsked);
+  child<QTableView>("reportTable")->selectRow(rowOf("s1"));
+  QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString("s0"));
+  QCOMPARE(compared.count(), 0);
+  child<QTableView>("reportTable")->selectRow(rowOf("s2"));
+  QCOMPARE(child<QComboBox>("stateBox")->currentText(), QString("s2"));
+  QTest::keyClick(m_window.get(), Qt::Key_D, Qt::ControlModifier);  // a state more
+  QCOMPARE(states(), names);
+}
+
+void TestReportDock::whatIsNoReport() {
+  open();
+  QTRY_VERIFY_WITH_TIMEOUT(m_window->statusBar()->currentMessage().contains(" ms"), patience);
+  const auto line = [this](const QByteArray& csv) {
+    QDir(".").mkdir("none");
+    if (!csv.isEmpty()) writeFile("none/report.csv", csv);
+    child<QLabel>("reportNote")->clear();
+    m_dock->openReport(m_folder->filePath("none"));
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(!child<QLabel>("reportNote")->text().isEmpty(), patience); }();
+    return child<QLabel>("reportNote")->text();
+  };
+  QCOMPARE(line(""), m_folder->filePath("none") + ": is no report: it has no report.csv");
+  for (const char* csv : {"a,b\n1,2\n", "state,test\n", "state,test\na,x\na,y\nb,x\n",
+                          "state,test\na,x\nb,y\n", "\"", "\n\n,\n"})
+    QVERIFY2(line(csv).contains("report.csv: is no table of a report"), csv);
+  QCOMPARE(child<QTableView>("testTable")->model()->rowCount(), 0);
+}
+
+/// Plots leave their place to the tables.
+void TestReportDock::narrowDocks() {
+  make();
+  auto* dock = m_window->findChild<QDockWidget*>("reportDock");
+  dock->setFloating(true);
+  dock->resize(900, 500);
+  QTRY_VERIFY_WITH_TIMEOUT(child<ReportPlotView>("reportMap")->isVisible(), patience);
+  dock->resize(600, 500);
+  QTRY_VERIFY_WITH_TIMEOUT(!child<ReportPlotView>("reportMap")->isVisible(), patience);
+  QVERIFY(child<QTableView>("reportTable")->isVisible() && dock->width() <= 600);
+  QVERIFY(!child<QAbstractButton>("worstStateButton")->visibleRegion().isEmpty());
 }
 
 void TestReportDock::stopsAndGoesOn() {
   open("[800, 600]", R"({"samplesPerPixel": 5})");
   m_dock->addTest("b.png");
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(!cell(0, 1).isEmpty(), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(!cell(stateCount - 1, StateTable::psnr).isEmpty(), patience);
   QCOMPARE(child<QPushButton>("makeReportButton")->text(), QString("&Stop"));
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().startsWith("Stopped"), patience);
@@ -351,14 +662,16 @@ void TestReportDock::metricsOfPlugins() {
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
                            patience);
   auto* model = child<QTableView>("reportTable")->model();
-  QCOMPARE(model->columnCount(), 6);
-  QCOMPARE(model->headerData(5, Qt::Horizontal).toString(), QString("MS\u2011SSIM"));
+  QCOMPARE(model->columnCount(), StateTable::plugins + 1);
+  QCOMPARE(model->headerData(StateTable::plugins, Qt::Horizontal).toString(),
+           QString("MS\u2011SSIM"));
   const QList<QByteArray> lines = contentOf("s-report/metrics.csv").split('\n');
   const qsizetype column = cellsOf(lines[0]).indexOf("ms_ssim");
-  for (int row = 0; row + 1 < stateCount; ++row) {
-    const double figure = cellsOf(lines[row + 1]).value(column).toDouble();
+  for (int k = 0; k + 1 < stateCount; ++k) {
+    const double figure = cellsOf(lines[k + 1]).value(column).toDouble();
     QVERIFY(figure > 0.1 && figure < 1);
-    QCOMPARE(cell(row, 5), QString::number(figure, 'f', 4));
+    QCOMPARE(cell(rowOf("s" + QString::number(k)), StateTable::plugins),
+             QString::number(figure, 'f', 4));
   }
   m_window->findChild<QWidget*>("cameraArea")->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.05);
   QVERIFY(child<QLabel>("reportStale")->isVisible());
@@ -366,7 +679,7 @@ void TestReportDock::metricsOfPlugins() {
   QVERIFY(!child<QLabel>("reportStale")->isVisible());  // the session is whole again, metrics too
   writeFile("t.json", session("[80, 60]", "{}"));
   QVERIFY(files(*m_window).open(m_folder->filePath("t.json")));
-  QCOMPARE(model->columnCount(), 5);
+  QCOMPARE(model->columnCount(), int(StateTable::plugins));
 }
 
 void TestReportDock::unknownMetrics() {
@@ -388,28 +701,28 @@ void TestReportDock::editsAreNoted() {
   QVERIFY(child<QLabel>("reportNote")->text().contains("mean of the finite"));
   QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);  // as it was
   QVERIFY(!stale->isVisible());
-  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 2 * stateCount);
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), stateCount);
   QTest::keyClick(m_window.get(), Qt::Key_D, Qt::ControlModifier);  // duplicate
   QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 0);
 }
 
 void TestReportDock::unsavedEditsHaveAHeading() {
-  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());  // there is no page
+  QVERIFY(!child<QAbstractButton>("openPageButton")->isEnabled());  // there is no page
   open();
-  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
+  QVERIFY(!child<QAbstractButton>("openPageButton")->isEnabled());
   m_window->findChild<QWidget*>("cameraArea")->findChild<QDoubleSpinBox*>("eye.0")->setValue(0.05);
   m_dock->addTest("b.png");
   click("makeReportButton");
-  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
+  QVERIFY(!child<QAbstractButton>("openPageButton")->isEnabled());
+  QTRY_VERIFY_WITH_TIMEOUT(child<QAbstractButton>("openPageButton")->isEnabled(), patience);
   const QString name = m_folder->filePath("s.json") + " with unsaved changes";
   QCOMPARE(heading("s-report"), "Perceived views of " + name);
   QVERIFY(contentOf("s-report/report.html")
               .contains(("made in the window, from " + name + "<").toUtf8()));
   QVERIFY(files(*m_window).save(m_folder->filePath("s.json")));
-  child<QPushButton>("openPageButton")->setEnabled(false);
+  child<QAbstractButton>("openPageButton")->setEnabled(false);
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QAbstractButton>("openPageButton")->isEnabled(), patience);
   QCOMPARE(heading("s-report"), "Perceived views of " + m_folder->filePath("s.json"));
   QVERIFY(contentOf("s-report/report.html").contains("s.json, XXH3-128 "));
 }
@@ -424,7 +737,7 @@ void TestReportDock::anUntitledSessionHasAHeading() {
   QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
   m_dock->addTest("t_qs2x2a1.png");
   click("makeReportButton");
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QAbstractButton>("openPageButton")->isEnabled(), patience);
   QCOMPARE(heading("q_qs2x2a1-report"), QString("Perceived views of an untitled session"));
   QVERIFY(contentOf("q_qs2x2a1-report/report.html")
               .contains("made in the window, from an untitled session<"));
@@ -442,7 +755,7 @@ void TestReportDock::aReportOfAnotherSessionIsNotTold() {
   QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("makeReportButton")->text().contains("Make"),
                            patience);
   QCOMPARE(child<QLabel>("reportNote")->text(), QString());
-  QVERIFY(!child<QPushButton>("openPageButton")->isEnabled());
+  QVERIFY(!child<QAbstractButton>("openPageButton")->isEnabled());
 }
 
 /// What is done while the window is busy is not painted step by step after it.
@@ -455,7 +768,7 @@ void TestReportDock::progressQueuesNothing() {
   QVERIFY(bar->isVisible());
   moved.clear();
   QVERIFY(sleepUntil([] { return QFileInfo::exists("s-report/report.html"); }));
-  QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("openPageButton")->isEnabled(), patience);
+  QTRY_VERIFY_WITH_TIMEOUT(child<QAbstractButton>("openPageButton")->isEnabled(), patience);
   QVERIFY(!bar->isVisible());
   QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
 }

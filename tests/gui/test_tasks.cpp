@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a person has to do for three tasks, in the real window: clicks, keys and typed names. The
+// What a person has to do for four tasks, in the real window: clicks, keys and typed names. The
 // steps are the shortest way that the menus and docks show; a change that needs more fails.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableView>
 #include <QTimer>
 
+#include "gui/docks/report_dock.h"
 #include "gui/view/image_widget.h"
 #include "tests/gui/window_test.h"
 
@@ -20,6 +23,7 @@ class TestTasks : public WindowTest {
   void init();
   void theFirstPictureOfAForeignHogelImage();
   void aReportOfTwoJpegs();
+  void theWorstViewAndWhy();
   void whyIsThisPixelBlack();
 
  private:
@@ -88,8 +92,38 @@ void TestTasks::aReportOfTwoJpegs() {
   click("makeReportButton");
   QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
                            patience);
-  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 6);
+  QCOMPARE(child<QTableView>("reportTable")->model()->rowCount(), 3);
   QCOMPARE(m_steps, 5);
+}
+
+/// The layout, Worst, and a click on a pixel: what differs is in the row, the pixel's code values
+/// and its way through the display are in the line under the scene.
+void TestTasks::theWorstViewAndWhy() {
+  for (const char* name : {"q90.jpg", "q50.jpg"})
+    writeImageFile(name, 64, 64, [name](int x, int y, int c) {
+      return float((x * 5 + y * 3 + c * 40 + (name[1] == '5' ? 9 * (x % 3) : 0)) % 200 + 20) / 255;
+    });
+  start();
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  auto* dock = child<ReportDock>("reportPanel");
+  dock->addTest(m_folder.filePath("q50.jpg"));
+  child<QPushButton>("makeReportButton")->click();
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("reportNote")->text().contains("mean of the finite"),
+                           patience);
+  child<QAction>("stopComparingAction")->trigger();
+  m_steps = 0;
+  press(Qt::Key_5, Qt::ControlModifier | Qt::AltModifier);
+  click("worstStateButton");
+  const auto* table = child<QTableView>("reportTable");
+  QCOMPARE(table->currentIndex().row(), 0);  // worst first
+  QCOMPARE(child<QComboBox>("stateBox")->currentText(), table->currentIndex().data().toString());
+  auto* view = child<ImageWidget>("pictureView");
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture() && !view->otherImage().isNull(), patience);
+  QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(view->width() / 4, view->height() / 2));
+  ++m_steps;
+  QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("sceneReadout")->text().contains("sees the display"),
+                           patience);
+  QCOMPARE(m_steps, 3);
 }
 
 /// The inspector's key, and a click on the pixel: it says why, in words.

@@ -83,27 +83,15 @@ std::vector<TestRate> parseRates(const std::vector<std::string>& texts,
   return rates;
 }
 
-/// Returns the bits of the files with pixels per directional pixel; other files of a folder do not
-/// count.
-double rateOfFiles(const ReportTest& test) {
-  double bytes = 0;
-  std::error_code error;
-  if (!test.session.lightField.isLive())
-    for (const fs::path& file : test.file->files()) {
-      const std::uintmax_t size = fs::file_size(file, error);
-      if (!error) bytes += double(size);
-    }
-  if (!(bytes > 0))
-    throw InputError("command line", "--group",
-                     test.name + " has no size of its own; give --rate " + test.name + "=BITS");
-  return 8 * bytes / (double(test.file->size().width()) * double(test.file->size().height()));
-}
-
 double findRate(const std::string& test, const std::vector<TestRate>& rates,
                 const std::vector<ReportTest>& tests) {
   const auto rate = std::ranges::find(rates, test, &TestRate::test);
-  return rate != rates.end() ? rate->rate
-                             : rateOfFiles(*std::ranges::find(tests, test, &ReportTest::name));
+  if (rate != rates.end()) return rate->rate;
+  const std::optional<double> own = rateOfFiles(*std::ranges::find(tests, test, &ReportTest::name));
+  if (!own)
+    throw InputError("command line", "--group",
+                     test + " has no size of its own; give --rate " + test + "=BITS");
+  return *own;
 }
 
 /// Parses NAME=FILE,FILE,…; the rates are not known yet.

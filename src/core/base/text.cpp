@@ -57,6 +57,35 @@ std::string csvCell(const std::string& text) {
   return cell + "\"";
 }
 
+std::vector<std::vector<std::string>> csvRows(std::string_view text) {
+  std::vector<std::vector<std::string>> rows;
+  bool isQuoted = false;
+  bool begins = true;  // a line
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (begins) rows.push_back({""});
+    begins = false;
+    std::string& cell = rows.back().back();
+    if (c == '"') {
+      const bool isPair = isQuoted && k + 1 < text.size() && text[k + 1] == '"';
+      if (isPair)
+        cell += text[k++];
+      else
+        isQuoted = !isQuoted;
+    } else if (isQuoted || (c != ',' && c != '\n' && c != '\r')) {
+      cell += c;
+    } else if (c == ',') {
+      rows.back().emplace_back();
+    } else {
+      begins = c == '\n';
+    }
+  }
+  for (std::vector<std::string>& row : rows)
+    for (std::string& cell : row)
+      if (cell.starts_with('\'') && isFormula(cell.substr(1))) cell.erase(0, 1);
+  return rows;
+}
+
 std::string numberText(double value) {
   if (std::isnan(value)) return "nan";  // to_chars may write -nan
   std::array<char, 40> text{};

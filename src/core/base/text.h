@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hogelscope {
 
@@ -30,6 +31,9 @@ std::string lowerCase(std::string text);
 /// Returns a text as a CSV cell (RFC 4180). A text that a spreadsheet would read as a formula gets
 /// a leading apostrophe (OWASP, CSV injection).
 std::string csvCell(const std::string& text);
+
+/// Returns the cells of every line of a table of CSV cells.
+std::vector<std::vector<std::string>> csvRows(std::string_view text);
 
 /// A UTF-8 character (RFC 3629) and its bytes; no code point, and 1 byte, if no character begins
 /// there.

@@ -3,6 +3,7 @@
 #include "core/panel/display.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace hogelscope {
 
@@ -39,6 +40,11 @@ std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t
   const double fov = params.fov.at(axis);
   return params.lens == HogelLensModel::plugin ? params.lensParams.lens(axis, fov)
                                                : makeHogelLens(params.lens, fov);
+}
+
+EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point) {
+  const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(point);
+  return {p, length(p), std::atan2(std::hypot(p.x, p.y), p.z) * 180 / std::numbers::pi};
 }
 
 Display::Display(const PanelParams& params)

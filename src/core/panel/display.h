@@ -41,6 +41,14 @@ void describe(ParameterVisitor& v, DisplayParams& p);
 /// lens cannot be opened.
 std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t axis);
 
+/// Where a point of the world is as the panel's middle sees it.
+struct EyePlace {
+  Vec3 point;           ///< in the display frame, metres
+  double distance = 0;  ///< metres
+  double angle = 0;     ///< from the panel's normal, degrees, 0 … 180
+};
+EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point);
+
 /// A ray of light in the display frame: its point on the panel (metres) and its slopes dx/dz, dy/dz
 /// toward the viewer.
 struct PanelRay {

@@ -192,7 +192,7 @@ void MainWindow::connectDocks() {
             m_method = method;
             render();
           });
-  m_ui->reportPanel->setModel(m_model);
+  m_ui->reportPanel->setModel(m_model, m_ui->fileMenu, m_ui->statesMenu);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
   connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this,
           [this](const QString& file) { m_imageCommands->compareWith(file); });

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report dock: test light fields, a report in the background, and its rows. The test of the
-// chosen row is compared in the view.
+// The report dock: test light fields, a report in the background or one that was made before, its
+// tests and states. The test of the chosen row is compared in the view.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include "gui/docks/report_results.h"
+#include "report/report_reader.h"
 #include "report/report_run.h"
 
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QMenu;
 class QPushButton;
-class QSortFilterProxyModel;
-class QTableView;
+class QToolButton;
 
 namespace hogelscope {
 
 class PolledBar;
 class ReportPlots;
-class ReportTable;
 class SessionModel;
 class Task;
 
@@ -29,67 +31,88 @@ class ReportDock : public QWidget {
  public:
   explicit ReportDock(QWidget* parent = nullptr);
 
-  void setModel(SessionModel* model);
+  /// Adds the commands of the dock to two menus.
+  void setModel(SessionModel* model, QMenu* fileMenu, QMenu* statesMenu);
   /// Sets the light field that is in memory; none while it is read.
   void setReference(const std::optional<ViewSource>& source) { m_reference = source; }
   void addTest(const QString& file);
   /// Offers the test compared in the view, to be added by one click; "": none.
   void offerTest(const QString& file);
   void setFolder(const QString& folder);
+  /// Shows a report that was made before. Errors are reported through failed(), now or later.
+  void openReport(const QString& folder);
 
  Q_SIGNALS:
-  /// Passes the PSNR in dB of every state under the chosen row's test; NaN for states without one
-  /// (yet). Empty if there is none at all.
+  /// Passes the PSNR in dB of every state under the chosen test; NaN for states without one (yet).
+  /// Empty if there is none at all.
   void psnrChanged(const std::vector<double>& dB);
   /// Requests a comparison of the session's light field with `file` in the view.
   void comparisonAsked(const QString& file);
   void failed(const QString& line);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
+  QWidget* makeTools();
+  QWidget* makeSettings();
+  QWidget* makeTables();
+  void connectAll();
   void forget();
   void noteEdits();
-  void chooseState(std::size_t state);
-  void chooseRow(std::size_t row);
-  QWidget* makeSettings();
-  void connectAll();
   void showOffer();
-  void askTest();
-  void askTestFolder();
-  void askFolder();
   void openPage();
   void makeOrStop();
-  void start(const MetricSet& metrics);
+  void start();
   void stop();
   void showIdle();
-  void showReport(const Report& report);
-  void showTimeLeft();
+  void finish(const Report& report, const std::vector<std::optional<double>>& rates);
+  void showRead(const StoredReport& stored, const ReportData& empty,
+                const std::vector<std::optional<double>>& rates);
+  void sizeColumns();
+  void showAll();
   void showRow(std::size_t index, const ReportRow& row);
+  void showNote();
+  void chooseTest(std::size_t test);
+  void chooseState(std::size_t state);
+  void chooseRow(std::size_t row);
+  void chooseExtreme(bool isBest);
+  void followSession();
   void showChosen();
   void compare();
   void emitPsnr();
-  [[nodiscard]] std::optional<std::size_t> chosenRow() const;
-  [[nodiscard]] ReportOrder order() const { return {m_tests.size()}; }
+  [[nodiscard]] std::optional<std::size_t> chosenState() const;
+  /// Returns the index of a row's state in the session, which may not have it.
+  [[nodiscard]] std::optional<std::size_t> inSession(std::size_t state) const;
 
   SessionModel* m_model = nullptr;
   std::optional<ViewSource> m_reference;
-  ReportRequest m_request;           ///< the request of the current rows
-  std::vector<std::string> m_tests;  ///< the tests of the current rows
-  std::size_t m_test = 0;            ///< the test of the chosen row
-  bool m_follows = false;            ///< the row selection follows the current state
+  ReportData m_data;
+  std::size_t m_test = 0;  ///< the chosen test
+  bool m_follows = false;  ///< the row selection follows the current state
   Task* m_task;
-  ReportTable* m_table;
+  TestTable* m_testTable;
+  StateTable* m_stateTable;
+  StateFilter* m_sorted;
   ReportPlots* m_plots;
-  QSortFilterProxyModel* m_sorted;
+  QHBoxLayout* m_tools = nullptr;
   QListWidget* m_testList;
   QLineEdit* m_folder;
   QString m_offered;
   QPushButton* m_addOffered;
   QPushButton* m_makeButton;
-  QPushButton* m_pageButton;
+  QToolButton* m_testsButton = nullptr;
+  QToolButton* m_pageButton = nullptr;
+  QToolButton* m_openButton = nullptr;
+  QToolButton* m_worstButton = nullptr;
+  QToolButton* m_bestButton = nullptr;
   PolledBar* m_progress;
   QLabel* m_note;
   QLabel* m_stale;  ///< shown while the session differs from that of the rows
-  QTableView* m_rows;
+  QLabel* m_heading;
+  CopyTable* m_tests;
+  CopyTable* m_rows;
   QElapsedTimer m_clock;
 };
 

@@ -1,122 +1,106 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A report's results: the table of its rows and the plots over its views.
+// The tables of a report: its tests, and the states of one test with what explains their figures.
 #pragma once
 
-#include <QAbstractTableModel>
-#include <QPixmap>
-#include <QWidget>
-#include <optional>
+#include <QSortFilterProxyModel>
+#include <QStandardItemModel>
+#include <QStyledItemDelegate>
+#include <QTableView>
 #include <vector>
 
-#include "core/metrics/report_rows.h"
-#include "page/plot.h"
+#include "core/metrics/panel_error_figures.h"
+#include "gui/widgets/row_filter.h"
+#include "report/page/window_plots.h"
 #include "report/report_request.h"
-
-class QComboBox;
 
 namespace hogelscope {
 
-class PlotSaver;
+/// A report that is being made, was made, or was read from its folder.
+struct ReportData {
+  Session session;      ///< its states are those of the rows
+  std::string folder;   ///< of its files
+  bool isRead = false;  ///< from its folder; the session's states may be others
+  MetricSet metrics{};
+  std::vector<std::string> tests{};         ///< files
+  std::vector<PlottedTest> plotted{};       ///< of each test
+  std::vector<ReportRow> rows{};            ///< in ReportOrder
+  std::vector<TestSummary> summaries{};     ///< empty until the report is finished
+  std::vector<PanelErrorFigures> panels{};  ///< of each test; empty if unknown
 
-/// Table model of a report's rows, filled while the report is generated. The row headers are
-/// states.
-class ReportTable : public QAbstractTableModel {
-  Q_OBJECT
-
- public:
-  /// The index of the first column; the metrics' columns follow.
-  static constexpr int test = 0;
-  /// The role for sorting a column; numbers sort as numbers.
-  static constexpr int sortRole = Qt::UserRole;
-
-  explicit ReportTable(QObject* parent);
-
-  /// Resets the table to `rows` empty rows with the columns of `metrics`.
-  void begin(std::size_t rows, const MetricSet& metrics = MetricSet());
-  void set(std::size_t index, const ReportRow& row);
-  [[nodiscard]] const std::optional<ReportRow>& row(std::size_t index) const {
-    return m_rows[index];
-  }
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                    int role) const override;
-
- private:
-  [[nodiscard]] QVariant rowHeader(int section, int role) const;
-
-  [[nodiscard]] QString textOf(const ReportRow& row, int column) const;
-  [[nodiscard]] const MetricColumn& metric(int column) const {
-    return m_metrics.columns()[m_columns[std::size_t(column) - 1]];
-  }
-  [[nodiscard]] double value(const ReportRow& row, int column) const {
-    return row.values[m_columns[std::size_t(column) - 1]];
-  }
-
-  MetricSet m_metrics;
-  std::vector<std::size_t> m_columns;  ///< indices of the metrics that the table shows
-  std::vector<std::optional<ReportRow>> m_rows;
+  /// Adds rows that say that nothing is compared yet, and the names of the tests.
+  void begin();
+  [[nodiscard]] ReportOrder order() const { return {tests.size()}; }
+  /// Returns the PSNR over what is seen; NaN for rows with a problem.
+  [[nodiscard]] double psnr(std::size_t row) const;
+  /// Returns the state with the least or the largest PSNR of a test.
+  [[nodiscard]] std::optional<std::size_t> extreme(std::size_t test, bool isBest) const;
 };
 
-/// A single plot. A click on a point or a row's position emits the row.
-class ReportPlotView : public QWidget {
-  Q_OBJECT
+/// Returns the files' names without folders, with as much of the path as makes them differ.
+QStringList shortNames(const std::vector<std::string>& files);
 
+/// The roles of both tables' items: numbers for sorting and filtering (problems are -∞), and bars.
+enum ReportRole { sortRole = Qt::UserRole, barRole };
+
+/// The table of tests.
+class TestTable : public QStandardItemModel {
  public:
-  explicit ReportPlotView(QWidget* parent = nullptr);
-  void setPlot(Plot plot);
-  /// Shows an image in place of the chart; null: the chart.
-  void setPicture(const QPixmap& picture);
-  void select(std::optional<std::size_t> row);
-  [[nodiscard]] const Plot& plot() const { return m_plot; }
-  [[nodiscard]] const QPixmap& picture() const { return m_picture; }
+  enum Column { name, rate, psnr, bar, ssim, worst, best };
+  using QStandardItemModel::QStandardItemModel;
+  void fill(const ReportData& data);
+  /// Updates the row of a test.
+  void fill(const ReportData& data, std::size_t test);
+};
 
- Q_SIGNALS:
-  void clicked(std::size_t row);
+/// The table of the states of a test; columns of plugins' metrics follow those named here.
+class StateTable : public QStandardItemModel {
+ public:
+  enum Column { name, psnr, ssim, seen, sigma, window, lens, distance, angle, plugins };
+  using QStandardItemModel::QStandardItemModel;
+  void fill(const ReportData& data, std::size_t test);
+  /// Updates the row of a state.
+  void fill(const ReportData& data, std::size_t test, std::size_t state);
+
+ private:
+  Axis m_range;  ///< of the bars, dB
+  double m_usualSigma = 0;
+  double m_usualWindow = 0;
+};
+
+/// Sorts the states by numbers, and filters them by a line of text.
+class StateFilter : public QSortFilterProxyModel {
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+  void setText(const QString& text);
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
+  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
  private:
-  PlotSaver* m_saver;
-  Plot m_plot;
-  std::optional<std::size_t> m_selected;
-  QPixmap m_picture;
+  RowFilter m_filter;
 };
 
-class ReportPlots : public QWidget {
+/// Paints an item's bar: the share of a state's PSNR, or {worst, best, low, high, mean} of a test.
+class BarDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
+/// A table whose rows can be copied as CSV by Ctrl+C: the selected ones, or all.
+class CopyTable : public QTableView {
   Q_OBJECT
 
  public:
-  explicit ReportPlots(QWidget* parent = nullptr);
+  explicit CopyTable(const QString& name);
+  void copy(bool isAll);
 
-  /// Sets the request and tests of the rows, which are added one by one.
-  void begin(const ReportRequest& request, const std::vector<std::string>& tests);
-  void set(std::size_t index, const ReportRow& row);
-  /// Enables the panel images once the files of the report are complete.
-  void finish();
-  /// Selects a row and shows the panel of its test.
-  void select(std::optional<std::size_t> row);
-
- Q_SIGNALS:
-  void clicked(std::size_t row);
-
- private:
-  enum Kind { overStates, overAngle, overHogels, overDirections };
-  void showPlot();
-  [[nodiscard]] QPixmap panel() const;
-  [[nodiscard]] bool isOfPanel() const;
-
-  ReportRequest m_request;
-  std::vector<std::string> m_tests;
-  std::vector<ReportRow> m_rows;
-  std::optional<std::size_t> m_selected;
-  bool m_isFinished = false;
-  QComboBox* m_kind;
-  ReportPlotView* m_view;
+ protected:
+  bool event(QEvent* event) override;
 };
 
 }  // namespace hogelscope

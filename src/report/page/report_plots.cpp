@@ -272,6 +272,7 @@ Plot psnrPlot(const std::vector<ReportRow>& rows, const DisplayParams& display, 
       const double state = 1 + double(point.row / tests.size());
       series.points.push_back({isOverAngle ? angleOf(point.eye) : state, point.psnr,
                                titleOf(point, rows[point.row]), point.row});
+      series.points.back().name = rows[point.row].state + "  " + rounded(point.psnr, 1) + " dB";
     }
     series.radius = 0.8 * radiusFor(series.points.size());
   }
