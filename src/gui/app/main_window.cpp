@@ -241,6 +241,7 @@ void MainWindow::render() {
 
 void MainWindow::showView(const RenderedView& view) {
   m_imageCommands->show(view);
+  if (view.scale == 1 && !view.isOverview) m_files->keepThumbnail(view.image);
   m_loader->followImage();
   const QString form =
       view.otherImage.isNull() ? tr("%1 × %2 px in %3 ms") : tr("%1 × %2 px, both in %3 ms");
