@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hogelscope {
 
@@ -29,6 +30,11 @@ double distanceToPanel(const DisplayParams& display, const Vec3& point) {
   const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(point);
   const auto beyond = [](double at, double side) { return std::max(0.0, std::abs(at) - side / 2); };
   return length({beyond(p.x, display.size[0]), beyond(p.y, display.size[1]), p.z});
+}
+
+EyePlace eyePlace(const DisplayParams& display, const Vec3& eye) {
+  const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(eye);
+  return {length(p), std::atan2(p.x, p.z) * (180 / std::numbers::pi)};
 }
 
 namespace {

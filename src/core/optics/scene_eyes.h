@@ -21,6 +21,13 @@ std::optional<CameraState> panelState(const DisplayParams& display, const Vec3& 
 /// Returns the distance from a point of the world to the nearest point of the panel, in metres.
 double distanceToPanel(const DisplayParams& display, const Vec3& point);
 
+/// Where an eye is, seen from the middle of the panel.
+struct EyePlace {
+  double distance = 0;  ///< metres
+  double angle = 0;     ///< degrees from the panel's normal, across; positive on the panel's right
+};
+EyePlace eyePlace(const DisplayParams& display, const Vec3& eye);
+
 /// An eye and the point that it looks at, in the points' frame.
 struct FittedEye {
   Vec3 eye;

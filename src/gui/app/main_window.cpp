@@ -90,7 +90,7 @@ void MainWindow::addDocks() {
                                       new DistortionDock(m_model, m_files->importAction()));
   m_ui->psfArea->setWidget(m_psf = new PsfDock(m_model));
   auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
-  auto* states = new StateDock(m_model, commands);
+  auto* states = new StateDock(m_model, commands, m_scene);
   m_ui->statesDock->setWidget(states);
   connect(commands, &StateCommands::nameAsked, this, [this, states] {
     m_ui->statesDock->show();
@@ -170,6 +170,8 @@ void MainWindow::connectDocks() {
   connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this,
           [this](const QString& file) { m_imageCommands->compareWith(file); });
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
+  connect(m_ui->reportPanel, &ReportDock::psnrChanged, findChild<StateDock*>(),
+          &StateDock::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetWidget::failed, m_messages, &Messages::showError);
   connect(m_ui->cameraSetView, &CameraSetWidget::previewChanged, m_scene,
