@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>hogelscope::FileCommands</name>
+    <message numerus="yes">
+        <source>Session · %n states</source>
+        <translation>
+            <numerusform>Session · %n state</numerusform>
+            <numerusform>Session · %n states</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hogelscope::Messages</name>
     <message numerus="yes">
         <source>⚠ %n errors</source>

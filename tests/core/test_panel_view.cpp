@@ -43,6 +43,25 @@ class TestPanelView : public QObject {
     QVERIFY(panelState({}, {3, 2, 1e-9}, {4, 4}));
   }
 
+  /// Against vectors of the world, without the display frame.
+  void whereAnEyeIs() {
+    const EyePlace left = eyePlaceOf({}, {-0.3, 0.4, 0.3});
+    QVERIFY(std::abs(left.distance - std::sqrt(0.34)) < 1e-12 && std::abs(left.across + 45) < 1e-12);
+    QCOMPARE(eyePlaceOf({}, {0, 0.1, 0.5}).across, 0.0);
+    Random random(11);
+    for (int k = 0; k < 100; ++k) {
+      const PanelParams display = randomDisplay(random);
+      const RigidTransform world = transformFromPose(display.position, display.orientation);
+      const Vec3 p{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+      const Vec3 flat = p - display.position - dot(p - display.position, world.yAxis) * world.yAxis;
+      const double cosine = dot(flat, world.zAxis) / length(flat);
+      const EyePlace place = eyePlaceOf(display, p);
+      QVERIFY(std::abs(std::cos(place.across * std::acos(-1.0) / 180) - cosine) < 1e-9);
+      QCOMPARE(place.across > 0, dot(flat, world.xAxis) > 0);
+      QVERIFY(std::abs(place.distance - length(p - display.position)) < 1e-12);
+    }
+  }
+
   void distanceIsToTheNearestPlace() {
     Random random(9);
     for (int k = 0; k < 100; ++k) {

@@ -2,7 +2,7 @@
 // Common parts of the docks' tests: the sample session with small images, and its list of states.
 #pragma once
 
-#include <QListWidget>
+#include <QListView>
 
 #include "gui/view/image_widget.h"
 #include "io/documents/session_file.h"
@@ -27,10 +27,14 @@ class DocksTest : public WindowTest {
   [[nodiscard]] const QImage& view() const {
     return child<hogelscope::ImageWidget>("pictureView")->image();
   }
-  [[nodiscard]] QListWidget* list() const { return child<QListWidget>("stateList"); }
+  [[nodiscard]] QListView* list() const { return child<QListView>("stateList"); }
+  /// The index of a row that is shown.
+  [[nodiscard]] QModelIndex at(int row) const { return list()->model()->index(row, 0); }
+  [[nodiscard]] int count() const { return list()->model()->rowCount(); }
+  [[nodiscard]] int currentRow() const { return list()->currentIndex().row(); }
   [[nodiscard]] QStringList names() const {
     QStringList result;
-    for (int row = 0; row < list()->count(); ++row) result << list()->item(row)->text();
+    for (int row = 0; row < count(); ++row) result << at(row).data().toString();
     return result;
   }
 };

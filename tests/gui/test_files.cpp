@@ -7,12 +7,14 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include "gui/files/recent_files.h"
 #include "gui/view/image_widget.h"
 #include "gui/view/view_worker.h"
 #include "io/documents/session_file.h"
 #include "tests/gui/habits_test.h"
 #include "tests/gui/window_files.h"
 #include "tests/io/documents.h"
+#include "tests/io/images.h"
 #include "tests/io/layered_views.h"
 
 using namespace hogelscope;
@@ -36,12 +38,43 @@ class TestFiles : public HabitsTest {
     QCOMPARE(model().file(), m_session);
     QVERIFY(QFile::remove(second));
     Q_EMIT menu->aboutToShow();
+    QCOMPARE(menu->actions().size(), 1);  // the other one is gone
     QVERIFY(menu->actions()[0]->text().contains("mine.json"));
-    QVERIFY(!menu->actions()[1]->isEnabled());  // missing
-    for (int k = 0; k < 12; ++k)
+    for (int k = 0; k < 14; ++k)
       QVERIFY(files(*m_window).save(m_folder->filePath(QString("%1.json").arg(k))));
     Q_EMIT menu->aboutToShow();
-    QCOMPARE(menu->actions().size(), 10);
+    QCOMPARE(menu->actions().size(), 12);
+  }
+
+  /// Each with what it is and a picture of its first view; pictures of forgotten files go.
+  void recentFilesHavePictures() {
+    const auto newest = [] { return RecentFiles::list().front(); };
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(newest().thumbnail), patience);
+    QCOMPARE(newest().file, m_session);
+    QCOMPARE(newest().what, QString("Session · 6 states"));
+    QVERIFY(std::abs(newest().when.secsTo(QDateTime::currentDateTime())) < 60);
+    const QImage shown = m_window->findChild<ImageWidget*>("pictureView")->image();
+    const QImage kept(newest().thumbnail);
+    QCOMPARE(kept.size(), shown.size().scaled(112, 80, Qt::KeepAspectRatio));
+    QCOMPARE(kept.convertToFormat(QImage::Format_RGB32),
+             shown.scaled(112, 80, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+                 .convertToFormat(QImage::Format_RGB32));
+    const QString first = newest().thumbnail;
+    QVERIFY(QDir::setCurrent(m_folder->path()));
+    writeImageFile("theirs.png", 960, 540, [](int px, int py, int c) {
+      const double x = (px / 24 + 0.5) / 40 - 0.2 * (px % 24) / 24;
+      const double y = (py / 18 + 0.5) / 30 + 0.2 * (py % 18) / 18;
+      return float(0.5 + 0.2 * std::sin(31 * x + 5 * y + c) + 0.2 * std::sin(17 * y - 8 * x));
+    });
+    QVERIFY(files(*m_window).open(m_folder->filePath("theirs.png")));
+    QTRY_COMPARE_WITH_TIMEOUT(newest().file, m_folder->filePath("theirs.png"), patience);
+    QCOMPARE(newest().what, QString("Hogels 40 × 30 of 24 × 18"));
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(newest().thumbnail), patience);
+    QVERIFY(QFileInfo::exists(first));
+    for (int k = 0; k < 12; ++k)
+      QVERIFY(files(*m_window).save(m_folder->filePath(QString("%1.json").arg(k))));
+    QCOMPARE(RecentFiles::list().size(), std::size_t(12));
+    QVERIFY(!QFileInfo::exists(first));
   }
 
   /// Over runs of the program too; only saving proposes a name.

@@ -9,7 +9,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QListWidget>
+#include <QListView>
 #include <QSlider>
 #include <algorithm>
 
@@ -112,7 +112,7 @@ void TestFluid::initTestCase() {
   QVERIFY(files(*m_window).open("s.json"));
   QTRY_COMPARE_WITH_TIMEOUT(loaded.count(), 1, patience);
   for (const QAbstractItemModel* list :
-       {child<QComboBox>("stateBox")->model(), child<QListWidget>("stateList")->model()})
+       {child<QComboBox>("stateBox")->model(), child<QListView>("stateList")->model()})
     connect(list, &QAbstractItemModel::rowsInserted, this, [this] { ++m_rows; });
 }
 

@@ -278,7 +278,7 @@ void TestReportDock::sorts() {
 
 void TestReportDock::filters() {
   make();
-  auto* filter = child<QLineEdit>("stateFilter");
+  auto* filter = child<QLineEdit>("reportFilter");
   filter->setText("angle < 12");  // of s1 to s3, 0.1 m and 0 beside the middle in 0.7 m
   QStringList shown = states();
   shown.sort();

@@ -25,6 +25,7 @@ class TestTasks : public WindowTest {
   void aReportOfTwoJpegs();
   void theWorstViewAndWhy();
   void whyIsThisPixelBlack();
+  void aDisplayForTheRoomByKeysAlone();
 
  private:
   void press(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) {
@@ -141,6 +142,45 @@ void TestTasks::whyIsThisPixelBlack() {
   QTRY_VERIFY_WITH_TIMEOUT(
       child<QLabel>("inspectorVerdict")->text().startsWith("Black, outside the panel"), patience);
   QCOMPARE(m_steps, 2);
+}
+
+/// From the home page: the sample, then hogels, directions and field of view across through the
+/// palette. All keys count, also letters and digits.
+void TestTasks::aDisplayForTheRoomByKeysAlone() {
+  showWindow({1280, 800});
+  const auto* sample = child<QWidget>("roomSample");
+  QVERIFY(sample != nullptr);
+  // Where the focus is at first is the home page's to say.
+  for (int k = 0; k < 6 && !sample->hasFocus(); ++k) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab);
+    ++m_steps;
+  }
+  QVERIFY(sample->hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  ++m_steps;
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
+  const auto type = [this](const QString& keys) {
+    for (const QChar key : keys) {
+      QTest::keyClick(QApplication::focusWidget(), key.toLatin1());
+      ++m_steps;
+    }
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    ++m_steps;
+    QTest::qWait(50);  // the field gets the focus once it is laid out
+  };
+  for (const auto& [word, value] :
+       {std::pair("ho", "64"), std::pair("dir", "24"), std::pair("fie", "50")}) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_P, Qt::ControlModifier);
+    ++m_steps;
+    type(word);
+    type(value);
+  }
+  const DisplayParams& display = m_model->session().display;
+  QCOMPARE(display.hogels[0], 64);
+  QCOMPARE(display.directions[0], 24);
+  QCOMPARE(display.fov[0], 50.0);
+  QVERIFY2(m_steps <= 25, qPrintable(QString::number(m_steps)));
+  QTRY_VERIFY_WITH_TIMEOUT(hasPicture(), patience);
 }
 
 int main(int argc, char** argv) {

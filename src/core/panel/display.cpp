@@ -44,7 +44,9 @@ std::shared_ptr<const HogelLens> lensOf(const DisplayParams& params, std::size_t
 
 EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point) {
   const Vec3 p = transformFromPose(display.position, display.orientation).inverse().point(point);
-  return {p, length(p), std::atan2(std::hypot(p.x, p.y), p.z) * 180 / std::numbers::pi};
+  constexpr double degrees = 180 / std::numbers::pi;
+  return {p, length(p), std::atan2(std::hypot(p.x, p.y), p.z) * degrees,
+          std::atan2(p.x, p.z) * degrees};
 }
 
 Display::Display(const PanelParams& params)

@@ -46,6 +46,7 @@ struct EyePlace {
   Vec3 point;           ///< in the display frame, metres
   double distance = 0;  ///< metres
   double angle = 0;     ///< from the panel's normal, degrees, 0 … 180
+  double across = 0;    ///< the same in the plane of x and z; positive on the panel's right
 };
 EyePlace eyePlaceOf(const DisplayParams& display, const Vec3& point);
 

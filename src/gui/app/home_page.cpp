@@ -118,6 +118,7 @@ QWidget* HomePage::fileButton(const QString& file, const QString& text,
 
 void HomePage::showEvent(QShowEvent* event) {
   fillRecent();
+  if (auto* room = findChild<QWidget*>("roomSample")) room->setFocus();  // a key opens it
   QScrollArea::showEvent(event);
 }
 
@@ -127,10 +128,10 @@ void HomePage::fillRecent() {
     delete item;
   }
   constexpr int most = 6;  // the menu lists all of them
-  for (const QString& file : RecentFiles::files()) {
-    const QFileInfo info(file);
-    if (!info.exists() || m_recent->count() == most) continue;
-    QWidget* button = fileButton(file, info.fileName(), info.path());
+  for (const RecentFile& recent : RecentFiles::list()) {
+    const QFileInfo info(recent.file);
+    if (m_recent->count() == most) break;
+    QWidget* button = fileButton(recent.file, info.fileName(), info.path());
     button->setObjectName("recentSession");
     m_recent->addWidget(button);
   }

@@ -21,6 +21,7 @@
 #include "gui/docks/properties.h"
 #include "gui/docks/state_dock.h"
 #include "gui/files/file_commands.h"
+#include "gui/keys/command_palette.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/scene/scene_output.h"
@@ -82,7 +83,7 @@ void MainWindow::addDocks() {
   m_ui->propertiesDock->setWidget(m_properties);
   connect(m_properties, &Properties::failed, m_messages, &Messages::showError);
   auto* commands = new StateCommands(m_ui->statesMenu, m_model, this);
-  auto* states = new StateDock(m_model, commands);
+  auto* states = new StateDock(m_model, commands, m_scene);
   m_ui->statesDock->setWidget(states);
   connect(commands, &StateCommands::nameAsked, this, [this, states] {
     m_ui->statesDock->show();
@@ -144,6 +145,7 @@ void MainWindow::fillToolBar() {
 
 /// Puts the menus, the workspaces and the search field into one bar.
 void MainWindow::addTopBar() {
+  QWidget* palette = CommandPalette::makeButton(findChild<QAction*>("commandPaletteAction"));
   layout()->setMenuBar(nullptr);  // or Qt would delete the menus with the old bar
   auto* segments = new QWidget;
   segments->setObjectName("workspaces");
@@ -166,6 +168,7 @@ void MainWindow::addTopBar() {
   segments->hide();  // on the home page
   connect(m_model, &SessionModel::opened, segments, &QWidget::show);
   row->addStretch(1);
+  row->addWidget(palette);
   m_ui->menuBar->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
   setMenuWidget(bar);
 }
@@ -195,8 +198,13 @@ void MainWindow::connectDocks() {
   m_ui->reportPanel->setModel(m_model, m_ui->fileMenu, m_ui->statesMenu);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
   connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this,
-          [this](const QString& file) { m_imageCommands->compareWith(file); });
+          [this](const QString& file) {
+            m_imageCommands->compareWith(file);
+            m_layout->showView();
+          });
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
+  connect(m_ui->reportPanel, &ReportDock::psnrChanged, findChild<StateDock*>(),
+          &StateDock::showPsnr);
   m_ui->cameraSetView->setModel(m_model);
   connect(m_ui->cameraSetView, &CameraSetWidget::failed, m_messages, &Messages::showError);
   connect(m_ui->cameraSetView, &CameraSetWidget::previewChanged, m_scene,
@@ -267,6 +275,7 @@ void MainWindow::render() {
 
 void MainWindow::showView(const RenderedView& view) {
   m_imageCommands->show(view);
+  if (view.scale == 1 && !view.isOverview) m_files->keepThumbnail(view.image);
   m_loader->followImage();
   const QString form =
       view.otherImage.isNull() ? tr("%1 × %2 px in %3 ms") : tr("%1 × %2 px, both in %3 ms");

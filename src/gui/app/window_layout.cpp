@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "gui/docks/properties.h"
+#include "gui/keys/field_guards.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/section.h"
 
@@ -145,6 +146,7 @@ void WindowLayout::toggle(QDockWidget* dock) {
   } else {
     dock->show();
     dock->raise();
+    focusLastField(dock->widget());
   }
   dock->toggleViewAction()->setChecked(!dock->isHidden());
 }
@@ -155,6 +157,7 @@ void WindowLayout::toggle(Section* section) {
     m_parts.properties->show();
     m_parts.properties->raise();
     m_parts.sections->reveal(section);
+    focusLastField(section->content());
   } else {
     section->setOpen(false);
   }
@@ -209,6 +212,10 @@ void WindowLayout::showOnly(QAction* action, bool isView) {
   action->setChecked(true);
   for (QDockWidget* dock : docks()) dock->setVisible(!isView && dock == m_parts.scene);
   m_window->centralWidget()->setVisible(isView);
+}
+
+void WindowLayout::showView() {
+  m_window->centralWidget()->show();
 }
 
 /// Ends the mode of one view alone.

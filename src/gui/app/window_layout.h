@@ -45,6 +45,8 @@ class WindowLayout : public QObject {
   [[nodiscard]] QList<QAction*> workspaces() const;
   /// Leaves the home page: shows the docks.
   void leaveHome();
+  /// Shows the simulated view beside the docks where the workspace has none.
+  void showView();
   void save() const;
   /// Restores the saved layout before the window is shown, and fits it into the screen.
   void restore();

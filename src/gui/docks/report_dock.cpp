@@ -216,7 +216,7 @@ QWidget* ReportDock::makeTables() {
   m_rows->horizontalHeader()->setSortIndicatorClearable(true);  // by a third click
   m_heading->setObjectName("reportHeading");
   auto* filter = new QLineEdit;
-  filter->setObjectName("stateFilter");
+  filter->setObjectName("reportFilter");
   filter->setClearButtonEnabled(true);
   filter->setMaximumWidth(scaled(240));
   filter->setPlaceholderText(tr("Filter: lens, σ < 0.5, angle > 20"));

@@ -1,144 +1,424 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/state_dock.h"
 
-#include <QDrag>
+#include <QAbstractListModel>
 #include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
 #include <QMimeData>
-#include <QSignalBlocker>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
+#include "core/base/colour_map.h"
+#include "core/optics/scene_eyes.h"
+#include "gui/scene/scene_controller.h"
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
+#include "gui/widgets/colours.h"
+#include "gui/widgets/row_filter.h"
 #include "io/documents/session_file.h"
 
 namespace hogelscope {
 
-StateListWidget::StateListWidget(QWidget* parent) : QListWidget(parent) {
-  setObjectName("stateList");
-  setSelectionMode(ExtendedSelection);
-  setEditTriggers(DoubleClicked);
-  setUniformItemSizes(true);
-  setDragDropMode(InternalMove);
-  setDragDropOverwriteMode(false);
+namespace {
+
+enum Role { detailRole = Qt::UserRole, pictureRole, currentRole, psnrRole, shareRole };
+
+/// Returns a row's second line: where the eye is, lens and leakage.
+QString detailOf(const DisplayParams& display, const CameraState& state) {
+  const EyePlace eye = eyePlaceOf(display, state.camera.eye);
+  QString text = StateDock::tr("%1 m · %2°")
+                     .arg(eye.distance, 0, 'f', 2)
+                     .arg(QString::number(std::lround(eye.across)).replace('-', QChar(0x2212)));
+  if (state.distortion != DistortionParams{}) text += StateDock::tr(" · lens");
+  if (state.psf.windowSize > 1) text += StateDock::tr(" · σ %1").arg(state.psf.sigma, 0, 'f', 2);
+  return text;
 }
 
-QSize StateListWidget::sizeHint() const {
-  constexpr int rows = 6;
-  const int row = count() > 0 ? sizeHintForRow(0) : fontMetrics().height() + 4;
-  return {QListWidget::sizeHint().width(), rows * row + 2 * frameWidth()};
+/// Returns a row's picture from one of the scene, whose rows are from below.
+QImage toPicture(vtkImageData& image) {
+  const int* size = image.GetDimensions();
+  const QImage from(static_cast<const uchar*>(image.GetScalarPointer()), size[0], size[1],
+                    3 * size[0], QImage::Format_RGB888);
+  return from.mirrored().scaled(112, 80, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
-/// Returns the row before which a drop inserts: the upper half of a row is above it, the lower half
-/// below; below the last row is the end.
-int StateListWidget::rowBelow(const QDropEvent& event) const {
-  const QPoint at = event.position().toPoint();
-  const QModelIndex index = indexAt(at);
-  if (!index.isValid()) return count();
-  return at.y() < visualRect(index).center().y() ? index.row() : index.row() + 1;
-}
+}  // namespace
 
-/// Starts a drag without Qt's removal of the rows.
-void StateListWidget::startDrag(Qt::DropActions) {
-  auto* drag = new QDrag(this);
-  drag->setMimeData(model()->mimeData(selectedIndexes()));
-  drag->setPixmap(viewport()->grab(visualRect(currentIndex())));
-  drag->exec(Qt::MoveAction);
-}
+/// A row for each state. Its text is the state's name; a dragged row moves the state.
+class StateRows : public QAbstractListModel {
+ public:
+  StateRows(SessionModel* model, StateCommands* commands, QObject* parent)
+      : QAbstractListModel(parent), m_model(model), m_commands(commands) {}
 
-/// Emits the move; the session moves its states and the list follows.
-void StateListWidget::dropEvent(QDropEvent* event) {
-  std::vector<std::size_t> rows;
-  for (const QModelIndex& index : selectionModel()->selectedRows())
-    rows.push_back(std::size_t(index.row()));
-  std::ranges::sort(rows);
-  event->acceptProposedAction();
-  setState(NoState);
-  viewport()->update();
-  Q_EMIT rowsDropped(rows, std::size_t(rowBelow(*event)));
-}
+  QHash<QString, QImage> pictures;  ///< by the states' names, so that they follow a moved state
+  std::vector<double> psnr;         ///< dB, of each state; empty: none
 
-StateDock::StateDock(SessionModel* model, StateCommands* commands, QWidget* parent)
-    : QWidget(parent), m_model(model), m_commands(commands), m_list(new StateListWidget) {
+  /// Returns PSNR, sigma, whether there is a lens, distance and angle; NaN: there is none.
+  [[nodiscard]] std::array<double, 5> numbersOf(std::size_t row) const {
+    const CameraState& state = m_model->session().cameras[row];
+    const EyePlace eye = eyePlaceOf(m_model->session().display, state.camera.eye);
+    return {row < psnr.size() ? psnr[row] : NAN, state.psf.windowSize > 1 ? state.psf.sigma : NAN,
+            state.distortion != DistortionParams{} ? 1.0 : 0.0, eye.distance, eye.across};
+  }
+
+  /// Follows any change. Rows that remain stay, because one may be open in its editor.
+  void refresh() {
+    const int count = int(m_model->session().cameras.size());
+    if (count < m_count) beginRemoveRows({}, count, m_count - 1);
+    if (count > m_count) beginInsertRows({}, m_count, count - 1);
+    const int before = std::exchange(m_count, count);
+    if (count < before) endRemoveRows();
+    if (count > before) endInsertRows();
+    if (count > 0) Q_EMIT dataChanged(index(0), index(count - 1));
+  }
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override {
+    return parent.isValid() ? 0 : m_count;
+  }
+
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override {
+    const auto row = std::size_t(index.row());
+    if (!index.isValid() || row >= m_model->session().cameras.size()) return {};
+    const CameraState& state = m_model->session().cameras[row];
+    const QString name = QString::fromStdString(state.camera.name);
+    if (role == Qt::DisplayRole || role == Qt::EditRole) return name;
+    if (role == detailRole) return detailOf(m_model->session().display, state);
+    if (role == pictureRole) return pictures.value(name);
+    if (role == currentRole) return row == m_model->currentIndex();
+    if (role == psnrRole && row < psnr.size()) return psnr[row];
+    if (role == shareRole && row < psnr.size()) return shareOf(psnr[row]);
+    return {};
+  }
+
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override {
+    return role == Qt::EditRole && m_commands->rename(std::size_t(index.row()), value.toString());
+  }
+
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override {
+    if (!index.isValid()) return Qt::ItemIsDropEnabled;  // between rows
+    return Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+  }
+
+  [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+
+  /// Moves the dragged states; the rows follow the session. `row` -1 is the end.
+  bool dropMimeData(const QMimeData* data, Qt::DropAction, int row, int,
+                    const QModelIndex&) override {
+    QDataStream stream(data->data(mimeTypes().front()));
+    std::vector<std::size_t> states;
+    while (!stream.atEnd()) {
+      int from = 0;
+      int column = 0;
+      QMap<int, QVariant> texts;
+      stream >> from >> column >> texts;
+      states.push_back(std::size_t(from));
+    }
+    std::ranges::sort(states);
+    return m_commands->move(states, std::size_t(row < 0 ? m_count : row));
+  }
+
+ private:
+  /// Returns the place of a value between the least and the largest finite one.
+  [[nodiscard]] double shareOf(double dB) const {
+    std::vector<double> finite;
+    std::ranges::copy_if(psnr, std::back_inserter(finite),
+                         [](double x) { return std::isfinite(x); });
+    if (finite.empty()) return 1;
+    const auto [least, most] = std::ranges::minmax(finite);
+    return least < most ? std::clamp((dB - least) / (most - least), 0.0, 1.0) : 1;
+  }
+
+  SessionModel* m_model;
+  StateCommands* m_commands;
+  int m_count = 0;  ///< rows that the view knows of
+};
+
+/// The rows that the text of the filter field lets through.
+class StateListFilter : public QSortFilterProxyModel {
+ public:
+  explicit StateListFilter(StateRows* rows) : QSortFilterProxyModel(rows), m_rows(rows) {
+    setSourceModel(rows);
+  }
+
+  void setText(const QString& text) {
+    m_filter = RowFilter(text, {"PSNR", "σ", "lens", "distance", "angle"});
+    invalidateFilter();
+  }
+
+ private:
+  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex&) const override {
+    return m_filter.accepts(m_rows->index(row).data().toString(),
+                            [&](std::size_t k) { return m_rows->numbersOf(std::size_t(row))[k]; });
+  }
+
+  StateRows* m_rows;
+  RowFilter m_filter;
+};
+
+namespace {
+
+/// Paints a row: picture, name and detail, PSNR with a bar; a line marks the current state.
+class StateDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    const Tokens& t = tokens();
+    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+    const bool isUnderPointer = option.state.testFlag(QStyle::State_MouseOver);
+    const QRect row = option.rect;
+    if (isSelected || isUnderPointer) painter->fillRect(row, isSelected ? t.selection : t.hover);
+    if (index.data(currentRole).toBool())
+      painter->fillRect(row.left(), row.top(), scaled(3), row.height(), t.eye);
+    painter->save();
+    painter->setRenderHint(QPainter::SmoothPixmapTransform);
+    const QRect place(row.left() + scaled(12), row.top() + scaled(4), scaled(56), scaled(40));
+    const auto picture = index.data(pictureRole).value<QImage>();
+    painter->fillRect(place, picture.isNull() ? t.canvas : QColor(Qt::black));
+    QRect fitted({}, picture.size().scaled(place.size(), Qt::KeepAspectRatio));
+    fitted.moveCenter(place.center());
+    painter->drawImage(fitted, picture);
+    QRect texts = row.adjusted(scaled(78), scaled(6), -scaled(12), -scaled(8));
+    if (index.data(psnrRole).isValid()) {
+      paintPsnr(painter, texts.adjusted(texts.width() - scaled(56), 0, 0, 0), index,
+                isSelected ? t.text2 : t.text3);
+      texts.adjust(0, 0, -scaled(60), 0);
+    }
+    const auto write = [&](Qt::Alignment where, const QString& text, const QColor& ink,
+                           QFont font) {
+      painter->setPen(ink);
+      painter->setFont(font);
+      painter->drawText(texts, int(where),
+                        painter->fontMetrics().elidedText(text, Qt::ElideRight, texts.width()));
+    };
+    write(Qt::AlignTop, index.data().toString(), t.text, textFont(TextSize::base, QFont::Medium));
+    write(Qt::AlignBottom, index.data(detailRole).toString(), t.text2, textFont(TextSize::caption));
+    painter->restore();
+  }
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
+    return {scaled(200), scaled(48)};
+  }
+
+  /// Puts the editor on the name.
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                            const QModelIndex&) const override {
+    editor->setGeometry(option.rect.adjusted(scaled(70), scaled(2), -scaled(12), -scaled(22)));
+  }
+
+ private:
+  static void paintPsnr(QPainter* painter, const QRect& place, const QModelIndex& index,
+                        const QColor& faint) {
+    const double dB = index.data(psnrRole).toDouble();
+    const QString unit = std::isfinite(dB) ? " dB" : "";
+    painter->setFont(textFont(TextSize::caption));
+    painter->setPen(faint);
+    painter->drawText(place, Qt::AlignRight, unit);
+    const int unitWidth = painter->fontMetrics().horizontalAdvance(unit);
+    painter->setFont(textFont(TextSize::base, QFont::Medium));
+    painter->setPen(tokens().text);
+    painter->drawText(place.adjusted(0, 0, -unitWidth, 0), Qt::AlignRight,
+                      std::isfinite(dB) ? QString::number(dB, 'f', 1)
+                      : std::isnan(dB)  ? "–"
+                                        : "∞");
+    QRect bar(place.left(), place.bottom() - scaled(8), place.width(), scaled(3));
+    painter->fillRect(bar, tokens().line);
+    const double share = std::isnan(dB) ? 0 : 0.2 + 0.8 * index.data(shareRole).toDouble();
+    bar.setWidth(int(share * bar.width()));  // that of the least is seen, too
+    const auto [r, g, b] = falseColour(index.data(shareRole).toDouble());
+    painter->fillRect(bar, QColor::fromRgb(r, g, b));
+  }
+};
+
+}  // namespace
+
+StateDock::StateDock(SessionModel* model, StateCommands* commands, SceneController* scene,
+                     QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_commands(commands),
+      m_scene(scene),
+      m_rows(new StateRows(model, commands, this)),
+      m_shown(new StateListFilter(m_rows)),
+      m_list(new QListView),
+      m_count(new QLabel),
+      m_filter(new QLineEdit) {
   setAcceptDrops(true);
+  m_list->setModel(m_shown);
+  m_list->setItemDelegate(new StateDelegate(m_list));
+  m_list->setObjectName("stateList");
   m_list->setToolTip(
       tr("The camera states; Ctrl or Shift marks several, for editing, deleting, saving and "
          "dragging"));
+  m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
+  m_list->setUniformItemSizes(true);
+  m_list->setDragDropMode(QAbstractItemView::InternalMove);
+  m_list->setMouseTracking(true);
+  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_list->setMinimumHeight(scaled(4 * 48));
+  m_list->viewport()->installEventFilter(this);
+  m_filter->setObjectName("stateFilter");
+  m_filter->setPlaceholderText(tr("Filter by name, lens, σ, PSNR < 30"));
+  m_filter->setToolTip(
+      tr("Shows the states with this text in their name, a lens, or numbers as said: lens, PSNR < "
+         "30, σ > 0.5, distance < 1, angle > 20"));
+  m_filter->setClearButtonEnabled(true);
+  m_filter->addAction(icon("find"), QLineEdit::LeadingPosition);
   auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(makeHeader());
+  auto* filterRow = new QHBoxLayout;
+  filterRow->setContentsMargins(12, 0, 12, 8);
+  filterRow->addWidget(m_filter);
+  layout->addLayout(filterRow);
   layout->addWidget(m_list, 1);
-  layout->addWidget(makeButtons());
-  connect(m_list, &QListWidget::currentRowChanged, this,
-          [this](int row) { m_model->setCurrentIndex(std::size_t(row)); });
-  connect(m_list, &QListWidget::itemSelectionChanged, this, &StateDock::emitSelection);
-  connect(m_list, &QListWidget::itemChanged, this, &StateDock::rename);
-  connect(m_list, &StateListWidget::rowsDropped, m_commands, &StateCommands::move);
-  connect(m_model, &SessionModel::opened, this, &StateDock::fill);
-  connect(m_model, &SessionModel::statesChanged, this, &StateDock::fill);
-  connect(m_model, &SessionModel::edited, this, &StateDock::showCurrent);
-  connect(m_model, &SessionModel::currentChanged, this, &StateDock::showCurrent);
-  fill();
+  connectModel();
 }
 
-QWidget* StateDock::makeButtons() {
-  constexpr int columns = 3;
-  auto* buttons = new QWidget;
-  auto* grid = new QGridLayout(buttons);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(2);
-  int count = 0;
+/// Creates the row of the title and the commands. The last button has all commands, also those for
+/// which the dock is too narrow.
+QWidget* StateDock::makeHeader() {
+  static const std::map<QString, const char*> icons{
+      {"addStateAction", "new"},  {"duplicateAction", "duplicate"}, {"renameAction", "rename"},
+      {"removeAction", "delete"}, {"moveUpAction", "up"},           {"moveDownAction", "down"}};
+  auto* header = new QWidget;
+  auto* layout = new QHBoxLayout(header);
+  layout->setContentsMargins(12, 4, 8, 4);
+  layout->setSpacing(0);
+  layout->addWidget(new QLabel(tr("<b>States</b>&nbsp; ")));
+  m_count->setObjectName("stateCount");
+  m_count->setForegroundRole(QPalette::PlaceholderText);
+  layout->addWidget(m_count, 1);
   for (QAction* action : m_commands->actions()) {
-    auto* button = new QToolButton;
-    button->setDefaultAction(action);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    grid->addWidget(button, count / columns, count % columns);
-    ++count;
+    const auto found = icons.find(action->objectName());
+    if (found == icons.end()) continue;
+    action->setIcon(icon(found->second));
+    action->setIconVisibleInMenu(false);
+    m_buttons.push_back(new QToolButton);
+    m_buttons.back()->setDefaultAction(action);
+    layout->addWidget(m_buttons.back());
   }
-  return buttons;
+  auto* more = new QToolButton;
+  more->setObjectName("moreStatesButton");
+  more->setIcon(icon("more"));
+  more->setToolTip(tr("All commands of the States menu"));
+  more->setMenu(m_commands->menu());
+  more->setPopupMode(QToolButton::InstantPopup);
+  layout->addWidget(more);
+  return header;
 }
 
-/// Updates the items in place, because one of them may be open in its editor.
-void StateDock::fill() {
+void StateDock::connectModel() {
+  const QItemSelectionModel* selection = m_list->selectionModel();
+  connect(selection, &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
+    if (!m_isFollowing && index.isValid()) m_model->setCurrentIndex(stateAt(index));
+  });
+  connect(selection, &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!m_isFollowing) emitSelection();
+  });
+  connect(m_filter, &QLineEdit::textChanged, this,
+          [this](const QString& text) { follow([&] { m_shown->setText(text); }); });
+  connect(m_model, &SessionModel::opened, this, [this] {
+    m_rows->pictures.clear();
+    m_filter->clear();
+    showPsnr({});
+  });
+  connect(m_model, &SessionModel::statesChanged, this, [this] { showPsnr({}); });
+  for (const auto signal : {&SessionModel::edited, &SessionModel::contentChanged})
+    connect(m_model, signal, this, [this] { follow([this] { m_rows->refresh(); }); });
+  connect(m_model, &SessionModel::currentChanged, this, &StateDock::showCurrent);
+  connect(m_scene, &SceneController::stateRendered, this, [this](int row, const VtkImage& image) {
+    m_rows->pictures[m_rows->index(row).data().toString()] = toPicture(*image);
+    m_list->viewport()->update();
+  });
+}
+
+/// Hides the last buttons where there is no room for them.
+void StateDock::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int button = m_buttons.front()->sizeHint().width();
+  int left = width() - scaled(110) - button;  // title and the last button
+  for (QToolButton* each : m_buttons) each->setVisible((left -= button) >= 0);
+}
+
+bool StateDock::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::Paint && event->type() != QEvent::Hide)
+    return QWidget::eventFilter(watched, event);
+  std::vector<std::size_t> states;
+  QModelIndex index = event->type() == QEvent::Hide ? QModelIndex() : m_list->indexAt({1, 1});
+  for (; index.isValid() && m_list->visualRect(index).top() < m_list->viewport()->height();
+       index = index.siblingAtRow(index.row() + 1))
+    states.push_back(stateAt(index));
+  m_scene->watchStates(states);
+  return false;
+}
+
+std::size_t StateDock::stateAt(const QModelIndex& index) const {
+  return std::size_t(m_shown->mapToSource(index).row());
+}
+
+/// Applies a change of the rows, which chooses no other state.
+template <class Change>
+void StateDock::follow(Change change) {
   {
-    const QSignalBlocker quiet(m_list);
-    const std::vector<CameraState>& states = m_model->session().cameras;
-    while (m_list->count() > int(states.size())) delete m_list->takeItem(m_list->count() - 1);
-    while (m_list->count() < int(states.size())) {
-      auto* item = new QListWidgetItem(m_list);
-      item->setFlags(item->flags() | Qt::ItemIsEditable);
-    }
-    for (int row = 0; row < m_list->count(); ++row)
-      m_list->item(row)->setText(QString::fromStdString(states[std::size_t(row)].camera.name));
+    const QScopedValueRollback following(m_isFollowing, true);
+    change();
   }
   showCurrent();
 }
 
+void StateDock::showPsnr(const std::vector<double>& dB) {
+  follow([&] {
+    m_rows->psnr = dB;
+    m_rows->refresh();
+  });
+}
+
+/// Selects the current state, unless the filter hides it.
 void StateDock::showCurrent() {
-  const int row = int(m_model->currentIndex());
-  if (m_list->currentRow() != row) {
-    const QSignalBlocker quiet(m_list);
-    m_list->setCurrentRow(row, QItemSelectionModel::ClearAndSelect);
+  const QModelIndex index = m_shown->mapFromSource(m_rows->index(int(m_model->currentIndex())));
+  if (index != m_list->currentIndex()) {
+    const QScopedValueRollback following(m_isFollowing, true);
+    m_list->selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect);
   }
+  m_list->viewport()->update();
+  const int all = m_rows->rowCount();
+  const int shown = m_shown->rowCount();
+  m_count->setText(shown == all ? QString::number(all) : tr("%1 of %2").arg(shown).arg(all));
   emitSelection();
 }
 
 void StateDock::emitSelection() {
   std::vector<std::size_t> marked;
   for (const QModelIndex& index : m_list->selectionModel()->selectedRows())
-    marked.push_back(std::size_t(index.row()));
+    marked.push_back(stateAt(index));
   m_model->setMarked(std::move(marked));
 }
 
 void StateDock::editName() {
+  if (!m_list->currentIndex().isValid()) m_filter->clear();  // it hides the state
   m_list->setFocus();
-  m_list->editItem(m_list->currentItem());
+  m_list->edit(m_list->currentIndex());
 }
 
-/// Renames a state, or restores the old name if the new one is rejected.
-void StateDock::rename(const QListWidgetItem* item) {
-  if (!m_commands->rename(std::size_t(m_list->row(item)), item->text())) fill();
+/// Goes from the filter into the list.
+void StateDock::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Down || !m_filter->hasFocus()) return QWidget::keyPressEvent(event);
+  m_list->setFocus();
 }
 
 void StateDock::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,40 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The states dock: the list of camera states and the commands of the States menu.
+// The states dock: the list of camera states with pictures of their views, its filter, and the
+// commands of the States menu.
 #pragma once
 
-#include <QListWidget>
 #include <QWidget>
 #include <vector>
 
-class QListWidgetItem;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QToolButton;
 
 namespace hogelscope {
 
+class SceneController;
 class SessionModel;
 class StateCommands;
-
-/// The list of camera states. Dragged rows emit their destination and do not move by themselves.
-class StateListWidget : public QListWidget {
-  Q_OBJECT
-
- public:
-  explicit StateListWidget(QWidget* parent = nullptr);
-
-  /// Returns the size of six rows.
-  [[nodiscard]] QSize sizeHint() const override;
-
- Q_SIGNALS:
-  /// Emits the dragged rows in ascending order; `before` is a row index before the move, or the row
-  /// count for the end.
-  void rowsDropped(const std::vector<std::size_t>& rows, std::size_t before);
-
- protected:
-  void startDrag(Qt::DropActions actions) override;
-  void dropEvent(QDropEvent* event) override;
-
- private:
-  [[nodiscard]] int rowBelow(const QDropEvent& event) const;
-};
+class StateListFilter;
+class StateRows;
 
 /// Imports the states of session documents dropped onto it; its own rows can be dragged to another
 /// place.
@@ -42,25 +25,42 @@ class StateDock : public QWidget {
   Q_OBJECT
 
  public:
-  StateDock(SessionModel* model, StateCommands* commands, QWidget* parent = nullptr);
+  /// `scene` renders the pictures of the rows in sight.
+  StateDock(SessionModel* model, StateCommands* commands, SceneController* scene,
+            QWidget* parent = nullptr);
 
   /// Opens the editor of the current state's name.
   void editName();
+  /// Shows the PSNR in dB of each state; empty: none. Infinite: identical; NaN: no view.
+  void showPsnr(const std::vector<double>& dB);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  /// Asks for the pictures of the rows that are painted.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QWidget* makeButtons();
-  void fill();
+  QWidget* makeHeader();
+  void connectModel();
+  template <class Change>
+  void follow(Change change);
   void showCurrent();
   void emitSelection();
-  void rename(const QListWidgetItem* item);
+  [[nodiscard]] std::size_t stateAt(const QModelIndex& index) const;
 
   SessionModel* m_model;
   StateCommands* m_commands;
-  StateListWidget* m_list;
+  SceneController* m_scene;
+  StateRows* m_rows;
+  StateListFilter* m_shown;
+  QListView* m_list;
+  QLabel* m_count;
+  QLineEdit* m_filter;
+  std::vector<QToolButton*> m_buttons;  ///< those that hide where there is no room
+  bool m_isFollowing = false;           ///< the list follows the session, not the user
 };
 
 }  // namespace hogelscope

@@ -4,9 +4,11 @@
 #include <QAction>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QImage>
 #include <QMimeData>
 #include <QUrl>
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "gui/files/autosave.h"
@@ -36,6 +38,16 @@ bool canCompare(const Session& session, const std::string& file, const Progress&
   } catch (const InputError&) {
     return false;
   }
+}
+
+/// Returns what a session is made around, in words for the list of recent files.
+QString whatIs(const Session& session) {
+  const auto& [across, down] = session.display.directions;
+  const auto& [columns, rows] = session.display.hogels;
+  if (session.lightField.isLive()) return FileCommands::tr("3-D scene");
+  if (isGridOfViews(session.lightField.layout))
+    return FileCommands::tr("Views %1 × %2").arg(across).arg(down);
+  return FileCommands::tr("Hogels %1 × %2 of %3 × %4").arg(columns).arg(rows).arg(across).arg(down);
 }
 
 QStringList filesOf(const QMimeData& data) {
@@ -149,7 +161,7 @@ bool FileCommands::open(const QString& file) {
   m_compared->abandon();
   return guarded(this, [&] {
     m_model->open(file);
-    m_recent->add(file);
+    rememberSession(file);
     checkOrder(file);
     rememberFolderOf(file);
   });
@@ -188,6 +200,7 @@ void FileCommands::ask(const QString& file, const Opening& opening) {
 void FileCommands::take(const QString& file, const Opening& opening) {
   const OrderedSession& around = opening.around;
   m_model->openNew(around.session);
+  remember(file, whatIs(shownOf(opening)));
   rememberFolderOf(file);
   const LightFieldParams& used = around.session.lightField;
   if (!around.assumed.empty()) Q_EMIT done(file + ": " + QString::fromStdString(around.assumed));
@@ -214,10 +227,23 @@ void FileCommands::checkOrder(const QString& file) {
       });
 }
 
+void FileCommands::remember(const QString& file, const QString& what) {
+  RecentFiles::add(file, what);
+  m_unpictured = file;
+}
+
+void FileCommands::rememberSession(const QString& file) {
+  remember(file, tr("Session · %n states", "", int(m_model->session().cameras.size())));
+}
+
+void FileCommands::keepThumbnail(const QImage& view) {
+  if (!m_unpictured.isEmpty()) RecentFiles::setThumbnail(std::exchange(m_unpictured, {}), view);
+}
+
 bool FileCommands::save(const QString& file) {
   return guarded(this, [&] {
     m_model->save(file);
-    m_recent->add(file);
+    rememberSession(file);
     rememberFolderOf(file);
     Q_EMIT done(tr("Saved %1").arg(file));
   });

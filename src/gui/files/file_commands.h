@@ -9,6 +9,7 @@
 #include <QStringList>
 
 class QAction;
+class QImage;
 class QMenu;
 class QWidget;
 
@@ -52,6 +53,9 @@ class FileCommands : public QObject {
   /// Removes the recovery copy when the window closes.
   void end();
   void offerRecovery();
+  /// Keeps a small copy of the first view of a file that was opened or saved, for the list of
+  /// recent files.
+  void keepThumbnail(const QImage& view);
 
  Q_SIGNALS:
   void done(const QString& line);
@@ -68,6 +72,8 @@ class FileCommands : public QObject {
   void compareOrOpen(const QString& file);
   void openCalibration(const QString& file);
   void checkOrder(const QString& file);
+  void remember(const QString& file, const QString& what);
+  void rememberSession(const QString& file);
   void openAny(const QString& file, bool isFirst);
   bool saveOrAsk();
   bool askSaveAs();
@@ -79,6 +85,7 @@ class FileCommands : public QObject {
   SessionModel* m_model;
   QWidget* m_window;
   RecentFiles* m_recent = nullptr;
+  QString m_unpictured;  ///< a recent file whose first view has not been rendered yet
   QAction *m_new = nullptr, *m_open = nullptr, *m_openLightField = nullptr, *m_openFolder = nullptr;
   QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr;
   Task* m_task;      ///< analyses a light field that is being opened

@@ -2,6 +2,7 @@
 #include "gui/keys/field_guards.h"
 
 #include <QAbstractSpinBox>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -65,6 +66,21 @@ bool FieldGuards::eventFilter(QObject* watched, QEvent* event) {
   }
   event->setAccepted(field->hasFocus());
   return !field->hasFocus();
+}
+
+void focusLastField(QWidget* part) {
+  const auto isField = [part](const QWidget* each) {
+    return part->isAncestorOf(each) && each->isEnabled() && each->isVisibleTo(part) &&
+           (each->focusPolicy() & Qt::TabFocus) != 0 &&
+           (qobject_cast<const QAbstractSpinBox*>(each) || qobject_cast<const QLineEdit*>(each) ||
+            qobject_cast<const QComboBox*>(each) || qobject_cast<const QCheckBox*>(each));
+  };
+  QWidget* field = part->focusWidget();  // Qt remembers it for each widget, also while hidden
+  if (field == nullptr || !isField(field)) {
+    field = part->nextInFocusChain();
+    while (field != part && !isField(field)) field = field->nextInFocusChain();
+  }
+  if (field != part) field->setFocus(Qt::TabFocusReason);
 }
 
 }  // namespace hogelscope

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Event filters for fields: typing keeps its keys, and the wheel edits only a field that has
-// focus.
+// focus. The field of a part of the window that had the focus last.
 #pragma once
 
 #include <QObject>
+
+class QWidget;
 
 namespace hogelscope {
 
@@ -19,5 +21,9 @@ class FieldGuards : public QObject {
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
+
+/// Moves the focus into `part`: to the field that had it last, else to its first one. Does nothing
+/// in a part without fields.
+void focusLastField(QWidget* part);
 
 }  // namespace hogelscope

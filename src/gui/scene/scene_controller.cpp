@@ -5,6 +5,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/engine/hogel_pixels.h"
@@ -50,6 +51,9 @@ SceneController::SceneController(QMenu* menu, VtkWidget* widget, QLabel* readout
   addCommands(menu);
   connectModel();
   connectScene();
+  m_stateDelay.setSingleShot(true);
+  m_stateDelay.setInterval(200);
+  connect(&m_stateDelay, &QTimer::timeout, this, &SceneController::requestStates);
   showText();
   m_scene->reset();
 }
@@ -93,7 +97,10 @@ void SceneController::addCommands(QMenu* menu) {
                             {"sceneStatePicturesAction", tr("P&ictures on the frusta"),
                              tr("Each state's simulated view, small, on its near plane"),
                              Qt::CTRL | Qt::SHIFT | Qt::Key_G},
-                            false, this, &SceneController::renderStates);
+                            false, this, [this] {
+                              m_worker->setSource(m_loaded);  // the list alone has old pictures
+                              refresh();
+                            });
   m_showsMesh = addSwitch(
       menu,
       {"sceneMeshAction", tr("&Mesh of a live scene"),
@@ -245,6 +252,8 @@ void SceneController::connectScene() {
     m_scene->redraw();
   });
   connect(m_worker, &SceneWorker::stateRendered, this, [this](int index, const VtkImage& image) {
+    Q_EMIT stateRendered(index, image);
+    if (!m_stateImages->isChecked()) return;
     m_scene->frusta().setImage(std::size_t(index), image);
     m_scene->redraw();
   });
@@ -351,12 +360,30 @@ void SceneController::renderPanel() {
   m_worker->renderPanel(seen);
 }
 
+/// Renders the states' images for the frusta at once, the current state's first; for the list
+/// alone once nothing has been edited for a moment, so that they never delay the view.
 void SceneController::renderStates() {
   const bool areShown = m_stateImages->isChecked();
   m_scene->frusta().setImagesVisible(areShown);
-  if (areShown && m_loaded)
-    m_worker->renderStates(m_model->session().cameras, m_model->currentIndex());
   m_scene->redraw();
+  if (areShown)
+    requestStates();
+  else
+    m_stateDelay.start();
+}
+
+void SceneController::requestStates() {
+  if (!m_loaded) return;
+  std::vector<std::size_t> wanted = m_watched;
+  if (m_stateImages->isChecked()) {
+    wanted.insert(wanted.begin(), m_model->currentIndex());
+    for (std::size_t k = 0; k < m_model->session().cameras.size(); ++k) wanted.push_back(k);
+  }
+  m_worker->renderStates(m_model->session().cameras, std::move(wanted));
+}
+
+void SceneController::watchStates(const std::vector<std::size_t>& states) {
+  if (std::exchange(m_watched, states) != states) m_stateDelay.start();
 }
 
 void SceneController::setStateFromScene() {

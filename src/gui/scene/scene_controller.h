@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QPoint>
 #include <QRegion>
+#include <QTimer>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,6 +39,9 @@ class SceneController : public QObject {
   /// Colours the frusta by the states' PSNR in dB; empty: no colours. Infinite: identical; NaN: no
   /// view.
   void showPsnr(const std::vector<double>& dB);
+  /// Renders the images of these states whenever they have changed and nothing has been edited for
+  /// a moment; stateRendered() follows. Empty: none.
+  void watchStates(const std::vector<std::size_t>& states);
   /// Shows states that are not in the session yet; empty: none.
   void showPreview(const std::vector<CameraState>& states);
   /// Picks a pixel of the current state's simulated view, and shows its ray and where the ray ends.
@@ -59,6 +63,8 @@ class SceneController : public QObject {
  Q_SIGNALS:
   /// The pick or its description has changed.
   void pickChanged();
+  /// A small image of a state's view, its rows from below.
+  void stateRendered(int index, const hogelscope::VtkImage& image);
   /// The picked pixel, or the pixels that see the picked hogel; empty: none.
   void pixelsMarked(const QRegion& pixels);
 
@@ -83,6 +89,7 @@ class SceneController : public QObject {
   void tracePixel();
   void showText();
   void renderStates();
+  void requestStates();
   void setStateFromScene();
 
   VtkWidget* m_widget;
@@ -98,7 +105,9 @@ class SceneController : public QObject {
   std::optional<QPoint> m_hogel;
   QString m_pickText;
   bool m_isPanelDark = false;  ///< no light reaches the scene's eye, so the grid marks the panel
-  Task m_pixelSearch;          ///< finds the pixels that see the hogel
+  std::vector<std::size_t> m_watched;  ///< states whose images the list shows
+  QTimer m_stateDelay;                 ///< since the last edit
+  Task m_pixelSearch;                  ///< finds the pixels that see the hogel
 };
 
 }  // namespace hogelscope

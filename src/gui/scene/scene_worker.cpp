@@ -86,19 +86,18 @@ void SceneWorker::renderPanel(const CameraState& state) {
   m_thread.ask([&] { m_panel = state; });
 }
 
-void SceneWorker::renderStates(const std::vector<CameraState>& states, std::size_t first) {
+void SceneWorker::renderStates(const std::vector<CameraState>& states,
+                               std::vector<std::size_t> wanted) {
   m_thread.ask([&] {
     m_states = states;
     m_done.resize(states.size());
-    m_first = first;
+    m_wanted = std::move(wanted);
   });
 }
 
 std::optional<std::size_t> SceneWorker::nextState() const {
-  for (std::size_t k = 0; k < m_states.size(); ++k) {
-    const std::size_t index = (m_first + k) % m_states.size();
-    if (m_done[index] != m_states[index]) return index;
-  }
+  for (const std::size_t index : m_wanted)
+    if (index < m_states.size() && m_done[index] != m_states[index]) return index;
   return std::nullopt;
 }
 

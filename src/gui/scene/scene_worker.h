@@ -49,8 +49,9 @@ class SceneWorker : public QObject {
   /// Renders the panel. The newest request wins, but a running one is finished, so that a turning
   /// scene keeps updating.
   void renderPanel(const CameraState& state);
-  /// Renders the states' images, `first` first. Unchanged ones are not rendered again.
-  void renderStates(const std::vector<CameraState>& states, std::size_t first);
+  /// Renders the images of the states at the indices `wanted`, in that order. Unchanged ones are
+  /// not rendered again. The newest request wins.
+  void renderStates(const std::vector<CameraState>& states, std::vector<std::size_t> wanted);
 
  Q_SIGNALS:
   void panelRendered(const hogelscope::VtkImage& image);
@@ -74,7 +75,7 @@ class SceneWorker : public QObject {
   std::optional<CameraState> m_panel;
   std::vector<CameraState> m_states;
   std::vector<std::optional<CameraState>> m_done;  ///< as rendered last
-  std::size_t m_first = 0;
+  std::vector<std::size_t> m_wanted;               ///< indices of m_states
 
   std::optional<ViewSource> m_scene;  ///< used by the thread only, as is the next
   int m_number = 0;                   ///< the number of the setScene() that is served

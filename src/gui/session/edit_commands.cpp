@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/session/edit_commands.h"
 
+#include "gui/keys/command_palette.h"
 #include "gui/keys/field_guards.h"
 #include "gui/keys/key_dialog.h"
 #include "gui/keys/key_map.h"
@@ -25,6 +26,11 @@ EditCommands::EditCommands(QMenu* menu, SessionModel* model, QMainWindow* window
       tr("Does again what was taken back"), Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   menu->addSeparator();
   addCommand(menu,
+             {"commandPaletteAction", tr("&Commands and fields…"),
+              tr("Finds a command or a field by a few letters, and does or edits it"),
+              Qt::CTRL | Qt::Key_P},
+             this, [this] { m_palette->toggle(); });
+  addCommand(menu,
              {"keysAction", tr("&Keys…"),
               tr("All commands and their keys, to search and to change"), Qt::CTRL | Qt::Key_K},
              this, &EditCommands::showKeys);
@@ -34,6 +40,7 @@ void EditCommands::readKeys() {
   m_keys = new KeyMap(m_window);
   connect(m_keys, &KeyMap::failed, this, &EditCommands::failed);
   m_keys->load();
+  m_palette = new CommandPalette(m_keys, m_window);
 }
 
 void EditCommands::showKeys() {

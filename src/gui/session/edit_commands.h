@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Edit menu: undo, redo, and the dialog of keys.
+// The Edit menu: undo, redo, the palette of commands and fields, and the dialog of keys.
 #pragma once
 
 #include <QMainWindow>
@@ -7,6 +7,7 @@
 
 namespace hogelscope {
 
+class CommandPalette;
 class KeyMap;
 class SessionModel;
 
@@ -27,6 +28,7 @@ class EditCommands : public QObject {
 
   QMainWindow* m_window;
   KeyMap* m_keys = nullptr;
+  CommandPalette* m_palette = nullptr;
 };
 
 }  // namespace hogelscope

@@ -21,6 +21,8 @@ class StateCommands : public QObject {
   /// Returns the actions in the menu's order.
   [[nodiscard]] const std::vector<QAction*>& actions() const { return m_actions; }
 
+  [[nodiscard]] QMenu* menu() const { return m_menu; }
+
   /// Renames a state. Returns true on success.
   bool rename(std::size_t index, const QString& name);
   /// Moves the states at `indices` before the one now at `before`; the current one stays current.

@@ -113,6 +113,14 @@ QString boxName(const Field& field, std::size_t k, bool isList) {
   return isList ? name + "." + QString::number(k) : name;
 }
 
+QString textOf(const QWidget* editor) {
+  if (const auto* box = qobject_cast<const QAbstractSpinBox*>(editor)) return box->text();
+  if (const auto* box = qobject_cast<const QComboBox*>(editor)) return box->currentText();
+  if (const auto* line = qobject_cast<const QLineEdit*>(editor)) return line->text();
+  const auto* flag = qobject_cast<const QCheckBox*>(editor);
+  return flag == nullptr ? QString() : flag->isChecked() ? QObject::tr("on") : QObject::tr("off");
+}
+
 double valueInRange(const RealBox& box, const Range& range) {
   return range.mayBeLeftOut && box.value() < range.min ? notGiven : box.value();
 }
@@ -147,6 +155,22 @@ void ParameterForm::refresh() {
   for (QWidget* row : std::as_const(m_rows))
     if (m_layout->isRowVisible(row) != m_visited.contains(row))
       m_layout->setRowVisible(row, m_visited.contains(row));
+}
+
+std::vector<ParameterForm::Row> ParameterForm::rows() const {
+  std::vector<Row> rows;
+  for (int k = 1; k < m_layout->rowCount(); ++k) {  // below the heading
+    if (!m_layout->isRowVisible(k)) continue;
+    QWidget* field = m_layout->itemAt(k, QFormLayout::FieldRole)->widget();
+    const auto* label = qobject_cast<QLabel*>(m_layout->labelForField(field));
+    const auto boxes = field->findChildren<QAbstractSpinBox*>();
+    QStringList texts(textOf(field));
+    for (const QAbstractSpinBox* box : boxes) texts << textOf(box);
+    texts.removeAll({});
+    rows.push_back({m_heading->text(), label->text(), boxes.isEmpty() ? field : boxes.front(),
+                    texts.join(" × ")});
+  }
+  return rows;
 }
 
 void ParameterForm::hideField(const QString& name, bool isHidden) {

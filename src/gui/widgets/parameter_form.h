@@ -9,6 +9,7 @@
 #include <QWidget>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/base/parameters.h"
 
@@ -41,6 +42,15 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   void slideTo(const QString& name, double most);
   /// Shows the current parameters.
   void refresh();
+
+  /// A row that is shown, for those who search one.
+  struct Row {
+    QString group;  ///< the form's heading
+    QString label;
+    QWidget* editor;  ///< the first one
+    QString text;     ///< the value or values
+  };
+  [[nodiscard]] std::vector<Row> rows() const;
 
  Q_SIGNALS:
   /// Return was pressed in an editor, which has applied its value, or Escape, and it has not.
