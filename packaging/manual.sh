@@ -18,5 +18,11 @@ cp "$output/ideal/tradeoff.png" resources/manual/tradeoff_ideal.png
 cp "$output/stability/stability.png" resources/manual/stability.png
 "$program" --help parameters > resources/manual/parameters.md
 "$program" --generate scene --session data/table1.json --degrade jpeg:10 --output "$output/jpeg10.png"
+"$program" --render --session data/room.json --states front --set 'camera.res=[880,560]' \
+  --set camera.fov=31 --output "$output"
+"$program" --render --session data/table1.json --states 'Fig 1' --set 'camera.res=[440,280]' \
+  --set camera.fov=36 --output "$output"
+cp "$output/front.png" resources/home/room.png
+cp "$output/Fig 1.png" resources/home/table1.png
 xvfb-run -a -s "-screen 0 2560x1440x24" \
   build/release/bin/screenshots resources/manual 1280x800 "$output/jpeg10.png"

@@ -171,8 +171,8 @@ class TestSimulatedView : public QObject {
       QVERIFY(button->isVisible() && bar->rect().contains(button->geometry()));
     }
     const auto press = [&](const char* name) {
-      for (auto* button : bar->findChildren<QToolButton*>())
-        if (button->defaultAction() == action(name))
+      for (auto* button : m_window->findChildren<QToolButton*>())
+        if (button->isVisible() && button->defaultAction() == action(name))
           QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(5, 5));
     };
     press("wipeAction");

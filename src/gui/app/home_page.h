@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page shown while no session is open: start commands, samples and recent files. It scrolls, so
-// that it fits a small screen.
+// The page shown while no session is open: samples as pictures, commands that begin a session and
+// recent files. It scrolls, so that it fits a small screen.
 #pragma once
 
 #include <QScrollArea>
 
+class QAbstractButton;
 class QAction;
+class QHBoxLayout;
 class QVBoxLayout;
 
 namespace hogelscope {
@@ -14,8 +16,11 @@ class HomePage : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// Creates buttons that trigger the commands that begin a session.
+  /// Creates rows that trigger the commands that begin a session.
   explicit HomePage(const QList<QAction*>& begins, QWidget* parent = nullptr);
+
+  /// Adds links to commands below the page.
+  void addLinks(const QList<QAction*>& actions);
 
  Q_SIGNALS:
   /// A sample or a recent file has been chosen.
@@ -25,12 +30,15 @@ class HomePage : public QScrollArea {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* makeActions(const QList<QAction*>& begins);
-  QWidget* makeFiles();
+  QLayout* makeHead();
+  QLayout* makeSamples();
+  QLayout* makeBegins(const QList<QAction*>& begins);
+  QLayout* makeRecent();
   void fillRecent();
-  QWidget* fileButton(const QString& file, const QString& text, const QString& description);
+  QWidget* fileButton(const QString& file, QAbstractButton* button);
 
   QVBoxLayout* m_recent = nullptr;
+  QHBoxLayout* m_links = nullptr;
 };
 
 }  // namespace hogelscope

@@ -68,6 +68,8 @@ MainWindow::MainWindow(QWidget* parent)
   connectLoader();
   addHelpers();
   addEditing();
+  m_home->addLinks({findChild<QAction*>("manualAction"), findChild<QAction*>("keysAction"),
+                    findChild<QAction*>("darkColours"), findChild<QAction*>("lightColours")});
   fillToolBar();
   addTopBar();
   showTitle();
@@ -197,11 +199,10 @@ void MainWindow::connectDocks() {
           });
   m_ui->reportPanel->setModel(m_model, m_ui->fileMenu, m_ui->statesMenu);
   connect(m_ui->reportPanel, &ReportDock::failed, m_messages, &Messages::showError);
-  connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this,
-          [this](const QString& file) {
-            m_imageCommands->compareWith(file);
-            m_layout->showView();
-          });
+  connect(m_ui->reportPanel, &ReportDock::comparisonAsked, this, [this](const QString& file) {
+    m_imageCommands->compareWith(file);
+    m_layout->showView();
+  });
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, m_scene, &SceneController::showPsnr);
   connect(m_ui->reportPanel, &ReportDock::psnrChanged, findChild<StateDock*>(),
           &StateDock::showPsnr);

@@ -66,7 +66,8 @@ void WindowLayout::placeDocks() {
   m_window->setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                            QMainWindow::AllowTabbedDocks);
   m_window->splitDockWidget(m_parts.scene, m_parts.states, Qt::Vertical);
-  m_parts.scene->setTitleBarWidget(new QWidget);  // none: the scene has no room to lose
+  // They have no title: the scene has no room to lose, and the list of states has a heading.
+  for (QDockWidget* dock : {m_parts.scene, m_parts.states}) dock->setTitleBarWidget(new QWidget);
 }
 
 void WindowLayout::addCommands(QMenu* menu) {

@@ -143,45 +143,38 @@ void ComparisonCommands::addHistogram(QVBoxLayout* around) {
   connect(m_showHistogram, &QAction::toggled, this, &ComparisonCommands::measure);
 }
 
-/// Fills the bar with the menu's commands and those of the image widget.
+/// Fills the bar with the figures, and the commands of the error map and of the gain.
 void ComparisonCommands::addBar(QVBoxLayout* around) {
   const auto own = [this](const char* name, const QString& word) {
     auto* action = m_view->findChild<QAction*>(name);
     action->setIconText(word);
     return action;
   };
-  QList<QAction*> actions = m_modes->actions();
-  actions << m_falseColour << own("lessGainAction", tr("÷2")) << own("moreGainAction", tr("×2"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(0);
-  for (QAction* action : actions) {
-    auto* button = new QToolButton;
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
-    button->setDefaultAction(action);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    if (action == m_difference) {
-      button->setMenu(m_errorMenu);
-      button->setPopupMode(QToolButton::MenuButtonPopup);
-    }
-    buttons->addWidget(button);
-  }
-  buttons->addStretch();
   m_figures->setObjectName("comparisonFigures");
-  m_figures->setMargin(2);
   m_figures->setWordWrap(true);
   m_figures->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_figures->setToolTip(
       tr("The report's metrics of the 8-bit pictures that are shown; Shift and a drag over the "
          "picture mark a rectangle, whose figures are shown too"));
   m_bar->setObjectName("comparisonBar");
-  auto* rows = new QVBoxLayout(m_bar);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
-  rows->addLayout(buttons);
-  rows->addWidget(m_figures);
+  auto* row = new QHBoxLayout(m_bar);
+  row->setContentsMargins(scaled(8), scaled(4), scaled(4), scaled(4));
+  row->setSpacing(0);
+  row->addWidget(m_figures, 1);
+  QAction* map = m_errorMenu->menuAction();
+  map->setIconText(tr("Error map"));
+  map->setToolTip(tr("Which error of the other picture is shown"));
+  for (QAction* action :
+       {map, m_falseColour, own("lessGainAction", tr("÷2")), own("moreGainAction", tr("×2"))}) {
+    auto* button = new QToolButton;
+    button->setFocusPolicy(Qt::NoFocus);  // keys stay with the image
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setPopupMode(QToolButton::InstantPopup);
+    row->addWidget(button);
+  }
   m_bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Maximum);  // no wider than the image
-  around->insertWidget(0, m_bar);
+  around->insertWidget(around->indexOf(m_view), m_bar);
   around->setStretchFactor(m_view, 1);
 }
 
