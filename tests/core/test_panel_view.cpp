@@ -46,7 +46,8 @@ class TestPanelView : public QObject {
   /// Against vectors of the world, without the display frame.
   void whereAnEyeIs() {
     const EyePlace left = eyePlaceOf({}, {-0.3, 0.4, 0.3});
-    QVERIFY(std::abs(left.distance - std::sqrt(0.34)) < 1e-12 && std::abs(left.across + 45) < 1e-12);
+    QVERIFY(std::abs(left.distance - std::sqrt(0.34)) < 1e-12 &&
+            std::abs(left.across + 45) < 1e-12);
     QCOMPARE(eyePlaceOf({}, {0, 0.1, 0.5}).across, 0.0);
     Random random(11);
     for (int k = 0; k < 100; ++k) {
