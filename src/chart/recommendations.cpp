@@ -75,18 +75,21 @@ std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows) {
   return pick(rows, fastestOf(rows, mostAccurateOf(rows, all)));
 }
 
-std::vector<Purpose> purposesOf(const std::vector<TradeoffRow>& rows, std::size_t row) {
-  std::vector<Purpose> purposes;
-  if (forMovingView(rows) == row) purposes.push_back(Purpose::movingView);
-  if (forPaper(rows) == row) purposes.push_back(Purpose::paper);
-  if (rows[row].isDefault && isMeasured(rows[row])) purposes.push_back(Purpose::standard);
-  return purposes;
+std::optional<std::size_t> recommended(const std::vector<TradeoffRow>& rows, Purpose purpose) {
+  if (purpose == Purpose::movingView) return forMovingView(rows);
+  if (purpose == Purpose::paper) return forPaper(rows);
+  const Indices defaults = measuredRows(rows, [](const TradeoffRow& row) { return row.isDefault; });
+  return pick(rows, defaults);
 }
 
-const char* words(Purpose purpose) {
-  if (purpose == Purpose::movingView) return "for a moving view";
-  if (purpose == Purpose::paper) return "for a paper";
-  return "default";
+std::optional<std::size_t> betterThan(const std::vector<TradeoffRow>& rows, std::size_t row) {
+  const Indices better = measuredRows(rows, [&](const TradeoffRow& other) {
+    return other.milliseconds <= rows[row].milliseconds && other.rmse <= rows[row].rmse &&
+           (other.milliseconds < rows[row].milliseconds || other.rmse < rows[row].rmse);
+  });
+  const auto figures = [&](std::size_t k) { return std::pair(rows[k].rmse, rows[k].milliseconds); };
+  if (better.empty()) return std::nullopt;
+  return *std::ranges::min_element(better, {}, figures);
 }
 
 }  // namespace hogelscope

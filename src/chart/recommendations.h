@@ -2,6 +2,7 @@
 // Recommendations among the measured methods.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -29,9 +30,14 @@ std::optional<std::size_t> forMovingView(const std::vector<TradeoffRow>& rows);
 /// Returns the fastest row with the least error.
 std::optional<std::size_t> forPaper(const std::vector<TradeoffRow>& rows);
 
-enum class Purpose { movingView, paper, standard };
-/// Returns the purposes for which a row is recommended.
-std::vector<Purpose> purposesOf(const std::vector<TradeoffRow>& rows, std::size_t row);
-const char* words(Purpose purpose);
+enum class Purpose { movingView, standard, paper };
+inline constexpr std::array purposes{Purpose::movingView, Purpose::standard, Purpose::paper};
+
+/// Returns the method for a purpose; `standard` is the program's default.
+std::optional<std::size_t> recommended(const std::vector<TradeoffRow>& rows, Purpose purpose);
+
+/// Returns the most accurate of the rows that are as fast and as accurate as a measured one, and
+/// better in one of them; of equally accurate ones the fastest. None for a row of the Pareto front.
+std::optional<std::size_t> betterThan(const std::vector<TradeoffRow>& rows, std::size_t row);
 
 }  // namespace hogelscope

@@ -8,8 +8,10 @@
 #include <QRectF>
 #include <QString>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "chart/painting.h"
 #include "core/base/axis.h"
 #include "study/tradeoff.h"
 
@@ -17,45 +19,53 @@ namespace hogelscope {
 
 class TradeoffAxes {
  public:
-  /// Creates axes for all measured rows, for a plot of `size` in points without the legend.
-  TradeoffAxes(const std::vector<TradeoffRow>& rows, const QSizeF& size);
+  /// Creates axes for all measured rows in `area`, with texts in `font`.
+  TradeoffAxes(const std::vector<TradeoffRow>& rows, const QRectF& area, const QFont& font);
 
   /// Returns the row's point; none for a row without a time or an error.
   std::optional<QPointF> positionOf(const TradeoffRow& row) const;
   /// Returns the interquartile line of a measured row's times, through its point.
   QLineF quartilesOf(const TradeoffRow& row) const;
-  /// Returns the text size in points.
+  const QFont& font() const { return m_font; }
+  /// Returns the size of the text in pixels.
   double em() const { return m_em; }
   /// Returns the parts of the plot: the area above the band of zeros, and the band.
   std::vector<QRectF> areas() const;
   /// Returns the lines at 60 and 30 views per second, within the time axis.
   std::vector<QLineF> guides() const;
-  /// Returns the place of the caption in the band; empty without a band.
-  QRectF zeroCaption(const QFont& font) const;
+  /// Returns the places of the texts within the plot.
+  std::vector<QRectF> captionBoxes() const;
 
-  void paint(QPainter& painter, const QString& title) const;
+  /// Paints everything but the methods. Lines leave out `gaps`, which hold names.
+  void paint(QPainter& painter, const ChartColours& colours, const QString& title,
+             const std::vector<QRectF>& gaps) const;
 
  private:
+  bool hasTimeTitle() const { return m_area.height() >= 16 * m_em; }
   double x(double milliseconds) const;
   double y(double rmse) const;  ///< rmse > 0
-  void paintGround(QPainter& painter, const QRectF& box) const;
-  void paintFrames(QPainter& painter) const;
-  void paintGuides(QPainter& painter) const;
-  void paintTimes(QPainter& painter) const;
-  void paintErrors(QPainter& painter) const;
-  void paintPsnr(QPainter& painter) const;
-  void paintZero(QPainter& painter) const;
-  void paintTitles(QPainter& painter, const QString& title) const;
+  void placeGuideCaptions();
+  void placeZeroCaption(const std::vector<TradeoffRow>& rows);
+  void paintGround(QPainter& painter, const ChartColours& colours, const QRectF& box) const;
+  void paintTimes(QPainter& painter, const ChartColours& colours) const;
+  void paintErrors(QPainter& painter, const ChartColours& colours) const;
+  void paintTitles(QPainter& painter, const ChartColours& colours, const QString& title) const;
 
-  QSizeF m_size;
+  QRectF m_area;
+  QFont m_font;
   double m_em;
   QRectF m_plot;  ///< the area of errors > 0
   QRectF m_zero;  ///< the band of errors 0; empty if there are none
   Axis m_times;   ///< of log10
   Axis m_errors;  ///< of log10
+  std::vector<std::pair<QRectF, QString>> m_captions;
 };
 
-/// Returns `font` at a size in points of the chart.
-QFont sized(QFont font, double size, bool isBold = false);
+/// Paints one line of text, which may reach beyond `box`.
+void paintText(QPainter& painter, const QRectF& box, int flags, const QString& words);
+/// Formats a value with two digits, without powers of ten up to a million.
+QString figureText(double value);
+/// Returns a text such as "88 ms" or "2.7 s".
+QString timeText(double milliseconds);
 
 }  // namespace hogelscope

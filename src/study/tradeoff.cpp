@@ -87,6 +87,13 @@ Question questionOf(const SamplingParams& sampling) {
              : Question::idealPicture;
 }
 
+void ask(Question question, std::vector<RenderJob>& views) {
+  for (RenderJob& job : views)
+    if (questionOf(job.sampling) != question)
+      job.sampling = {.reconstruction =
+                          question == Question::displayAsBuilt ? nearest : quadrilinear};
+}
+
 std::string questionText(Question question) {
   return question == Question::displayAsBuilt ? "the display as built" : "the ideal picture";
 }

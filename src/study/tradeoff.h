@@ -38,7 +38,9 @@ enum class Question {
 
 /// Returns displayAsBuilt for nearest with one ray, else idealPicture.
 Question questionOf(const SamplingParams& sampling);
-/// Returns "the display as built" or "the ideal image"; the next function explains it.
+/// Changes the views' sampling, so that errors are measured for `question`.
+void ask(Question question, std::vector<RenderJob>& views);
+/// Returns "the display as built" or "the ideal picture"; the next function explains it.
 std::string questionText(Question question);
 std::string details(Question question);
 

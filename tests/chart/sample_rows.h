@@ -19,6 +19,14 @@ inline std::vector<hogelscope::TradeoffRow> rowsOf(const std::vector<SampleRow>&
   for (const SampleRow& sample : samples) {
     hogelscope::TradeoffRow row;
     row.method = sample.method;
+    const auto has = [&row](const char* part) { return row.method.find(part) != row.method.npos; };
+    const bool isLens = has("direct") || has("fixed") || has("Newton") || has("table");
+    row.lens = isLens ? row.method : "exact";
+    row.reconstruction = has("linear") ? "bilinear" : "nearest";
+    row.psf = has("PSF") ? "off" : "full";
+    row.samples = has("×") ? 2 : 1;
+    row.scale = has("size") ? 2 : 1;
+    row.precision = has("float") ? "float" : "double";
     setTimes(row, {sample.milliseconds});
     row.rmse = sample.rmse;
     row.psnr = sample.rmse > 0 ? 20 * std::log10(255 / sample.rmse)

@@ -72,6 +72,8 @@ class TestRecommendations : public QObject {
   void withinTheSpreadAccuracyThenTheDefaultWins();
   void theDefaultStaysWhereOthersAreHardlyFaster();
   void whatIsNotMeasuredIsNotAdvised();
+  void eachPurposeHasItsMethod();
+  void whatIsBetter();
   void noiseChangesNothing_data();
   void noiseChangesNothing();
 };
@@ -143,6 +145,26 @@ void TestRecommendations::whatIsNotMeasuredIsNotAdvised() {
   QCOMPARE(moving(odd), std::string("c"));
   QCOMPARE(paper(odd), std::string("c"));
   QVERIFY(!forMovingView({}) && !forPaper({}));
+}
+
+void TestRecommendations::eachPurposeHasItsMethod() {
+  const Rows rows = measured({{"fast", 9, {1}}, {"default", 2, {100}}, {"good", 0, {300}}});
+  QCOMPARE(recommended(rows, Purpose::movingView), forMovingView(rows));
+  QCOMPARE(recommended(rows, Purpose::paper), forPaper(rows));
+  QCOMPARE(recommended(rows, Purpose::standard), std::optional<std::size_t>(1));
+  QVERIFY(!recommended(rowsOf({{"a", 1, 1}}), Purpose::standard));
+}
+
+void TestRecommendations::whatIsBetter() {
+  const Rows rows = rowsOf({{"a", 1, 9}, {"b", 5, 3}, {"c", 6, 3}, {"d", 7, 5}, {"e", 5, 4}});
+  const auto better = [&](std::size_t row) { return nameOf(rows, betterThan(rows, row)); };
+  QCOMPARE(better(0), std::string("none"));
+  QCOMPARE(better(1), std::string("none"));
+  QCOMPARE(better(2), std::string("b"));  // as accurate
+  QCOMPARE(better(3), std::string("b"));  // not c, which is slower
+  QCOMPARE(better(4), std::string("b"));  // as fast
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    QCOMPARE(betterThan(rows, k).has_value(), !rows[k].isPareto);
 }
 
 void TestRecommendations::noiseChangesNothing_data() {

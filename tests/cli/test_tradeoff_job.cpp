@@ -60,7 +60,7 @@ class TestTradeoffJob : public QObject {
     QCOMPARE(namesIn("out"), (QStringList{"tradeoff.csv", "tradeoff.png", "tradeoff.svg"}));
     QVERIFY(outcome.out.startsWith("error against the display as built"));
     QImage picture("out/tradeoff.png");
-    QVERIFY(picture.width() > 1500);
+    QCOMPARE(picture.size(), QSize(1440, 1040));
     QList<QStringList> rows = tableOf("out/tradeoff.csv");
     QCOMPARE(rows.takeFirst().join(","),
              QString("method,lens,reconstruction,psf,samples,scale,precision,milliseconds,"
@@ -68,9 +68,10 @@ class TestTradeoffJob : public QObject {
                      "milliseconds_q75,milliseconds_q25,spread,runs,timed_pixels,error_pixels"));
     QVERIFY(rows.size() >= 20);
     const QByteArray svg = contentOf("out/tradeoff.svg");
+    int named = 0;
     for (const QStringList& row : rows) {
       QCOMPARE(row.size(), int(columns));
-      QVERIFY2(svg.contains(row[name].toUtf8()), qPrintable(row[name]));
+      named += svg.contains(row[name].toUtf8()) ? 1 : 0;
       QVERIFY(row[fastest].toDouble() > 0);
       QVERIFY(row[fastest].toDouble() <= row[milliseconds].toDouble());
       QVERIFY(row[milliseconds].toDouble() <= row[upperQuartile].toDouble());
@@ -79,6 +80,8 @@ class TestTradeoffJob : public QObject {
       QCOMPARE(std::isnan(row[spread].toDouble()), row[runs] == "1");
       QCOMPARE(row[errorPixels], QString("1200"));
     }
+    QVERIFY2(named >= 8, qPrintable(QString::number(named)));  // others have no free place
+    QVERIFY(svg.contains("Error against the display as built, RMS in code values"));
   }
 
   void aSmallBudgetHasAllRows() {
@@ -95,7 +98,7 @@ class TestTradeoffJob : public QObject {
       QCOMPARE(rows[k][errorPixels], QString::number(16 * 64 / 2));
       QVERIFY(rows[k][milliseconds].toDouble() > 0 && rows[k][rmse].toDouble() >= 0);
     }
-    QVERIFY(contentOf("out/tradeoff.svg").contains("* on part of the pixels"));
+    QVERIFY(contentOf("out/tradeoff.svg").contains("on part of the pixels"));
     QVERIFY(job({"--budget", "0"}).err.contains("--budget"));
   }
 

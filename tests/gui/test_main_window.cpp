@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStatusBar>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
@@ -142,7 +143,7 @@ class TestMainWindow : public QObject {
     auto* chart = m_window->findChild<TradeoffChartWidget*>();
     QSignalSpy moved(dock->findChild<QProgressBar*>(), &QProgressBar::valueChanged);
     auto* budget = dock->findChild<QSpinBox*>("budgetBox");
-    QCOMPARE(budget->text(), QString("takes at most 60 s"));
+    QCOMPARE(budget->text(), QString("60 s"));
     budget->setValue(2);
     QTest::mouseClick(measure, Qt::LeftButton);
     QVERIFY(!budget->isEnabled());
@@ -152,12 +153,19 @@ class TestMainWindow : public QObject {
     QCoreApplication::processEvents();
     QVERIFY2(moved.count() <= 2, qPrintable(QString::number(moved.count())));
     QTRY_VERIFY_WITH_TIMEOUT(!chart->chart().rows().empty(), patience);
-    const auto& rows = chart->chart().rows();
-    const auto half = std::find_if(
-        rows.begin(), rows.end(), [](const TradeoffRow& row) { return row.method == "half size"; });
-    const auto names = chart->chart().nameBoxes(QSizeF(chart->size()), chart->font());
-    const QRectF name = names[std::size_t(half - rows.begin())];
-    QTest::mouseClick(chart, Qt::LeftButton, {}, name.center().toPoint());
+    auto* table = dock->findChild<QTableWidget*>("methodTable");
+    dock->setFloating(true);
+    dock->resize(1000, 700);
+    QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), patience);
+    const auto clickHalfSize = [table] {
+      const QTableWidgetItem* item = table->findItems("half size", Qt::MatchStartsWith).first();
+      for (const QTableWidgetItem* other : table->findItems("half size*", Qt::MatchWildcard))
+        if (!other->text().contains(',')) item = other;
+      table->scrollToItem(item);
+      QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                        table->visualItemRect(item).center());
+    };
+    clickHalfSize();
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("method: half size"), patience);
 
     const ViewSource scene = loadViewSource(session, {});
@@ -172,11 +180,11 @@ class TestMainWindow : public QObject {
     QVERIFY(equals(view(), exact));
 
     // Another session: neither the chart nor the method is its own.
-    QTest::mouseClick(chart, Qt::LeftButton, {}, name.center().toPoint());
+    clickHalfSize();
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("method: half size"), patience);
     waitForSample();
     QVERIFY(chart->chart().rows().empty());
-    QVERIFY(!m_window->findChild<QPushButton*>("ownMethodButton")->isEnabled());
+    QVERIFY(!m_window->findChild<QPushButton*>("ownMethodButton")->isVisible());
     QVERIFY(!message().contains("method"));
   }
 

@@ -57,9 +57,9 @@ int runTradeoff(const CommandLine& line) {
   const OffscreenPainting painting;
   const TradeoffChart chart(result.rows, "Error against " + questionText(question));
   const Paint paint = [&chart](QPainter& painter, const QSizeF& size) {
-    chart.paint(painter, size);
+    chart.paintFile(painter, size);
   };
-  const QSize size(960, 680);
+  const QSize size(720, 520);
   writeTextFile(folder / "tradeoff.csv", csv(result.rows));
   writeTextFile(folder / "tradeoff.png", pngOf(paint, size));
   writeTextFile(folder / "tradeoff.svg", svgOf(paint, size, "Speed against accuracy"));

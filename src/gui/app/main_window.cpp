@@ -294,7 +294,7 @@ void MainWindow::showView(const RenderedView& view) {
 
 /// Drops what was measured of other views than the session's states are now.
 void MainWindow::forgetMeasurement() {
-  m_ui->tradeoffView->forget(m_loader->isReady());
+  m_ui->tradeoffView->forget(m_loader->isReady(), questionOf(m_model->session().sampling));
 }
 
 std::vector<RenderJob> MainWindow::views() const {

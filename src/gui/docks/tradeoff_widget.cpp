@@ -1,31 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/docks/tradeoff_widget.h"
 
-#include <QHBoxLayout>
+#include <QApplication>
+#include <QHeaderView>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPushButton>
-#include <QSpinBox>
+#include <algorithm>
 
 #include "core/base/parallel.h"
+#include "gui/docks/chart_colours.h"
+#include "gui/docks/method_texts.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
+#include "ui_tradeoff_widget.h"
 
 namespace hogelscope {
+
+namespace {
+
+enum Column { nameColumn, timeColumn, rateColumn, errorColumn };
+
+QIcon markerIcon(const TradeoffRow& row, double ratio) {
+  const int side = scaled(16);
+  QPixmap pixmap(QSize(side, side) * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  ChartColours colours = chartColours();
+  colours.background = Qt::transparent;
+  paintMarker(painter, {side / 2.0, side / 2.0}, 0.3 * side, row, colours);
+  return pixmap;
+}
+
+}  // namespace
 
 TradeoffChartWidget::TradeoffChartWidget(QWidget* parent)
     : QWidget(parent),
       m_chart({}, ""),
       m_saver(new PlotSaver(
-          this, tr("Speed against accuracy"), {900, 560},
-          [this](QPainter& painter, const QSizeF& size) { m_chart.paint(painter, size); })) {
+          this, tr("Speed against accuracy"), {720, 520},
+          [this](QPainter& painter, const QSizeF& size) { m_chart.paintFile(painter, size); })),
+      m_details(new QLabel(this)) {
   m_saver->setEnabled(false);
-  setMinimumSize(420, 260);
-  setObjectName("tradeoffChart");
+  setMinimumSize(320, 80);
+  setMouseTracking(true);
+  m_details->setObjectName("methodDetails");
+  m_details->setTextFormat(Qt::RichText);
+  m_details->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_details->hide();
 }
 
 void TradeoffChartWidget::setChart(TradeoffChart chart) {
+  point(std::nullopt);
   m_chart = std::move(chart);
   m_saver->setEnabled(!m_chart.rows().empty());
   update();
@@ -36,56 +65,98 @@ void TradeoffChartWidget::select(std::optional<std::size_t> row) {
   update();
 }
 
+void TradeoffChartWidget::point(std::optional<std::size_t> row) {
+  if (row == m_chart.pointed()) return;
+  m_chart.point(row);
+  m_details->setVisible(row.has_value());
+  update();
+  if (!row) return;
+  const auto place = m_chart.axes(QSizeF(size()), chartFont()).positionOf(m_chart.rows()[*row]);
+  m_details->setText(detailsOf(m_chart.rows(), *row));
+  m_details->adjustSize();
+  const int gap = scaled(16);
+  QPoint corner = place->toPoint() + QPoint(gap, -gap - m_details->height());
+  if (corner.x() + m_details->width() > width()) corner.rx() -= 2 * gap + m_details->width();
+  if (corner.y() < 0) corner.ry() += 2 * gap + m_details->height();
+  m_details->move(std::max(0, corner.x()), corner.y());
+}
+
 void TradeoffChartWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), Qt::white);
-  m_chart.paint(painter, QSizeF(size()));
+  painter.setFont(chartFont());
+  const ChartColours colours = chartColours();
+  painter.fillRect(rect(), colours.background);
+  if (!m_chart.rows().empty()) return m_chart.paint(painter, QSizeF(size()), colours);
+  painter.setPen(colours.text2);
+  painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                   tr("Nothing is measured yet. Measuring times every method on the session's "
+                      "states and compares its pictures with the reference."));
+}
+
+std::optional<std::size_t> TradeoffChartWidget::rowAt(const QPointF& place) const {
+  return m_chart.rowAt(place, QSizeF(size()), chartFont());
+}
+
+void TradeoffChartWidget::mouseMoveEvent(QMouseEvent* event) {
+  const std::optional<std::size_t> row = rowAt(event->position());
+  setCursor(row ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  point(row);
 }
 
 void TradeoffChartWidget::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;  // the right button opens the menu
-  std::optional<std::size_t> row = m_chart.rowAt(event->position(), QSizeF(size()));
-  if (!row) {
-    const std::vector<QRectF> names = m_chart.nameBoxes(QSizeF(size()), font());
-    for (std::size_t k = 0; k < names.size(); ++k)
-      if (names[k].contains(event->position())) row = k;
-  }
-  if (row) Q_EMIT clicked(*row);
+  if (const auto row = rowAt(event->position())) Q_EMIT clicked(*row);
+}
+
+void TradeoffChartWidget::leaveEvent(QEvent*) {
+  point(std::nullopt);
 }
 
 TradeoffWidget::TradeoffWidget(QWidget* parent)
     : QWidget(parent),
+      m_ui(std::make_unique<Ui::TradeoffWidget>()),
       m_task(new Task(this)),
-      m_chart(new TradeoffChartWidget(this)),
-      m_measureButton(new QPushButton(this)),
-      m_budgetBox(new QSpinBox(this)),
-      m_defaultButton(new QPushButton(tr("Back to the session's own"), this)),
       m_progress(new PolledBar([this] { return m_task->share(); }, this)) {
-  m_measureButton->setObjectName("measureButton");
-  m_defaultButton->setObjectName("ownMethodButton");
-  m_measureButton->setToolTip(tr("Times every method on all states, and compares their pictures"));
-  m_budgetBox->setObjectName("budgetBox");
-  m_budgetBox->setRange(1, 24 * 3600);
-  m_budgetBox->setValue(int(Budget().seconds));
-  m_budgetBox->setPrefix(tr("takes at most "));
-  m_budgetBox->setSuffix(tr(" s"));
-  m_budgetBox->setToolTip(
-      tr("What is slow is measured once and on fewer pixels, so that all methods fit in"));
-  m_defaultButton->setToolTip(tr("The live view is rendered as the session says"));
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_measureButton);
-  buttons->addWidget(m_budgetBox);
-  buttons->addWidget(m_defaultButton);
-  buttons->addWidget(m_progress, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_chart, 1);
-  layout->addLayout(buttons);
-  forgetChoice();
-  showIdle();
-  connect(m_measureButton, &QPushButton::clicked, this, &TradeoffWidget::measureOrStop);
-  connect(m_defaultButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
-  connect(m_chart, &TradeoffChartWidget::clicked, this, [this](std::size_t row) { choose(row); });
+  m_ui->setupUi(this);
+  m_ui->heading->insertWidget(m_ui->heading->indexOf(m_ui->tradeoffStatus), m_progress, 1);
+  m_ui->budgetBox->setValue(int(Budget().seconds));
+  m_ui->ownMethodButton->setIcon(icon("reset"));
+  QHeaderView* header = m_ui->methodTable->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+  m_cards = {m_ui->movingViewCard, m_ui->defaultCard, m_ui->paperCard};
+  connectParts();
+  show(m_question);
+}
+
+TradeoffWidget::~TradeoffWidget() = default;
+
+void TradeoffWidget::connectParts() {
+  connect(m_ui->measureButton, &QPushButton::clicked, this, &TradeoffWidget::measureOrStop);
+  connect(m_ui->ownMethodButton, &QPushButton::clicked, this, [this] { choose(std::nullopt); });
+  connect(m_ui->tradeoffChart, &TradeoffChartWidget::clicked, this,
+          [this](std::size_t row) { choose(row); });
+  const auto chooseLine = [this](int line) { choose(rowOfLine(line)); };
+  connect(m_ui->methodTable, &QTableWidget::cellClicked, this, chooseLine);
+  connect(m_ui->methodTable, &QTableWidget::cellActivated, this, chooseLine);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before) {
+    if (before == m_ui->methodTable) m_ui->tradeoffChart->point(std::nullopt);
+  });
+  connect(m_ui->methodTable, &QTableWidget::currentCellChanged, this, [this](int line) {
+    if (m_ui->methodTable->hasFocus() && line >= 0) m_ui->tradeoffChart->point(rowOfLine(line));
+  });
+  const auto askFor = [this](Question question) {
+    m_hasAsked = true;
+    show(question);
+  };
+  connect(m_ui->displayQuestion, &QToolButton::clicked, this,
+          [askFor] { askFor(Question::displayAsBuilt); });
+  connect(m_ui->idealQuestion, &QToolButton::clicked, this,
+          [askFor] { askFor(Question::idealPicture); });
+  for (const Purpose purpose : purposes)
+    connect(m_cards[std::size_t(purpose)], &QPushButton::clicked, this,
+            [this, purpose] { choose(recommended(rows(), purpose)); });
   connect(m_task, &Task::stopped, this, &TradeoffWidget::showIdle);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
     showIdle();
@@ -93,65 +164,165 @@ TradeoffWidget::TradeoffWidget(QWidget* parent)
   });
 }
 
-void TradeoffWidget::forget(bool canMeasure) {
+bool TradeoffWidget::event(QEvent* event) {
+  if (event->type() == QEvent::Resize) arrange();
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+    show(m_question);
+  return QWidget::event(event);
+}
+
+/// Whether each card is one line.
+bool TradeoffWidget::isLow() const {
+  return height() < scaled(240);
+}
+
+const std::vector<TradeoffRow>& TradeoffWidget::rows() const {
+  return m_ui->tradeoffChart->chart().rows();
+}
+
+/// Shows what fits: chart and heading always, cards and table when something is measured.
+void TradeoffWidget::arrange() {
+  constexpr int wide = 900;  // px; the table is beside the chart from here on
+  constexpr int lowWithTable = 360;
+  constexpr int lowWithTableBelow = 600;
+  const bool isMeasured = !rows().empty();
+  const bool isWide = width() >= scaled(wide);
+  m_ui->body->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  m_ui->methodTable->setVisible(isMeasured &&
+                                height() >= scaled(isWide ? lowWithTable : lowWithTableBelow));
+  for (QPushButton* card : m_cards) {
+    card->setFixedHeight(scaled(isLow() ? 28 : 72));
+    card->setVisible(isMeasured);
+  }
+  showChoice();
+}
+
+void TradeoffWidget::forget(bool canMeasure, Question question) {
   m_canMeasure = canMeasure;
-  m_views.clear();
-  if (!m_chart->chart().rows().empty()) m_chart->setChart(TradeoffChart({}, ""));
-  if (m_task->isRunning())
-    stop();
-  else
-    showIdle();
+  m_results = {};
+  show(m_hasAsked ? m_question : question);
+  if (m_task->isRunning()) stop();
 }
 
 void TradeoffWidget::forgetChoice() {
-  m_chart->select(std::nullopt);
-  m_defaultButton->setEnabled(false);
+  m_hasAsked = false;
+  m_chosen.clear();
+  showChoice();
 }
 
 void TradeoffWidget::stop() {
   m_task->stop();
-  m_measureButton->setText(tr("Stopping…"));
-  m_measureButton->setEnabled(false);
+  m_ui->measureButton->setText(tr("Stopping…"));
+  m_ui->measureButton->setEnabled(false);
 }
 
 void TradeoffWidget::measureOrStop() {
   if (m_task->isRunning()) return stop();
-  m_measureButton->setText(tr("&Stop measuring"));
-  m_budgetBox->setEnabled(false);
-  m_views = m_viewsNow();
+  m_ui->measureButton->setText(tr("&Stop"));
+  m_ui->measureButton->setIcon(icon("stop"));
+  m_ui->budgetBox->setEnabled(false);
+  std::vector<RenderJob> views = m_viewsNow();
+  ask(m_question, views);
   Budget budget;
-  budget.seconds = m_budgetBox->value();
-  m_task->start([this, budget, views = m_views](const Progress& progress) {
-    return [this, tradeoff = measureTradeoff(views, budget, parallelRows, progress)] {
-      show(tradeoff);
-    };
-  });
-  m_progress->setVisible(true);
+  budget.seconds = m_ui->budgetBox->value();
+  m_task->start(
+      [this, budget, question = m_question, views = std::move(views)](const Progress& progress) {
+        const double start = budget.clock();
+        const Tradeoff tradeoff = measureTradeoff(views, budget, parallelRows, progress);
+        return [this, question, result = Result{tradeoff.rows, budget.clock() - start}] {
+          if (m_ui->measureButton->isEnabled())  // no stop was requested just before the end
+            m_results[std::size_t(question)] = result;
+          show(m_question);
+        };
+      });
+  m_ui->tradeoffStatus->hide();
+  m_progress->show();
 }
 
-void TradeoffWidget::show(const Tradeoff& tradeoff) {
-  const bool isWanted = m_measureButton->isEnabled();  // no stop was requested just before the end
-  showIdle();
-  if (!isWanted) return;
-  const std::string question = questionText(questionOf(m_views.front().sampling));
-  const QString title = tr("Error against %1").arg(QString::fromStdString(question));
-  m_chart->setChart(TradeoffChart(tradeoff.rows, title.toStdString()));
+/// Shows what is measured for the question.
+void TradeoffWidget::show(Question question) {
+  m_question = question;
+  const bool isIdeal = question == Question::idealPicture;
+  (isIdeal ? m_ui->idealQuestion : m_ui->displayQuestion)->setChecked(true);
+  const std::vector<TradeoffRow>& rows = m_results[std::size_t(m_question)].rows;
+  m_ui->tradeoffChart->setChart(TradeoffChart(rows, "Error"));
+  fillTable(rows);
+  arrange();
+  if (!m_task->isRunning()) showIdle();
+}
+
+void TradeoffWidget::fillTable(const std::vector<TradeoffRow>& rows) {
+  m_ui->methodTable->setRowCount(0);
+  m_ui->methodTable->verticalHeader()->setDefaultSectionSize(scaled(24));
+  for (const std::size_t k : fastToSlow(rows)) {
+    const TradeoffRow& row = rows[k];
+    const int line = m_ui->methodTable->rowCount();
+    m_ui->methodTable->insertRow(line);
+    const QStringList texts{nameOf(rows, k), figureText(row.milliseconds), rateText(row),
+                            figureText(row.rmse)};
+    for (int column = nameColumn; column <= errorColumn; ++column) {
+      auto* item = new QTableWidgetItem(texts[column]);
+      item->setForeground(row.isPareto ? tokens().text : tokens().text2);
+      if (column > nameColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      m_ui->methodTable->setItem(line, column, item);
+    }
+    m_ui->methodTable->item(line, nameColumn)->setIcon(markerIcon(row, devicePixelRatioF()));
+  }
+}
+
+std::size_t TradeoffWidget::rowOfLine(int line) const {
+  return fastToSlow(rows())[std::size_t(line)];
 }
 
 void TradeoffWidget::choose(std::optional<std::size_t> row) {
-  m_chart->select(row);
-  m_defaultButton->setEnabled(row.has_value());
-  if (row)
-    Q_EMIT methodChosen(methodsFor(m_views)[*row]);
-  else
-    Q_EMIT methodChosen(std::nullopt);
+  std::optional<NamedMethod> method;
+  const std::vector<NamedMethod> methods = namedMethods();
+  if (row) method = *std::ranges::find(methods, rows()[*row].method, &NamedMethod::name);
+  m_chosen = method ? QString::fromStdString(method->name) : QString();
+  showChoice();
+  Q_EMIT methodChosen(method);
+}
+
+/// Shows what was measured, if the heading has room for the whole sentence.
+void TradeoffWidget::showStatus() {
+  const auto& [rows, seconds] = m_results[std::size_t(m_question)];
+  const QString words =
+      tr("%1 methods measured in %2 s").arg(rows.size()).arg(seconds, 0, 'f', seconds < 10 ? 1 : 0);
+  const int room = width() - m_ui->heading->minimumSize().width();
+  const bool fits = m_ui->tradeoffStatus->fontMetrics().horizontalAdvance(words) < room;
+  m_ui->tradeoffStatus->setText(fits && !rows.empty() ? words : QString());
+}
+
+/// Marks the chosen method in chart, table and cards.
+void TradeoffWidget::showChoice() {
+  m_ui->ownMethodButton->setVisible(!m_chosen.isEmpty());
+  showStatus();
+  const std::vector<TradeoffRow>& rows = this->rows();
+  const auto found = std::ranges::find(rows, m_chosen.toStdString(), &TradeoffRow::method);
+  std::optional<std::size_t> row;
+  if (found != rows.end()) row = std::size_t(found - rows.begin());
+  m_ui->tradeoffChart->select(row);
+  for (const Purpose purpose : purposes) {
+    const std::optional<std::size_t> best = recommended(rows, purpose);
+    if (!best) continue;
+    QPushButton* card = m_cards[std::size_t(purpose)];
+    card->setChecked(row == best);
+    card->setAccessibleName(QString::fromStdString(rows[*best].method));
+    card->findChild<QLabel*>()->setText(cardText(purpose, rows[*best], row == best, isLow()));
+  }
+  if (!row) return m_ui->methodTable->clearSelection();
+  const auto lines = fastToSlow(rows);
+  m_ui->methodTable->selectRow(int(std::ranges::find(lines, *row) - lines.begin()));
 }
 
 void TradeoffWidget::showIdle() {
-  m_measureButton->setText(tr("&Measure speed and accuracy"));
-  m_measureButton->setEnabled(m_canMeasure);
-  m_budgetBox->setEnabled(m_canMeasure);
-  m_progress->setVisible(false);
+  const bool isMeasured = !m_results[std::size_t(m_question)].rows.empty();
+  m_ui->measureButton->setText(isMeasured ? tr("&Measure again") : tr("&Measure"));
+  m_ui->measureButton->setIcon(icon("measure"));
+  m_ui->measureButton->setEnabled(m_canMeasure);
+  m_ui->budgetBox->setEnabled(m_canMeasure);
+  m_progress->hide();
+  m_ui->tradeoffStatus->show();
 }
 
 }  // namespace hogelscope

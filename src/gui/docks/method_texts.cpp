@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/docks/method_texts.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <cmath>
+
+#include "chart/tradeoff_chart.h"
+#include "gui/docks/chart_colours.h"
+
+namespace hogelscope {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("hogelscope::TradeoffWidget", text);
+}
+
+QString nameOf(const TradeoffRow& row) {
+  return QString::fromStdString(row.method).toHtmlEscaped();
+}
+
+QString styled(const QColor& colour, TextSize size, const QString& words) {
+  return QString("<span style='color:%1; font-size:%2px'>%3</span>")
+      .arg(colour.name())
+      .arg(scaled(int(size)))
+      .arg(words);
+}
+
+constexpr std::array titles{"Moving view", "Default", "For a paper"};  // of each Purpose
+
+}  // namespace
+
+QString rateText(const TradeoffRow& row) {
+  return figureText(1000 / row.milliseconds);
+}
+
+QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t which) {
+  const TradeoffRow& row = rows[which];
+  const double spread = spreadOf(row);
+  const QString runs =
+      std::isnan(spread) ? tr(", timed once") : tr(" ± %1 %").arg(figureText(100 * spread));
+  const QString error = row.rmse > 0 ? tr("RMS <b>%1</b> · PSNR <b>%2 dB</b>")
+                                           .arg(figureText(row.rmse))
+                                           .arg(row.psnr, 0, 'f', 1)
+                                     : tr("no error");
+  QString text =
+      QString("<b>%1</b><br>%2%3 · <b>%4</b> %5<br>%6")
+          .arg(nameOf(row), timeText(row.milliseconds), runs, rateText(row), tr("views/s"), error);
+  const auto note = [&text](const QString& words) {
+    text += "<br>" + styled(tokens().text2, TextSize::caption, words);
+  };
+  if (const auto better = betterThan(rows, which)) {
+    const bool isFaster = rows[*better].milliseconds < row.milliseconds;
+    const bool isBetter = rows[*better].rmse < row.rmse;
+    note(tr("%1 is %2 and %3")
+             .arg(nameOf(rows[*better]), isFaster ? tr("faster") : tr("as fast"),
+                  isBetter ? tr("better") : tr("as accurate")));
+  }
+  if (row.isSampled) note(tr("measured on part of the pixels"));
+  return text;
+}
+
+QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLine) {
+  const Tokens& t = tokens();
+  const QString ring =
+      styled(ringColour(purpose, chartColours()), TextSize::base, QStringLiteral("<b>○</b> "));
+  const QString title = ring + styled(t.text2, TextSize::base, tr(titles[std::size_t(purpose)]));
+  const QString error = row.rmse > 0 ? tr("error %1").arg(figureText(row.rmse)) : tr("no error");
+  const QString figures =
+      styled(t.text2, TextSize::caption,
+             tr("%1 · %2 views/s · %3").arg(timeText(row.milliseconds), rateText(row), error));
+  const QString use = styled(isUsed ? t.focus : t.text2, TextSize::caption,
+                             isUsed ? tr("in use") : tr("click to use"));
+  const QString name = "<b>" + nameOf(row) + "</b>";
+  const QString lines =
+      isLine ? "<tr><td>%1%2 &nbsp; %3 &nbsp; %4</td></tr>"
+             : "<tr><td>%1</td><td align=right>%2</td></tr><tr><td colspan=2>%3</td></tr>"
+               "<tr><td colspan=2>%4</td></tr>";
+  return "<table width='100%' cellspacing=0 cellpadding=1 style='white-space:nowrap'>" +
+         lines.arg(title, isLine ? "" : use,
+                   styled(isLine && isUsed ? t.focus : t.text,
+                          isLine ? TextSize::base : TextSize::title, name),
+                   figures) +
+         "</table>";
+}
+
+}  // namespace hogelscope

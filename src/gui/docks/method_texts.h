@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts of measured methods, as HTML in the colours of the scheme in use.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "chart/recommendations.h"
+#include "study/tradeoff.h"
+
+namespace hogelscope {
+
+/// Returns a number of views per second such as "11".
+QString rateText(const TradeoffRow& row);
+/// Returns name, time, error and a better method of a measured row.
+QString detailsOf(const std::vector<TradeoffRow>& rows, std::size_t row);
+/// Returns the text of the button for the recommended row, in one line or three. `isUsed`: the live
+/// view is rendered by the method.
+QString cardText(Purpose purpose, const TradeoffRow& row, bool isUsed, bool isLine);
+
+}  // namespace hogelscope
