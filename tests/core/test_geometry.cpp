@@ -49,6 +49,7 @@ class TestGeometry : public QObject {
   void poseIsVtkTransforms();
   void poseIsVtkProps();
   void inverseTakesBack();
+  void nearestOfALine();
 };
 
 void TestGeometry::products() {
@@ -153,6 +154,21 @@ void TestGeometry::inverseTakesBack() {
     QVERIFY(distance(back.direction(there.direction(p)), p) < 1e-13);
     QVERIFY(distance(there.point(p) - there.point({0, 0, 0}), there.direction(p)) < 1e-13);
   }
+}
+
+/// Two lines whose nearest points are known: they are one normal apart.
+void TestGeometry::nearestOfALine() {
+  Random random(7);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 origin = randomVector(random, 3);
+    const Vec3 direction = randomVector(random, 2);
+    const Vec3 along = randomVector(random, 2);
+    const double s = random.uniform(-4, 4);
+    const Vec3 other = origin + s * direction + random.uniform(-2, 2) * cross(direction, along) +
+                       random.uniform(-2, 2) * along;
+    QVERIFY(std::abs(nearestOnLine(origin, direction, other, along) - s) < 1e-6);
+  }
+  QCOMPARE(nearestOnLine({1, 2, 3}, {1, 1, 0}, {4, 5, 6}, {2, 2, 0}), 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestGeometry)

@@ -106,6 +106,39 @@ class TestViewingZone : public QObject {
     }
     QVERIFY(*std::min_element(points.begin(), points.end()) > 500);
   }
+
+  /// The outline's corners are as far in front as the point, and just inside them the whole panel,
+  /// or a part of it, is seen, and just outside it is not.
+  void outlinesAtAPoint() {
+    Random random(33);
+    int outlines = 0;
+    for (int k = 0; k < 400; ++k) {
+      const PanelParams display = randomDisplay(random);
+      const RigidTransform worldFromDisplay =
+          transformFromPose(display.position, display.orientation);
+      const Vec3 local{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.5, 4)};
+      const Vec3 point = worldFromDisplay.point(display.size[0] * local);
+      for (const ViewingZone zone : {ViewingZone::someOfThePanel, ViewingZone::wholePanel}) {
+        const double least = zone == ViewingZone::wholePanel ? 1 - 1e-9 : 1e-12;
+        const std::vector<Vec3> corners = zoneAt(display, zone, point);
+        if (corners.empty()) {
+          QVERIFY(zone == ViewingZone::wholePanel || local.z <= 0);
+          continue;
+        }
+        ++outlines;
+        QCOMPARE(corners.size(), std::size_t(4));
+        const Vec3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+        for (const Vec3& corner : corners) {
+          const double z = worldFromDisplay.inverse().point(corner).z;
+          QVERIFY(std::abs(z - display.size[0] * local.z) < 1e-9);
+          const Vec3 way = corner - middle;
+          QVERIFY(shareSeenFrom(display, middle + 0.999 * way) > least);
+          QVERIFY(!(shareSeenFrom(display, middle + 1.001 * way) > least));
+        }
+      }
+    }
+    QVERIFY2(outlines > 300, qPrintable(QString::number(outlines)));
+  }
 };
 
 QTEST_APPLESS_MAIN(TestViewingZone)

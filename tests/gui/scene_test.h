@@ -13,6 +13,7 @@
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/scene/vtk_widget.h"
+#include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
 #include "io/scene/view_source.h"
 #include "tests/gui/pattern_file.h"
@@ -60,6 +61,8 @@ class SceneTest : public WindowTest {
   hogelscope::DisplayScene& scene() const { return controller()->scene(); }
   hogelscope::VtkWidget* widget() const { return m_window->findChild<hogelscope::VtkWidget*>(); }
   QImage drawn() const { return widget()->image(); }
+  /// Returns the scene with what is painted over it.
+  QImage painted() const { return widget()->grab().toImage(); }
   QString readout() const { return child<QLabel>("sceneReadout")->text(); }
   int current() const { return child<QComboBox>("stateBox")->currentIndex(); }
   QDoubleSpinBox* spinBox(const char* name) const {
@@ -84,6 +87,19 @@ class SceneTest : public WindowTest {
     renderer->WorldToDisplay();
     const double* at = renderer->GetDisplayPoint();
     return {int(at[0]), widget()->height() - 1 - int(at[1])};
+  }
+  void drag(const QPoint& from, const QPoint& to) {
+    QTest::mouseMove(widget(), from);
+    QTest::mousePress(widget(), Qt::LeftButton, {}, from);
+    // Windows of X tell a moving pointer of its buttons; QTest::mouseMove does not.
+    for (int k = 1; k <= 5; ++k) {
+      const QPoint at = from + (to - from) * k / 5;
+      QMouseEvent move(QEvent::MouseMove, at, widget()->mapToGlobal(at), Qt::NoButton,
+                       Qt::LeftButton, {});
+      QCoreApplication::sendEvent(widget(), &move);
+    }
+    QTest::mouseRelease(widget(), Qt::LeftButton, {}, to);
+    QTest::qWait(50);
   }
   void click(const QPoint& at) {
     QTest::mouseClick(widget(), Qt::LeftButton, {}, at);

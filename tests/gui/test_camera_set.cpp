@@ -10,6 +10,7 @@
 #include "gui/docks/camera_set_widget.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
+#include "gui/widgets/colours.h"
 #include "tests/gui/shown_image.h"
 #include "tests/gui/window_test.h"
 
@@ -64,7 +65,7 @@ class TestCameraSet : public WindowTest {
     };
     const std::size_t perState = frusta() / (16 + 3);
     QVERIFY(perState > 10);
-    QVERIFY(count(child<VtkWidget>("sceneWidget")->image(), QColor(190, 140, 230)) > 50);
+    QVERIFY(count(child<VtkWidget>("sceneWidget")->image(), tokens().focus) > 50);
     m_sets->findChild<QSpinBox*>("count")->setValue(7);
     QCOMPARE(m_previews->size(), 2);
     QCOMPARE(last().size(), std::size_t(7));
@@ -88,7 +89,7 @@ class TestCameraSet : public WindowTest {
     QCOMPARE(last().size(), std::size_t(5));
     child<QDockWidget>("cameraSetDock")->hide();
     QVERIFY(last().empty());
-    QCOMPARE(count(child<VtkWidget>("sceneWidget")->image(), QColor(190, 140, 230)), 0);
+    QCOMPARE(count(child<VtkWidget>("sceneWidget")->image(), tokens().focus), 0);
     QCOMPARE(m_previews->size(), 7);
     m_sets->findChild<QSpinBox*>("count")->setValue(6);
     QCOMPARE(m_previews->size(), 7);  // nobody sees it

@@ -21,6 +21,7 @@
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/state_commands.h"
 #include "gui/view/image_widget.h"
+#include "gui/widgets/colours.h"
 #include "gui/widgets/task.h"
 #include "io/documents/session_file.h"
 #include "io/scene/view_source.h"
@@ -77,17 +78,17 @@ class TestMainWindow : public QObject {
     waitForSample();
     m_window->findChild<QAction*>("scenePanelPictureAction")->trigger();  // off
     const QImage scene = m_window->findChild<VtkWidget*>()->image();
-    QVERIFY(count(scene, QColor(61, 71, 92)) > 5000);     // panel
-    QVERIFY(count(scene, QColor(128, 148, 179)) > 2000);  // grid
-    QVERIFY(count(scene, QColor(255, 166, 38)) > 100);    // the current frustum
+    QVERIFY(count(scene, QColor(61, 71, 92)) > 5000);  // panel
+    QVERIFY(count(scene, tokens().text3) > 2000);      // grid
+    QVERIFY(count(scene, tokens().eye) > 100);         // the current frustum
     m_window->grab().save(QCoreApplication::applicationDirPath() + "/main_window.png");
   }
 
   void otherStatesHaveTheirFrusta() {
     waitForSample();
     editor<QDoubleSpinBox>("cameraArea", "eye.0")->setValue(0.3);
-    QTRY_VERIFY_WITH_TIMEOUT(
-        count(m_window->findChild<VtkWidget*>()->image(), QColor(140, 191, 153)) > 50, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(count(m_window->findChild<VtkWidget*>()->image(), tokens().text3) > 50,
+                             patience);
   }
 
   void movingASliderChangesTheImage() {

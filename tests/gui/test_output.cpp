@@ -110,6 +110,7 @@ class TestOutput : public SceneTest {
   void viewsAreAskedFor();
   void viewsThatCannotBeWritten();
   void sceneOfDoubleSize();
+  void sceneForFigures();
   void sceneInOtherFormats();
   void sceneAsVtp();
   void sceneAsGltf();
@@ -273,13 +274,50 @@ void TestOutput::sceneOfDoubleSize() {
   const double share = double(near) / (small.width() * small.height());
   QVERIFY2(share > 0.95, qPrintable(QString::number(share)));
   // The current state's frustum, which is 3 px thick, lies on those of other states.
-  const QColor orange(255, 166, 38);
+  const QColor orange = tokens().eye;
   const double thick = double(count(picture, orange)) / count(before, orange);
   QVERIFY2(thick > 2.5 && thick < 6, qPrintable(QString::number(thick)));
   QTest::qWait(100);
   const QImage after = drawn();
   QCOMPARE(after.size(), before.size());
   QVERIFY(std::abs(count(after, orange) - count(before, orange)) < 20);
+}
+
+/// Corners are background, and what is in the scene stands before it, in the light scheme's ink.
+void TestOutput::sceneForFigures() {
+  press(Qt::Key_F5);
+  QTest::qWait(200);
+  const QColor shown = drawn().pixelColor(2, 2);
+  const auto saved = [this](const QString& name, SceneBackground background) {
+    return said(scenes(), [&] { scenes()->savePicture(path(name), {600, 400}, background); });
+  };
+  QVERIFY(saved("out/white.png", SceneBackground::white).contains("Saved"));
+  const QImage white(path("out/white.png"));
+  QCOMPARE(white.pixelColor(2, 2), QColor(Qt::white));
+  QVERIFY(!white.hasAlphaChannel());
+  QVERIFY(count(white, lightTokens().eye) > 50);
+  for (const char* name : {"out/clear.png", "out/clear.tif"}) {
+    QVERIFY(saved(name, SceneBackground::transparent).contains("Saved"));
+    QCOMPARE(specOf(path(name)).nchannels, 4);
+    const auto values = valuesOf<unsigned char>(path(name));
+    QCOMPARE(values[4 * (2 * 600 + 2) + 3], 0);
+    QCOMPARE(values[4 * (200 * 600 + 300) + 3], 255);  // the panel
+    // Half covered pixels have the colour of what covers them, not one mixed with black.
+    int edges = 0;
+    for (std::size_t at = 0; at < values.size(); at += 4) {
+      const int alpha = values[at + 3];
+      if (alpha <= 60 || alpha >= 160) continue;
+      const auto whole = [&](std::size_t channel) {  // OpenImageIO has multiplied it by alpha
+        return std::min(255, (255 * values[at + channel] + alpha / 2) / alpha);
+      };
+      if (distance(QColor(whole(0), whole(1), whole(2)), lightTokens().axes[1]) < 30) ++edges;
+    }
+    QVERIFY2(edges > 10, qPrintable(QString::number(edges)));
+  }
+  QVERIFY(saved("out/clear.jpg", SceneBackground::transparent).contains("transparent"));
+  QVERIFY(!QFileInfo::exists(path("out/clear.jpg")));
+  QTest::qWait(100);
+  QCOMPARE(drawn().pixelColor(2, 2), shown);
 }
 
 void TestOutput::sceneInOtherFormats() {

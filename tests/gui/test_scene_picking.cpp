@@ -2,7 +2,9 @@
 // The pointer in the 3-D scene of the real window: clicks frusta, hogels and pixels, drags handles.
 #include <QAction>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QToolTip>
+#include <QUndoStack>
 
 #include "core/optics/pixel_inspection.h"
 #include "gui/view/image_widget.h"
@@ -11,29 +13,8 @@
 
 using namespace hogelscope;
 
-namespace {
-
-const QColor rayColour(255, 64, 115);
-
-}  // namespace
-
 class TestScenePicking : public SceneTest {
   Q_OBJECT
-
- private:
-  void drag(const QPoint& from, const QPoint& to) {
-    QTest::mouseMove(widget(), from);
-    QTest::mousePress(widget(), Qt::LeftButton, {}, from);
-    // Windows of X tell a moving pointer of its buttons; QTest::mouseMove does not.
-    for (int k = 1; k <= 5; ++k) {
-      const QPoint at = from + (to - from) * k / 5;
-      QMouseEvent move(QEvent::MouseMove, at, widget()->mapToGlobal(at), Qt::NoButton,
-                       Qt::LeftButton, {});
-      QCoreApplication::sendEvent(widget(), &move);
-    }
-    QTest::mouseRelease(widget(), Qt::LeftButton, {}, to);
-    QTest::qWait(50);
-  }
 
  private Q_SLOTS:
   void init() { start(); }
@@ -81,9 +62,99 @@ class TestScenePicking : public SceneTest {
     QVERIFY(m_window->isWindowModified());
   }
 
+  /// Seen from the right, z points left and y up.
+  void anArrowMovesAlongOneAxis() {
+    press(Qt::Key_F7);
+    const Vec3 before = edited("eye");
+    const QPoint ball = onScreen(before);
+    const int steps = m_model->undoStack()->count();
+    QVERIFY(count(painted(), tokens().axes[2]) > 60);
+    drag(ball + QPoint(-35, 0), ball + QPoint(-75, 30));
+    QCOMPARE(edited("eye").x, before.x);
+    QCOMPARE(edited("eye").y, before.y);
+    QVERIFY(edited("eye").z > before.z + 0.01);
+    const QPoint after = onScreen(edited("eye"));
+    QVERIFY2(std::abs(after.x() - (ball.x() - 40)) <= 2, qPrintable(QString::number(after.x())));
+    QCOMPARE(m_model->undoStack()->count(), steps + 1);
+    const double z = edited("eye").z;
+    drag(after + QPoint(0, -35), after + QPoint(-10, -65));
+    QCOMPARE(edited("eye").x, before.x);
+    QCOMPARE(edited("eye").z, z);
+    QVERIFY(std::abs(onScreen(edited("eye")).y() - (after.y() - 30)) <= 2);
+    child<QAction>("undoAction")->trigger();
+    child<QAction>("undoAction")->trigger();
+    QVERIFY(isNear(edited("eye"), before, 0));
+    // x points at the scene's eye, so nothing is there to be dragged.
+    for (const AxisArrow& arrow : scene().handles().arrows()) QVERIFY(arrow.axis != 0);
+  }
+
+  /// In a parallel projection every pixel is as long, so that the way is known exactly.
+  void anArrowOfAnotherBall() {
+    child<QAction>("sceneParallelAction")->trigger();
+    press(Qt::Key_F7);
+    const Vec3 before = edited("lookat");
+    const QPoint ball = onScreen(before);
+    click(ball);  // the arrows go there
+    drag(ball + QPoint(-35, 0), ball + QPoint(-65, 20));
+    const double way = 30 * scene().pixelOnPanel();
+    QVERIFY2(std::abs(edited("lookat").z - before.z - way) < 0.05 * way,
+             qPrintable(QString::number(edited("lookat").z)));
+    QCOMPARE(edited("lookat").x, before.x);
+    QCOMPARE(edited("lookat").y, before.y);
+    QVERIFY(isNear(edited("eye"), m_session.cameras[0].camera.eye, 0));
+  }
+
+  void aLengthIsMeasured() {
+    press(Qt::Key_F5);
+    const int state = current();
+    const auto linePixels = [this] {  // below the buttons, which have this colour too
+      return count(painted().copy(0, 60, widget()->width(), widget()->height() - 60),
+                   tokens().focus);
+    };
+    QTest::keyClick(m_window.get(), Qt::Key_M, Qt::AltModifier | Qt::ShiftModifier);
+    QVERIFY(child<QAction>("sceneMeasureAction")->isChecked());
+    QVERIFY(child<QToolButton>("sceneMeasureButton")->isChecked());
+    QVERIFY2(readout().contains("click the first point"), qPrintable(readout()));
+    QCOMPARE(linePixels(), 0);
+    click(onScreen({-0.25, -0.25, 0}) + QPoint(2, -2));
+    QVERIFY2(readout().contains("click the second point"), qPrintable(readout()));
+    click(onScreen({0.25, 0.25, 0}));
+    QVERIFY2(readout().endsWith("Distance 0.7071 m · Δx 0.5 m, Δy 0.5 m, Δz 0 m"),
+             qPrintable(readout()));
+    QVERIFY(linePixels() > 200);
+    click(QPoint(5, widget()->height() / 2));  // nothing is there
+    QVERIFY(readout().contains("0.7071 m"));
+    // A third click begins anew: a point of the panel, then an eye.
+    click(onScreen({0.1, -0.2, 0}));
+    QVERIFY(readout().contains("click the second point"));
+    const Vec3 eye = m_session.cameras[2].camera.eye;
+    click(onScreen(eye));
+    QCOMPARE(scene().measured().size(), std::size_t(2));
+    QVERIFY(isNear(scene().measured()[0], {0.1, -0.2, 0}, 2 * scene().pixelOnPanel()));
+    QVERIFY(isNear(scene().measured()[1], eye, 0));
+    QCOMPARE(current(), state);  // nothing is picked meanwhile
+    press(Qt::Key_Escape);
+    QVERIFY(!child<QAction>("sceneMeasureAction")->isChecked() && scene().measured().empty());
+    QVERIFY(readout().contains("Click a frustum"));
+    QCOMPARE(linePixels(), 0);
+  }
+
+  void buttonsOverTheScene() {
+    QVERIFY(child<QToolButton>("scenePanelPictureButton")->isChecked());
+    QTest::mouseClick(child<QToolButton>("sceneZoneButton"), Qt::LeftButton);
+    QVERIFY(scene().zone().isVisible());
+    scene().turn(20, 0);
+    const CameraParams turned = scene().eye();
+    QTest::mouseClick(child<QToolButton>("fitButton"), Qt::LeftButton);
+    QVERIFY(!(scene().eye() == turned));
+    for (const char* name : {"scenePanelPictureButton", "sceneZoneButton", "sceneGridButton",
+                             "sceneMeasureButton", "fitButton"})
+      QVERIFY2(!child<QToolButton>(name)->icon().isNull(), name);
+  }
+
   void draggingTheSceneTurnsIt() {
     const Vec3 before = scene().eye().eye;
-    drag(QPoint(20, 20), QPoint(90, 60));
+    drag(QPoint(20, 60), QPoint(90, 100));
     QVERIFY(!isNear(scene().eye().eye, before, 0.05));
     QVERIFY(!m_window->isWindowModified());
     QVERIFY(readout().contains("Click a frustum"));  // that was no click
@@ -111,7 +182,7 @@ class TestScenePicking : public SceneTest {
                                            std::to_string(int(traced.place->j)));
     QVERIFY(scene().picked().hasRay() && !scene().picked().label().empty());
     press(Qt::Key_F7);
-    QVERIFY(count(drawn(), rayColour) > 50);
+    QVERIFY(count(drawn(), tokens().series[3]) > 50);
     // An edit moves the ray; another state has none.
     edit("eye.1", 0.05);
     QVERIFY(readout() != before);
@@ -150,7 +221,7 @@ class TestScenePicking : public SceneTest {
     press(Qt::Key_Escape);
     QVERIFY(!scene().picked().hasRay() && scene().picked().label().empty());
     QVERIFY(readout().contains("Click a frustum") && !remove->isEnabled());
-    QCOMPARE(count(drawn(), rayColour), 0);
+    QCOMPARE(count(drawn(), tokens().series[3]), 0);
     edit("eye.1", 0.05);  // it does not come back
     QVERIFY(!scene().picked().hasRay());
     press(Qt::Key_F5);

@@ -15,7 +15,6 @@
 #include "vtk/vtkCameraFrustumSource.h"
 #include "vtk/vtkHogelDisplaySource.h"
 #include "vtk/vtkHogelFieldSource.h"
-#include "vtk/vtkScaleBarSource.h"
 
 using namespace hogelscope;
 
@@ -164,22 +163,6 @@ class TestSources : public QObject {
       QVERIFY(std::abs(below->u - 3.5) < 1e-9 && std::abs(below->v - 40) < 1e-9);
       QVERIFY(isNear(core.displayFromWorld().point(point(source->GetOutput(0), 0)),
                      {-0.2 + 2.5 * 0.05, 0.1 - 3.5 * 0.05, 0}));
-    }
-  }
-
-  void scaleBarIsRound() {
-    const vtkNew<vtkScaleBarSource> source;
-    PanelParams display;
-    const std::array<std::array<double, 2>, 6> lengths{
-        {{0.5, 0.2}, {0.2, 0.1}, {0.19, 0.05}, {1, 0.5}, {7, 2}, {0.003, 0.001}}};
-    for (const auto& [width, length] : lengths) {
-      display.size = {width, 0.1};
-      source->SetDisplay(display);
-      source->Update();
-      QVERIFY(std::abs(source->GetLength() - length) < 1e-12);
-      const Vec3 ends[2] = {point(source->GetOutput(), 0), point(source->GetOutput(), 1)};
-      QVERIFY(isNear(ends[1] - ends[0], {length, 0, 0}));
-      QVERIFY(ends[0].y < -0.05 && source->GetLabelPosition().y < ends[0].y);
     }
   }
 

@@ -87,4 +87,20 @@ std::vector<ZoneSection> sectionsOf(const PanelParams& display, ViewingZone zone
   return sections;
 }
 
+std::vector<Vec3> zoneAt(const PanelParams& display, ViewingZone zone, const Vec3& point) {
+  const double z =
+      transformFromPose(display.position, display.orientation).inverse().point(point).z;
+  const std::vector<ZoneSection> sections = sectionsOf(display, zone, z);
+  if (sections.empty() || sections.back().z != z) return {};
+  return cornersOf(display, sections.back());
+}
+
+std::vector<Vec3> cornersOf(const PanelParams& display, const ZoneSection& section) {
+  const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
+  const auto& [z, low, high] = section;
+  return {worldFromDisplay.point({low[0], low[1], z}), worldFromDisplay.point({high[0], low[1], z}),
+          worldFromDisplay.point({high[0], high[1], z}),
+          worldFromDisplay.point({low[0], high[1], z})};
+}
+
 }  // namespace hogelscope

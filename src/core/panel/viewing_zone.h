@@ -28,4 +28,11 @@ struct ZoneSection {
 /// no zone.
 std::vector<ZoneSection> sectionsOf(const PanelParams& display, ViewingZone zone, double farthest);
 
+/// Returns the corners of a viewing zone's section as far in front of the panel as a point of the
+/// world: in the world, in order around it. Empty if the zone does not reach there.
+std::vector<Vec3> zoneAt(const PanelParams& display, ViewingZone zone, const Vec3& point);
+
+/// Returns a section's corners in the world, in order around it.
+std::vector<Vec3> cornersOf(const PanelParams& display, const ZoneSection& section);
+
 }  // namespace hogelscope

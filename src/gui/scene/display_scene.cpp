@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/display_scene.h"
 
-#include <vtkAxesActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
-#include <vtkOrientationMarkerWidget.h>
 #include <vtkProp.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 
+#include <QLineF>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 #include "core/optics/scene_eyes.h"
+#include "gui/scene/scene_actor.h"
+#include "gui/scene/scene_overlay.h"
 #include "gui/scene/vtk_widget.h"
 #include "vtk/line_picker.h"
 
@@ -55,15 +57,15 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
       m_handles(m_renderer, widget.interactor(), nullptr),
       m_eyeTimer(new QTimer(this)) {
   m_widget.renderWindow()->AddRenderer(m_renderer);
-  m_renderer->SetBackground(0.13, 0.14, 0.17);
-  m_marker->SetOrientationMarker(m_axes);
-  m_marker->SetInteractor(m_widget.interactor());
-  m_marker->SetViewport(0, 0, 0.2, 0.2);
-  m_marker->EnabledOn();
-  m_marker->InteractiveOff();
+  setColours(tokens(), tokens().canvas);
+  connect(&m_widget, &VtkWidget::coloursChanged, this,
+          [this] { setColours(tokens(), tokens().canvas); });
+  connect(&m_widget, &VtkWidget::painted, this,
+          [this](QPainter& painter) { paintOver(painter, true); });
+  connect(&m_handles, &SceneHandles::arrowsChanged, &m_widget, qOverload<>(&QWidget::update));
   m_eyeTimer->setSingleShot(true);
   connect(m_eyeTimer, &QTimer::timeout, this, &DisplayScene::adjustToEye);
-  connect(&m_widget, &VtkWidget::resized, this, &DisplayScene::adjustToWindow);
+  connect(&m_widget, &VtkWidget::resized, this, &DisplayScene::keepFitted);
   // Restarts the timer, because a turn modifies the camera several times.
   m_renderer->GetActiveCamera()->AddObserver(vtkCommand::ModifiedEvent, m_eyeTimer,
                                              static_cast<void (QTimer::*)()>(&QTimer::start));
@@ -71,13 +73,73 @@ DisplayScene::DisplayScene(VtkWidget& widget, QObject* parent)
 
 DisplayScene::~DisplayScene() {
   m_renderer->GetActiveCamera()->RemoveAllObservers();
-  m_marker->SetInteractor(nullptr);
+}
+
+void DisplayScene::setColours(const Tokens& colours, const QColor& background) {
+  m_colours = &colours;
+  m_background = background;
+  m_renderer->SetBackground(background.redF(), background.greenF(), background.blueF());
+  m_renderer->SetBackgroundAlpha(background.alphaF());
+  m_panel.setColours(colours);
+  m_frusta.setColours(colours);
+  m_zone.setColours(colours);
+  m_picked.setColours(colours);
+  m_widget.redraw();
+}
+
+void DisplayScene::paintOver(QPainter& painter, bool hasArrows) const {
+  const double ratio = m_widget.devicePixelRatioF();
+  const RigidTransform view = viewOf(*m_renderer);
+  SceneOverlay overlay;
+  overlay.axes = {view.xAxis, view.yAxis, view.zAxis};
+  if (hasArrows) overlay.arrows = m_handles.arrows();
+  const double reach = 0.65 * std::max(m_display.size[0], m_display.size[1]);  // beyond its edges
+  if (m_hasAxes)
+    std::ranges::copy(arrowsAt(*m_renderer, {}, reach), std::back_inserter(overlay.arrows));
+  for (AxisArrow& arrow : overlay.arrows) {
+    arrow.from /= ratio;
+    arrow.to /= ratio;
+  }
+  if (m_hasScaleBar) overlay.pixelSize = ratio * pixelSizeAt(*m_renderer, m_display.position);
+  const auto outline = [&](const std::vector<Vec3>& corners) {
+    QPolygonF polygon;
+    for (const Vec3& corner : corners)
+      if (const auto at = onScreen(*m_renderer, corner)) polygon << *at / ratio;
+    return polygon.size() == qsizetype(corners.size()) ? polygon : QPolygonF();
+  };
+  overlay.wholeZone = outline(m_wholeZone);
+  overlay.someZone = outline(m_someZone);
+  if (!QRectF(m_widget.rect()).contains(overlay.someZone.boundingRect())) overlay.someZone.clear();
+  const PsnrScale& psnr = m_frusta.psnr();
+  overlay.psnr = psnr.range();
+  QColor eyeColour = m_colours->eye;
+  if (psnr.hasValue(m_current)) {  // the current frustum keeps its colour
+    const auto [r, g, b] = psnr.colour(m_current);
+    eyeColour = QColor(r, g, b);
+  }
+  for (const auto& [ball, colour] :
+       {std::pair(SceneBall::mesh, m_colours->good), std::pair(SceneBall::lookat, m_colours->text),
+        std::pair(SceneBall::eye, eyeColour)})
+    if (const auto at = m_handles.ballAt(ball)) overlay.balls.emplace_back(*at / ratio, colour);
+  for (const Vec3& point : m_measured)
+    if (const auto at = onScreen(*m_renderer, point)) overlay.measured.push_back(*at / ratio);
+  if (m_measured.size() == 2)
+    overlay.distance = SceneText::length(length(m_measured[1] - m_measured[0]));
+  if (const std::string label = m_picked.label(); !label.empty())
+    if (const auto at = onScreen(*m_renderer, m_picked.labelPlace())) {
+      overlay.label = QString::fromStdString(label);
+      overlay.labelPlace = *at / ratio;
+    }
+  overlay.paint(painter, m_widget.size(), *m_colours, m_background);
 }
 
 void DisplayScene::redraw() {
   m_renderer->ResetCameraClippingRange();
   const vtkMTimeType last = changedAt();
-  if (std::exchange(m_drawnAt, last) != last) m_widget.redraw();
+  if (std::exchange(m_drawnAt, last) != last)
+    m_widget.redraw();
+  else
+    m_widget.update();  // what is painted over it
 }
 
 /// Returns VTK's time of the last change of the eye or of anything in the scene.
@@ -99,12 +161,20 @@ void DisplayScene::show(const PanelParams& display, const std::vector<CameraStat
   double farthest = 2 * std::max(display.size[0], display.size[1]);
   for (const CameraState& state : states)
     farthest = std::max(farthest, 1.1 * length(state.camera.eye - display.position));
-  m_zone.show(display, farthest);
+  m_current = current;
   const bool hasCurrent = current < states.size() && hasFrame(states[current].camera);
-  if (hasCurrent)
-    m_handles.showAt(states[current].camera.eye, states[current].camera.lookat);
-  else
-    m_handles.hide();
+  m_zone.show(display, farthest);
+  const Vec3 eye = hasCurrent ? states[current].camera.eye : display.position;
+  m_wholeZone = zoneAt(display, ViewingZone::wholePanel, eye);
+  m_someZone = zoneAt(display, ViewingZone::someOfThePanel, eye);
+  m_marks = panelCorners();
+  for (const CameraState& state : states) m_marks.push_back(state.camera.eye);
+  const auto place = [&](Vec3 CameraParams::*point) {
+    return hasCurrent ? std::optional(states[current].camera.*point) : std::nullopt;
+  };
+  m_handles.show(SceneBall::eye, place(&CameraParams::eye));
+  m_handles.show(SceneBall::lookat, place(&CameraParams::lookat));
+  if (hasCurrent) m_marks.push_back(states[current].camera.lookat);
   redraw();
 }
 
@@ -119,13 +189,11 @@ double DisplayScene::pixelOnPanel() const {
 void DisplayScene::adjustToEye() {
   constexpr double leastPixels = 8;  // between two grid lines
   m_panel.setGridSpacing(leastPixels * pixelOnPanel());
-  m_handles.setSceneEye(eye().eye);
   redraw();
   Q_EMIT eyeChanged();
 }
 
-/// Fits the scene into the resized window if the eye has not been moved since the last fit.
-void DisplayScene::adjustToWindow() {
+void DisplayScene::keepFitted() {
   if (m_fitted == eye()) fitDistance();
   m_eyeTimer->start();
 }
@@ -137,7 +205,13 @@ void DisplayScene::look(const Vec3& target, const Vec3& from, const Vec3& up) {
   camera->SetViewUp(up.x, up.y, up.z);
 }
 
-/// Returns the corners of panel, frusta and mesh. Axes, handles and labels are not fitted.
+std::vector<Vec3> DisplayScene::panelCorners() const {
+  const auto [width, height] = m_display.size;
+  return cornersOf(m_display, {0, {-width / 2, -height / 2}, {width / 2, height / 2}});
+}
+
+/// Returns the corners of panel, frusta, mesh and the zone's outline. Axes and handles are not
+/// fitted.
 std::vector<Vec3> DisplayScene::corners() const {
   std::vector<Vec3> points = m_frusta.points();
   const auto addBox = [&](const double* bounds) {
@@ -146,13 +220,8 @@ std::vector<Vec3> DisplayScene::corners() const {
         for (const int z : {4, 5}) points.push_back({bounds[x], bounds[y], bounds[z]});
   };
   if (m_mesh.isShown()) addBox(m_mesh.bounds());
-  const RigidTransform worldFromDisplay =
-      transformFromPose(m_display.position, m_display.orientation);
-  constexpr double scaleBar = 0.12;  // below the panel, with its label
-  const auto [width, height] = m_display.size;
-  for (const double x : {-width / 2, width / 2})
-    for (const double y : {-height / 2 - scaleBar * std::max(width, height), height / 2})
-      points.push_back(worldFromDisplay.point({x, y, 0}));
+  std::ranges::copy(panelCorners(), std::back_inserter(points));
+  std::ranges::copy(m_wholeZone, std::back_inserter(points));
   return points;
 }
 
@@ -163,10 +232,7 @@ void DisplayScene::fitDistance() {
   const QSize window = m_widget.deviceSize();
   const double tangent = share * std::tan(radians(fov) / 2);
   const double aspect = double(std::max(1, window.width())) / std::max(1, window.height());
-  const CameraParams from = eye();
-  const Vec3 towards = normalise(from.eye - from.lookat);
-  const Vec3 right = normalise(cross(from.up, towards));
-  const Vec3 up = cross(towards, right);
+  const auto [right, up, towards, from] = viewOf(*m_renderer).inverse();
   const std::vector<Vec3> points = corners();
   const RigidTransform frame{right, up, towards, {}};
   const FittedEye fitted = fittedEye(points, frame, {aspect * tangent, tangent});
@@ -178,7 +244,6 @@ void DisplayScene::fitDistance() {
     look(target, target + (fitted.eye - fitted.target), up);
     camera->SetParallelScale(scale / share);
   }
-  m_handles.setSceneEye(fitted.eye);
   m_fitted = eye();
   redraw();
 }
@@ -189,7 +254,7 @@ void DisplayScene::fit() {
 
 void DisplayScene::reset() {
   const double size = std::max(m_display.size[0], m_display.size[1]);
-  look(m_display.position, m_display.position + size * Vec3{0.6, 0.5, 2.6}, {0, 1, 0});
+  look(m_display.position, m_display.position + size * Vec3{-0.85, 0.5, 2.5}, {0, 1, 0});
   fitDistance();
 }
 
@@ -270,17 +335,31 @@ std::vector<int> DisplayScene::statesAt(int x, int y) const {
   return m_frusta.statesAt(m_renderer, {x + 0.5, y + 0.5, tolerance, size.width(), size.height()});
 }
 
+std::optional<Vec3> DisplayScene::pointAt(int x, int y) const {
+  constexpr double tolerance = 8;  // pixels
+  const QPointF place = m_widget.fromUpperLeft(x, y);
+  std::vector<std::pair<double, Vec3>> found;  // distances, on the screen and then from the eye
+  for (const Vec3& mark : m_marks)
+    if (const auto at = onScreen(*m_renderer, mark))
+      if (const double way = QLineF(*at, place).length(); way <= tolerance)
+        found.emplace_back(way, mark);
+  const auto nearest = [&] { return std::ranges::min(found, {}, &std::pair<double, Vec3>::first); };
+  if (!found.empty()) return nearest().second;
+  const Vec3 from = lineAt(*m_renderer, place).first;
+  const auto add = [&](const Vec3& point) { found.emplace_back(length(point - from), point); };
+  if (const std::optional<Hit> hogel = hogelAt(x, y)) {
+    const Vec2 middle = Display(m_display).position(hogel->i, hogel->j);
+    add(transformFromPose(m_display.position, m_display.orientation)
+            .point({middle.x, middle.y, 0}));
+  }
+  if (const std::optional<Vec3> point = m_mesh.pointAt(m_renderer, x, y)) add(*point);
+  return found.empty() ? std::nullopt : std::optional(nearest().second);
+}
+
 std::optional<Hit> DisplayScene::hogelAt(int x, int y) const {
   if (m_display.hogels[0] < 1 || m_display.directions[0] < 1) return std::nullopt;
-  const auto pointAt = [&](double depth) -> Vec3 {
-    m_renderer->SetDisplayPoint(x + 0.5, y + 0.5, depth);
-    m_renderer->DisplayToWorld();
-    const double* p = m_renderer->GetWorldPoint();
-    return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
-  };
   const Display display(m_display);
-  const Vec3 from = pointAt(0);
-  const Vec3 to = pointAt(1);
+  const auto [from, to] = lineAt(*m_renderer, m_widget.fromUpperLeft(x, y));
   const RigidTransform& displayFromWorld = display.displayFromWorld();
   const std::optional<Hit> place =
       display.intersectPlane(displayFromWorld.point(from), displayFromWorld.direction(to - from));

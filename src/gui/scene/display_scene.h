@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 3-D scene: the panel, the frusta of all states and the picked objects; its own camera, the
 // scene's eye; picking under the pointer.
-// It is fitted to the corners of panel, frusta and mesh (fittedEye), not to a sphere around them.
-// Only the viewing zone is translucent, and off at first: VTK's pass for that goes over the whole
-// picture.
+// It is fitted to the corners of panel, frusta, mesh and the viewing zone's outline (fittedEye),
+// not to a sphere around them. Only the zone's body is translucent, and off at first: VTK's pass
+// for that goes over the whole picture.
 #pragma once
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <QObject>
@@ -18,10 +19,10 @@
 #include "gui/scene/panel_actors.h"
 #include "gui/scene/pick_actors.h"
 #include "gui/scene/scene_handles.h"
+#include "gui/widgets/colours.h"
 
+class QPainter;
 class QTimer;
-class vtkAxesActor;
-class vtkOrientationMarkerWidget;
 class vtkRenderer;
 
 namespace hogelscope {
@@ -38,10 +39,20 @@ class DisplayScene : public QObject {
   DisplayScene(VtkWidget& widget, QObject* parent);
   ~DisplayScene() override;
 
+  /// Sets the colours of all parts; `background` may be transparent.
+  void setColours(const Tokens& colours, const QColor& background);
   /// Shows display and states. `display` has resolved hogel counts. States without a camera frame
   /// are skipped.
   void show(const PanelParams& display, const std::vector<CameraState>& states,
             std::size_t current);
+  void setScaleBarVisible(bool isVisible) { m_hasScaleBar = isVisible; }
+  /// Shows the world's axes at its origin.
+  void setAxesVisible(bool areVisible) { m_hasAxes = areVisible; }
+  /// Up to two points of the world, shown with the distance between them.
+  [[nodiscard]] std::vector<Vec3>& measured() { return m_measured; }
+  /// Paints scale bar, legend and axes over a picture of the scene, in the widget's pixels; the
+  /// handles' arrows, too, if wanted.
+  void paintOver(QPainter& painter, bool hasArrows) const;
   [[nodiscard]] FrustumActors& frusta() { return m_frusta; }
   [[nodiscard]] PanelActors& panel() { return m_panel; }
   [[nodiscard]] MeshActors& mesh() { return m_mesh; }
@@ -52,11 +63,13 @@ class DisplayScene : public QObject {
   /// Redraws the scene if any of its parts has changed.
   void redraw();
 
-  /// Views everything from the front, slightly from the right and above.
+  /// Views everything from the front, from the left and above.
   void reset();
   /// Moves the eye along its direction until everything fits the window. If it is there already,
   /// calls reset().
   void fit();
+  /// Fits what has changed, window or scene, if the eye has not been moved since the last fit.
+  void keepFitted();
   void lookFrom(SceneSide side);
   /// Switches between parallel and perspective projection.
   void setParallel(bool isParallel);
@@ -77,6 +90,9 @@ class DisplayScene : public QObject {
 
   /// Returns the states at a pixel, in ascending order. Pixels count from the lower left.
   [[nodiscard]] std::vector<int> statesAt(int x, int y) const;
+  /// Returns the point of the world under a pixel: an eye, the look-at point or a corner of the
+  /// panel if one is near, otherwise the nearest of panel and mesh.
+  [[nodiscard]] std::optional<Vec3> pointAt(int x, int y) const;
   /// Returns the hogel under a pixel, in real-valued indices, whether it emits light here or not.
   [[nodiscard]] std::optional<Hit> hogelAt(int x, int y) const;
 
@@ -87,7 +103,7 @@ class DisplayScene : public QObject {
  private:
   [[nodiscard]] vtkMTimeType changedAt() const;
   void adjustToEye();
-  void adjustToWindow();
+  [[nodiscard]] std::vector<Vec3> panelCorners() const;
   [[nodiscard]] std::vector<Vec3> corners() const;
   void fitDistance();
   void look(const Vec3& target, const Vec3& from, const Vec3& up);
@@ -100,9 +116,15 @@ class DisplayScene : public QObject {
   ZoneActors m_zone;
   PickActors m_picked;
   SceneHandles m_handles;
-  vtkNew<vtkAxesActor> m_axes;
-  vtkNew<vtkOrientationMarkerWidget> m_marker;
   QTimer* m_eyeTimer;
+  const Tokens* m_colours = &tokens();
+  QColor m_background;
+  std::size_t m_current = 0;                  ///< state
+  std::vector<Vec3> m_marks;                  ///< panel corners, eyes, the current look-at point
+  std::vector<Vec3> m_wholeZone, m_someZone;  ///< outlines at the current eye's depth
+  std::vector<Vec3> m_measured;               ///< up to two points
+  bool m_hasScaleBar = true;
+  bool m_hasAxes = false;
   std::optional<CameraParams> m_fitted;  ///< the eye that fit() or lookFrom() chose last
   PanelParams m_display;
   vtkMTimeType m_drawnAt = 0;  ///< changedAt() of the last requested drawing

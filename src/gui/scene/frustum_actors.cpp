@@ -6,7 +6,6 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +24,14 @@ constexpr int longestSide = 1024;  ///< of the texture, which is uploaded again 
 constexpr std::uint8_t emptyGrey = 40;
 
 using Colour = std::array<unsigned char, 3>;
-constexpr Colour currentColour{255, 166, 38};
-constexpr Colour otherColour{140, 191, 153};
-constexpr Colour outsideColour{200, 120, 120};
-constexpr Colour previewColour{190, 140, 230};
 constexpr double fullLength = 0.25;   // of the distance to lookat
 constexpr double shortLength = 0.05;  // for many states, which would hide each other at full length
 constexpr std::size_t manyStates = 30;
+
+Colour bytesOf(const QColor& colour) {
+  const QRgb rgb = colour.rgb();
+  return {std::uint8_t(qRed(rgb)), std::uint8_t(qGreen(rgb)), std::uint8_t(qBlue(rgb))};
+}
 
 /// Returns the range of the finite values, at least 1 dB wide so that equal values have a scale
 /// too.
@@ -49,40 +49,9 @@ std::array<double, 2> rangeOf(const std::vector<double>& values) {
 
 }  // namespace
 
-PsnrScale::PsnrScale() {
-  constexpr int colours = 256;
-  m_table->SetNumberOfTableValues(colours);
-  for (int k = 0; k < colours; ++k) {
-    const auto [r, g, b] = falseColour(double(k) / (colours - 1));
-    m_table->SetTableValue(k, r / 255.0, g / 255.0, b / 255.0);
-  }
-  m_bar->SetLookupTable(m_table);
-  m_bar->SetTitle("PSNR, dB");
-  m_bar->SetLabelFormat("%.1f");
-  m_bar->SetNumberOfLabels(5);
-  m_bar->SetVerticalTitleSeparation(8);
-  m_bar->SetPosition(0.88, 0.3);
-  m_bar->SetWidth(0.1);
-  m_bar->SetHeight(0.45);
-  m_bar->SetMaximumWidthInPixels(90);
-  m_bar->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : {m_bar->GetTitleTextProperty(), m_bar->GetLabelTextProperty()}) {
-    text->SetFontSize(13);
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-    text->SetColor(0.9, 0.9, 0.9);
-    text->SetBackgroundColor(0, 0, 0);  // readable over the panel
-    text->SetBackgroundOpacity(0.6);
-  }
-  m_bar->VisibilityOff();
-}
-
 void PsnrScale::setValues(const std::vector<double>& values) {
   m_values = values;
   m_range = rangeOf(values);
-  m_table->SetRange(m_range[0], m_range[1]);
-  m_bar->SetVisibility(!values.empty());
 }
 
 std::array<std::uint8_t, 3> PsnrScale::colour(std::size_t state) const {
@@ -130,18 +99,16 @@ void StateImages::setImage(std::size_t index, vtkImageData* image) {
 }
 
 FrustumActors::FrustumActors(vtkRenderer* renderer) {
-  addToScene(renderer, m_otherImages, m_others->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
-  addToScene(renderer, m_markedImage, m_marked->GetOutputPort(1), {1, 1, 1}, SceneLevel::panel);
-  addToScene(renderer, m_otherLines, m_others->GetOutputPort(0), {1, 1, 1}, SceneLevel::onPanel);
-  addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), {1, 1, 1}, SceneLevel::inFront);
-  addToScene(renderer, m_previewLines, m_previewed->GetOutputPort(0), {1, 1, 1},
-             SceneLevel::onPanel);
+  addToScene(renderer, m_otherImages, m_others->GetOutputPort(1), SceneLevel::panel);
+  addToScene(renderer, m_markedImage, m_marked->GetOutputPort(1), SceneLevel::panel);
+  addToScene(renderer, m_otherLines, m_others->GetOutputPort(0), SceneLevel::onPanel);
+  addToScene(renderer, m_markedLines, m_marked->GetOutputPort(0), SceneLevel::inFront);
+  addToScene(renderer, m_previewLines, m_previewed->GetOutputPort(0), SceneLevel::onPanel);
   m_markedLines->GetProperty()->SetLineWidth(3);
   m_markedLines->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
   for (vtkActor* images : {m_otherImages.Get(), m_markedImage.Get()})
     images->SetTexture(m_images.texture());
   setImagesVisible(false);
-  renderer->AddViewProp(m_psnr.bar());
 }
 
 void FrustumActors::show(const PanelParams& display, const std::vector<CameraState>& states,
@@ -150,6 +117,11 @@ void FrustumActors::show(const PanelParams& display, const std::vector<CameraSta
   m_states = states;
   m_current = current;
   m_images.setCount(states.size());
+  update();
+}
+
+void FrustumActors::setColours(const Tokens& colours) {
+  m_colours = &colours;
   update();
 }
 
@@ -185,14 +157,14 @@ void FrustumActors::update() {
   for (std::size_t k = 0; k < m_states.size(); ++k) {
     const CameraParams& camera = m_states[k].camera;
     const bool isOutside = shareSeenFrom(m_display, camera.eye) == 0;
-    Colour colour = k == m_current ? currentColour : isOutside ? outsideColour : otherColour;
-    if (m_psnr.hasValue(k)) colour = m_psnr.colour(k);
+    Colour colour = bytesOf(k == m_current ? m_colours->eye : m_colours->text3);
+    if (k != m_current && m_psnr.hasValue(k)) colour = m_psnr.colour(k);
     (k == m_current ? marked : others)
         .push_back({camera, m_states[k].intrinsics, int(k), colour, isOutside,
                     k == m_current ? currentLength : otherLength});
   }
   for (const CameraState& state : m_preview)
-    previewed.push_back({state.camera, state.intrinsics, -1, previewColour,
+    previewed.push_back({state.camera, state.intrinsics, -1, bytesOf(m_colours->focus),
                          shareSeenFrom(m_display, state.camera.eye) == 0,
                          lengthAmong(m_preview.size())});
   m_others->SetFrusta(others);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frusta of all states in the 3-D scene: the current one marked, those outside the viewing
-// zone dashed, optionally coloured by PSNR and filled with their images.
+// zone dashed, the others optionally coloured by PSNR, all optionally filled with their images.
 #pragma once
 
 #include <vtkActor.h>
 #include <vtkImageData.h>
-#include <vtkLookupTable.h>
 #include <vtkNew.h>
-#include <vtkScalarBarActor.h>
 #include <vtkTexture.h>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/optics/session.h"
+#include "gui/widgets/colours.h"
 #include "vtk/atlas.h"
 #include "vtk/vtkCameraFrustumSource.h"
 
@@ -24,25 +24,23 @@ namespace hogelscope {
 
 struct ScreenPlace;
 
-/// Colour scale of the states' PSNR, and its colour bar.
+/// Colour scale of the states' PSNR.
 class PsnrScale {
  public:
-  PsnrScale();
-
-  /// Sets the PSNR in dB of each state; infinite: identical, NaN: none. Without values the bar is
-  /// hidden.
+  /// Sets the PSNR in dB of each state; infinite: identical, NaN: none.
   void setValues(const std::vector<double>& values);
   [[nodiscard]] bool hasValue(std::size_t state) const { return state < m_values.size(); }
   /// Returns the state's colour on the scale of the finite values. Identical is coloured as the
   /// largest, a state without a value is grey.
   [[nodiscard]] std::array<std::uint8_t, 3> colour(std::size_t state) const;
-  [[nodiscard]] vtkScalarBarActor* bar() const { return m_bar; }
+  /// Returns the least and the largest value in dB; none without values.
+  [[nodiscard]] std::optional<std::array<double, 2>> range() const {
+    return m_values.empty() ? std::nullopt : std::optional(m_range);
+  }
 
  private:
   std::vector<double> m_values;
   std::array<double, 2> m_range{0, 1};  ///< dB
-  vtkNew<vtkLookupTable> m_table;
-  vtkNew<vtkScalarBarActor> m_bar;
 };
 
 /// The small images of the states in one texture, with one tile each.
@@ -71,6 +69,7 @@ class FrustumActors {
  public:
   explicit FrustumActors(vtkRenderer* renderer);
 
+  void setColours(const Tokens& colours);
   void show(const PanelParams& display, const std::vector<CameraState>& states,
             std::size_t current);
   /// Shows the frusta of states that are not in the session yet.
@@ -82,6 +81,7 @@ class FrustumActors {
   [[nodiscard]] double size() const { return m_size; }
   /// Sets the PSNR in dB of each state; empty: none.
   void showPsnr(const std::vector<double>& values);
+  [[nodiscard]] const PsnrScale& psnr() const { return m_psnr; }
   void setImagesVisible(bool areVisible);
   void setImage(std::size_t state, vtkImageData* image) { m_images.setImage(state, image); }
   void clearImages() { m_images.clear(); }
@@ -93,6 +93,7 @@ class FrustumActors {
  private:
   void update();
 
+  const Tokens* m_colours = &tokens();
   PanelParams m_display;
   std::vector<CameraState> m_states;
   std::vector<CameraState> m_preview;

@@ -2,6 +2,7 @@
 #include "gui/scene/mesh_actors.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellPicker.h>
 #include <vtkOutlineSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -73,6 +74,17 @@ void MeshActors::setDisplay(const DisplayParams& display) {
   const vtkNew<vtkTransform> worldFromDisplay;
   worldFromDisplay->SetMatrix(matrix);
   m_actor->SetUserTransform(worldFromDisplay);
+}
+
+std::optional<Vec3> MeshActors::pointAt(vtkRenderer* renderer, int x, int y) const {
+  if (!isShown()) return std::nullopt;
+  const vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0);
+  picker->PickFromListOn();
+  picker->AddPickList(m_actor);
+  if (picker->Pick(x + 0.5, y + 0.5, 0, renderer) == 0) return std::nullopt;
+  const double* p = picker->GetPickPosition();
+  return Vec3{p[0], p[1], p[2]};
 }
 
 void MeshActors::setVisible(bool isVisible) {

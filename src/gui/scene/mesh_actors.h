@@ -8,6 +8,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
+#include <optional>
+
 #include "core/panel/display.h"
 #include "sdk/hogelscope/plugin.h"
 
@@ -30,6 +32,9 @@ class MeshActors {
   void setDisplay(const DisplayParams& display);
   void setVisible(bool isVisible);
   [[nodiscard]] bool isShown() const { return m_actor->GetVisibility() != 0; }
+  /// Returns the nearest point of the mesh's triangles under a pixel that counts from the lower
+  /// left, in the world.
+  std::optional<Vec3> pointAt(vtkRenderer* renderer, int x, int y) const;
   /// Returns the mesh's bounds in the world, as xMin, xMax, yMin, yMax, zMin, zMax.
   [[nodiscard]] const double* bounds() const { return m_actor->GetBounds(); }
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/panel_actors.h"
 
-#include <vtkCaptionActor2D.h>
 #include <vtkCellArray.h>
-#include <vtkCoordinate.h>
 #include <vtkImageData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTrivialProducer.h>
-#include <QString>
 #include <algorithm>
 
 #include "gui/scene/scene_actor.h"
@@ -18,43 +15,23 @@
 namespace hogelscope {
 
 PanelActors::PanelActors(vtkRenderer* renderer) {
-  addToScene(renderer, m_panel, m_source->GetOutputPort(0), {1, 1, 1}, SceneLevel::panel);
-  addToScene(renderer, m_grid, m_source->GetOutputPort(1), {0.50, 0.58, 0.70}, SceneLevel::onPanel);
+  addToScene(renderer, m_panel, m_source->GetOutputPort(0), SceneLevel::panel);
+  addToScene(renderer, m_grid, m_source->GetOutputPort(1), SceneLevel::onPanel);
   m_image->InterpolateOn();
-  addAxes(renderer);
-  addScaleBar(renderer);
+  addToScene(renderer, m_edge, m_source->GetOutputPort(0), SceneLevel::onPanel);
+  m_edge->GetProperty()->SetRepresentationToWireframe();
+  m_edge->GetProperty()->SetLineWidth(2);
+  m_edge->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
   setImage(nullptr);
 }
 
-/// Adds the world's axes, which show the frame of eyes and look-at points.
-void PanelActors::addAxes(vtkRenderer* renderer) {
-  m_axes->SetShaftTypeToLine();
-  m_axes->SetConeRadius(0.12);
-  m_axes->SetNormalizedTipLength(0.08, 0.08, 0.08);
-  m_axes->SetNormalizedShaftLength(0.92, 0.92, 0.92);
-  for (vtkCaptionActor2D* letter :
-       {m_axes->GetXAxisCaptionActor2D(), m_axes->GetYAxisCaptionActor2D(),
-        m_axes->GetZAxisCaptionActor2D()}) {
-    letter->GetTextActor()->SetTextScaleModeToNone();
-    makePlain(letter->GetCaptionTextProperty());
-  }
-  renderer->AddActor(m_axes);
-}
-
-void PanelActors::addScaleBar(vtkRenderer* renderer) {
-  addToScene(renderer, m_bar, m_barSource->GetOutputPort(), {0.85, 0.85, 0.85},
-             SceneLevel::onPanel);
-  addLabel(renderer, m_barLabel);
+void PanelActors::setColours(const Tokens& colours) {
+  setColour(m_grid->GetProperty(), colours.text3);
+  setColour(m_edge->GetProperty(), colours.text);
 }
 
 void PanelActors::setDisplay(const DisplayParams& display) {
   m_source->SetDisplay(display);
-  m_barSource->SetDisplay(display);
-  const Vec3 label = m_barSource->GetLabelPosition();
-  m_barLabel->GetPositionCoordinate()->SetValue(label.x, label.y, label.z);
-  m_barLabel->SetInput((QString::number(m_barSource->GetLength()) + " m").toUtf8().constData());
-  const double length = 0.65 * std::max(display.size[0], display.size[1]);  // beyond its edges
-  m_axes->SetTotalLength(length, length, length);
 }
 
 void PanelActors::setImage(vtkImageData* image) {
@@ -78,11 +55,6 @@ void PanelActors::updateGrid() {
   m_grid->SetVisibility(m_isGridWanted || m_panel->GetTexture() == nullptr);
 }
 
-void PanelActors::setScaleBarVisible(bool isVisible) {
-  m_bar->SetVisibility(isVisible);
-  m_barLabel->SetVisibility(isVisible);
-}
-
 int PanelActors::gridLines() const {
   if (m_grid->GetVisibility() == 0) return 0;
   m_source->Update();
@@ -91,21 +63,15 @@ int PanelActors::gridLines() const {
 
 namespace {
 
-constexpr std::array<double, 3> colour{0.45, 0.70, 1.00};
-
 /// A body between sections, with its faces as quads and its edges as lines.
 struct Body {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> faces;
   vtkNew<vtkCellArray> edges;
 
-  Body(const std::vector<ZoneSection>& sections, const RigidTransform& worldFromDisplay) {
-    for (const auto& [z, low, high] : sections)
-      for (const auto& [x, y] : {std::pair(low[0], low[1]), std::pair(high[0], low[1]),
-                                 std::pair(high[0], high[1]), std::pair(low[0], high[1])}) {
-        const Vec3 p = worldFromDisplay.point({x, y, z});
-        points->InsertNextPoint(p.x, p.y, p.z);
-      }
+  Body(const PanelParams& display, const std::vector<ZoneSection>& sections) {
+    for (const ZoneSection& section : sections)
+      for (const Vec3& p : cornersOf(display, section)) points->InsertNextPoint(p.x, p.y, p.z);
     for (vtkIdType section = 0; section < vtkIdType(sections.size()); ++section) {
       const vtkIdType first = 4 * section;
       const bool isAtEnd = section == 0 || section + 1 == vtkIdType(sections.size());
@@ -124,7 +90,7 @@ struct Body {
 void addLines(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* lines) {
   const vtkNew<vtkTrivialProducer> source;
   source->SetOutput(lines);
-  addToScene(renderer, actor, source->GetOutputPort(), colour, SceneLevel::onPanel);
+  addToScene(renderer, actor, source->GetOutputPort(), SceneLevel::onPanel);
 }
 
 }  // namespace
@@ -140,13 +106,17 @@ ZoneActors::ZoneActors(vtkRenderer* renderer) {
   setVisible(false);
 }
 
+void ZoneActors::setColours(const Tokens& colours) {
+  setColour(m_someEdges->GetProperty(), colours.good);
+  setColour(m_body->GetProperty(), colours.good);
+}
+
 void ZoneActors::show(const PanelParams& display, double farthest) {
   if (m_farthest == farthest && m_display == display) return;
   m_display = display;
   m_farthest = farthest;
-  const RigidTransform worldFromDisplay = transformFromPose(display.position, display.orientation);
   const auto set = [&](vtkPolyData* data, ViewingZone zone, bool hasFaces) {
-    const Body body(sectionsOf(display, zone, farthest), worldFromDisplay);
+    const Body body(display, sectionsOf(display, zone, farthest));
     data->Initialize();
     data->SetPoints(body.points);
     data->SetLines(body.edges);

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The panel in the 3-D scene: the image seen from the scene's eye, or a plain panel with its hogel
-// grid; the viewing zone, the world's axes and a scale bar.
+// grid; the viewing zone.
 #pragma once
 
 #include <vtkActor.h>
-#include <vtkAxesActor.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkTextActor.h>
 #include <vtkTexture.h>
 
 #include "core/panel/display.h"
 #include "core/panel/viewing_zone.h"
+#include "gui/widgets/colours.h"
 #include "vtk/vtkHogelDisplaySource.h"
-#include "vtk/vtkScaleBarSource.h"
 
 class vtkImageData;
 class vtkRenderer;
@@ -24,13 +22,12 @@ class PanelActors {
  public:
   explicit PanelActors(vtkRenderer* renderer);
 
+  void setColours(const Tokens& colours);
   void setDisplay(const DisplayParams& display);
   /// Sets an RGB image of the whole panel; null: none. The grid is shown without an image.
   void setImage(vtkImageData* image);
   /// Shows the grid over an image too.
   void setGridVisible(bool isVisible);
-  void setAxesVisible(bool areVisible) { m_axes->SetVisibility(areVisible); }
-  void setScaleBarVisible(bool isVisible);
   /// Sets the least distance between grid lines, in metres.
   void setGridSpacing(double spacing) { m_source->SetSpacing(spacing); }
   /// Returns the number of grid lines; 0 if the grid is hidden.
@@ -38,17 +35,12 @@ class PanelActors {
 
  private:
   void updateGrid();
-  void addAxes(vtkRenderer* renderer);
-  void addScaleBar(vtkRenderer* renderer);
 
   vtkNew<vtkHogelDisplaySource> m_source;
   vtkNew<vtkActor> m_panel;
   vtkNew<vtkActor> m_grid;
+  vtkNew<vtkActor> m_edge;
   vtkNew<vtkTexture> m_image;
-  vtkNew<vtkAxesActor> m_axes;
-  vtkNew<vtkScaleBarSource> m_barSource;
-  vtkNew<vtkActor> m_bar;
-  vtkNew<vtkTextActor> m_barLabel;
   bool m_isGridWanted = false;
 };
 
@@ -58,6 +50,7 @@ class ZoneActors {
  public:
   explicit ZoneActors(vtkRenderer* renderer);
 
+  void setColours(const Tokens& colours);
   /// Shows the zone up to `farthest` metres in front of the panel.
   void show(const PanelParams& display, double farthest);
   void setVisible(bool isVisible);

@@ -5,12 +5,12 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkTextActor.h>
 #include <vtkTexture.h>
 
 #include <string>
 
 #include "core/panel/display.h"
+#include "gui/widgets/colours.h"
 #include "vtk/vtkHogelFieldSource.h"
 
 class vtkImageData;
@@ -21,6 +21,7 @@ namespace hogelscope {
 class PickActors {
  public:
   explicit PickActors(vtkRenderer* renderer);
+  void setColours(const Tokens& colours);
 
   /// Shows a hogel with its indices below it. `image` has a pixel for each of the hogel's
   /// directions.
@@ -31,14 +32,16 @@ class PickActors {
   void hideRay() { m_ray->VisibilityOff(); }
   [[nodiscard]] bool hasRay() const { return m_ray->GetVisibility() != 0; }
   /// Returns the hogel's label; "" if no hogel is shown.
-  [[nodiscard]] std::string label() const;
+  [[nodiscard]] const std::string& label() const { return m_label; }
+  /// Returns the point of the world below which the label stands.
+  [[nodiscard]] Vec3 labelPlace() const { return m_field->GetLabelPosition(); }
 
  private:
   vtkNew<vtkHogelFieldSource> m_field;
   vtkNew<vtkActor> m_rays;
   vtkNew<vtkActor> m_end;
   vtkNew<vtkTexture> m_image;
-  vtkNew<vtkTextActor> m_label;
+  std::string m_label;
   vtkNew<vtkPolyData> m_line;
   vtkNew<vtkActor> m_ray;
 };

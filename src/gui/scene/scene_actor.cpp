@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/scene_actor.h"
 
-#include <vtkCoordinate.h>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
+#include <algorithm>
 #include <cmath>
 
 #include "core/panel/viewing_zone.h"
@@ -15,7 +15,7 @@
 namespace hogelscope {
 
 void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* source,
-                const std::array<double, 3>& colour, SceneLevel level) {
+                SceneLevel level) {
   const vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
@@ -24,37 +24,60 @@ void addToScene(vtkRenderer* renderer, vtkActor* actor, vtkAlgorithmOutput* sour
   else
     setDepth(actor, level);
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
   renderer->AddActor(actor);
+}
+
+void setColour(vtkProperty* property, const QColor& colour) {
+  property->SetColor(colour.redF(), colour.greenF(), colour.blueF());
 }
 
 void setDepth(vtkActor* actor, SceneLevel level) {
   // Follows VTK's own depth; the offset is twice VTK's offset of coincident lines.
   const std::string place = "//VTK::Depth::Impl";
   std::string depth = "gl_FragCoord.z - 8.0 / 65000.0";
-  if (level == SceneLevel::handle) depth = "0.01 * gl_FragCoord.z";  // keeps the order of handles
   if (level == SceneLevel::inFront) depth = "0.0";
   actor->GetShaderProperty()->AddFragmentShaderReplacement(
       place, true, place + "\n  gl_FragDepth = " + depth + ";\n", false);
 }
 
-void makePlain(vtkTextProperty* text) {
-  text->SetFontSize(14);
-  text->SetColor(0.85, 0.85, 0.85);
-  text->ItalicOff();
-  text->BoldOff();
-  text->ShadowOff();
+std::optional<QPointF> onScreen(vtkRenderer& renderer, const Vec3& point) {
+  vtkMatrix4x4* clipFromWorld = renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      renderer.GetTiledAspectRatio(), -1, 1);
+  const double in[4] = {point.x, point.y, point.z, 1};
+  double clip[4];
+  clipFromWorld->MultiplyPoint(in, clip);
+  if (!(clip[3] > 0)) return std::nullopt;
+  const int* size = renderer.GetSize();
+  return QPointF((1 + clip[0] / clip[3]) / 2 * size[0], (1 - clip[1] / clip[3]) / 2 * size[1]);
 }
 
-/// Uses vtkTextActor, because the translucency of vtkBillboardTextActor3D needs a pass over the
-/// whole image.
-void addLabel(vtkRenderer* renderer, vtkTextActor* label) {
-  makePlain(label->GetTextProperty());
-  label->GetTextProperty()->SetJustificationToCentered();
-  label->GetTextProperty()->SetVerticalJustificationToTop();
-  label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-  renderer->AddViewProp(label);
+RigidTransform viewOf(vtkRenderer& renderer) {
+  vtkMatrix4x4* m = renderer.GetActiveCamera()->GetViewTransformMatrix();
+  const auto column = [m](int k) {
+    return Vec3{m->GetElement(0, k), m->GetElement(1, k), m->GetElement(2, k)};
+  };
+  return {column(0), column(1), column(2), column(3)};
+}
+
+std::pair<Vec3, Vec3> lineAt(vtkRenderer& renderer, const QPointF& place) {
+  const auto pointAt = [&](double depth) -> Vec3 {
+    renderer.SetDisplayPoint(place.x(), renderer.GetSize()[1] - place.y(), depth);
+    renderer.DisplayToWorld();
+    const double* p = renderer.GetWorldPoint();
+    return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+  };
+  return {pointAt(0), pointAt(1)};
+}
+
+double pixelSizeAt(vtkRenderer& renderer, const Vec3& point) {
+  vtkCamera* camera = renderer.GetActiveCamera();
+  const int height = std::max(1, renderer.GetSize()[1]);
+  if (camera->GetParallelProjection() != 0) return 2 * camera->GetParallelScale() / height;
+  const auto vec3 = [](const double* p) { return Vec3{p[0], p[1], p[2]}; };
+  const double depth =
+      dot(point - vec3(camera->GetPosition()), vec3(camera->GetDirectionOfProjection()));
+  return 2 * std::tan(radians(camera->GetViewAngle()) / 2) * std::max(0.0, depth) / height;
 }
 
 namespace {
@@ -134,6 +157,21 @@ QString SceneText::verdict(const PixelTrace& trace, const PanelParams& display) 
       .arg(floorIndex(trace.place->v))
       .arg(display.directions[0])
       .arg(display.directions[1]);
+}
+
+QString SceneText::length(double metres) {
+  metres = std::round(1e6 * metres) / 1e6;  // 0 but for rounding errors is 0
+  return metres != 0 && std::abs(metres) < 0.1
+             ? tr("%1 mm").arg(QString::number(1000 * metres, 'g', 4))
+             : tr("%1 m").arg(QString::number(metres, 'g', 4));
+}
+
+QString SceneText::measured(const std::vector<Vec3>& points) {
+  if (points.empty()) return tr("Measure: click the first point. Escape ends.");
+  if (points.size() == 1) return tr("Measure: click the second point.");
+  const Vec3 way = points[1] - points[0];
+  return tr("Distance %1 · Δx %2, Δy %3, Δz %4")
+      .arg(length(hogelscope::length(way)), length(way.x), length(way.y), length(way.z));
 }
 
 QString SceneText::hogelName(int i, int j) {

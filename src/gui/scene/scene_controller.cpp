@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/scene_controller.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include "gui/scene/scene_actor.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
+#include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 
 namespace hogelscope {
@@ -49,6 +52,7 @@ SceneController::SceneController(QMenu* menu, VtkWidget* widget, QLabel* readout
       m_worker(new SceneWorker(this)),
       m_scene(std::make_unique<DisplayScene>(*widget, nullptr)) {
   addCommands(menu);
+  addTools(menu);
   connectModel();
   connectScene();
   m_stateDelay.setSingleShot(true);
@@ -108,7 +112,40 @@ void SceneController::addCommands(QMenu* menu) {
        Qt::CTRL | Qt::SHIFT | Qt::Key_B},
       true, this, &SceneController::showMesh);
   addParts(menu->addMenu(tr("S&how")));
+  m_measures =
+      addSwitch(menu,
+                {"sceneMeasureAction", tr("Measu&re"),
+                 tr("Two clicks show the distance of two points: of eyes, the look-at point, the "
+                    "panel's corners, the panel or the mesh. A third click begins anew, Esc ends"),
+                 Qt::ALT | Qt::SHIFT | Qt::Key_M},
+                false, this, &SceneController::setMeasuring);
   menu->addSeparator();
+}
+
+/// Puts the buttons of some commands over the scene's upper left corner.
+void SceneController::addTools(QMenu* menu) {
+  auto* tools = new QHBoxLayout;
+  tools->setSpacing(scaled(2));
+  for (const auto& [name, picture] :
+       {std::pair("scenePanelPictureAction", "seen"), std::pair("sceneZoneAction", "zone"),
+        std::pair("sceneGridAction", "depth"), std::pair("sceneMeasureAction", "ruler"),
+        std::pair("fitAction", "fit")}) {
+    auto* action = menu->findChild<QAction*>(name);
+    action->setIcon(icon(picture));
+    auto* button = new QToolButton(m_widget);
+    button->setObjectName(QString(name).replace("Action", "Button"));
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the scene
+    button->setCursor(Qt::ArrowCursor);
+    button->setIconSize({scaled(16), scaled(16)});
+    tools->addWidget(button);
+  }
+  tools->addStretch();
+  auto* rows = new QVBoxLayout(m_widget);
+  rows->setContentsMargins(8, 8, 8, 8);
+  rows->addLayout(tools);
+  rows->addStretch();
 }
 
 void SceneController::addSides(QMenu* menu) {
@@ -199,7 +236,7 @@ void SceneController::addParts(QMenu* menu) {
           1 / 1.5);
   add({"sceneZoneAction", tr("Viewing &zone"),
        tr("The points from which the whole panel is seen, as a body, and those from which some of "
-          "it is seen, in lines"),
+          "it is seen, in lines; its outline at the current eye's depth is always there"),
        Qt::ALT | Qt::SHIFT | Qt::Key_Z},
       false, [this](bool isOn) { m_scene->zone().setVisible(isOn); });
   add({"sceneGridAction", tr("Hogel &grid"),
@@ -209,10 +246,11 @@ void SceneController::addParts(QMenu* menu) {
       false, [this](bool isOn) { m_scene->panel().setGridVisible(isOn); });
   add({"sceneAxesAction", tr("World &axes"), tr("The axes x, y, z of the world"),
        Qt::ALT | Qt::SHIFT | Qt::Key_A},
-      true, [this](bool isOn) { m_scene->panel().setAxesVisible(isOn); });
-  add({"sceneScaleBarAction", tr("Scale &bar"), tr("A length in metres below the panel"),
+      false, [this](bool isOn) { m_scene->setAxesVisible(isOn); });
+  add({"sceneScaleBarAction", tr("Scale &bar"),
+       tr("A length at the depth of the panel's middle, at the lower left"),
        Qt::ALT | Qt::SHIFT | Qt::Key_R},
-      true, [this](bool isOn) { m_scene->panel().setScaleBarVisible(isOn); });
+      true, [this](bool isOn) { m_scene->setScaleBarVisible(isOn); });
 }
 
 bool SceneController::showsPanelImage() const {
@@ -258,19 +296,19 @@ void SceneController::connectScene() {
     m_scene->redraw();
   });
   connect(m_worker, &SceneWorker::meshMade, this, [this](const VtkMesh& mesh) {
+    const bool isNew = !m_scene->mesh().isShown();
     m_scene->mesh().setMesh(mesh);
+    if (isNew) m_scene->keepFitted();
     m_scene->redraw();
   });
-  connect(&m_scene->handles(), &SceneHandles::meshDragged, this, &SceneController::moveMesh);
-  const auto moved = [this](Vec3 CameraParams::*point) {
-    return [this, point](const Vec3& to) {
-      CameraState state = m_model->current();
-      state.camera.*point = rounded(to);
-      m_model->setCurrent(state);
-    };
-  };
-  connect(&m_scene->handles(), &SceneHandles::eyeDragged, this, moved(&CameraParams::eye));
-  connect(&m_scene->handles(), &SceneHandles::lookatDragged, this, moved(&CameraParams::lookat));
+  connect(&m_scene->handles(), &SceneHandles::dragged, this,
+          [this](SceneBall ball, const Vec3& to) {
+            if (ball == SceneBall::mesh) return moveMesh(to);
+            CameraState state = m_model->current();
+            Vec3& point = ball == SceneBall::eye ? state.camera.eye : state.camera.lookat;
+            point = rounded(to, point);
+            m_model->setCurrent(state);
+          });
 }
 
 void SceneController::setSource(const std::optional<ViewSource>& scene) {
@@ -321,20 +359,26 @@ void SceneController::showMesh() {
   if (isShown && position != nullptr && position->size() == 3)
     origin = transformFromPose(m_display.position, m_display.orientation)
                  .point(Vec3{(*position)[0], (*position)[1], (*position)[2]} + toMeshBall());
-  m_scene->handles().showMeshAt(origin);
+  m_scene->handles().show(SceneBall::mesh, origin);
   m_scene->redraw();
 }
 
-/// Rounds to the decimal place that a screen pixel resolves.
-Vec3 SceneController::rounded(const Vec3& place) const {
+/// Rounds the coordinates that have changed to the decimal place that a screen pixel resolves.
+Vec3 SceneController::rounded(const Vec3& place, const Vec3& before) const {
   const double perMetre = std::pow(10, -std::floor(std::log10(m_scene->pixelOnPanel())));
-  const auto round = [perMetre](double x) { return std::round(x * perMetre) / perMetre; };
-  return {round(place.x), round(place.y), round(place.z)};
+  const auto round = [perMetre](double x, double old) {
+    const bool isSame = std::abs(x - old) * perMetre < 1e-6;  // but for rounding errors
+    return isSame ? old : std::round(x * perMetre) / perMetre;
+  };
+  return {round(place.x, before.x), round(place.y, before.y), round(place.z, before.z)};
 }
 
 void SceneController::moveMesh(const Vec3& ball) {
   const auto toDisplay = transformFromPose(m_display.position, m_display.orientation).inverse();
-  const Vec3 place = rounded(toDisplay.point(ball) - toMeshBall());
+  const auto* before = m_model->session().lightField.content.find<std::vector<double>>("position");
+  if (before == nullptr || before->size() != 3) return;
+  const Vec3 place =
+      rounded(toDisplay.point(ball) - toMeshBall(), {(*before)[0], (*before)[1], (*before)[2]});
   m_model->edit(tr("Move the mesh"), [&](Session& session) {
     session.lightField.content.set("position", std::vector<double>{place.x, place.y, place.z});
   });
@@ -395,8 +439,27 @@ void SceneController::setStateFromScene() {
   m_model->setCurrent(state);
 }
 
+void SceneController::setMeasuring(bool isOn) {
+  if (isOn) forgetPicks();
+  m_scene->measured().clear();
+  m_widget->setCursor(isOn ? Qt::CrossCursor : Qt::ArrowCursor);
+  showText();
+  m_scene->redraw();
+}
+
+void SceneController::measureAt(int x, int y) {
+  const std::optional<Vec3> point = m_scene->pointAt(x, y);
+  if (!point) return;
+  std::vector<Vec3>& points = m_scene->measured();
+  if (points.size() == 2) points.clear();
+  points.push_back(*point);
+  showText();
+  m_scene->redraw();
+}
+
 /// Picks a state or a hogel. Repeated clicks cycle through overlapping frusta.
 void SceneController::pickAt(int x, int y) {
+  if (m_measures->isChecked()) return measureAt(x, y);
   const std::vector<int> states = m_scene->statesAt(x, y);
   if (states.empty()) {
     const std::optional<Hit> hogel = m_scene->hogelAt(x, y);
@@ -435,6 +498,7 @@ void SceneController::forgetPicks() {
 
 void SceneController::removePicks() {
   forgetPicks();
+  m_measures->setChecked(false);
   showText();
   m_scene->redraw();
 }
@@ -502,12 +566,15 @@ void SceneController::tracePixel() {
 }
 
 void SceneController::showText() {
-  m_forget->setEnabled(!m_pickText.isEmpty());
+  const bool measures = m_measures->isChecked();
+  m_forget->setEnabled(measures || !m_pickText.isEmpty());
   Q_EMIT pickChanged();
   if (m_model->session().cameras.empty()) return m_readout->clear();
   const QString hint = tr("Click a frustum, a hogel, or a pixel of the simulated view.");
   m_readout->setText(SceneText::eye(m_model->current(), m_display) + '\n' +
-                     (m_pickText.isEmpty() ? hint : m_pickText));
+                     (measures               ? SceneText::measured(m_scene->measured())
+                      : m_pickText.isEmpty() ? hint
+                                             : m_pickText));
 }
 
 }  // namespace hogelscope

@@ -79,9 +79,12 @@ class SceneController : public QObject {
   void showMesh();
   void moveMesh(const Vec3& ball);
   [[nodiscard]] Vec3 toMeshBall() const;
-  [[nodiscard]] Vec3 rounded(const Vec3& place) const;
+  [[nodiscard]] Vec3 rounded(const Vec3& place, const Vec3& before) const;
   void forgetPicks();
   void removePicks();
+  void addTools(QMenu* menu);
+  void setMeasuring(bool isOn);
+  void measureAt(int x, int y);
   void pickAt(int x, int y);
   void nameAt(int x, int y);
   void showHogel(int i, int j);
@@ -98,6 +101,7 @@ class SceneController : public QObject {
   SceneWorker* m_worker;
   QAction *m_parallel = nullptr, *m_forget = nullptr;
   QAction *m_panelImage = nullptr, *m_stateImages = nullptr, *m_showsMesh = nullptr;
+  QAction* m_measures = nullptr;
   std::unique_ptr<DisplayScene> m_scene;
   PanelParams m_display;               ///< resolved once the light field has been read
   std::optional<ViewSource> m_loaded;  ///< none while a light field is read

@@ -317,21 +317,10 @@ int samplesFor(const QSize& size) {
   return std::max(size.width(), size.height()) <= largest ? 4 : 0;
 }
 
-std::vector<std::uint8_t> topFirst(vtkUnsignedCharArray& rgb, const QSize& size) {
-  const auto row = 3 * std::ptrdiff_t(size.width());
-  std::vector<std::uint8_t> picture;
-  picture.reserve(std::size_t(row) * std::size_t(size.height()));
-  for (int y = size.height() - 1; y >= 0; --y) {
-    const std::uint8_t* from = rgb.GetPointer(row * y);
-    picture.insert(picture.end(), from, from + row);
-  }
-  return picture;
-}
-
 }  // namespace
 
-std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
-  constexpr std::size_t bytesPerPixel = 20;  // colour, depth and their copies
+QImage scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size) {
+  constexpr std::size_t bytesPerPixel = 24;  // colour, depth and their copies
   checkFits(bytesPerPixel * std::size_t(size.width()) * std::size_t(size.height()),
             "the scene's picture", {});
   window.MakeCurrent();
@@ -341,19 +330,18 @@ std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, con
                      "OpenGL ends at " + std::to_string(largest) + " px here");
   const int* own = window.GetSize();
   const QSize before(own[0], own[1]);
-  const int dpi = window.GetDPI();
   const double factor = double(size.height()) / std::max(1, before.height());
   const ThickerLines lines(window, factor);
   window.SetSize(size.width(), size.height());
-  window.SetDPI(std::max(1, int(std::lround(dpi * factor))));
   window.SetMultiSamples(samplesFor(size));
   window.Render();
-  const vtkNew<vtkUnsignedCharArray> rgb;
-  window.GetPixelData(0, 0, size.width() - 1, size.height() - 1, 0, rgb.Get(), 0);
+  const vtkNew<vtkUnsignedCharArray> rgba;
+  window.GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, rgba.Get(), 0);
   window.SetMultiSamples(0);
-  window.SetDPI(dpi);
   window.SetSize(before.width(), before.height());
-  return topFirst(*rgb, size);
+  return QImage(rgba->GetPointer(0), size.width(), size.height(),
+                QImage::Format_RGBA8888_Premultiplied)
+      .mirrored();  // OpenGL's first row is the lowest
 }
 
 }  // namespace hogelscope

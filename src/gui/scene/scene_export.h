@@ -3,8 +3,8 @@
 // what is drawn, so it depends on no switch of the scene.
 #pragma once
 
+#include <QImage>
 #include <QSize>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -39,9 +39,9 @@ struct SceneParts {
 /// file cannot be written.
 void exportScene(const std::filesystem::path& file, const SceneParts& parts);
 
-/// Draws the window's scene with `size` pixels, antialiased. Returns 3·width·height bytes of RGB,
-/// row 0 at the top. Lines and texts keep their share of the image's height. The window is
-/// unchanged afterwards. Throws InputError for sizes beyond OpenGL's limit.
-std::vector<std::uint8_t> scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size);
+/// Draws the window's scene with `size` pixels, antialiased. Returns RGBA, premultiplied. Lines
+/// keep their share of the image's height. The window is unchanged afterwards. Throws
+/// InputError for sizes beyond OpenGL's limit.
+QImage scenePicture(vtkGenericOpenGLRenderWindow& window, const QSize& size);
 
 }  // namespace hogelscope

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/scene_handles.h"
 
-#include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkCommand.h>
-#include <vtkHandleWidget.h>
-#include <vtkPropCollection.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkSphereHandleRepresentation.h>
+
+#include <QLineF>
+#include <algorithm>
+#include <utility>
 
 #include "gui/scene/scene_actor.h"
 
@@ -16,89 +16,112 @@ namespace hogelscope {
 
 namespace {
 
-Vec3 positionOf(vtkSphereHandleRepresentation* ball) {
-  double p[3];
-  ball->GetWorldPosition(p);
-  return {p[0], p[1], p[2]};
-}
-
-void move(vtkSphereHandleRepresentation* ball, const Vec3& to) {
-  double p[3] = {to.x, to.y, to.z};
-  ball->SetWorldPosition(p);
-}
+constexpr std::array<Vec3, 3> worldAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
 }  // namespace
+
+std::vector<AxisArrow> arrowsAt(vtkRenderer& renderer, const Vec3& from, double length) {
+  constexpr double shortest = 20;  // pixels
+  std::vector<AxisArrow> all;
+  const std::optional<QPointF> start = onScreen(renderer, from);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto end = onScreen(renderer, from + length * worldAxes[std::size_t(axis)]);
+    if (start && end && QLineF(*start, *end).length() >= shortest)
+      all.push_back({axis, *start, *end});
+  }
+  return all;
+}
 
 SceneHandles::SceneHandles(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor,
                            QObject* parent)
     : QObject(parent), m_renderer(renderer), m_interactor(interactor) {
-  setUp(m_eye, {1.00, 0.65, 0.15});
-  setUp(m_lookat, {0.95, 0.90, 0.75});
-  setUp(m_mesh, {0.45, 0.85, 0.45});
+  // Before the scene turns.
+  m_observers = {
+      interactor->AddObserver(vtkCommand::LeftButtonPressEvent, this, &SceneHandles::onPress, 1),
+      interactor->AddObserver(vtkCommand::MouseMoveEvent, this, &SceneHandles::onMove, 1),
+      interactor->AddObserver(vtkCommand::LeftButtonReleaseEvent, this, &SceneHandles::onRelease,
+                              1)};
 }
 
 SceneHandles::~SceneHandles() {
-  for (Handle* handle : {&m_eye, &m_lookat, &m_mesh}) {
-    handle->widget->RemoveAllObservers();
-    handle->widget->SetInteractor(nullptr);
+  for (const unsigned long observer : m_observers) m_interactor->RemoveObserver(observer);
+}
+
+QPointF SceneHandles::pointer() const {
+  const int* at = m_interactor->GetEventPosition();
+  return {at[0] + 0.5, m_renderer->GetSize()[1] - at[1] - 0.5};
+}
+
+std::optional<QPointF> SceneHandles::ballAt(SceneBall ball) const {
+  const auto& [eye, lookat, mesh] = m_places;
+  const std::optional<Vec3>& place = m_places[std::size_t(ball)];
+  if (!place) return std::nullopt;
+  const double* p = m_renderer->GetActiveCamera()->GetPosition();
+  const double near = eye && lookat ? 0.05 * length(*eye - *lookat) : 0;
+  if (length(*place - Vec3{p[0], p[1], p[2]}) <= near) return std::nullopt;
+  return onScreen(*m_renderer, *place);
+}
+
+std::vector<AxisArrow> SceneHandles::arrows() const {
+  if (!ballAt(m_touched)) return {};
+  constexpr double pixels = 56;
+  const Vec3& from = *m_places[std::size_t(m_touched)];
+  std::vector<AxisArrow> all = arrowsAt(*m_renderer, from, pixels * pixelSizeAt(*m_renderer, from));
+  for (AxisArrow& arrow : all) arrow.isHeld = arrow.axis == m_held;
+  return all;
+}
+
+/// Returns how far along the held arrow's axis the pointer is from the drag's start, in metres.
+double SceneHandles::alongAxis() const {
+  const auto [near, far] = lineAt(*m_renderer, pointer());
+  return nearestOnLine(m_start, worldAxes[std::size_t(m_held)], near, far - near);
+}
+
+/// Holds the ball or the arrow at a place on the screen.
+void SceneHandles::touch(const QPointF& at) {
+  constexpr double tolerance = 7;  // pixels
+  const std::pair before(m_touched, std::exchange(m_held, none));
+  for (const AxisArrow& arrow : arrows()) {
+    const QPointF way = arrow.to - arrow.from;
+    const double along = QPointF::dotProduct(at - arrow.from, way) / QPointF::dotProduct(way, way);
+    const QPointF nearest = arrow.from + std::clamp(along, 0.0, 1.1) * way;
+    if (QLineF(nearest, at).length() <= tolerance) m_held = arrow.axis;
   }
-}
-
-void SceneHandles::setUp(Handle& handle, const std::array<double, 3>& colour) {
-  handle.ball->SetHandleSize(12);  // pixels
-  handle.ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-  handle.ball->GetSelectedProperty()->SetColor(1, 1, 1);
-  const vtkNew<vtkPropCollection> parts;
-  handle.ball->GetActors(parts);
-  setDepth(vtkActor::SafeDownCast(parts->GetItemAsObject(0)), SceneLevel::handle);
-  handle.widget->SetRepresentation(handle.ball);
-  handle.widget->SetInteractor(m_interactor);
-  handle.widget->SetDefaultRenderer(m_renderer);
-  handle.widget->ManagesCursorOff();
-  handle.widget->AllowHandleResizeOff();
-  handle.widget->AddObserver(vtkCommand::InteractionEvent, this, &SceneHandles::onDrag);
-}
-
-void SceneHandles::onDrag(vtkObject* widget, unsigned long, void*) {
-  if (widget == m_eye.widget.Get()) Q_EMIT eyeDragged(positionOf(m_eye.ball));
-  if (widget == m_lookat.widget.Get()) Q_EMIT lookatDragged(positionOf(m_lookat.ball));
-  if (widget == m_mesh.widget.Get()) Q_EMIT meshDragged(positionOf(m_mesh.ball));
-}
-
-void SceneHandles::showAt(const Vec3& eye, const Vec3& lookat) {
-  if (m_eye.isPlaced && positionOf(m_eye.ball) == eye && positionOf(m_lookat.ball) == lookat)
-    return;
-  move(m_eye.ball, eye);
-  move(m_lookat.ball, lookat);
-  m_eye.isPlaced = m_lookat.isPlaced = true;
-  update();
-}
-
-void SceneHandles::showMeshAt(const std::optional<Vec3>& place) {
-  if (m_mesh.isPlaced == place.has_value() && (!place || positionOf(m_mesh.ball) == *place)) return;
-  m_mesh.isPlaced = place.has_value();
-  if (place) move(m_mesh.ball, *place);
-  update();
-}
-
-void SceneHandles::hide() {
-  m_eye.isPlaced = m_lookat.isPlaced = false;
-  update();
-}
-
-void SceneHandles::setSceneEye(const Vec3& sceneEye) {
-  m_sceneEye = sceneEye;
-  update();
-}
-
-void SceneHandles::update() {
-  const double near = 0.05 * length(positionOf(m_eye.ball) - positionOf(m_lookat.ball));
-  for (Handle* handle : {&m_eye, &m_lookat, &m_mesh}) {
-    const bool isShown = handle->isPlaced && length(positionOf(handle->ball) - m_sceneEye) > near;
-    handle->ball->Modified();  // keeps the size in pixels instead of metres
-    if ((handle->widget->GetEnabled() != 0) != isShown) handle->widget->SetEnabled(isShown);
-    if (isShown) handle->ball->BuildRepresentation();  // for its bounds, used by fitting
+  for (const SceneBall ball : {SceneBall::mesh, SceneBall::lookat, SceneBall::eye}) {
+    const std::optional<QPointF> place = ballAt(ball);
+    if (!place || QLineF(*place, at).length() > tolerance) continue;
+    m_touched = ball;
+    m_held = wholeBall;
   }
+  if (std::pair(m_touched, m_held) != before) Q_EMIT arrowsChanged();
+}
+
+bool SceneHandles::onPress(vtkObject*, unsigned long, void*) {
+  touch(pointer());
+  m_isDragging = m_held != none;
+  if (!m_isDragging) return false;
+  m_start = *m_places[std::size_t(m_touched)];
+  m_grabbed = pointer();
+  if (m_held != wholeBall) m_along = alongAxis();
+  return true;  // nobody else hears of it
+}
+
+bool SceneHandles::onMove(vtkObject*, unsigned long, void*) {
+  if (!m_isDragging) {
+    touch(pointer());
+    return false;
+  }
+  const QPointF way = pixelSizeAt(*m_renderer, m_start) * (pointer() - m_grabbed);
+  const RigidTransform eyeFromWorld = viewOf(*m_renderer);
+  const Vec3 place = m_held == wholeBall
+                         ? m_start + eyeFromWorld.inverse().direction({way.x(), -way.y(), 0})
+                         : m_start + (alongAxis() - m_along) * worldAxes[std::size_t(m_held)];
+  Q_EMIT dragged(m_touched, place);
+  return true;
+}
+
+bool SceneHandles::onRelease(vtkObject*, unsigned long, void*) {
+  return std::exchange(m_isDragging, false);
 }
 
 }  // namespace hogelscope

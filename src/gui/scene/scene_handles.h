@@ -1,22 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Balls in the 3-D scene that are dragged to move a mesh or a camera's eye and look-at point.
+// Balls in the 3-D scene that are dragged in the plane of the screen to move a camera's eye and
+// look-at point or a mesh, and arrows along the world's axes at one of them: the eye's, or the one
+// that was touched last. SceneOverlay paints them.
 #pragma once
 
-#include <vtkNew.h>
-
 #include <QObject>
+#include <QPointF>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/base/geometry.h"
 
-class vtkHandleWidget;
 class vtkObject;
 class vtkRenderer;
 class vtkRenderWindowInteractor;
-class vtkSphereHandleRepresentation;
 
 namespace hogelscope {
+
+/// An arrow on the screen, in pixels from the upper left.
+struct AxisArrow {
+  int axis = 0;  ///< 0 … 2: x, y, z
+  QPointF from;  ///< the ball's middle
+  QPointF to;
+  bool isHeld = false;  ///< the pointer is on it or drags it
+};
+
+/// Returns arrows along the world's axes from a point, `length` metres long, without those that
+/// point nearly at the scene's eye.
+std::vector<AxisArrow> arrowsAt(vtkRenderer& renderer, const Vec3& from, double length);
+
+enum class SceneBall { eye, lookat, mesh };
 
 class SceneHandles : public QObject {
   Q_OBJECT
@@ -25,35 +39,40 @@ class SceneHandles : public QObject {
   SceneHandles(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, QObject* parent);
   ~SceneHandles() override;
 
-  /// Shows the camera's balls, at points of the world in metres.
-  void showAt(const Vec3& eye, const Vec3& lookat);
-  void hide();
-  /// Shows the mesh's ball; nullopt hides it.
-  void showMeshAt(const std::optional<Vec3>& place);
-  /// Sets the scene's eye. A ball at or near the eye is hidden, because it would fill the view.
-  void setSceneEye(const Vec3& sceneEye);
+  /// Puts a ball at a point of the world, in metres; nullopt hides it.
+  void show(SceneBall ball, const std::optional<Vec3>& place) {
+    m_places[std::size_t(ball)] = place;
+  }
+  /// Returns where a ball is on the screen; none if it is hidden, or so near to the scene's eye
+  /// that it would be in the way.
+  [[nodiscard]] std::optional<QPointF> ballAt(SceneBall ball) const;
+  /// Returns the arrows at the ball that was touched last, at first the eye's.
+  [[nodiscard]] std::vector<AxisArrow> arrows() const;
 
  Q_SIGNALS:
-  void eyeDragged(const hogelscope::Vec3& eye);
-  void lookatDragged(const hogelscope::Vec3& lookat);
-  void meshDragged(const hogelscope::Vec3& place);
+  void dragged(hogelscope::SceneBall ball, const hogelscope::Vec3& place);
+  /// The arrows are at another ball, or another one is held.
+  void arrowsChanged();
 
  private:
-  struct Handle {
-    vtkNew<vtkHandleWidget> widget;
-    vtkNew<vtkSphereHandleRepresentation> ball;
-    bool isPlaced = false;
-  };
-  void setUp(Handle& handle, const std::array<double, 3>& colour);
-  void update();
-  void onDrag(vtkObject* widget, unsigned long event, void* data);
+  bool onPress(vtkObject* caller, unsigned long event, void* data);
+  bool onMove(vtkObject* caller, unsigned long event, void* data);
+  bool onRelease(vtkObject* caller, unsigned long event, void* data);
+  [[nodiscard]] QPointF pointer() const;
+  [[nodiscard]] double alongAxis() const;
+  void touch(const QPointF& at);
 
+  static constexpr int none = -1, wholeBall = 3;
   vtkRenderer* m_renderer;
   vtkRenderWindowInteractor* m_interactor;
-  Handle m_eye;
-  Handle m_lookat;
-  Handle m_mesh;
-  Vec3 m_sceneEye;
+  std::array<unsigned long, 3> m_observers{};  ///< of the interactor
+  std::array<std::optional<Vec3>, 3> m_places;
+  SceneBall m_touched = SceneBall::eye;  ///< has the arrows
+  int m_held = none;                     ///< the ball itself, or an arrow's axis
+  bool m_isDragging = false;
+  Vec3 m_start;        ///< of the drag: the ball's place
+  QPointF m_grabbed;   ///< there the pointer was pressed
+  double m_along = 0;  ///< the same in metres along the axis
 };
 
 }  // namespace hogelscope

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/scene_output.h"
 
+#include <QComboBox>
 #include <QFileInfo>
+#include <QFormLayout>
+#include <QPainter>
 #include <QStatusBar>
 #include <algorithm>
 
@@ -14,6 +17,7 @@
 #include "gui/scene/scene_export.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
+#include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
 #include "gui/widgets/polled_bar.h"
@@ -45,6 +49,39 @@ VtkImage imageOf(const std::optional<RenderJob>& panel, const Progress& progress
   if (!panel) return nullptr;
   return toVtkImage(Renderer().render(*panel, progress), SceneWorker::panelColour);
 }
+
+/// Returns RGB, or RGBA that is not premultiplied.
+std::vector<std::uint8_t> bytesOf(const QImage& picture, bool hasAlpha) {
+  const QImage image =
+      picture.convertToFormat(hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  const int row = (hasAlpha ? 4 : 3) * image.width();
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(std::size_t(row) * std::size_t(image.height()));
+  for (int y = 0; y < image.height(); ++y)
+    bytes.insert(bytes.end(), image.constScanLine(y), image.constScanLine(y) + row);
+  return bytes;
+}
+
+/// Asks for the width and the background of a picture.
+class PictureDialog : public SizeDialog {
+ public:
+  PictureDialog(const QSize& proposed, QWidget* parent)
+      : SizeDialog(SceneOutput::tr("Save scene picture"), proposed, parent) {
+    m_background->setObjectName("backgroundBox");
+    m_background->addItems(
+        {SceneOutput::tr("As shown"), SceneOutput::tr("White"), SceneOutput::tr("Transparent")});
+    m_background->setToolTip(
+        SceneOutput::tr("White and transparent backgrounds have the colours of the light scheme, "
+                        "for figures on paper; PNG and TIFF can be transparent"));
+    form()->addRow(SceneOutput::tr("&Background"), m_background);
+  }
+  [[nodiscard]] SceneBackground background() const {
+    return SceneBackground(m_background->currentIndex());
+  }
+
+ private:
+  QComboBox* m_background = new QComboBox;
+};
 
 }  // namespace
 
@@ -104,7 +141,7 @@ void SceneOutput::finish(const QString& file) {
 
 /// Renders the panel and writes the file on the task's thread; draws the scene on the window's
 /// thread, which has OpenGL.
-void SceneOutput::savePicture(const QString& file, const QSize& size) {
+void SceneOutput::savePicture(const QString& file, const QSize& size, SceneBackground background) {
   m_file = file;
   DisplayScene& scene = m_controller->scene();
   const std::optional<RenderJob> current = m_controller->job();
@@ -113,29 +150,43 @@ void SceneOutput::savePicture(const QString& file, const QSize& size) {
     panel = panelJob(*current, scene.viewpoint(),
                      scene.pixelOnPanel() * m_controller->widget()->deviceSize().height() /
                          std::max(1, size.height()));
-  m_task->start([this, panel, file, size](const Progress& progress) {
-    return [this, image = imageOf(panel, progress), file, size] {
+  m_task->start([this, panel, file, size, background](const Progress& progress) {
+    return [this, image = imageOf(panel, progress), file, size, background] {
       if (image != nullptr) m_controller->scene().panel().setImage(image);
-      draw(file, size);
+      draw(file, size, background);
     };
   });
   showState();
 }
 
-void SceneOutput::draw(const QString& file, const QSize& size) {
+void SceneOutput::draw(const QString& file, const QSize& size, SceneBackground background) {
+  DisplayScene& scene = m_controller->scene();
+  const bool isTransparent = background == SceneBackground::transparent;
   try {
-    if (m_controller->widget()
-            ->image()
-            .isNull())  // initialises OpenGL if the scene was never shown
+    if (isTransparent &&
+        !QStringList({"png", "tif", "tiff"}).contains(QFileInfo(file).suffix().toLower()))
+      throw InputError("the scene's picture", "only .png and .tif have a transparent background");
+    VtkWidget& widget = *m_controller->widget();
+    if (widget.image().isNull())  // initialises OpenGL if the scene was never shown
       throw InputError("the scene's picture", "OpenGL 3.2 is not available");
-    const auto rgb = scenePicture(*m_controller->widget()->renderWindow(), size);
-    m_controller->scene().redraw();
+    if (background != SceneBackground::asShown)
+      scene.setColours(lightTokens(), isTransparent ? Qt::transparent : Qt::white);
+    QImage picture = scenePicture(*widget.renderWindow(), size);
+    const double scale = double(size.height()) / std::max(1, widget.height());
+    QPainter painter(&picture);
+    painter.scale(scale, scale);
+    scene.paintOver(painter, false);
+    painter.end();
+    scene.setColours(tokens(), tokens().canvas);
+    scene.redraw();
     m_controller->renderPanel();  // replaces the fine image, which is slow to rotate
-    m_task->start([this, rgb, file, size](const Progress& progress) {
-      writeImage(file.toStdString(), size.width(), size.height(), rgb, progress);
+    m_task->start([this, picture, file, isTransparent](const Progress& progress) {
+      writeImage(file.toStdString(), picture.width(), picture.height(),
+                 bytesOf(picture, isTransparent), progress);
       return [this, file] { finish(file); };
     });
   } catch (const std::exception& error) {
+    scene.setColours(tokens(), tokens().canvas);
     showState();
     Q_EMIT failed(file + ": " + QString::fromUtf8(error.what()));
   }
@@ -162,12 +213,11 @@ void SceneOutput::exportTo(const QString& file) {
 }
 
 void SceneOutput::askPicture() {
-  SizeDialog dialog(tr("Save scene picture"), m_controller->widget()->deviceSize(),
-                    m_controller->widget());
+  PictureDialog dialog(m_controller->widget()->deviceSize(), m_controller->widget());
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = chooseNewFile(m_controller->widget(), tr("Save scene picture"), "scene.png",
                                      tr("Pictures (*.png *.tif *.tiff *.exr *.jpg)"));
-  if (!file.isEmpty()) savePicture(file, dialog.size());
+  if (!file.isEmpty()) savePicture(file, dialog.size(), dialog.background());
 }
 
 void SceneOutput::askExport() {

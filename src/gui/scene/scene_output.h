@@ -11,6 +11,10 @@ class QStatusBar;
 
 namespace hogelscope {
 
+/// Behind a saved picture of the scene; figures on white and transparent paper have the colours of
+/// the light scheme.
+enum class SceneBackground { asShown, white, transparent };
+
 class ReadingBar;
 class SceneController;
 class SessionModel;
@@ -24,8 +28,9 @@ class SceneOutput : public QObject {
               QObject* parent);
 
   /// Saves the current scene; the panel has as many pixels as the image can show. The extension
-  /// gives the format. done() or failed() follows later.
-  void savePicture(const QString& file, const QSize& size);
+  /// gives the format; PNG and TIFF can be transparent. done() or failed() follows later.
+  void savePicture(const QString& file, const QSize& size,
+                   SceneBackground background = SceneBackground::asShown);
   /// Calls exportScene() in the background. done() or failed() follows later.
   void exportTo(const QString& file);
 
@@ -34,7 +39,7 @@ class SceneOutput : public QObject {
   void failed(const QString& line);
 
  private:
-  void draw(const QString& file, const QSize& size);
+  void draw(const QString& file, const QSize& size, SceneBackground background);
   void finish(const QString& file);
   void askPicture();
   void askExport();

@@ -17,6 +17,8 @@
 #include <cmath>
 #include <utility>
 
+#include "gui/widgets/colours.h"
+
 namespace hogelscope {
 
 namespace {
@@ -73,15 +75,24 @@ const QImage& VtkWidget::image() {
 
 void VtkWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (!image().isNull()) return painter.drawImage(rect(), m_image);
-  painter.fillRect(rect(), Qt::black);
-  painter.setPen(Qt::white);
+  if (!image().isNull()) {
+    painter.drawImage(rect(), m_image);
+    Q_EMIT painted(painter);
+    return;
+  }
+  painter.fillRect(rect(), tokens().canvas);
+  painter.setPen(tokens().text);
   painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("OpenGL 3.2 is not available."));
 }
 
 void VtkWidget::resizeEvent(QResizeEvent*) {
   m_interactor->UpdateSize(deviceSize().width(), deviceSize().height());
   Q_EMIT resized();
+}
+
+void VtkWidget::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) Q_EMIT coloursChanged();
+  QWidget::changeEvent(event);
 }
 
 void VtkWidget::makeContext() {
@@ -105,7 +116,6 @@ void VtkWidget::render() {
   if (m_surface == nullptr) makeContext();
   if (m_context == nullptr || !m_context->makeCurrent(m_surface.get())) return;
   const QSize size = deviceSize();
-  m_window->SetDPI(qRound(72 * devicePixelRatioF()));
   m_interactor->UpdateSize(size.width(), size.height());
   m_window->Render();
   if (m_image.size() != size) m_image = QImage(size, QImage::Format_RGB32);

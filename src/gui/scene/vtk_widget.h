@@ -34,6 +34,10 @@ class VtkWidget : public QWidget {
   [[nodiscard]] vtkGenericRenderWindowInteractor* interactor() const { return m_interactor; }
   /// Returns the size in device pixels, as in VTK.
   [[nodiscard]] QSize deviceSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+  /// Returns the middle of a device pixel that counts from the lower left, from the upper left.
+  [[nodiscard]] QPointF fromUpperLeft(int x, int y) const {
+    return {x + 0.5, deviceSize().height() - y - 0.5};
+  }
   /// Schedules a redraw, so that several changes are drawn at once.
   void redraw();
   /// Returns the rendered image in device pixels; null without OpenGL.
@@ -45,10 +49,14 @@ class VtkWidget : public QWidget {
   /// The pointer has moved without a pressed button.
   void hovered(int x, int y);
   void resized();
+  /// The image has been painted; more can be painted over it, in the widget's pixels.
+  void painted(QPainter& painter);
+  void coloursChanged();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

@@ -148,6 +148,10 @@ const Tokens& tokens() {
   return *current;
 }
 
+const Tokens& lightTokens() {
+  return light;
+}
+
 int scaled(int pixels) {
   return int(std::lround(pixels * textScale / 100.0));
 }

@@ -33,6 +33,8 @@ struct Tokens {
 
 /// Returns the colours of the scheme in use. Widgets get a PaletteChange event when it changes.
 const Tokens& tokens();
+/// Returns the colours of the light scheme, which figures on paper have.
+const Tokens& lightTokens();
 
 /// The sizes of text.
 enum class TextSize {

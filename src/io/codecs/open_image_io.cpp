@@ -265,6 +265,7 @@ class Output : public ImageOutput {
     OIIO::ImageSpec spec(int(wanted.width), int(wanted.height), int(wanted.channels.size()),
                          m_type);
     spec.channelnames = wanted.channels;
+    if (wanted.channels.size() == 4) spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("DateTime", "");  // equal content gives equal files, without a date
     m_image = OIIO::ImageOutput::create(file.string());
     if (!m_image) {

@@ -36,8 +36,10 @@ class PngOutput : public ImageOutput {
     header.width = std::uint32_t(spec.width);
     header.height = std::uint32_t(spec.height);
     header.bit_depth = std::uint8_t(8 * bytes);
-    header.color_type =
-        spec.channels.size() == 1 ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
+    const std::size_t channels = spec.channels.size();
+    header.color_type = channels == 1   ? SPNG_COLOR_TYPE_GRAYSCALE
+                        : channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA
+                                        : SPNG_COLOR_TYPE_TRUECOLOR;
     check(spng_set_ihdr(m_context.get(), &header));
     if (effort == PngEffort::quick) {
       check(spng_set_option(m_context.get(), SPNG_IMG_COMPRESSION_LEVEL, 3));

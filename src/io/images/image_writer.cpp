@@ -115,9 +115,11 @@ ImageSpec specOf(int width, int height, StoredType type = StoredType::uint8) {
 
 }  // namespace
 
-void writeImage(const fs::path& file, int width, int height, std::span<const std::uint8_t> rgb,
+void writeImage(const fs::path& file, int width, int height, std::span<const std::uint8_t> values,
                 const Progress& progress) {
-  writeWhole(file, specOf(width, height), rgb.data(), progress);
+  ImageSpec spec = specOf(width, height);
+  if (values.size() == 4 * spec.width * spec.height) spec.channels = {"R", "G", "B", "A"};
+  writeWhole(file, spec, values.data(), progress);
 }
 
 void writeImage(const fs::path& file, int width, int height, std::span<const float> rgb) {

@@ -16,9 +16,10 @@
 
 namespace hogelscope {
 
-/// Writes 8-bit RGB. The extension chooses the format.
+/// Writes 8-bit RGB, or to PNG and TIFF RGBA that is not premultiplied, as the number of values
+/// says. The extension chooses the format.
 void writeImage(const std::filesystem::path& file, int width, int height,
-                std::span<const std::uint8_t> rgb, const Progress& progress = {});
+                std::span<const std::uint8_t> values, const Progress& progress = {});
 /// Returns 8-bit RGB as the bytes of a PNG file.
 std::string encodedPng(int width, int height, std::span<const std::uint8_t> rgb,
                        const Progress& progress = {});
