@@ -116,6 +116,8 @@ void TestErrorMap::theScaleTellsTheError() {
   for (const double gamma : {1.0, 2.2}) {
     const ErrorMap map({ErrorKind(kind), {4, gamma}, true});
     const double top = map.errorAt(1);
+    for (const double place : {0.0, 0.125, 0.5, 0.9, 1.0})
+      QVERIFY(std::abs(map.placeOf(map.errorAt(place)) - place) < 1e-12);
     const double expected = ErrorKind(kind) == ErrorKind::relative  ? 25
                             : ErrorKind(kind) == ErrorKind::squared ? 63.75 * 63.75
                                                                     : 63.75;

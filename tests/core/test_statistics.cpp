@@ -34,6 +34,7 @@ class TestStatistics : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void meansAndQuantilesOfHistograms();
   void ofConstants();
   void ofOneUnit();
   void ofNothing();
@@ -125,6 +126,29 @@ void TestStatistics::twoValues() {
   QCOMPARE(bootstrap(units, mean)[0].high, 1.0);
   QCOMPARE(bootstrap(units, mean, {10000, 0.4, 1})[0].low, 0.5);
   QCOMPARE(bootstrap(units, mean, {10000, 0.4, 1})[0].high, 0.5);
+}
+
+/// Against a sorted list.
+void TestStatistics::meansAndQuantilesOfHistograms() {
+  Random random(9);
+  for (int k = 0; k < 50; ++k) {
+    Histogram counts{};
+    std::vector<int> values;
+    const int count = random.integer(1, 300);
+    for (int n = 0; n < count; ++n) {
+      values.push_back(random.integer(k, 255));
+      ++counts[std::size_t(values.back())];
+    }
+    std::sort(values.begin(), values.end());
+    double sum = 0;
+    for (const int value : values) sum += value;
+    QVERIFY(std::abs(meanOf(counts) - sum / count) < 1e-9);
+    for (const double share : {0.01, 0.25, 0.5, 0.99, 1.0}) {
+      const auto rank = std::size_t(std::max(1.0, std::ceil(share * count - 1e-9)));
+      QCOMPARE(quantileOf(counts, share), values[rank - 1]);
+    }
+  }
+  QVERIFY(std::isnan(meanOf(Histogram{})));
 }
 
 QTEST_APPLESS_MAIN(TestStatistics)

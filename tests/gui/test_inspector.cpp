@@ -7,6 +7,7 @@
 #include "core/optics/pixel_inspection.h"
 #include "gui/docks/parameter_drawings.h"
 #include "gui/view/image_widget.h"
+#include "gui/widgets/colours.h"
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
 
@@ -107,7 +108,7 @@ class TestInspector : public SceneTest {
     QVERIFY(said("inspectorValues").startsWith("Pixel (70, 80)"));
   }
 
-  /// Each with words of its own; no ray, outside and dark each with a look of its own.
+  /// Each with words and a pattern of its own.
   void saysWhyAPixelIsBlack() {
     const auto black = [&](const QPoint& pixel, const QString& why) {
       point(pixel);
@@ -115,17 +116,15 @@ class TestInspector : public SceneTest {
     };
     show(1);
     black({0, 0}, "Black, no ray: the lens folds");
-    const QImage noRay = swatch();
-    QVERIFY(count(noRay, QColor(255, 64, 200)) > 50);
+    QVERIFY(count(swatch(), tokens().series[3]) > 50);
     show(3);
     black({0, 0}, "Black, outside the panel: its ray passes beside it");
     QVERIFY(!hogel()->isVisible());
-    const QImage outside = swatch();
-    QVERIFY(count(outside, QColor(255, 176, 0)) > 50);
+    QVERIFY(count(swatch(), tokens().series[0]) > 50);
     show(0);
     m_model->edit("narrow", [](Session& session) { session.display.fov = {4, 4}; });
     black({80, 60}, "Black, outside the viewing zone: the hogel lights 4° × 4°, and direction u ");
-    QCOMPARE(swatch(), outside);
+    QVERIFY(count(swatch(), tokens().series[1]) > 50);
     QVERIFY(hogel()->isVisible() && hogel()->markedPixels().isEmpty());
   }
 

@@ -2,6 +2,8 @@
 #include "core/engine/hogel_pixels.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace hogelscope {
 
@@ -45,6 +47,39 @@ std::vector<PixelRun> pixelsSeeing(const RenderJob& job, int i, int j,
   std::vector<PixelRun> runs;
   for (const auto& row : rows) runs.insert(runs.end(), row.begin(), row.end());
   return runs;
+}
+
+std::vector<RayEnd> rayEnds(const RenderJob& job, std::span<const std::uint8_t> seen,
+                            const ParallelRows& parallelRows, const Progress& progress) {
+  SamplingParams middle = job.sampling;
+  middle.samplesPerPixel = 1;
+  const LensRays lens(lensKeyOf(job.state, middle), progress);
+  const Camera camera(job.state.camera, job.state.intrinsics);
+  const Display display(job.display);
+  const RigidTransform toDisplay = display.displayFromWorld() * camera.worldFromCamera();
+  const int width = job.state.camera.res[0];
+  std::vector<RayEnd> ends(seen.size(), RayEnd::seen);
+  const auto writeRow = [&](int y) {
+    std::array<double, batchSize> idealX;
+    std::array<double, batchSize> idealY;
+    for (int x0 = 0; x0 < width; x0 += batchSize) {
+      const int count = std::min(batchSize, width - x0);
+      const auto from = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x0);
+      lens.row(y, {}, x0, count, idealX.data(), idealY.data());
+      for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+        if (seen[from + k] != 0) continue;
+        const Vec3 direction = toDisplay.direction({idealX[k], idealY[k], 1});
+        ends[from + k] = std::isnan(idealX[k])
+                             ? RayEnd::noRay
+                             : endOf(display, display.intersectPlane(toDisplay.origin, direction));
+      }
+    }
+  };
+  parallelRows(job.state.camera.res[1], [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) writeRow(y);
+  });
+  return ends;
 }
 
 }  // namespace hogelscope

@@ -107,7 +107,6 @@ ErrorMap::ErrorMap(const Params& params) : m_params(params), m_full(fullOf(param
       m_channels.push_back(quantised(255 * placeOf(errorOf(params.kind, reference, test))));
 }
 
-/// Returns the position of an error on the colour scale, 0 … 1.
 double ErrorMap::placeOf(double error) const {
   const double share = raised(std::min(std::abs(error) / m_full, 1.0), m_params.tone.gamma);
   if (m_params.kind != ErrorKind::signedError) return share;

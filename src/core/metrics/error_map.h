@@ -56,11 +56,12 @@ class ErrorMap {
              std::span<std::uint8_t> result) const;
   /// Returns the error at a position 0 … 1 of the colour scale.
   [[nodiscard]] double errorAt(double place) const;
+  /// Returns the position of an error on the colour scale: the inverse of errorAt(), limited to
+  /// 0 … 1.
+  [[nodiscard]] double placeOf(double error) const;
   [[nodiscard]] std::array<std::uint8_t, 3> colourAt(double place) const;
 
  private:
-  [[nodiscard]] double placeOf(double error) const;
-
   Params m_params;
   double m_full;                         ///< the error shown brightest
   std::vector<std::uint8_t> m_channels;  ///< indexed by reference and test, 256 × 256

@@ -138,4 +138,25 @@ Histogram lumaHistogram(const Image& image) {
   return counts;
 }
 
+double meanOf(const Histogram& counts) {
+  double sum = 0;
+  double pixels = 0;
+  for (std::size_t luma = 0; luma < counts.size(); ++luma) {
+    sum += double(luma) * double(counts[luma]);
+    pixels += double(counts[luma]);
+  }
+  return sum / pixels;
+}
+
+int quantileOf(const Histogram& counts, double share) {
+  const double pixels = std::accumulate(counts.begin(), counts.end(), 0.0);
+  double sum = 0;
+  int luma = 0;
+  for (; luma < 255; ++luma) {
+    sum += double(counts[std::size_t(luma)]);
+    if (sum >= share * pixels) break;
+  }
+  return luma;
+}
+
 }  // namespace hogelscope

@@ -57,5 +57,9 @@ using Histogram = std::array<std::size_t, 256>;
 
 /// Counts the seen pixels by their luma (BT.709), rounded half up.
 Histogram lumaHistogram(const Image& image);
+/// Returns the mean luma; NaN if nothing was counted.
+double meanOf(const Histogram& counts);
+/// Returns the least luma that at least the share of the pixels, 0 … 1, do not exceed.
+int quantileOf(const Histogram& counts, double share);
 
 }  // namespace hogelscope

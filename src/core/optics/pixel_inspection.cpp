@@ -7,14 +7,10 @@
 
 namespace hogelscope {
 
-namespace {
-
 RayEnd endOf(const Display& display, const std::optional<Hit>& place) {
   if (!place || !display.isOnPanel(*place)) return RayEnd::misses;
   return display.isInField(*place) ? RayEnd::seen : RayEnd::outsideField;
 }
-
-}  // namespace
 
 std::string_view words(RayEnd end) {
   constexpr std::array<std::string_view, 4> texts{

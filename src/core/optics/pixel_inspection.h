@@ -22,6 +22,9 @@ enum class RayEnd {
 
 std::string_view words(RayEnd end);
 
+/// Returns the end of a ray that Display::intersectPlane() has intersected.
+RayEnd endOf(const Display& display, const std::optional<Hit>& place);
+
 /// The ray through the middle of a pixel. Lengths are in metres.
 struct PixelTrace {
   RayEnd end = RayEnd::noRay;

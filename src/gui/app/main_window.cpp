@@ -34,6 +34,7 @@
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
 #include "gui/widgets/colours.h"
+#include "gui/widgets/hint.h"
 #include "gui/widgets/polled_bar.h"
 #include "ui_main_window.h"
 
@@ -219,7 +220,7 @@ void MainWindow::connectDocks() {
   }
   for (const ParameterForm* form : findChildren<ParameterForm*>())
     connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
-  connect(m_imageCommands, &ImageCommands::otherChanged, this, &MainWindow::render);
+  connect(m_imageCommands, &ImageCommands::requestChanged, this, &MainWindow::render);
   connect(m_imageCommands, &ImageCommands::compared, m_ui->reportPanel, &ReportDock::offerTest);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
   connect(m_imageCommands, &ImageCommands::done, m_messages, &Messages::showMessage);
@@ -271,10 +272,11 @@ void MainWindow::connectLoader() {
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
   m_worker->render({m_model->current(), m_loader->source()->display, m_model->session().sampling,
-                    m_method, m_imageCommands->other()});
+                    m_method, m_imageCommands->other(), m_imageCommands->asksWhy()});
 }
 
 void MainWindow::showView(const RenderedView& view) {
+  for (Hint* hint : findChildren<Hint*>()) hint->offer();
   m_imageCommands->show(view);
   if (view.scale == 1 && !view.isOverview) m_files->keepThumbnail(view.image);
   m_loader->followImage();
@@ -318,7 +320,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   m_files->end();
 }
 
-/// Creates the helpers for files, help, colours and layout, which need no further connections.
+/// Creates the helpers for files, help, hints, colours and layout, which need no further
+/// connections.
 void MainWindow::addHelpers() {
   connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
@@ -328,6 +331,10 @@ void MainWindow::addHelpers() {
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
   connect(sceneOutput, &SceneOutput::failed, m_messages, &Messages::showError);
   addHelp(m_ui->helpMenu, this);
+  new Hint("sceneHint", tr("Drag the orange eye · an arrow moves it along one axis"),
+           m_ui->sceneWidget);
+  new Hint("viewHint", tr("Click a pixel: why is it like this? · double click: only this view"),
+           m_ui->pictureView);
   m_layout =
       new WindowLayout(this, m_ui->viewMenu,
                        {m_home, m_ui->pictureArea, m_ui->sceneDock, m_ui->statesDock,

@@ -17,17 +17,15 @@ namespace hogelscope {
 
 namespace {
 
-/// Returns a swatch for the pixel's fate: hatched without a ray or a hogel, plain with light.
+/// Returns a swatch for the pixel's fate: hatched as the mask if it is not seen, plain with light.
 QPixmap swatchOf(const PixelTrace& trace) {
   constexpr int side = 32;
   QPixmap swatch(side, side);
   QPainter painter(&swatch);
   painter.fillRect(swatch.rect(), Qt::black);
   const PixelFate fate = fateOf(trace);
-  if (fate == PixelFate::noRay)
-    painter.fillRect(swatch.rect(), QBrush(QColor(255, 64, 200), Qt::DiagCrossPattern));
-  if (fate == PixelFate::outside)
-    painter.fillRect(swatch.rect(), QBrush(QColor(255, 176, 0), Qt::BDiagPattern));
+  if (fate == PixelFate::noRay || fate == PixelFate::outside)
+    painter.drawImage(0, 0, hatchOf(trace.end, side));
   if (fate == PixelFate::lit)
     painter.fillRect(swatch.rect(), QColor(quantised(trace.colour->r), quantised(trace.colour->g),
                                            quantised(trace.colour->b)));

@@ -43,7 +43,7 @@ void Comparison::startIdeal() {
   m_file.clear();
   m_other.reset();
   m_isIdeal = true;
-  m_name = tr("ideal view");
+  m_name = tr("Ideal view");
   Q_EMIT changed();
 }
 
@@ -121,12 +121,15 @@ QString words(const std::vector<double>& values) {
   QStringList parts;
   for (const std::size_t index : {psnrSeenColumn, ssimSeenColumn, seenColumn}) {
     const MetricColumn& column = metrics.columns()[index];
-    QString part = QString::fromStdString(column.title + ' ' + tableText(column, values[index]));
-    if (std::isfinite(values[index]) && !column.unit.empty())
-      part += ' ' + QString::fromStdString(column.unit);
-    parts << part;
+    const QString unit =
+        std::isfinite(values[index]) ? QString::fromStdString(column.unit) : QString();
+    parts << QStringLiteral("%1 <b style='font-size:%2px'>%3</b> %4")
+                 .arg(QString::fromStdString(column.title).toHtmlEscaped())
+                 .arg(textFont(TextSize::number).pixelSize())
+                 .arg(QString::fromStdString(tableText(column, values[index])), unit)
+                 .trimmed();
   }
-  return parts.join(QStringLiteral(", "));
+  return parts.join(QStringLiteral(" &nbsp; "));
 }
 
 }  // namespace
@@ -135,12 +138,12 @@ QString textOf(const ComparisonFigures& figures) {
   if (figures.whole.empty()) return {};
   QString text = words(figures.whole);
   if (!figures.inRegion.empty())
-    text += '\n' + ComparisonMeter::tr("Rectangle %1 × %2 at %3, %4: %5")
-                       .arg(figures.region.width())
-                       .arg(figures.region.height())
-                       .arg(figures.region.x())
-                       .arg(figures.region.y())
-                       .arg(words(figures.inRegion));
+    text += "<br>" + ComparisonMeter::tr("Rectangle %1 × %2 at %3, %4: %5")
+                         .arg(figures.region.width())
+                         .arg(figures.region.height())
+                         .arg(figures.region.x())
+                         .arg(figures.region.y())
+                         .arg(words(figures.inRegion));
   return text;
 }
 
@@ -175,9 +178,32 @@ HistogramWidget::HistogramWidget(QWidget* parent) : QWidget(parent) {
          "rectangle where there is one"));
 }
 
-void HistogramWidget::setHistograms(const std::vector<Histogram>& histograms) {
+void HistogramWidget::setHistograms(const std::vector<Histogram>& histograms,
+                                    const QStringList& names) {
   m_histograms = histograms;
+  m_names = names;
   update();
+}
+
+/// Paints names, means and the values of the darkest and brightest hundredth, from the right.
+void HistogramWidget::paintLegend(QPainter& painter) const {
+  const int line = painter.fontMetrics().height();
+  painter.setPen(tokens().text3);
+  painter.drawText(QRect(4, 2, width(), line), Qt::AlignLeft, tr("Luma, √ of count"));
+  int right = width() - 4;
+  for (std::size_t which = m_histograms.size(); which-- > 0;) {
+    const Histogram& counts = m_histograms[which];
+    const QString text = tr("%1 · mean %2 · 1 %, 99 %: %3, %4")
+                             .arg(m_names.value(qsizetype(which)))
+                             .arg(meanOf(counts), 0, 'f', 1)
+                             .arg(quantileOf(counts, 0.01))
+                             .arg(quantileOf(counts, 0.99));
+    const int left = right - painter.fontMetrics().horizontalAdvance(text);
+    painter.setPen(tokens().text2);
+    painter.drawText(left, 2 + painter.fontMetrics().ascent(), text);
+    painter.fillRect(left - 14, 2 + line / 2 - 4, 8, 8, tokens().series[which]);
+    right = left - 28;
+  }
 }
 
 void HistogramWidget::paintEvent(QPaintEvent*) {
@@ -190,9 +216,10 @@ void HistogramWidget::paintEvent(QPaintEvent*) {
   painter.setFont(textFont(TextSize::caption));
   const int ticks = painter.fontMetrics().height();
   const int bottom = height() - ticks;
+  const int top = ticks + 4;
   for (int value = 0; value < 256; value += 32) {
     const int x = value * width() / 256;
-    painter.fillRect(x, 0, 1, bottom, tokens().grid);
+    painter.fillRect(x, top, 1, bottom - top, tokens().grid);
     painter.setPen(tokens().text3);
     painter.drawText(QRect(x + 2, bottom, width(), ticks), Qt::AlignLeft, QString::number(value));
   }
@@ -201,7 +228,8 @@ void HistogramWidget::paintEvent(QPaintEvent*) {
     const double step = double(width()) / double(counts.size());
     QPainterPath line(QPointF(0, bottom));
     for (std::size_t k = 0; k < counts.size(); ++k) {
-      const double y = bottom * (1 - 0.95 * std::sqrt(double(counts[k]) / double(most)));
+      const double share = std::sqrt(double(counts[k]) / double(most));
+      const double y = bottom - share * (bottom - top);
       line.lineTo(step * double(k), y);
       line.lineTo(step * double(k + 1), y);
     }
@@ -211,6 +239,7 @@ void HistogramWidget::paintEvent(QPaintEvent*) {
     else
       painter.strokePath(line, QPen(tokens().series[1], 1.5));
   }
+  paintLegend(painter);
 }
 
 }  // namespace hogelscope

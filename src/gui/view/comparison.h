@@ -38,6 +38,7 @@ class Comparison : public QObject {
   [[nodiscard]] const QString& name() const { return m_name; }
   /// The file that is compared or being read; "" if there is none.
   [[nodiscard]] const QString& file() const { return m_file; }
+  [[nodiscard]] bool isIdeal() const { return m_isIdeal; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
   /// Returns the share that has been read, 0 … 1; polled by PolledBar.
   [[nodiscard]] double readShare() const { return m_task.share(); }
@@ -74,7 +75,7 @@ struct ComparisonFigures {
   std::vector<Histogram> histograms;  ///< of each image, restricted to the region if there is one
 };
 
-/// Formats the metrics in one line, with the names of the report's table.
+/// Formats the metrics as HTML, with the names of the report's table.
 QString textOf(const ComparisonFigures& figures);
 
 class ComparisonMeter : public QObject {
@@ -107,16 +108,19 @@ class HistogramWidget : public QWidget {
  public:
   explicit HistogramWidget(QWidget* parent = nullptr);
 
-  /// Sets the histograms; the first is filled, the second is a line.
-  void setHistograms(const std::vector<Histogram>& histograms);
+  /// Sets the histograms and their names; the first is filled, the second is a line.
+  void setHistograms(const std::vector<Histogram>& histograms, const QStringList& names);
   [[nodiscard]] const std::vector<Histogram>& histograms() const { return m_histograms; }
-  [[nodiscard]] QSize sizeHint() const override { return {256, 72}; }
+  [[nodiscard]] QSize sizeHint() const override { return {256, 88}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintLegend(QPainter& painter) const;
+
   std::vector<Histogram> m_histograms;
+  QStringList m_names;
 };
 
 }  // namespace hogelscope

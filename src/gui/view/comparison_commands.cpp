@@ -33,7 +33,7 @@ ComparisonCommands::ComparisonCommands(QMenu* menu, ImageWidget* view, QVBoxLayo
   connect(m_view, &ImageWidget::regionChanged, this, &ComparisonCommands::measure);
   connect(m_meter, &ComparisonMeter::measured, this, [this](const ComparisonFigures& figures) {
     m_figures->setText(textOf(figures));
-    m_histogram->setHistograms(figures.histograms);
+    m_histogram->setHistograms(figures.histograms, m_view->titles());
   });
 }
 

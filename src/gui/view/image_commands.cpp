@@ -29,7 +29,7 @@ ImageCommands::ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around
       m_bar(new ReadingBar(
           tr("Other light field"), [this] { return m_comparison->readShare(); }, statusBar)) {
   addCommands(menu, around, statusBar);
-  connect(m_comparison, &Comparison::changed, this, &ImageCommands::otherChanged);
+  connect(m_comparison, &Comparison::changed, this, &ImageCommands::requestChanged);
   connect(m_comparison, &Comparison::changed, this, &ImageCommands::showComparison);
   connect(m_comparison, &Comparison::changed, this,
           [this] { Q_EMIT compared(m_comparison->file()); });
@@ -69,11 +69,12 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                       this, &ImageCommands::stopComparing);
   menu->addSeparator();
   m_comparing = new ComparisonCommands(menu, m_view, around, this);
-  addSwitch(menu,
-            {"maskAction", tr("Show &mask"),
-             tr("Hatches the pixels whose rays do not meet the display inside its angular field"),
-             Qt::CTRL | Qt::Key_M},
-            false, m_view, &ImageWidget::showMask);
+  m_mask = addSwitch(menu,
+                     {"maskAction", tr("Show &mask"),
+                      tr("Hatches the pixels that see nothing of the display, and says why"),
+                      Qt::CTRL | Qt::Key_M},
+                     false, m_view, &ImageWidget::showMask);
+  connect(m_mask, &QAction::toggled, this, &ImageCommands::requestChanged);
   m_fit = addCommand(menu,
                      {"fitViewAction", tr("&Fit picture"), tr("Shows the whole simulated view"),
                       Qt::CTRL | Qt::Key_5},
@@ -102,6 +103,10 @@ void ImageCommands::setSource(const std::optional<ViewSource>& own) {
   m_output->setSource(own);
 }
 
+bool ImageCommands::asksWhy() const {
+  return m_mask->isChecked();
+}
+
 std::optional<ViewSource> ImageCommands::other() const {
   return m_comparison->other(m_model->session());
 }
@@ -110,6 +115,9 @@ void ImageCommands::show(const RenderedView& view) {
   const bool hasOther = other().has_value();  // false for an image that arrives after the stop
   m_view->setImages(view.image, hasOther ? view.otherImage : QImage());
   m_view->setMask(view.seen, hasOther ? view.otherSeen : QImage());
+  m_view->setTag(view.isOverview  ? tr("Overview: the rest is being fetched")
+                 : view.scale > 1 ? tr("Coarse: 1/%1 of the resolution").arg(view.scale)
+                                  : QString());
   showNotice({});
 }
 
@@ -142,8 +150,9 @@ void ImageCommands::showComparison() {
   m_oneToOne->setEnabled(hasImage);
   m_save->setEnabled(isRight());
   m_copy->setEnabled(isRight());
-  const std::string own = contentName(m_model->session().lightField);
-  m_view->setTitles(QFileInfo(QString::fromStdString(own)).fileName(), m_comparison->name());
+  const QString own = QString::fromStdString(contentName(m_model->session().lightField));
+  m_view->setTitles(m_comparison->isIdeal() ? tr("Display") : QFileInfo(own).fileName(),
+                    m_comparison->name());
 }
 
 void ImageCommands::stopComparing() {

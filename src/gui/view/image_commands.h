@@ -32,6 +32,8 @@ class ImageCommands : public QObject {
   void setSource(const std::optional<ViewSource>& own);
   /// Returns the light field that is rendered for comparison.
   [[nodiscard]] std::optional<ViewSource> other() const;
+  /// Returns whether the mask says why pixels are not seen.
+  [[nodiscard]] bool asksWhy() const;
   void show(const RenderedView& view);
   /// Shows on the image why it is outdated. Until the next image is shown, it can be neither saved
   /// nor copied.
@@ -44,7 +46,7 @@ class ImageCommands : public QObject {
   bool saveImage(const QString& file);
 
  Q_SIGNALS:
-  void otherChanged();  ///< other() has changed
+  void requestChanged();  ///< other() or asksWhy() has changed
   /// Passes the file of the compared light field; "": none.
   void compared(const QString& file);
   void done(const QString& line);
@@ -63,7 +65,7 @@ class ImageCommands : public QObject {
 
   QAction *m_compare = nullptr, *m_compareFolder = nullptr, *m_compareIdeal = nullptr;
   QAction *m_stop = nullptr, *m_fit = nullptr, *m_oneToOne = nullptr, *m_save = nullptr,
-          *m_copy = nullptr;
+          *m_copy = nullptr, *m_mask = nullptr;
   ImageWidget* m_view;
   SessionModel* m_model;
   Comparison* m_comparison;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "gui/widgets/colours.h"
 
 namespace hogelscope {
 
@@ -94,20 +97,56 @@ void ZoomableImage::paint(QPainter& painter, const QRect& clip, const Placement&
   painter.restore();
 }
 
+namespace {
+
+/// Returns the mask with a RayEnd as each pixel. A mask without reasons has RayEnd::misses.
+QImage withEnds(const QImage& seen) {
+  if (seen.format() == QImage::Format_Indexed8) return seen;
+  QImage ends = seen.convertToFormat(QImage::Format_Grayscale8);
+  for (int y = 0; y < ends.height(); ++y)
+    for (uchar& pixel : std::span(ends.scanLine(y), std::size_t(ends.width())))
+      pixel = uchar(pixel != 0 ? RayEnd::seen : RayEnd::misses);
+  return ends;
+}
+
+}  // namespace
+
 QImage hatched(const QImage& seen) {
   if (seen.isNull()) return {};
   constexpr int period = 8;
-  const QImage mask = seen.convertToFormat(QImage::Format_Grayscale8);
-  QImage stripes(mask.size(), QImage::Format_ARGB32_Premultiplied);
-  for (int y = 0; y < mask.height(); ++y) {
-    const uchar* from = mask.constScanLine(y);
-    auto* to = reinterpret_cast<QRgb*>(stripes.scanLine(y));
-    for (int x = 0; x < mask.width(); ++x) {
-      const bool isStripe = (x + y) % period < period / 2;
-      to[x] = from[x] != 0 ? qRgba(0, 0, 0, 0) : isStripe ? qRgb(190, 60, 150) : qRgb(70, 20, 55);
+  const QImage ends = withEnds(seen);
+  const std::array colours{tokens().series[3], tokens().series[0], tokens().series[1]};
+  QImage pattern(ends.size(), QImage::Format_ARGB32_Premultiplied);
+  pattern.fill(Qt::transparent);
+  for (int y = 0; y < ends.height(); ++y) {
+    const uchar* from = ends.constScanLine(y);
+    auto* to = reinterpret_cast<QRgb*>(pattern.scanLine(y));
+    for (int x = 0; x < ends.width(); ++x) {
+      if (from[x] >= colours.size()) continue;
+      const int rising = (x + y) % period;
+      const int falling = (x + period - y % period) % period;
+      const bool isLine = RayEnd(from[x]) == RayEnd::noRay    ? std::min(rising, falling) < 2
+                          : RayEnd(from[x]) == RayEnd::misses ? rising < period / 2
+                                                              : falling < period / 2;
+      to[x] = (isLine ? colours[from[x]] : colours[from[x]].darker(350)).rgb();
     }
   }
-  return stripes;
+  return pattern;
+}
+
+std::array<bool, 3> reasonsIn(const QImage& seen) {
+  std::array<bool, 3> has{};
+  const QImage ends = withEnds(seen);
+  for (int y = 0; y < ends.height(); ++y)
+    for (const uchar end : std::span(ends.constScanLine(y), std::size_t(ends.width())))
+      if (end < has.size()) has[end] = true;
+  return has;
+}
+
+QImage hatchOf(RayEnd end, int side) {
+  QImage ends(side, side, QImage::Format_Indexed8);
+  ends.fill(uint(end));
+  return hatched(ends);
 }
 
 void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image) {

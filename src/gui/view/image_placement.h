@@ -8,6 +8,9 @@
 #include <QPointF>
 #include <QRect>
 #include <QSize>
+#include <array>
+
+#include "core/optics/pixel_inspection.h"
 
 namespace hogelscope {
 
@@ -57,8 +60,13 @@ class ZoomableImage {
   mutable QImage m_small;  ///< cached by the last painting below one to one
 };
 
-/// Returns stripes where `seen` is 0, transparent elsewhere; null for a null mask.
+/// Returns a pattern where `seen` is black, transparent elsewhere; null for a null mask. The index
+/// in an indexed mask, a RayEnd, chooses the pattern.
 QImage hatched(const QImage& seen);
+/// Returns which RayEnd the hatched pixels of the mask have, and whether it has any.
+std::array<bool, 3> reasonsIn(const QImage& seen);
+/// Returns a square of a RayEnd's pattern.
+QImage hatchOf(RayEnd end, int side);
 
 /// Paints lines between the pixels, from 8 device pixels per pixel on.
 void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image);

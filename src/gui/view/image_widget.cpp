@@ -177,6 +177,11 @@ void ImageWidget::setErrorMap(ErrorKind kind, bool hasFalseColour) {
   updateDifference();
 }
 
+void ImageWidget::setTag(const QString& tag) {
+  m_tag = tag;
+  update();
+}
+
 void ImageWidget::showMask(bool isShown) {
   m_showsMask = isShown;
   updateHatch();
@@ -262,8 +267,10 @@ void ImageWidget::takeMap(int number, const QImage& map) {
 }
 
 void ImageWidget::updateHatch() {
-  for (Shown& image : m_images)
+  for (Shown& image : m_images) {
     image.hatch = m_showsMask ? ZoomableImage(hatched(image.seen)) : ZoomableImage();
+    image.reasons = m_showsMask ? reasonsIn(image.seen) : std::array<bool, 3>{};
+  }
   update();
 }
 

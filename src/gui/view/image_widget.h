@@ -29,7 +29,8 @@ class ImageWidget : public QWidget {
 
   /// Sets the images. A second one of another size is ignored; without one there is no comparison.
   void setImages(const QImage& image, const QImage& other = {});
-  /// Sets the masks (0 = not seen) of both images, in their size. A null mask hides nothing.
+  /// Sets the masks of both images, in their size: black = not seen, hatched by the index in an
+  /// indexed mask, a RayEnd. A null mask hides nothing.
   void setMask(const QImage& seen, const QImage& otherSeen = {});
   /// Sets the titles, shown while both images are shown.
   void setTitles(const QString& title, const QString& otherTitle);
@@ -43,6 +44,8 @@ class ImageWidget : public QWidget {
   /// Sets the error map of Mode::difference.
   void setErrorMap(ErrorKind kind, bool hasFalseColour);
   void showMask(bool isShown);
+  /// Sets a text in the upper right corner of the image; empty: none.
+  void setTag(const QString& tag);
   /// Sets the gain of what is shown: the images, 1/16 … 128, or their error, 1 … 128.
   void setGain(double gain) { setTone({gain, gamma()}); }
   /// Sets the gamma of what is shown, 0.2 … 5.
@@ -66,6 +69,7 @@ class ImageWidget : public QWidget {
   [[nodiscard]] const QImage& otherImage() const { return m_images[1].image; }
   [[nodiscard]] const QImage& seen() const { return m_images[0].seen; }
   [[nodiscard]] const QImage& otherSeen() const { return m_images[1].seen; }
+  [[nodiscard]] QStringList titles() const { return {m_images[0].title, m_images[1].title}; }
   [[nodiscard]] const QRect& region() const { return m_region; }
   [[nodiscard]] const QRegion& markedPixels() const { return m_marked; }
   [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
@@ -103,6 +107,7 @@ class ImageWidget : public QWidget {
     ZoomableImage toned;
     QImage seen;
     ZoomableImage hatch;
+    std::array<bool, 3> reasons{};  ///< the RayEnd that the hatch has
     QString title;
   };
   enum class Drag { none, press, pan, wipe, region };
@@ -142,6 +147,7 @@ class ImageWidget : public QWidget {
   void paintOtherPointer(QPainter& painter) const;
   void paintMarks(QPainter& painter, const QRect& clip, const Placement& at) const;
   void paintTexts(QPainter& painter) const;
+  void paintLegend(QPainter& painter, int right) const;
   [[nodiscard]] QString heading() const;
   void paintNotice(QPainter& painter) const;
   [[nodiscard]] QRect noticeArea() const;
@@ -167,6 +173,7 @@ class ImageWidget : public QWidget {
   QPainterPath m_marks;  ///< the outline of the marked pixels
   QRect m_region;
   QString m_notice;
+  QString m_tag;
   QWidget* m_cures;                  ///< the buttons of the notice; hidden if there are none
   std::optional<QPointF> m_pointer;  ///< widget coordinates, as is the next
   QPointF m_pressed;

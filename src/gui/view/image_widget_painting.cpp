@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/axis.h"
 #include "gui/view/error_image.h"
 #include "gui/view/image_widget.h"
 #include "gui/widgets/colours.h"
@@ -97,21 +98,20 @@ void paintRegion(QPainter& painter, const QRect& clip, const Placement& at, cons
   paintOutline(painter, clip, around(inDevice(at, region)), Qt::DashLine);
 }
 
-/// Paints a colour scale at the right of `area`, with numbers and their unit.
-void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const QString& unit) {
-  constexpr int parts = 4;
+/// Paints a colour scale at the right of `area`, with round numbers and their unit. Returns its
+/// left end.
+int paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const QString& unit) {
   constexpr int gap = 4;
-  const QFontMetrics metrics(painter.font());
-  QStringList numbers;
-  int textWidth = metrics.horizontalAdvance(unit);
-  for (int k = 0; k <= parts; ++k) {
-    numbers << QString::number(map.errorAt(double(k) / parts), 'g', 4);
-    textWidth = std::max(textWidth, metrics.horizontalAdvance(numbers.back()));
-  }
   constexpr int barWidth = 12;
-  const int line = metrics.height();
+  const int line = painter.fontMetrics().height();
   const int height = std::min(area.height() - 4 * line, 260);
-  if (height < (parts + 1) * line) return;
+  if (height < 5 * line) return area.right();
+  const Axis axis{map.errorAt(0), map.errorAt(1), 0, double(height)};
+  const std::vector<Tick> ticks = linearTicks(axis, 5);
+  int textWidth = painter.fontMetrics().horizontalAdvance(unit);
+  for (const Tick& tick : ticks)
+    textWidth = std::max(
+        textWidth, painter.fontMetrics().horizontalAdvance(QString::fromStdString(tick.text)));
   const QRect ground(area.right() - barWidth - textWidth - 4 * gap,
                      area.bottom() - gap - height - 3 * line, barWidth + textWidth + 3 * gap,
                      height + 3 * line);
@@ -122,12 +122,15 @@ void paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const
     painter.fillRect(bar.left(), bar.top() + y, barWidth, 1, QColor(red, green, blue));
   }
   painter.setPen(tokens().text);
-  const int left = bar.right() + gap;
   painter.drawText(QRect(ground.left(), ground.top(), ground.width() - gap, line), Qt::AlignRight,
                    unit);
-  for (int k = 0; k <= parts; ++k)
-    painter.drawText(QRect(left, bar.bottom() - k * height / parts - line / 2, textWidth, line),
-                     int(Qt::AlignRight) | int(Qt::AlignVCenter), numbers[k]);
+  for (const Tick& tick : ticks) {
+    const int y = bar.bottom() - int(std::round(map.placeOf(tick.value) * (height - 1)));
+    painter.drawText(QRect(bar.right() + gap, y - line / 2, textWidth, line),
+                     int(Qt::AlignRight) | int(Qt::AlignVCenter),
+                     QString::fromStdString(tick.text));
+  }
+  return ground.left();
 }
 
 /// Paints the line of Mode::wipe with its handle, in device pixels.
@@ -294,8 +297,12 @@ void ImageWidget::paintTexts(QPainter& painter) const {
   paintText(
       painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), heading(),
       hasTwo || mode == Mode::blink ? tokens().series[mode == Mode::blink ? m_turn : 0] : QColor());
-  if (mode == Mode::difference && m_error.hasFalseColour)
-    paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind));
+  const bool hasScale = mode == Mode::difference && m_error.hasFalseColour;
+  paintLegend(painter, hasScale ? paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind))
+                                : rect().right());
+  QRect top = rect();
+  if (mode == Mode::wipe) top.translate(0, 2 * painter.fontMetrics().height());
+  paintText(painter, top, Qt::AlignRight | Qt::AlignTop, m_tag);
   if (hasTwo) {
     QRect second = rect();
     if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
@@ -307,6 +314,25 @@ void ImageWidget::paintTexts(QPainter& painter) const {
   const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
   paintText(painter, rect(), corner(isLow ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignBottom),
             readOut());
+}
+
+/// Paints what the mask's patterns mean, left of `right`.
+void ImageWidget::paintLegend(QPainter& painter, int right) const {
+  const std::array words{tr("no ray: the lens folds before it"), tr("misses the panel"),
+                         tr("outside the hogels' angular field")};
+  constexpr int margin = 4;
+  const int line = painter.fontMetrics().height() + margin;
+  int bottom = height() - margin;
+  for (std::size_t end = 0; end < words.size(); ++end) {
+    if (!m_images[0].reasons[end] && !m_images[1].reasons[end]) continue;
+    const int width = painter.fontMetrics().horizontalAdvance(words[end]) + line + margin;
+    const QRect box(right - margin - width, bottom - line, width, line);
+    paintGround(painter, box);
+    painter.drawImage(box.topLeft(), hatchOf(RayEnd(end), line));
+    painter.setPen(tokens().text);
+    painter.drawText(box.adjusted(line + margin, 0, 0, 0), Qt::AlignVCenter, words[end]);
+    bottom -= line;
+  }
 }
 
 QString ImageWidget::readOut() const {

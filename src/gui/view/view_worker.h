@@ -47,7 +47,7 @@ class ViewPace {
 /// The view of a state, and of the second light field if there is one.
 struct RenderedView {
   QImage image;
-  QImage seen;  ///< 0 where no ray meets the display
+  QImage seen;  ///< black where no ray meets the display; with RayEnd as index if asked for
   QImage otherImage;
   QImage otherSeen;
   double milliseconds = 0;  ///< of both images
@@ -70,6 +70,7 @@ struct ViewRequest {
   SamplingParams sampling;
   std::optional<NamedMethod> method;  ///< none: the session's own
   std::optional<ViewSource> other;    ///< the second light field
+  bool asksWhy = false;               ///< why pixels are not seen
 };
 
 /// Emits all signals on the thread that the object lives in. Its end stops a running job. No signal
