@@ -327,6 +327,7 @@ void MainWindow::addHelpers() {
   connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
+  connect(m_files, &FileCommands::lightFieldChanged, this, [this] { m_loader->load(); });
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
   auto* sceneOutput = new SceneOutput(m_ui->sceneMenu, m_ui->statusBar, m_scene, m_model, this);
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);
