@@ -13,11 +13,15 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -27,6 +31,7 @@
 #include <opencv2/videoio.hpp>
 #include <set>
 
+#include "core/cameras/camera_path.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
 #include "gui/scene/scene_export.h"
@@ -123,6 +128,8 @@ class TestOutput : public SceneTest {
   void anAnimationIsStopped();
   void aVideo();
   void videosThatCannotBeWritten();
+  void otherPaths();
+  void theDialogSaysWhatIsWrong();
   void withoutFfmpeg();
 
  private:
@@ -148,8 +155,9 @@ class TestOutput : public SceneTest {
   QString exported(const QString& file) {
     return said(scenes(), [&] { scenes()->exportTo(file); });
   }
-  QString animated(const QString& folder, double scale, const QString& ffmpeg) {
-    return said(views(), [&] { views()->saveAnimation(folder, scale, ffmpeg, 5); });
+  QString animated(const QString& folder, double scale, const QString& ffmpeg,
+                   const CameraPath& way = {}) {
+    return said(views(), [&] { views()->saveAnimation(way, folder, scale, ffmpeg, 5); });
   }
   [[nodiscard]] QString leftIn(const QString& folder) const {
     return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).join(' ');
@@ -467,7 +475,7 @@ void TestOutput::aSceneEndsWithItsSession() {
 
 /// Closing the window stops what is written.
 void TestOutput::nothingIsLeftByAClosedWindow() {
-  views()->saveAnimation(path("out/frames"), 30, {}, 10);
+  views()->saveAnimation({}, path("out/frames"), 30, {}, 10);
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("out/frames")), patience);
   m_window.reset();
   QCOMPARE(leftIn(path("out/frames")), QString());
@@ -535,7 +543,7 @@ void TestOutput::anAnimationIsAllStates() {
 void TestOutput::anAnimationIsStopped() {
   const QString folder = path("out/stopped");
   QSignalSpy done(views(), &ViewOutput::done);
-  views()->saveAnimation(folder, 30, {}, 10);
+  views()->saveAnimation({}, folder, 30, {}, 10);
   auto* bar = child<ReadingBar>("outputBar");
   QVERIFY(bar->isVisible());
   QVERIFY(!child<QAction>("saveAnimationAction")->isEnabled());
@@ -581,8 +589,63 @@ void TestOutput::videosThatCannotBeWritten() {
   CameraState state = m_model->current();
   state.camera.res = {100, 50};
   m_model->setCurrent(state);
-  QVERIFY(animated(folder, 1, "/bin/false").contains("a video's pictures have one size"));
-  QVERIFY(animated("/proc/frames", 1, {}).contains("/proc/frames"));
+  QVERIFY(animated(folder, 1, "/bin/false").contains("differs from that of"));
+  QVERIFY(animated("/proc/frames", 1, {}).contains("/proc: cannot be written"));
+}
+
+/// Their pictures are those of the states along the path.
+void TestOutput::otherPaths() {
+  const CameraPath between{PathKind::between, 3};
+  QVERIFY(animated(path("out/between"), 1, {}, between).contains("Saved"));
+  const std::size_t count = 4 * m_session.cameras.size() - 3;
+  QCOMPARE(QDir(path("out/between")).entryList(QDir::Files).size(), qsizetype(count));
+  const CameraPath orbit{PathKind::orbit, 4, 30};
+  QVERIFY(animated(path("out/orbit"), 1, {}, orbit).contains("Saved 4 pictures"));
+  for (const auto& [way, name] : {std::pair(between, "between"), std::pair(orbit, "orbit")}) {
+    const CameraState state = statesAlong(way, m_session, 0)[2];
+    const Image found = readImage(path(QString("out/%1/frame_0003.png").arg(name)));
+    QVERIFY(found.rgb == rendered(m_loaded.job(state)).rgb);
+  }
+}
+
+/// What is wrong is said before anything is rendered, and keeps the dialog open.
+void TestOutput::theDialogSaysWhatIsWrong() {
+  const QString folder = path("out/new/one");
+  writeFile(path("out/old/frame_0001.png"), "mine");
+  CameraState state = m_model->current();
+  state.camera.res = {60, 50};
+  m_model->setCurrent(state);
+  int asked = 0;
+  const Answers answers(
+      [&](QDialog* dialog) {
+        auto* way = dialog->findChild<QComboBox*>("pathBox");
+        auto* field = dialog->findChild<QLineEdit*>("folderField");
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        const auto problem = [&] { return dialog->findChild<QLabel*>("problemLabel")->text(); };
+        dialog->findChild<QCheckBox*>("videoBox")->setChecked(false);
+        QCOMPARE(problem(), QString("Choose a folder."));
+        QVERIFY(!ok->isEnabled());
+        field->setText(path("out/old"));
+        QVERIFY(problem().contains("frame_0001.png: is there already") && !ok->isEnabled());
+        field->setText("/proc/a/b");
+        QVERIFY(problem().contains("/proc: cannot be written") && !ok->isEnabled());
+        field->setText(folder);
+        QVERIFY(problem().isEmpty() && ok->isEnabled());
+        QCOMPARE(way->currentIndex(), int(PathKind::between));
+        dialog->findChild<QSpinBox*>("countBox")->setValue(3);
+        QVERIFY(problem().contains("differs from that of") && !ok->isEnabled());
+        way->setCurrentIndex(int(PathKind::turntable));
+        QVERIFY(problem().isEmpty() && ok->isEnabled());
+        dialog->findChild<QSpinBox*>("countBox")->setValue(5);
+        ++asked;
+      },
+      {});
+  QSignalSpy done(views(), &ViewOutput::done);
+  child<QAction>("saveAnimationAction")->trigger();
+  QCOMPARE(asked, 1);
+  QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, patience);
+  QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 5);
+  QCOMPARE(contentsOf(path("out/old/frame_0001.png")), QByteArray("mine"));
 }
 
 void TestOutput::withoutFfmpeg() {
@@ -590,13 +653,13 @@ void TestOutput::withoutFfmpeg() {
   qputenv("PATH", path("out").toUtf8());
   bool isAsked = false;
   const QString folder = path("out/pictures");
-  QVERIFY(QDir().mkpath(folder));
   const Answers answers(
       [&](QDialog* dialog) {
         auto* video = dialog->findChild<QCheckBox*>("videoBox");
         QVERIFY(!video->isEnabled() && !video->isChecked());
-        QVERIFY(video->toolTip().contains("ffmpeg"));
+        QVERIFY(video->text().contains("ffmpeg"));
         dialog->findChild<QSpinBox*>("widthBox")->setValue(30);
+        dialog->findChild<QLineEdit*>("folderField")->setText(folder);
         isAsked = true;
       },
       folder);

@@ -11,11 +11,13 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
+#include "core/cameras/camera_path.h"
 #include "io/documents/session_file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/folders.h"
 #include "io/files/system_limits.h"
 #include "io/images/image_writer.h"
+#include "io/images/video_writer.h"
 
 namespace hogelscope {
 
@@ -30,6 +32,7 @@ struct RenderOutput {
   bool hasMasks = false;
   bool isExplained = false;
   bool isIdeal = false;
+  std::optional<VideoWriter> video = {};
 
   [[nodiscard]] fs::path file(const CameraState& state, const std::string& ending) const {
     return folder / (state.camera.name + "." + ending);
@@ -51,8 +54,9 @@ struct RenderOutput {
   }
 };
 
-/// Writes the images of all states; for PNG, continues after a state that cannot be rendered.
-void renderAll(LightFieldFile& file, const Session& session, const RenderOutput& output,
+/// Writes the images of all states; for PNG without a video, continues after a state that cannot be
+/// rendered.
+void renderAll(LightFieldFile& file, const Session& session, RenderOutput& output,
                const Progress& progress) {
   const bool isStreamed = mustStream(file, allowedMemory());
   if (isStreamed && output.format != "png")
@@ -78,10 +82,13 @@ void renderAll(LightFieldFile& file, const Session& session, const RenderOutput&
     try {
       image = images.render(k, renderer, of);
     } catch (const InputError& error) {
+      if (output.video) throw InputError(session.cameras[k].camera.name, error.what());
       if (!first) first.emplace(session.cameras[k].camera.name, error.what());
     }
     if (image) output.write(session.cameras[k], *image);
+    if (output.video) output.video->add(image->rgb, of);
   }
+  if (output.video) output.video->finish(progress);
   if (first) throw *first;
 }
 
@@ -93,20 +100,38 @@ void keepShard(Session& session, const Shard& shard) {
   session.cameras = std::move(own);
 }
 
+/// Throws InputError if other options or the states keep a video from being made.
+void requireVideo(const CommandLine& line, const Session& session) {
+  if (!line.has("video")) throw InputError("--fps", "belongs to --video");
+  if (line.has("shard") || line.has("format"))
+    throw InputError("--video",
+                     "is of all pictures, and these are PNG: leave out --shard, --format");
+  requireOneSize(session.cameras);
+}
+
 }  // namespace
 
 int runRender(const CommandLine& line) {
   Session session = loadSelected(line);
+  if (line.has("between"))
+    session.cameras = statesAlong({PathKind::between, int(*line.number("between"))}, session, 0);
+  if (line.has("video") || line.has("fps")) requireVideo(line, session);
   if (const auto shard = shardOf(line)) keepShard(session, *shard);
   // Opened first, so that an invalid file leaves no folder behind.
   const auto file = openLightField(session.lightField, session.display);
-  const RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),
-                            line.has("explain"), line.has("ideal")};
+  RenderOutput output{line.text("output"), line.text("format", "png"), line.has("masks"),
+                      line.has("explain"), line.has("ideal")};
   if (output.isIdeal) requireLive(session);
-  checkOutputs(output.allFiles(session.cameras),
-               inputFiles({line.text("session"), line.text("calibration")}, session, *file));
+  std::vector<fs::path> files = output.allFiles(session.cameras);
+  if (line.has("video")) files.emplace_back(line.text("video"));
+  checkOutputs(files, inputFiles({line.text("session"), line.text("calibration")}, session, *file));
   keepSession(line, session);
   warnOfCuts(*file, session, line);
+  if (line.has("video")) {
+    makeFolderOf(line.text("video"));
+    output.video.emplace(line.text("video"), session.cameras[0].camera.res,
+                         line.number("fps").value_or(30));
+  }
   makeFolder(output.folder);
   const bool isQuiet = line.has("quiet");
   announceStreaming(*file, allowedMemory(), isQuiet);

@@ -30,6 +30,7 @@
 #include "gui/session/session_forms.h"
 #include "gui/session/session_model.h"
 #include "gui/session/state_commands.h"
+#include "gui/view/camera_player.h"
 #include "gui/view/content_loader.h"
 #include "gui/view/image_commands.h"
 #include "gui/view/view_worker.h"
@@ -230,6 +231,9 @@ void MainWindow::connectDocks() {
 void MainWindow::addEditing() {
   auto* camera = new CameraCommands(m_ui->cameraMenu, m_model, this);
   connect(camera, &CameraCommands::failed, m_messages, &Messages::showError);
+  m_player = new CameraPlayer(m_ui->cameraMenu, m_model, this);
+  connect(m_player, &CameraPlayer::moved, this, &MainWindow::render);
+  connect(m_player, &CameraPlayer::failed, m_messages, &Messages::showError);
   auto* edit = new EditCommands(m_ui->editMenu, m_model, this);
   connect(edit, &EditCommands::failed, m_messages, &Messages::showError);
   edit->readKeys();
@@ -271,7 +275,7 @@ void MainWindow::connectLoader() {
 
 void MainWindow::render() {
   if (!m_loader->isReady()) return;  // showScene() renders
-  m_worker->render({m_model->current(), m_loader->source()->display, m_model->session().sampling,
+  m_worker->render({m_player->shown(), m_loader->source()->display, m_model->session().sampling,
                     m_method, m_imageCommands->other(), m_imageCommands->asksWhy()});
 }
 
@@ -326,6 +330,7 @@ void MainWindow::addHelpers() {
   connect(m_home, &HomePage::chosen, m_files, &FileCommands::open);
   connect(m_files, &FileCommands::done, m_messages, &Messages::showMessage);
   connect(m_files, &FileCommands::failed, m_messages, &Messages::showError);
+  connect(m_files, &FileCommands::lightFieldChanged, this, [this] { m_loader->load(); });
   connect(m_files, &FileCommands::comparisonAsked, m_imageCommands, &ImageCommands::compareWith);
   auto* sceneOutput = new SceneOutput(m_ui->sceneMenu, m_ui->statusBar, m_scene, m_model, this);
   connect(sceneOutput, &SceneOutput::done, m_messages, &Messages::showMessage);

@@ -19,6 +19,7 @@ class MainWindow;
 
 namespace hogelscope {
 
+class CameraPlayer;
 class ContentLoader;
 class FileCommands;
 class HomePage;
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow {
   QComboBox* m_stateBox;
   SceneController* m_scene;
   ImageCommands* m_imageCommands = nullptr;
+  CameraPlayer* m_player = nullptr;
   Properties* m_properties = nullptr;
   PictureRate m_rate;
   bool m_isNew = false;                 ///< the session is new, so the scene has to be fitted to it

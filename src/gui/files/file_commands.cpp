@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "gui/files/autosave.h"
+#include "gui/files/file_watch.h"
 #include "gui/files/opening_dialog.h"
 #include "gui/files/recent_files.h"
 #include "gui/session/session_model.h"
@@ -57,6 +58,18 @@ QStringList filesOf(const QMimeData& data) {
   return files;
 }
 
+QString fullPath(const QString& file) {
+  return file.isEmpty() ? file : QFileInfo(file).absoluteFilePath();
+}
+
+/// Returns the light field's file or folder; "" if it has none.
+QString lightFieldPath(const Session& session) {
+  const LightFieldParams& lightField = session.lightField;
+  const std::string none = lightField.isLive() ? lightField.source : std::string();
+  const std::string name = contentName(lightField);
+  return name == none ? QString() : fullPath(QString::fromStdString(name));
+}
+
 }  // namespace
 
 FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
@@ -65,7 +78,8 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
       m_window(window),
       m_task(new Task(this)),
       m_compared(new Task(this)),
-      m_autosave(new Autosave(model, this)) {
+      m_autosave(new Autosave(model, this)),
+      m_watch(new FileWatch(this)) {
   addCommands(menu);
   connect(m_recent, &RecentFiles::chosen, this, [this](const QString& file) {
     if (mayLeave()) open(file);
@@ -73,6 +87,13 @@ FileCommands::FileCommands(QMenu* menu, SessionModel* model, QWidget* window)
   connect(m_autosave, &Autosave::failed, this, &FileCommands::failed);
   for (const Task* task : {m_task, m_compared})
     connect(task, &Task::failed, this, &FileCommands::failed);
+  for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
+    connect(m_model, change, this, &FileCommands::watchFiles);
+  connect(m_model, &SessionModel::saved, this, [this] {
+    watchFiles();
+    m_watch->know(fullPath(m_model->file()));
+  });
+  connect(m_watch, &FileWatch::changed, this, &FileCommands::takeChange);
   window->setAcceptDrops(true);
   window->installEventFilter(this);
 }
@@ -119,6 +140,11 @@ void FileCommands::addCommands(QMenu* menu) {
                         {"saveAsAction", tr("Save session &as…"),
                          tr("Saves the session to another file"), Qt::CTRL | Qt::SHIFT | Qt::Key_S},
                         this, &FileCommands::askSaveAs);
+  m_locate = addCommand(menu,
+                        {"locateFileAction", tr("Lo&cate file…"),
+                         tr("Says where the session's light field is, if its file is missing"),
+                         Qt::CTRL | Qt::ALT | Qt::Key_J},
+                        this, &FileCommands::askLightFieldsPlace);
   menu->addSeparator();
   m_import = addCommand(menu,
                         {"importAction", tr("&Import OpenCV calibration…"),
@@ -137,6 +163,8 @@ QList<QAction*> FileCommands::begins() const {
 
 void FileCommands::setOpen(bool isOpen) {
   for (QAction* action : {m_save, m_saveAs, m_import}) action->setEnabled(isOpen);
+  const QString lightField = lightFieldPath(m_model->session());
+  m_locate->setEnabled(isOpen && !lightField.isEmpty() && !QFileInfo::exists(lightField));
 }
 
 /// Takes files and folders dropped onto the window. They are opened after the drop, because a
@@ -257,6 +285,26 @@ bool FileCommands::importCalibration(const QString& file) {
   });
 }
 
+void FileCommands::watchFiles() {
+  QStringList files{fullPath(m_model->file()), lightFieldPath(m_model->session())};
+  files.removeAll(QString());
+  m_watch->watch(files);
+}
+
+/// Reads what another program has written, but never over edits.
+void FileCommands::takeChange(const QString& path) {
+  if (path == lightFieldPath(m_model->session())) return Q_EMIT lightFieldChanged();
+  if (m_model->isModified())
+    return Q_EMIT failed(
+        tr("%1 has been changed by another program, and here: open it again to take that, or save "
+           "to replace it")
+            .arg(path));
+  guarded(this, [&] {
+    m_model->reload();
+    Q_EMIT done(tr("Read %1 again").arg(path));
+  });
+}
+
 void FileCommands::openFiles(const QStringList& files) {
   QStringList sorted = files;  // with the session first
   std::stable_partition(sorted.begin(), sorted.end(),
@@ -350,6 +398,22 @@ void FileCommands::askImport() {
   const QString file = chooseFile(m_window, tr("Import OpenCV calibration"),
                                   tr("Calibrations (*.yml *.yaml *.json)"));
   if (!file.isEmpty()) importCalibration(file);
+}
+
+void FileCommands::askLightFieldsPlace() {
+  const QFileInfo missing(lightFieldPath(m_model->session()));
+  const QString title = tr("Locate %1").arg(missing.fileName());
+  const QString file = missing.suffix().isEmpty() ? chooseFolder(m_window, title)
+                                                  : chooseFile(m_window, title, lightFieldFilter());
+  if (file.isEmpty()) return;
+  guarded(this, [&] {
+    Session content = m_model->session();
+    if (content.lightField.isLive())
+      content.lightField.content.set("file", file.toStdString());
+    else
+      content.lightField.file = file.toStdString();
+    m_model->setContent(content);
+  });
 }
 
 }  // namespace hogelscope

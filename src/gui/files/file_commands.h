@@ -16,6 +16,7 @@ class QWidget;
 namespace hogelscope {
 
 class Autosave;
+class FileWatch;
 class OpeningDialog;
 class RecentFiles;
 class SessionModel;
@@ -61,6 +62,7 @@ class FileCommands : public QObject {
   void done(const QString& line);
   void failed(const QString& line);
   void comparisonAsked(const QString& file);
+  void lightFieldChanged();  ///< its file, by another program
 
  private:
   void addCommands(QMenu* menu);
@@ -81,6 +83,9 @@ class FileCommands : public QObject {
   void askLightField(bool isAsked);
   void askFolder();
   void askImport();
+  void askLightFieldsPlace();
+  void watchFiles();
+  void takeChange(const QString& path);
 
   SessionModel* m_model;
   QWidget* m_window;
@@ -88,10 +93,12 @@ class FileCommands : public QObject {
   QString m_unpictured;  ///< a recent file whose first view has not been rendered yet
   QAction *m_new = nullptr, *m_open = nullptr, *m_openLightField = nullptr, *m_openFolder = nullptr;
   QAction *m_save = nullptr, *m_saveAs = nullptr, *m_import = nullptr;
+  QAction* m_locate = nullptr;
   Task* m_task;      ///< analyses a light field that is being opened
   Task* m_compared;  ///< checks whether a light field can be compared
   QPointer<OpeningDialog> m_dialog;
   Autosave* m_autosave;
+  FileWatch* m_watch;
 };
 
 }  // namespace hogelscope

@@ -70,6 +70,17 @@ void SessionModel::begin(const Session& session, const Session& saved, const QSt
   Q_EMIT opened();
 }
 
+void SessionModel::reload() {
+  const Session session = loadSession(m_file.toStdString());
+  const std::string name = current().camera.name;
+  const auto sameName = [&](const CameraState& state) { return state.camera.name == name; };
+  const auto found = std::ranges::find_if(session.cameras, sameName);
+  const bool isKept = found != session.cameras.end();
+  m_saved = session;
+  push(tr("Reload"), {session, isKept ? std::size_t(found - session.cameras.begin()) : 0});
+  Q_EMIT saved();
+}
+
 void SessionModel::save(const QString& file) {
   check(m_session);
   checkOutputs({file.toStdString()}, {contentName(m_session.lightField)});

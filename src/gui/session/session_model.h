@@ -35,6 +35,9 @@ class SessionModel : public QObject {
   void recover(const QString& copy, const QString& file);
   /// Opens a new session, which has no file yet.
   void openNew(const Session& session);
+  /// Reads the session's file again, as an edit; the current state stays, by its name. Throws
+  /// InputError; the session is then unchanged.
+  void reload();
   /// Saves the session. Throws InputError; unsaved edits are then kept.
   void save(const QString& file);
   void setCurrentIndex(std::size_t index);

@@ -9,12 +9,14 @@
 #include "core/engine/renderer.h"
 #include "core/engine/scaled_view.h"
 #include "gui/session/session_model.h"
-#include "gui/view/animation.h"
+#include "gui/view/animation_dialog.h"
 #include "gui/widgets/command.h"
 #include "gui/widgets/dialogs.h"
+#include "gui/widgets/guarded.h"
 #include "gui/widgets/polled_bar.h"
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
+#include "io/scene/animation.h"
 
 namespace hogelscope {
 
@@ -66,8 +68,8 @@ ViewOutput::ViewOutput(QMenu* menu, QWidget* view, QStatusBar* statusBar, Sessio
           this, &ViewOutput::askView)),
       m_saveAnimation(addCommand(menu,
                                  {"saveAnimationAction", tr("Save a&nimation…"),
-                                  tr("Renders all states in their order: numbered pictures, and a "
-                                     "video where the program ffmpeg is installed"),
+                                  tr("Renders a path of the camera: numbered pictures, and a video "
+                                     "where the program ffmpeg is installed"),
                                   Qt::CTRL | Qt::ALT | Qt::Key_A},
                                  this, &ViewOutput::askAnimation)) {
   m_bar->setObjectName("outputBar");
@@ -117,19 +119,20 @@ void ViewOutput::saveView(const QString& file, const QSize& size) {
   });
 }
 
-void ViewOutput::saveAnimation(const QString& folder, double scale, const QString& ffmpeg,
-                               int framesPerSecond) {
+void ViewOutput::saveAnimation(const CameraPath& path, const QString& folder, double scale,
+                               const QString& ffmpeg, int framesPerSecond) {
   if (!m_source) return Q_EMIT failed(tr("%1: not written: there is no light field").arg(folder));
-  AnimationRequest request{{}, folder.toStdString(), framesPerSecond, ffmpeg.toStdString()};
-  for (const CameraState& state : m_model->session().cameras) {
-    const auto scaled = [scale](int side) { return std::max(1, int(std::lround(scale * side))); };
+  AnimationRequest request{
+      *m_source, {}, folder.toStdString(), framesPerSecond, ffmpeg.toStdString()};
+  const auto scaled = [scale](int side) { return std::max(1, int(std::lround(scale * side))); };
+  for (const CameraState& state : statesAlong(path, m_model->session(), m_model->currentIndex())) {
     const auto [width, height] = state.camera.res;
-    request.views.push_back(m_source->job(resized(state, {scaled(width), scaled(height)})));
+    request.states.push_back(resized(state, {scaled(width), scaled(height)}));
   }
   start([this, folder, request](const Progress& progress) {
-    for (const RenderJob& view : request.views) check(view.state, view.state.camera.name);
+    for (const CameraState& state : request.states) check(state, state.camera.name);
     writeAnimation(request, progress);
-    return [this, folder, count = request.views.size()] {
+    return [this, folder, count = request.states.size()] {
       showState();
       Q_EMIT done(tr("Saved %n pictures in %1", "", int(count)).arg(folder));
     };
@@ -152,12 +155,14 @@ void ViewOutput::askView() {
 
 void ViewOutput::askAnimation() {
   const QString ffmpeg = QStandardPaths::findExecutable("ffmpeg");
-  AnimationDialog dialog(currentSize(), ffmpeg, m_view);
+  AnimationDialog dialog(m_model->session(), m_model->currentIndex(), currentSize(), ffmpeg,
+                         m_view);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString folder = chooseOutputFolder(m_view, tr("Folder of the animation"));
-  if (folder.isEmpty()) return;
   const double scale = double(dialog.size().width()) / currentSize().width();
-  saveAnimation(folder, scale, dialog.hasVideo() ? ffmpeg : QString(), dialog.framesPerSecond());
+  guarded(this, [&] {
+    saveAnimation(dialog.path(), dialog.folder(), scale, dialog.hasVideo() ? ffmpeg : QString(),
+                  dialog.framesPerSecond());
+  });
 }
 
 }  // namespace hogelscope

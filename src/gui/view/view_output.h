@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output of simulated views to files: images of any size, and an animation along the states.
+// Output of simulated views to files: images of any size, and an animation along a path.
 // A view of another size is a RenderJob whose camera is `resized`, so files are those of batch
 // mode.
 #pragma once
@@ -19,6 +19,7 @@ namespace hogelscope {
 
 class ReadingBar;
 class SessionModel;
+struct CameraPath;
 
 /// Runs one job at a time on its own thread, with a progress bar and a stop button in the status
 /// bar.
@@ -36,9 +37,10 @@ class ViewOutput : public QObject {
   /// of 8 bits, TIFF of 16, EXR of unrounded floats, by extension. done() or failed() follows
   /// later.
   void saveView(const QString& file, const QSize& size);
-  /// Saves the views of all states, scaled by `scale`, with a video unless `ffmpeg` is "".
-  void saveAnimation(const QString& folder, double scale, const QString& ffmpeg,
-                     int framesPerSecond);
+  /// Saves the views along a path, scaled by `scale`, with a video unless `ffmpeg` is "". Throws
+  /// InputError as statesAlong().
+  void saveAnimation(const CameraPath& path, const QString& folder, double scale,
+                     const QString& ffmpeg, int framesPerSecond);
 
  Q_SIGNALS:
   void done(const QString& line);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/images/video_writer.h"
+
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <sstream>
+#include <vector>
+
+#include "core/base/text.h"
+
+namespace hogelscope {
+
+namespace {
+
+constexpr int patience = 20;  // milliseconds from one look at the progress to the next
+
+/// Starts a program that reads `input`. It is in a process group of its own, since Ctrl-C is for
+/// the job, which ends it.
+pid_t started(const std::string& program, const std::string& arguments, int input, int messages) {
+  std::istringstream text(arguments);
+  std::vector<std::string> words{program};
+  for (std::string word; text >> word;) words.push_back(word);
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&files, messages, STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  pid_t process = -1;
+  const int error =
+      ::posix_spawnp(&process, pointers[0], &files, &attributes, pointers.data(), ::environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  ::posix_spawnattr_destroy(&attributes);
+  if (error != 0)
+    throw InputError(program, "cannot be started",
+                     std::strerror(error) + std::string("; it makes the video: install it"));
+  return process;
+}
+
+}  // namespace
+
+VideoWriter::VideoWriter(const std::filesystem::path& file, const std::array<int, 2>& size,
+                         double picturesPerSecond, const std::string& ffmpeg)
+    : m_path(file),
+      m_file(file),
+      m_messages(::memfd_create("ffmpeg", MFD_CLOEXEC)),
+      m_pictures(-1) {
+  if (file.extension() != ".mp4")
+    throw InputError(file.string(), "cannot be written", "the name of a video ends in .mp4");
+  std::array<int, 2> ends{};  // a socket: writing to a closed pipe would be a signal
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw InputError(file.string(), "cannot be written", std::strerror(errno));
+  m_pictures = Descriptor(ends[0]);
+  const Descriptor theirs(ends[1]);
+  // It writes into the file, which has no name, through the name that /proc gives it.
+  m_process = started(ffmpeg,
+                      "-nostdin -loglevel error -y -f rawvideo -pix_fmt rgb24 -video_size " +
+                          std::to_string(size[0]) + "x" + std::to_string(size[1]) + " -framerate " +
+                          numberText(picturesPerSecond) +
+                          " -i pipe:0 -vf pad=ceil(iw/2)*2:ceil(ih/2)*2 -pix_fmt yuv420p -crf 17"
+                          " -f mp4 /proc/" +
+                          std::to_string(::getpid()) + "/fd/" + std::to_string(m_file.descriptor()),
+                      theirs.get(), m_messages.get());
+}
+
+VideoWriter::~VideoWriter() {
+  if (m_process <= 0) return;
+  ::kill(-m_process, SIGKILL);
+  ::waitpid(m_process, nullptr, 0);
+}
+
+void VideoWriter::add(std::span<const std::uint8_t> rgb, const Progress& progress) {
+  pollfd place{m_pictures.get(), POLLOUT, 0};
+  while (!rgb.empty()) {
+    const ssize_t sent =
+        ::send(m_pictures.get(), rgb.data(), rgb.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent > 0) {
+      rgb = rgb.subspan(std::size_t(sent));
+      continue;
+    }
+    if (errno != EAGAIN && errno != EINTR) fail();
+    ::poll(&place, 1, patience);
+    reportProgress(progress, 1);
+  }
+}
+
+void VideoWriter::finish(const Progress& progress) {
+  ::shutdown(m_pictures.get(), SHUT_WR);
+  int status = 0;
+  for (; ::waitpid(m_process, &status, WNOHANG) == 0; ::poll(nullptr, 0, patience))
+    reportProgress(progress, 1);
+  m_process = -1;
+  if (status != 0) fail();
+  m_file.commit();
+}
+
+/// Throws what ffmpeg printed last.
+void VideoWriter::fail() const {
+  std::string text(4096, '\0');
+  const ssize_t count = ::pread(m_messages.get(), text.data(), text.size(), 0);
+  text.resize(std::size_t(std::max<ssize_t>(0, count)));
+  text.erase(text.find_last_not_of('\n') + 1);
+  if (text.empty()) text = "ended too early";
+  throw InputError(m_path.string(), "cannot be written",
+                   "ffmpeg: " + text.substr(text.find_last_of('\n') + 1));
+}
+
+}  // namespace hogelscope
