@@ -128,6 +128,7 @@ class TestLiveSource : public QObject {
 
  private Q_SLOTS:
   void viewsAreThoseOfTheWhole();
+  void depthsAreTheContents();
   void tracesWhatIsRead();
   void blocksAndThreadsChangeNothing();
   void occlusionIsExact();
@@ -144,6 +145,18 @@ class TestLiveSource : public QObject {
   void lightThatIsNoNumber();
   void memoryAndStop();
 };
+
+/// What is cut is not told of.
+void TestLiveSource::depthsAreTheContents() {
+  const auto content = std::make_shared<LivePlanes>(std::vector<LivePlane>{
+      {0.2, [](double, double) { return 1; }}, {-0.4, [](double, double) { return 2; }}});
+  PanelParams display;
+  display.hogels = display.directions = {4, 4};
+  QCOMPARE(liveSource(content, display)->depths(), (std::array{-0.4, 0.2}));
+  LiveParams cut;
+  cut.depth = {-0.1, 3};
+  QCOMPARE(liveSource(content, display, cut)->depths(), (std::array{-0.1, 0.2}));
+}
 
 /// All options of a view: any lens, leakage, reconstruction, samples, hogel lens.
 void TestLiveSource::viewsAreThoseOfTheWhole() {

@@ -4,7 +4,6 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QSlider>
 
 #include "core/base/colour_map.h"
 #include "gui/docks/parameter_drawings.h"
@@ -44,6 +43,35 @@ class TestDockDrawings : public DocksTest {
   void init() { showWindow(); }
   void cleanup() { m_window.reset(); }
 
+  /// docs/formulas.md, Design numbers.
+  void theDisplaysNumbersAreToldForTheEye() {
+    start();  // 16 hogels of 4 directions, seen from 0.7 m
+    for (const char* side : {"size.0", "size.1"})
+      editor<QDoubleSpinBox>("displayArea", side)->setValue(0.4);
+    const auto told = [this](const char* name) { return child<QLabel>(name)->accessibleName(); };
+    QCOMPARE(told("hogelPitch"), QString("25.0 mm, hogel pitch"));
+    QVERIFY2(told("hogelArcmin").startsWith("123 arcmin"), qPrintable(told("hogelArcmin")));
+    editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(1.4);
+    QVERIFY2(told("hogelArcmin").startsWith("61.4 arcmin"), qPrintable(told("hogelArcmin")));
+    editor<QDoubleSpinBox>("cameraArea", "eye.2")->setValue(-1);  // behind the panel
+    QVERIFY(told("hogelArcmin").startsWith("– "));
+  }
+
+  /// More hogels are smaller, or with an open lock make a larger panel.
+  void theLockHoldsTheSize() {
+    start();
+    auto* hogels = editor<QSpinBox>("displayArea", "hogels.0");
+    const auto size = [this] { return m_model->session().display.size; };
+    const auto before = size();
+    hogels->setValue(32);
+    QCOMPARE(m_model->session().display.hogels[1], 32);  // linked
+    QVERIFY(size() == before);
+    child<QAbstractButton>("size.lock")->setChecked(false);
+    hogels->setValue(64);
+    QCOMPARE(size()[0], 2 * before[0]);
+    QCOMPARE(size()[1], 2 * before[1]);
+  }
+
   void theKernelIsDrawnAndItsLossTold() {
     openSmall();
     openSection("psf");
@@ -51,7 +79,7 @@ class TestDockDrawings : public DocksTest {
     auto* energy = child<QLabel>("energyLabel");
     QTRY_VERIFY_WITH_TIMEOUT(kernel->isVisible(), patience);
     editor<QDoubleSpinBox>("psfArea", "sigma")->setValue(2);
-    editor<QSlider>("psfArea", "windowSize.slider")->setValue(3);
+    editor<QSpinBox>("psfArea", "windowSize")->setValue(7);
     QCOMPARE(editor<QSpinBox>("psfArea", "windowSize")->value(), 7);
     QCOMPARE(kernel->weights().size(), std::size_t(49));
     // docs/formulas.md, Light leakage.

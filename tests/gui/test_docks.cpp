@@ -5,7 +5,6 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 #include <set>
@@ -49,21 +48,6 @@ class TestDocks : public DocksTest {
  private Q_SLOTS:
   void init() { showWindow(); }
   void cleanup() { m_window.reset(); }
-
-  /// A window that reaches over all directions, from any of them.
-  void theWindowsSliderEndsWithTheHogel() {
-    start();
-    auto* slider = editor<QSlider>("psfArea", "windowSize.slider");
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), (2 * 4 - 1 - 1) / 2, patience);  // of 1, 3, 5, 7
-    editor<QSpinBox>("psfArea", "windowSize")->setValue(21);
-    QCOMPARE(slider->maximum(), 10);
-    QCOMPARE(slider->value(), 10);
-    Session session = m_model->session();
-    session.display.hogels = {4, 4};
-    session.display.directions = {16, 16};
-    m_model->setContent(session);
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), (2 * 16 - 1 - 1) / 2, patience);
-  }
 
   void theWindowFitsASmallScreen() {
     openSmall();

@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QListView>
-#include <QSlider>
 #include <algorithm>
 
 #include "gui/scene/display_scene.h"
@@ -68,7 +67,7 @@ class TestFluid : public WindowTest {
  private Q_SLOTS:
   void initTestCase();
   void cleanup();
-  void slider();
+  void stepsOfAField();
   void states();
   void turning();
   void manyEditsAtOnce();
@@ -76,7 +75,7 @@ class TestFluid : public WindowTest {
  private:
   VtkWidget* sceneWidget() const { return child<VtkWidget>("sceneWidget"); }
   Vec3 sceneEye() const { return m_window->findChild<SceneController*>()->scene().eye().eye; }
-  QSlider* sigma() const { return editor<QSlider>("psfArea", "sigma.slider"); }
+  QDoubleSpinBox* sigma() const { return editor<QDoubleSpinBox>("psfArea", "sigma"); }
   /// Does it, and lets the window handle what has come meanwhile.
   template <class Action>
   void use(Action action) {
@@ -124,7 +123,7 @@ void TestFluid::cleanup() {
   QVERIFY2(full <= uses / 2, qPrintable(QString::number(full)));
   QVERIFY2(m_views.size() <= 2 * uses, qPrintable(QString::number(m_views.size())));
   m_views.clear();
-  sigma()->setValue(sigma()->value() + 1);
+  sigma()->setValue(sigma()->value() + 0.01);
   QTRY_VERIFY_WITH_TIMEOUT(!m_views.empty(), patience);
   QCOMPARE(child<ImageWidget>("pictureView")->image(), m_views.back().image);
   m_views.clear();
@@ -132,17 +131,14 @@ void TestFluid::cleanup() {
 
 /// Each step is in the field and in the session before the next one, and makes fewer events than
 /// there are states.
-void TestFluid::slider() {
-  const int start = sigma()->value();
-  auto* field = editor<QDoubleSpinBox>("psfArea", "sigma");
-  const double before = field->value();
+void TestFluid::stepsOfAField() {
+  const double before = sigma()->value();
   sigma()->setFocus();
   use([&](int k) {
-    QTest::keyClick(sigma(), Qt::Key_Right);
-    QCOMPARE(sigma()->value(), start + k + 1);
-    QCOMPARE(m_model->current().psf.sigma, field->value());
+    QTest::keyClick(sigma(), Qt::Key_Up);
+    QCOMPARE(sigma()->value(), before + 0.01 * (k + 1));
+    QCOMPARE(m_model->current().psf.sigma, sigma()->value());
   });
-  QVERIFY(field->value() > before);
   QVERIFY2(m_events < stateCount * uses, qPrintable(QString::number(m_events)));
 }
 
@@ -183,7 +179,7 @@ void TestFluid::turning() {
 void TestFluid::manyEditsAtOnce() {
   QCoreApplication::processEvents();
   m_paints = 0;
-  for (int k = 0; k < uses; ++k) sigma()->setValue(sigma()->value() - 1);
+  for (int k = 0; k < uses; ++k) sigma()->setValue(sigma()->value() - 0.01);
   QCOMPARE(m_paints, 0);
   QCoreApplication::processEvents();
   QCoreApplication::processEvents();

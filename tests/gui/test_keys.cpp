@@ -86,7 +86,7 @@ void TestKeys::whereverTheFocusIs() {
   openSection("distortion");
   double z = 0.7;
   for (const char* name : {"sceneWidget", "pictureView", "cameraArea", "propertiesDock",
-                           "measureButton", "k1.slider", "tradeoffChart"}) {
+                           "measureButton", "hogels.link", "tradeoffChart"}) {
     auto* widget = child<QWidget>(name);
     QVERIFY2(widget != nullptr, name);
     widget->setFocus();
@@ -98,9 +98,9 @@ void TestKeys::whereverTheFocusIs() {
   floating->setFloating(true);
   floating->show();
   activate(floating);
-  auto* slider = child<QWidget>("sigma.slider");
-  slider->setFocus();
-  QTest::keyClick(slider, Qt::Key_W);
+  auto* kernel = child<QWidget>("kernelView");
+  kernel->setFocus();
+  QTest::keyClick(kernel, Qt::Key_W);
   z -= 0.01;
   QVERIFY(std::abs(eye().z - z) < 1e-12);
   activate(m_window.get());
@@ -143,7 +143,7 @@ void TestKeys::afterReturn_data() {
   QTest::newRow("in a floating dock") << true;
 }
 
-/// Return takes what was typed, and the next key is the camera's.
+/// Return takes what was typed and keeps the focus; after Escape the next key is the camera's.
 void TestKeys::afterReturn() {
   QFETCH(bool, isFloating);
   auto* dock = child<QDockWidget>("cameraDock");
@@ -156,6 +156,8 @@ void TestKeys::afterReturn() {
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(field->hasFocus());
+    QTest::keyClick(field, Qt::Key_Escape);
     QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), child<QWidget>("pictureView"), patience);
   };
   type(editor<QDoubleSpinBox>("cameraArea", "eye.2"), "0.5");

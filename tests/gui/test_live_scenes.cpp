@@ -47,8 +47,9 @@ class TestLiveScenes : public SceneTest {
   void opensAMesh() {
     QTRY_VERIFY_WITH_TIMEOUT(showsWhatIsTrue(), patience);
     QVERIFY2(text().contains("traced as each view needs it"), qPrintable(text()));
-    QVERIFY(position() != nullptr && position()->suffix() == " m");
+    QVERIFY(position() != nullptr && position()->accessibleName().endsWith(" m"));
     QVERIFY(child<QWidget>("liveForm") != nullptr);
+    QVERIFY(child<QLabel>("depthLegend")->text().contains("content "));
   }
 
   void viewsFollowParameters() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drives the real window: opens the sample session, moves sliders, looks at what it shows.
+// Drives the real window: opens the sample session, edits fields, looks at what it shows.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSlider>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTableWidget>
@@ -91,13 +90,13 @@ class TestMainWindow : public QObject {
                              patience);
   }
 
-  void movingASliderChangesTheImage() {
+  void anEditChangesTheImage() {
     waitForSample();
     const QImage before = view().copy();
-    auto* slider = editor<QSlider>("psfArea", "windowSize.slider");
-    slider->setFocus();
-    QTest::keyClick(slider, Qt::Key_Left);
-    QTest::keyClick(slider, Qt::Key_Left);
+    auto* field = editor<QSpinBox>("psfArea", "windowSize");
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Down);
+    QTest::keyClick(field, Qt::Key_Down);
     QTRY_VERIFY_WITH_TIMEOUT(view() != before, patience);
     QVERIFY(m_window->isWindowModified());
     QCOMPARE(editor<QSpinBox>("psfArea", "windowSize")->value(), 1);
@@ -249,8 +248,8 @@ class TestMainWindow : public QObject {
       ++calls;
       return jobs;
     });
-    auto* slider = editor<QSlider>("distortionArea", "k1.slider");
-    for (int step = 1; step <= 5; ++step) slider->setValue(slider->value() - 20);
+    auto* field = editor<QDoubleSpinBox>("distortionArea", "k1");
+    for (int step = 1; step <= 5; ++step) field->setValue(field->value() - 0.02);
     QCOMPARE(calls, 0);
     QTest::mouseClick(measure, Qt::LeftButton);
     QCOMPARE(calls, 1);
@@ -274,9 +273,9 @@ class TestMainWindow : public QObject {
 
   void theLastOfManyEditsWins() {
     waitForSample();
-    auto* slider = editor<QSlider>("distortionArea", "k1.slider");
-    const int start = slider->value();
-    for (int step = 1; step <= 30; ++step) slider->setValue(start - 20 * step);
+    auto* field = editor<QDoubleSpinBox>("distortionArea", "k1");
+    const double start = field->value();
+    for (int step = 1; step <= 30; ++step) field->setValue(start - 0.02 * step);
     Session session = loadSession(sampleFile.toStdString());
     session.cameras[0].distortion.k1 = editor<QDoubleSpinBox>("distortionArea", "k1")->value();
     QVERIFY(std::abs(session.cameras[0].distortion.k1) < 1e-9);

@@ -21,7 +21,7 @@ struct Range {
   double max = 0;
   double step = 1;
   bool mayBeLeftOut = false;  ///< left out is notGiven for a real number, min - 1 for an integer
-  /// The slider's range, if smaller than the allowed values; otherwise all of them.
+  /// The values that people use, if they are fewer than the allowed ones; otherwise all of them.
   double slideMin = 0;
   double slideMax = 0;
 };

@@ -33,6 +33,8 @@ class LiveSource : public LightFieldSource {
   /// Traces at most 64×64 hogels of 16×16 directions of the same panel, by their middle rays.
   [[nodiscard]] std::shared_ptr<const LightField> overview() const override;
   [[nodiscard]] plugin::Triangles triangles() const override { return m_content->triangles(); }
+  /// Returns what of them is traced.
+  [[nodiscard]] std::optional<std::array<double, 2>> depths() const override;
   void trace(const Vec3& eye, std::span<const Vec2> slopes, std::span<Rgb> light) const override;
 
  private:

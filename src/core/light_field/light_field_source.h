@@ -2,9 +2,11 @@
 // The interface of content: the source of the directional pixels of views.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,6 +67,10 @@ class LightFieldSource {
   /// Returns the triangles that the 3-D scene draws for a live scene; none for other light fields.
   /// Throws InputError.
   [[nodiscard]] virtual plugin::Triangles triangles() const { return {}; }
+
+  /// Returns the depths of a live scene's content in the display frame, in metres, the back one
+  /// first; none for other light fields.
+  [[nodiscard]] virtual std::optional<std::array<double, 2>> depths() const { return {}; }
 
   /// Returns one texel; the index must lie in the light field. Throws InputError.
   [[nodiscard]] virtual Rgb texel(const TexelIndex& at) const;

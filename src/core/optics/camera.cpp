@@ -73,7 +73,7 @@ void describe(ParameterVisitor& v, CameraParams& p) {
   v.field({"lookat", "Look at"}, lookat, {-1e6, 1e6, 0.01}, "m",
           "A point in the middle of the picture.");
   v.field("up", up, {-1e6, 1e6, 0.1}, "", "The direction that is up in the picture.");
-  v.field({"fov", "Vertical field of view"}, fov, {0.01, 179.9, 0.1, false, 5, 120}, "°",
+  v.field({"fov", "Field of view"}, fov, {0.01, 179.9, 0.1, false, 5, 120}, "°",
           "Vertical field of view; not used where intrinsics are given.");
   v.field({"res", "Resolution"}, res, {1, 16384, 1}, "px", "Width and height of the picture.");
   v.field("weight", weight, {0, 1e6, 0.1}, "", "How much the state counts in weighted means.");

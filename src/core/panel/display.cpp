@@ -22,9 +22,9 @@ void describe(ParameterVisitor& v, DisplayParams& p) {
   v.field("orientation", orientation, {-360, 360, 1}, "°",
           "Rotations about x, y, z, applied y first, then x, then z.");
   v.field("size", size, {1e-6, 1e6, 0.01}, "m", "Width and height of the panel.");
-  v.field("hogels", hogels, {1, 65536, 1, true}, "",
+  v.field("hogels", hogels, {1, 65536, 1, true, 1, 512}, "",
           "Columns and rows of hogels; may be left out where the light field's file says it.");
-  v.field("directions", directions, {1, 65536, 1, true}, "px",
+  v.field("directions", directions, {1, 65536, 1, true, 1, 256}, "px",
           "Directional pixels of a hogel, across and down; may be left out likewise.");
   v.field({"fov", "Field of view"}, fov, {0.01, 179.9, 1}, "°",
           "Full angles into which a hogel sends light, across and down.");

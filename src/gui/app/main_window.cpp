@@ -15,6 +15,7 @@
 #include "gui/app/home_page.h"
 #include "gui/app/messages.h"
 #include "gui/app/window_layout.h"
+#include "gui/docks/design_numbers_widget.h"
 #include "gui/docks/light_field_dock.h"
 #include "gui/docks/parameter_docks.h"
 #include "gui/docks/plot_saver.h"
@@ -220,7 +221,7 @@ void MainWindow::connectDocks() {
     connect(saver, &PlotSaver::failed, m_messages, &Messages::showError);
   }
   for (const ParameterForm* form : findChildren<ParameterForm*>())
-    connect(form, &ParameterForm::entered, this, &MainWindow::leaveForm);
+    connect(form, &ParameterForm::escaped, this, &MainWindow::leaveForm);
   connect(m_imageCommands, &ImageCommands::requestChanged, this, &MainWindow::render);
   connect(m_imageCommands, &ImageCommands::compared, m_ui->reportPanel, &ReportDock::offerTest);
   connect(m_imageCommands, &ImageCommands::failed, m_messages, &Messages::showError);
@@ -404,7 +405,7 @@ void MainWindow::showContent() {
 void MainWindow::showScene() {
   const std::optional<ViewSource>& source = m_loader->source();
   m_properties->lightField()->setSource(source);
-  if (source) m_properties->psf()->setSource(*source);
+  m_properties->designNumbers()->setSource(source);
   m_scene->setSource(source);
   m_imageCommands->setSource(source);
   m_ui->reportPanel->setReference(source);

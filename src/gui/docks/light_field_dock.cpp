@@ -63,9 +63,9 @@ LightFieldDock::LightFieldDock(SessionModel* model, QWidget* parent)
   };
   const auto visitLive = [](ParameterVisitor& v, LightFieldParams& p) { describe(v, p.live); };
   m_liveForms = {form(visitContent), form(visitLive)};
-  layout->addWidget(
-      stackWidgets({form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); }), buttons,
-                    m_liveForms[0], m_liveForms[1], m_contents}));
+  auto* file = form([](ParameterVisitor& v, LightFieldParams& p) { describe(v, p); });
+  file->hideHeading();
+  layout->addWidget(stackWidgets({file, buttons, m_liveForms[0], m_liveForms[1], m_contents}));
   for (const auto change : {&SessionModel::opened, &SessionModel::contentChanged})
     connect(m_model, change, this, &LightFieldDock::showForms);
   showForms();

@@ -7,14 +7,14 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "core/engine/plan.h"
+#include "core/panel/design_numbers.h"
 #include "gui/docks/parameter_drawings.h"
 #include "gui/session/session_forms.h"
 #include "gui/view/view_worker.h"
+#include "gui/widgets/colours.h"
 #include "io/plugins/display_json.h"
-#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
@@ -37,13 +37,19 @@ DisplayParams completed(const DisplayParams& before, DisplayParams after) {
 }  // namespace
 
 DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent), m_model(model) {
+  auto* panel = form([](ParameterVisitor& v, DisplayParams& p) { describe(v, p); });
   auto* lens = form([](ParameterVisitor& v, DisplayParams& p) {
     if (p.lensParams.isGiven()) describe(v, p.lensParams);
   });
+  panel->hideHeading();
+  for (const char* pair : {"hogels", "directions", "fov"}) panel->linkPair(pair, true);
+  panel->linkPair("size", false);
+  m_lock = panel->addButton("size", "lock", true,
+                            tr("Locked: the size is held while the number of hogels changes. Open: "
+                               "the hogels' pitch is held, and the size changes"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(
-      stackWidgets({form([](ParameterVisitor& v, DisplayParams& p) { describe(v, p); }), lens}));
+  layout->addWidget(stackWidgets({panel, lens}));
   const auto show = [this, lens] {
     lens->setVisible(m_model->session().display.lensParams.isGiven());
   };
@@ -52,8 +58,12 @@ DisplayDock::DisplayDock(SessionModel* model, QWidget* parent) : QWidget(parent)
   show();
 }
 
-QWidget* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&)) {
-  return checkedForm<DisplayParams>(m_model, &Session::display, visit, &completed,
+ParameterForm* DisplayDock::form(void (*visit)(ParameterVisitor&, DisplayParams&)) {
+  const auto complete = [this](const DisplayParams& before, DisplayParams after) {
+    if (after.hogels != before.hogels && !m_lock->isChecked()) holdPitch(before, after);
+    return completed(before, std::move(after));
+  };
+  return checkedForm<DisplayParams>(m_model, &Session::display, visit, complete,
                                     [this](const QString& why) { Q_EMIT failed(why); });
 }
 
@@ -69,11 +79,12 @@ CameraDock::CameraDock(SessionModel* model, QWidget* parent)
       "same picture"));
   auto* choice = new QWidget;
   auto* row = new QVBoxLayout(choice);
-  row->setContentsMargins(9, 0, 9, 0);
+  row->setContentsMargins(scaled(12), 0, scaled(12), 0);
   row->addWidget(m_isCalibrated);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(stackWidgets({m_camera, choice, m_intrinsics}));
+  m_camera->hideHeading();
   connect(m_isCalibrated, &QCheckBox::toggled, this, &CameraDock::calibrate);
   for (const auto change : {&SessionModel::opened, &SessionModel::currentChanged,
                             &SessionModel::edited, &SessionModel::statesChanged})
@@ -111,7 +122,9 @@ DistortionDock::DistortionDock(SessionModel* model, QAction* importAction, QWidg
   importButton->setDefaultAction(importAction);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stateForm(model, &CameraState::distortion));
+  auto* form = stateForm(model, &CameraState::distortion);
+  form->hideHeading();
+  layout->addWidget(form);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(layout->spacing() + 3, 0, 0, 0);
   buttons->addWidget(importButton);
@@ -163,6 +176,7 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
   m_energy->setMargin(9);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  m_form->hideHeading();
   layout->addWidget(m_form);
   layout->addWidget(m_energy);
   layout->addWidget(m_kernel, 1);
@@ -170,11 +184,6 @@ PsfDock::PsfDock(SessionModel* model, QWidget* parent)
                             &SessionModel::edited, &SessionModel::statesChanged})
     connect(m_model, change, this, &PsfDock::showKernel);
   showKernel();
-}
-
-void PsfDock::setSource(const ViewSource& source) {
-  const LightFieldSize size = source.lightField->size();
-  m_form->slideTo("windowSize", 2.0 * std::max(size.du, size.dv) - 1);
 }
 
 void PsfDock::showKernel() {

@@ -11,6 +11,7 @@
 class QLabel;
 class QAction;
 class QCheckBox;
+class QToolButton;
 
 namespace hogelscope {
 
@@ -18,7 +19,6 @@ class KernelWidget;
 class LensWidget;
 class ParameterForm;
 struct CertifiedLens;
-struct ViewSource;
 
 class DisplayDock : public QWidget {
   Q_OBJECT
@@ -32,9 +32,10 @@ class DisplayDock : public QWidget {
 
  private:
   /// Creates a form that accepts an edit only if the display's lenses can be opened.
-  QWidget* form(void (*visit)(ParameterVisitor&, DisplayParams&));
+  ParameterForm* form(void (*visit)(ParameterVisitor&, DisplayParams&));
 
   SessionModel* m_model;
+  QToolButton* m_lock = nullptr;  ///< on: the size is held, off: the hogels' pitch
 };
 
 /// The camera dock: the pose of the current state, and its field of view or its intrinsics.
@@ -80,9 +81,6 @@ class PsfDock : public QWidget {
 
  public:
   explicit PsfDock(SessionModel* model, QWidget* parent = nullptr);
-
-  /// Sets the current light field. A window wider than 2·directions − 1 has no further effect.
-  void setSource(const ViewSource& source);
 
  private:
   void showKernel();

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/docks/design_numbers_widget.h"
 #include "gui/docks/light_field_dock.h"
 #include "gui/docks/parameter_docks.h"
 #include "gui/session/session_forms.h"
@@ -53,18 +54,19 @@ Properties::Properties(SessionModel* model, QAction* importAction, QMainWindow* 
       m_area(new QScrollArea),
       m_column(new QVBoxLayout),
       m_lightField(new LightFieldDock(model)),
-      m_distortion(new DistortionDock(model, importAction)),
-      m_psf(new PsfDock(model)) {
+      m_numbers(new DesignNumbersWidget(model)),
+      m_distortion(new DistortionDock(model, importAction)) {
   auto* display = new DisplayDock(model);
   auto* sampling = checkedForm<SamplingParams>(
       model, &Session::sampling, [](ParameterVisitor& v, SamplingParams& p) { describe(v, p); },
       [](const SamplingParams&, SamplingParams after) { return after; },
       [this](const QString& why) { Q_EMIT failed(why); });
+  sampling->hideHeading();
   add("lightFieldDock", tr("Light field"), m_lightField, window);
-  add("displayDock", tr("Display"), display, window);
+  add("displayDock", tr("Display"), stackWidgets({display, m_numbers}), window);
   add("cameraDock", tr("Camera"), new CameraDock(model), window);
   add("distortionDock", tr("Lens"), m_distortion, window);
-  add("psfDock", tr("Leakage"), m_psf, window);
+  add("psfDock", tr("Leakage"), new PsfDock(model), window);
   add("samplingDock", tr("Sampling"), stackWidgets({sampling}), window);
   connect(m_lightField, &LightFieldDock::failed, this, &Properties::failed);
   connect(display, &DisplayDock::failed, this, &Properties::failed);

@@ -14,9 +14,9 @@ class QVBoxLayout;
 
 namespace hogelscope {
 
+class DesignNumbersWidget;
 class DistortionDock;
 class LightFieldDock;
-class PsfDock;
 class Section;
 class SessionModel;
 
@@ -28,8 +28,8 @@ class Properties : public QWidget {
   Properties(SessionModel* model, QAction* importAction, QMainWindow* window);
 
   [[nodiscard]] LightFieldDock* lightField() const { return m_lightField; }
+  [[nodiscard]] DesignNumbersWidget* designNumbers() const { return m_numbers; }
   [[nodiscard]] DistortionDock* distortion() const { return m_distortion; }
-  [[nodiscard]] PsfDock* psf() const { return m_psf; }
   [[nodiscard]] const std::vector<Section*>& sections() const { return m_sections; }
   /// Returns the section whose content may stand in `dock`; null: none.
   [[nodiscard]] Section* sectionOf(const QDockWidget* dock) const;
@@ -51,8 +51,8 @@ class Properties : public QWidget {
   QVBoxLayout* m_column;
   std::vector<Section*> m_sections;
   LightFieldDock* m_lightField;
+  DesignNumbersWidget* m_numbers;
   DistortionDock* m_distortion;
-  PsfDock* m_psf;
 };
 
 }  // namespace hogelscope

@@ -73,7 +73,7 @@ Autosave::Autosave(SessionModel* model, QObject* parent)
   });
 }
 
-/// Starts the timer. Later edits do not delay it, because a slider may move for minutes.
+/// Starts the timer. Later edits do not delay it, because a value may be dragged for minutes.
 void Autosave::writeSoon() {
   if (!m_timer.isActive()) m_timer.start();
 }

@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QSlider>
 
 namespace hogelscope {
 
@@ -44,8 +43,7 @@ bool filterKey(QObject* watched, QKeyEvent& key) {
 
 bool isField(const QObject* watched) {
   return qobject_cast<const QAbstractSpinBox*>(watched) != nullptr ||
-         qobject_cast<const QComboBox*>(watched) != nullptr ||
-         qobject_cast<const QSlider*>(watched) != nullptr;
+         qobject_cast<const QComboBox*>(watched) != nullptr;
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace hogelscope {
 
 /// Filters the events of the whole application. Line edits and spin boxes keep printable keys by
 /// themselves, but combo boxes do not, and line edits keep Ctrl+Z even with nothing to undo. Spin
-/// boxes, sliders and combo boxes use the wheel only while they have the focus, which the wheel
-/// does not give them; otherwise it scrolls their surroundings.
+/// boxes and combo boxes use the wheel only while they have the focus, which the wheel does not
+/// give them; otherwise it scrolls their surroundings. A form's numbers never use it.
 class FieldGuards : public QObject {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace hogelscope {
 
-/// Creates a form that is refreshed after any change of the model.
-ParameterForm* followingForm(const SessionModel* model, const ParameterForm::Visit& visit,
+/// Creates a form that is refreshed after any change of the model, whose drags are one edit each.
+ParameterForm* followingForm(SessionModel* model, const ParameterForm::Visit& visit,
                              const ParameterForm::Visit& defaults);
 
 /// Stacks widgets vertically without spacing. The returned column owns them.
@@ -43,7 +43,7 @@ ParameterForm* stateForm(SessionModel* model, Part CameraState::*part) {
 template <class Part>
 ParameterForm* checkedForm(SessionModel* model, Part Session::*part,
                            void (*visit)(ParameterVisitor&, Part&),
-                           Part (*complete)(const Part& before, Part after),
+                           const std::function<Part(const Part& before, Part after)>& complete,
                            std::function<void(const QString&)> fail) {
   return followingForm(
       model,

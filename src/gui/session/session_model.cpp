@@ -16,7 +16,11 @@ namespace hogelscope {
 class SessionModel::Edit : public QUndoCommand {
  public:
   Edit(SessionModel& model, const QString& name, Content before, Content after)
-      : QUndoCommand(name), m_model(model), m_before(std::move(before)), m_after(std::move(after)) {
+      : QUndoCommand(name),
+        m_model(model),
+        m_before(std::move(before)),
+        m_after(std::move(after)),
+        m_drag(model.m_drag) {
     m_time.start();
   }
 
@@ -27,7 +31,8 @@ class SessionModel::Edit : public QUndoCommand {
   bool mergeWith(const QUndoCommand* next) override {
     constexpr qint64 quickly = 1000;  // milliseconds
     const auto* other = static_cast<const Edit*>(next);
-    if (other->text() != text() || m_time.hasExpired(quickly) ||
+    if (other->text() != text() || other->m_drag != m_drag ||
+        (m_drag == 0 && m_time.hasExpired(quickly)) ||
         other->m_before.current != m_before.current ||
         other->m_after.session.cameras.size() != m_before.session.cameras.size())
       return false;
@@ -40,6 +45,7 @@ class SessionModel::Edit : public QUndoCommand {
   SessionModel& m_model;
   Content m_before;
   Content m_after;
+  int m_drag;  ///< in which it was made
   QElapsedTimer m_time;
 };
 
@@ -124,6 +130,10 @@ void SessionModel::show(const Content& content) {
     Q_EMIT edited();
   else if (isOther)
     Q_EMIT currentChanged();
+}
+
+void SessionModel::holdEdits(bool isHeld) {
+  m_drag = isHeld ? ++m_drags : 0;
 }
 
 void SessionModel::edit(const QString& name, const std::function<void(Session&)>& action) {

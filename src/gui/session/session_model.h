@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The session shown and edited in the window, and its current state. Every edit has a name and can
 // be undone: the whole session is kept before and after it; edits of one name within a second are
-// one.
+// one, and so are those of one drag.
 #pragma once
 
 #include <QObject>
@@ -45,8 +45,11 @@ class SessionModel : public QObject {
   [[nodiscard]] std::vector<std::size_t> marked() const;
   void setMarked(std::vector<std::size_t> indices);
 
+  /// Begins, or ends, a drag: the edits of one name meanwhile are undone together, however long it
+  /// takes, and apart from earlier ones.
+  void holdEdits(bool isHeld);
   /// Applies an edit; `name` appears in the Edit menu. Edits of one name that follow each other
-  /// quickly, such as a slider's, are undone together. Edits without changes are ignored. If
+  /// quickly, such as repeated keys, are undone together. Edits without changes are ignored. If
   /// `action` throws, the session is unchanged.
   void edit(const QString& name, const std::function<void(Session&)>& action);
   /// Sets the current state, field by field; the edit is named after the first changed field.
@@ -85,6 +88,8 @@ class SessionModel : public QObject {
   std::size_t m_current = 0;
   std::vector<std::size_t> m_marked;
   QUndoStack m_undo;
+  int m_drags = 0;
+  int m_drag = 0;  ///< the number of the drag in progress; 0: none
 };
 
 }  // namespace hogelscope

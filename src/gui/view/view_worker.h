@@ -25,7 +25,7 @@
 namespace hogelscope {
 
 /// Chooses the size of the first image after an edit from the times of the latest images, so that
-/// the view follows a moving slider.
+/// the view follows a dragged value.
 class ViewPace {
  public:
   static constexpr double quick = 30;  ///< milliseconds of a full image that is shown directly

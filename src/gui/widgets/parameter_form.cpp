@@ -7,20 +7,22 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QContextMenuEvent>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QRegularExpression>
 #include <QSignalBlocker>
-#include <QSlider>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <typeinfo>
-#include <vector>
+
+#include "gui/widgets/colours.h"
+#include "gui/widgets/scrub_field.h"
 
 namespace hogelscope {
 
@@ -30,45 +32,6 @@ QString toQString(std::string_view text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
-/// A box for an optional value; empty, one step below the range, means left out.
-template <class Box>
-class LeavableBox : public Box {
- public:
-  using Box::Box;
-  using Box::textFromValue;
-  using Value = decltype(std::declval<Box>().value());
-
-  [[nodiscard]] Value valueFromText(const QString& text) const override {
-    return isEmpty(text) ? this->minimum() : Box::valueFromText(text);
-  }
-  QValidator::State validate(QString& text, int& position) const override {
-    return isEmpty(text) ? QValidator::Acceptable : Box::validate(text, position);
-  }
-  void mayBeLeftOut() {
-    this->setMinimum(this->minimum() - this->singleStep());
-    this->setSpecialValueText(QObject::tr("not given"));
-  }
-
- private:
-  [[nodiscard]] bool isEmpty(const QString& text) const {
-    const QString special = this->specialValueText();
-    const QString left = QString(text).remove(this->suffix()).trimmed();
-    return !special.isEmpty() && (left.isEmpty() || left == special);
-  }
-};
-
-/// A box that shows five digits, or the whole integer part; the value keeps more.
-class RealBox : public LeavableBox<QDoubleSpinBox> {
- public:
-  explicit RealBox(QWidget* parent) : LeavableBox(parent) { setDecimals(12); }
-  [[nodiscard]] QString textFromValue(double value) const override {
-    const int whole = value == 0 ? 1 : 1 + int(std::floor(std::log10(std::abs(value))));
-    return locale().toString(value, 'g', std::max(5, whole));
-  }
-};
-
-using WholeBox = LeavableBox<QSpinBox>;
-
 }  // namespace
 
 template <class Box>
@@ -76,6 +39,45 @@ class BoxRow : public QWidget {
  public:
   using QWidget::QWidget;
   std::vector<Box*> boxes;
+};
+
+/// A field's name, with the unit of all of its numbers, and before it the dot of a value that is
+/// not the default.
+class FieldLabel : public QLabel {
+ public:
+  FieldLabel(const QString& name, const QString& unit, QWidget* parent)
+      : QLabel(name + " <span style='font-size: small'>" + unit + "</span>", parent) {
+    setAccessibleName(name);
+    setWordWrap(true);
+    setContentsMargins(scaled(12), 0, scaled(4), 0);
+  }
+
+  [[nodiscard]] int heightForWidth(int width) const override {
+    return std::max(scaled(24), QLabel::heightForWidth(width));
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    return {scaled(104), heightForWidth(scaled(104))};
+  }
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+  std::function<void()> reset;  ///< is called for a click on the dot
+  QString defaultText;          ///< empty if there is no default
+  bool isDotted = false;
+
+ protected:
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    if (isDotted && event->button() == Qt::LeftButton && event->pos().x() < scaled(12)) reset();
+  }
+
+  void paintEvent(QPaintEvent* event) override {
+    QLabel::paintEvent(event);
+    if (!isDotted) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tokens().focus);
+    painter.drawEllipse(QPointF(scaled(6), height() / 2.0), 2.5, 2.5);
+  }
 };
 
 namespace {
@@ -91,21 +93,23 @@ QString inWords(const QString& name) {
   return words.left(1).toUpper() + words.mid(1).toLower();
 }
 
-QString labelOf(const Field& field) {
+QString labelTextOf(const Field& field) {
   return field.label.empty() ? inWords(toQString(field.name)) : toQString(field.label);
 }
 
-/// Returns the range of a slider.
-Range slideOf(const Range& range) {
-  const bool isDeclared = range.slideMin < range.slideMax;
-  return {isDeclared ? range.slideMin : range.min, isDeclared ? range.slideMax : range.max,
-          range.step};
+/// Returns the allowed values in words; nothing where they are as good as all.
+QString rangeText(const Range& range, const QString& unit) {
+  if (!(range.min < range.max) || range.max >= 1e6) return {};
+  const QLocale locale;
+  return QString("%1 … %2 %3").arg(locale.toString(range.min), locale.toString(range.max), unit);
 }
 
-/// Extends the slider's range to a value beyond it.
-void growTo(QSlider& slider, const Range& slide, double value) {
-  const int at = qRound((value - slide.min) / slide.step);
-  slider.setRange(std::min(slider.minimum(), at), std::max(slider.maximum(), at));
+/// Returns the range that people use; empty if it has too many steps to be seen.
+Range usualOf(const Range& range) {
+  constexpr double mostSteps = 1e5;
+  const Range usual =
+      range.slideMin < range.slideMax ? Range{range.slideMin, range.slideMax} : range;
+  return (usual.max - usual.min) / range.step > mostSteps ? Range{} : usual;
 }
 
 QString boxName(const Field& field, std::size_t k, bool isList) {
@@ -121,11 +125,11 @@ QString textOf(const QWidget* editor) {
   return flag == nullptr ? QString() : flag->isChecked() ? QObject::tr("on") : QObject::tr("off");
 }
 
-double valueInRange(const RealBox& box, const Range& range) {
+double valueInRange(const RealField& box, const Range& range) {
   return range.mayBeLeftOut && box.value() < range.min ? notGiven : box.value();
 }
 
-int valueInRange(const WholeBox& box, const Range& range) {
+int valueInRange(const WholeField& box, const Range& range) {
   if (box.value() < range.min) return box.value();
   return int(range.min + range.step * std::floor((box.value() - range.min) / range.step));
 }
@@ -139,11 +143,10 @@ ParameterForm::ParameterForm(Visit visit, Visit defaults, QWidget* parent)
       m_layout(new QFormLayout(this)),
       m_heading(new QLabel(this)) {
   m_layout->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  m_layout->setContentsMargins(0, scaled(4), scaled(12), scaled(4));
+  m_layout->setHorizontalSpacing(0);
+  m_layout->setVerticalSpacing(scaled(4));
   m_heading->setObjectName("heading");
-  QFont bold = font();
-  bold.setBold(true);
-  m_heading->setFont(bold);
   m_layout->addRow(m_heading);
   refresh();
 }
@@ -155,6 +158,11 @@ void ParameterForm::refresh() {
   for (QWidget* row : std::as_const(m_rows))
     if (m_layout->isRowVisible(row) != m_visited.contains(row))
       m_layout->setRowVisible(row, m_visited.contains(row));
+  walkDefaults(Pass::compare);
+}
+
+void ParameterForm::hideHeading() {
+  m_layout->setRowVisible(m_heading, false);
 }
 
 std::vector<ParameterForm::Row> ParameterForm::rows() const {
@@ -167,8 +175,8 @@ std::vector<ParameterForm::Row> ParameterForm::rows() const {
     QStringList texts(textOf(field));
     for (const QAbstractSpinBox* box : boxes) texts << textOf(box);
     texts.removeAll({});
-    rows.push_back({m_heading->text(), label->text(), boxes.isEmpty() ? field : boxes.front(),
-                    texts.join(" × ")});
+    rows.push_back({m_heading->text(), label->accessibleName(),
+                    boxes.isEmpty() ? field : boxes.front(), texts.join(" × ")});
   }
   return rows;
 }
@@ -182,18 +190,44 @@ void ParameterForm::hideField(const QString& name, bool isHidden) {
   refresh();
 }
 
-void ParameterForm::slideTo(const QString& name, double most) {
-  m_slideMost[name] = most;
-  refresh();
+QToolButton* ParameterForm::addButton(const QString& pair, const QString& name, bool isOn,
+                                      const QString& help) {
+  auto* button = new QToolButton;
+  button->setObjectName(pair + "." + name);
+  button->setToolTip(help);
+  button->setAccessibleName(help);
+  button->setCheckable(true);
+  button->setFixedSize(scaled(20), scaled(24));
+  const auto show = [button, name] {
+    button->setIcon(icon(button->isChecked() ? name : "un" + name));
+  };
+  connect(button, &QToolButton::toggled, this, show);
+  button->setChecked(isOn);
+  show();
+  QLayout* row = findChild<QWidget*>(pair + ".0")->parentWidget()->layout();
+  QWidget* last = row->itemAt(row->count() - 1)->widget();
+  row->addWidget(button);
+  setTabOrder(last, button);
+  return button;
 }
 
-/// Emits entered() for Return and Escape; editors apply their value and ignore these keys.
+void ParameterForm::linkPair(const QString& name, bool isOn) {
+  for (const auto& [part, letter] : {std::pair(".0", "h"), std::pair(".1", "v")}) {
+    auto* box = findChild<QWidget*>(name + part);
+    if (auto* real = dynamic_cast<RealField*>(box)) real->letter = letter;
+    if (auto* whole = dynamic_cast<WholeField*>(box)) whole->letter = letter;
+  }
+  m_links[name] = {
+      addButton(name, "link", isOn, tr("Linked: a change of one changes the other in proportion"))};
+}
+
+/// Return applies the value, which the editors do themselves, and keeps the focus.
 void ParameterForm::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
-  if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Escape)
-    return QWidget::keyPressEvent(event);
-  if (key == Qt::Key_Escape) refresh();
-  Q_EMIT entered();
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) return;
+  if (key != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+  refresh();
+  Q_EMIT escaped();
 }
 
 bool ParameterForm::eventFilter(QObject* watched, QEvent* event) {
@@ -207,6 +241,7 @@ bool ParameterForm::eventFilter(QObject* watched, QEvent* event) {
 /// Shows the menu: the line edit's own, if any, and the default.
 void ParameterForm::showMenu(QWidget* on, const QString& key, const QPoint& at) {
   auto* line = qobject_cast<QLineEdit*>(on);
+  if (line == nullptr && on->inherits("QAbstractSpinBox")) line = on->findChild<QLineEdit*>();
   QMenu* menu = line != nullptr ? line->createStandardContextMenu() : new QMenu(on);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (line != nullptr) menu->addSeparator();
@@ -215,28 +250,41 @@ void ParameterForm::showMenu(QWidget* on, const QString& key, const QPoint& at) 
 }
 
 void ParameterForm::offerDefault(QMenu* menu, const QString& key) {
-  m_default.clear();
-  walkDefaults(Pass::sayDefault, key);
-  if (m_default.isEmpty()) return;
-  QAction* action = menu->addAction(tr("&Default: %1").arg(m_default.join(", ")));
+  const QString words = labelOf(m_rows[key])->defaultText;
+  if (words.isEmpty()) return;
+  QAction* action = menu->addAction(tr("&Default: %1").arg(words));
   action->setObjectName("defaultAction");
-  connect(action, &QAction::triggered, this, [this, key] {
-    walkDefaults(Pass::showDefault, key);
-    applyEdit(m_rows[key]);
-  });
+  connect(action, &QAction::triggered, this, [this, key] { reset(key); });
 }
 
-/// Visits the defaults for the row of that key only.
-void ParameterForm::walkDefaults(Pass pass, const QString& key) {
-  if (!m_defaults) return;
+void ParameterForm::reset(const QString& key) {
   m_wanted = key;
-  m_pass = pass;
-  m_defaults(*this);
+  walkDefaults(Pass::showDefault);
+  applyEdit(m_rows[key]);
 }
 
+/// Visits the defaults: compares all with what is shown, or shows that of the wanted row.
+void ParameterForm::walkDefaults(Pass pass) {
+  m_pass = pass;
+  if (m_defaults) m_defaults(*this);
+}
+
+/// Defaults make no rows.
 bool ParameterForm::skipsRow(const QWidget* row) const {
-  const bool isOfDefaults = m_pass == Pass::sayDefault || m_pass == Pass::showDefault;
-  return isOfDefaults && row->property("row").toString() != m_wanted;
+  return row == nullptr ||
+         (m_pass == Pass::showDefault && row->property("row").toString() != m_wanted);
+}
+
+FieldLabel* ParameterForm::labelOf(QWidget* row) const {
+  return static_cast<FieldLabel*>(m_layout->labelForField(row));
+}
+
+/// Takes a row's default, in words, and whether it is what the row shows.
+void ParameterForm::takeDefault(const Field& field, QWidget* row, const QString& words,
+                                bool isShown) {
+  FieldLabel* label = labelOf(row);
+  if (std::exchange(label->isDotted, !isShown) == isShown) label->update();
+  if (std::exchange(label->defaultText, words) != words) explain(field, row);
 }
 
 /// Takes the value of an editor, or of all editors in a row.
@@ -254,12 +302,13 @@ void ParameterForm::group(std::string_view name, std::string_view help) {
   setToolTip(toQString(help));
 }
 
-/// Returns the field's editor, created by `make` if missing. Fields of one name may have editors of
-/// several kinds, and other ranges in another group.
+/// Returns the field's editor, created by `make` if missing, but not by defaults. Fields of one
+/// name may have editors of several kinds, and other ranges in another group.
 template <class Make>
 auto ParameterForm::editor(const Field& field, Make make) -> decltype(make()) {
   using Editor = std::remove_pointer_t<decltype(make())>;
   const QString key = keyOf(field, typeid(Editor).name());
+  if (m_pass >= Pass::compare) return static_cast<Editor*>(m_rows.value(key));
   QWidget*& known = m_rows[key];
   if (known == nullptr) {
     known = make();
@@ -274,19 +323,32 @@ QString ParameterForm::keyOf(const Field& field, const char* kind) const {
 }
 
 void ParameterForm::addRow(const Field& field, const QString& key, QWidget* editor) {
-  auto* label = new QLabel(labelOf(field), this);
+  const bool isList = editor->findChildren<QAbstractSpinBox*>().size() > 1;
+  auto* label =
+      new FieldLabel(labelTextOf(field), isList ? toQString(field.unit) : QString(), this);
   label->setBuddy(editor);
+  label->reset = [this, key] { reset(key); };
   QList<QWidget*> parts = editor->findChildren<QWidget*>();
   parts << label << editor;
   for (QWidget* part : std::as_const(parts)) {
     part->setProperty("row", key);
     part->installEventFilter(this);
   }
-  for (QWidget* widget : {static_cast<QWidget*>(label), editor})
-    widget->setToolTip(
-        tr("<p>%1</p><p>In documents: <b>%2.%3</b></p>")
-            .arg(toQString(field.help).toHtmlEscaped(), m_group, toQString(field.name)));
   m_layout->addRow(label, editor);
+  explain(field, editor);
+}
+
+/// Sets a row's tooltip: meaning, range, default, name in documents.
+void ParameterForm::explain(const Field& field, QWidget* row) {
+  FieldLabel* label = labelOf(row);
+  QStringList values{rangeText(field.range, toQString(field.unit))};
+  if (!label->defaultText.isEmpty()) values << tr("default %1").arg(label->defaultText);
+  values.removeAll({});
+  const QString tip = QString("<p><b>%1</b><br>%2</p><p>%3<br>%4.%5</p>")
+                          .arg(labelTextOf(field), toQString(field.help).toHtmlEscaped(),
+                               values.join(", ").toHtmlEscaped(), m_group, toQString(field.name));
+  row->setToolTip(tip);
+  label->setToolTip(tip);
 }
 
 template <class Box>
@@ -294,81 +356,81 @@ BoxRow<Box>* ParameterForm::newBoxes(const Field& field, std::size_t count, bool
   auto* row = new BoxRow<Box>(this);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(scaled(4));
+  const bool isPlace = count == 3 && field.range.min < 0;
   for (std::size_t k = 0; k < count; ++k) {
     auto* box = new Box(row);
     box->setObjectName(boxName(field, k, isList));
-    box->setKeyboardTracking(false);
-    const bool isNarrow = count > 2;  // the wheel and the arrow keys still step the value
-    if (isNarrow) box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setMinimumWidth(fontMetrics().horizontalAdvance(isNarrow ? "-0.0000 m" : "-00.0000 px") +
-                         (isNarrow ? 8 : 24));
-    using Value = decltype(box->value());
+    using Value = typename Box::Value;
     box->setRange(Value(field.range.min), Value(field.range.max));
     box->setSingleStep(Value(field.range.step));
-    if (!field.unit.empty()) box->setSuffix(" " + toQString(field.unit));
+    if (isPlace) box->letter = QString("xyz").mid(qsizetype(k), 1);
+    if (count == 1) box->unit = toQString(field.unit);
+    box->usual = usualOf(field.range);
+    box->setAccessibleName(QStringList({labelTextOf(field), count > 1 ? QString::number(k + 1) : "",
+                                        toQString(field.unit)})
+                               .join(' ')
+                               .simplified());
     if (field.range.mayBeLeftOut) box->mayBeLeftOut();
     layout->addWidget(box);
     row->boxes.push_back(box);
     connect(box, &Box::valueChanged, this, [this, box] { applyEdit(box); });
-    if (!isList) addSlider(field, box, row);
+    box->onDrag = [this](bool isHeld) { Q_EMIT dragged(isHeld); };
   }
   return row;
 }
 
-/// Adds a slider to a single number whose range has few enough steps.
-template <class Box>
-void ParameterForm::addSlider(const Field& field, Box* box, QWidget* row) {
-  constexpr double mostSteps = 1e5;
-  const Range range = slideOf(field.range);
-  const double steps = (range.max - range.min) / range.step;
-  if (steps > mostSteps) return;
-  auto* slider = new QSlider(Qt::Horizontal, row);
-  slider->setObjectName(boxName(field, 0, false) + ".slider");
-  slider->setRange(0, qRound(steps));
-  slider->setPageStep(std::max(1, qRound(steps / 20)));
-  row->layout()->addWidget(slider);
-  using Value = decltype(box->value());
-  connect(slider, &QSlider::valueChanged, box,
-          [box, range](int at) { box->setValue(Value(range.min + range.step * at)); });
+/// Changes the other one of a linked pair. The ratio is not taken from numbers that were rounded
+/// here, which would drift in a drag.
+template <class Number>
+void ParameterForm::keepRatio(const Field& field, const std::vector<Number>& before,
+                              std::span<Number> values) {
+  const auto link = m_links.find(toQString(field.name));
+  if (link == m_links.end() || !link->button->isChecked()) return;
+  const std::array old{double(before[0]), double(before[1])};
+  if (old[0] != old[1] && std::min(old[0], old[1]) < field.range.min) return;  // one is left out
+  if (old != link->last) link->ratio = old[0] == old[1] ? 1 : old[1] / old[0];
+  const std::size_t edited = values[0] != before[0] ? 0 : 1;
+  double other = edited == 0 ? values[0] * link->ratio : values[1] / link->ratio;
+  if (values[edited] >= field.range.min)
+    other = std::clamp(other, field.range.min, field.range.max);
+  if constexpr (std::is_integral_v<Number>) other = std::round(other);
+  values[1 - edited] = Number(other);
+  link->last = {double(values[0]), double(values[1])};
 }
 
 template <class Box, class Number>
 void ParameterForm::boxes(const Field& field, std::span<Number> values, bool isList) {
   BoxRow<Box>* row = editor(field, [&] { return newBoxes<Box>(field, values.size(), isList); });
   if (skipsRow(row)) return;
+  const std::vector<Number> before(values.begin(), values.end());
+  QStringList words;
+  bool isShown = true;
   for (std::size_t k = 0; k < values.size(); ++k) {
     Box* box = row->boxes[k];
-    if (m_pass == Pass::sayDefault) {
-      m_default << (field.range.mayBeLeftOut && values[k] < field.range.min
-                        ? box->specialValueText()
-                        : box->textFromValue(values[k]) + box->suffix());
-      continue;
-    }
-    if (m_pass == Pass::apply) {
+    if (m_pass == Pass::compare) {
+      const bool isGiven = !field.range.mayBeLeftOut || values[k] >= field.range.min;
+      words << (isGiven ? (box->textFromValue(values[k]) + " " + toQString(field.unit)).trimmed()
+                        : box->specialValueText());
+      isShown &= isGiven ? std::abs(double(box->value()) - double(values[k])) < 1e-12
+                         : box->value() < field.range.min;
+    } else if (m_pass == Pass::apply) {
       if (box == m_edited || row == m_edited) values[k] = valueInRange(*box, field.range);
-      continue;
+      if (box == m_edited && values[k] != before[k]) keepRatio(field, before, values);
+    } else {
+      const QSignalBlocker quiet(box);
+      box->setValue(values[k]);
     }
-    const QSignalBlocker quiet(box);
-    box->setValue(values[k]);
-    auto* slider = row->template findChild<QSlider*>(boxName(field, k, isList) + ".slider");
-    if (slider == nullptr) continue;
-    const QSignalBlocker quietSlider(slider);
-    // An omitted value is numerically below the range.
-    const double shown = std::clamp(double(values[k]), field.range.min, field.range.max);
-    const Range slide = slideOf(field.range);
-    if (const auto most = m_slideMost.constFind(toQString(field.name)); most != m_slideMost.cend())
-      slider->setMaximum(qRound((std::min(*most, field.range.max) - slide.min) / slide.step));
-    if (values[k] >= field.range.min) growTo(*slider, slide, shown);
-    slider->setValue(qRound((shown - slide.min) / slide.step));
   }
+  if (m_pass == Pass::compare) takeDefault(field, row, words.join(", "), isShown);
 }
 
 void ParameterForm::numbers(const Field& field, std::span<double> values, bool isList) {
-  boxes<RealBox>(field, values, isList);
+  boxes<RealField>(field, values, isList);
 }
 
 void ParameterForm::integers(const Field& field, std::span<int> values, bool isList) {
-  boxes<WholeBox>(field, values, isList);
+  boxes<WholeField>(field, values, isList);
 }
 
 void ParameterForm::flag(const Field& field, bool& value) {
@@ -379,7 +441,8 @@ void ParameterForm::flag(const Field& field, bool& value) {
     return created;
   });
   if (skipsRow(box)) return;
-  if (m_pass == Pass::sayDefault) m_default << (value ? tr("on") : tr("off"));
+  if (m_pass == Pass::compare)
+    takeDefault(field, box, value ? tr("on") : tr("off"), box->isChecked() == value);
   if (m_pass == Pass::apply && box == m_edited) value = box->isChecked();
   const QSignalBlocker quiet(box);
   if (shows()) box->setChecked(value);
@@ -393,7 +456,9 @@ void ParameterForm::text(const Field& field, std::string& value) {
     return created;
   });
   if (skipsRow(line)) return;
-  if (m_pass == Pass::sayDefault) m_default << "\"" + QString::fromStdString(value) + "\"";
+  if (m_pass == Pass::compare)  // an empty name is no value to go back to
+    takeDefault(field, line, "\"" + QString::fromStdString(value) + "\"",
+                value.empty() || value == line->text().toStdString());
   if (m_pass == Pass::apply && line == m_edited) value = line->text().toStdString();
   const QSignalBlocker quiet(line);
   const QString shown = QString::fromStdString(value);
@@ -404,13 +469,18 @@ void ParameterForm::choice(const Field& field, int& index) {
   auto* box = editor(field, [this, &field] {
     auto* created = new QComboBox(this);
     created->setObjectName(toQString(field.name));
+    created->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    created->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    created->setMinimumHeight(scaled(24));
     for (const std::string_view name : field.choices) created->addItem(toQString(name));
     connect(created, &QComboBox::currentIndexChanged, this,
             [this, created] { applyEdit(created); });
     return created;
   });
   if (skipsRow(box)) return;
-  if (m_pass == Pass::sayDefault) m_default << toQString(field.choices[std::size_t(index)]);
+  if (m_pass == Pass::compare)
+    takeDefault(field, box, toQString(field.choices[std::size_t(index)]),
+                box->currentIndex() == index);
   if (m_pass == Pass::apply && box == m_edited) index = box->currentIndex();
   const QSignalBlocker quiet(box);
   if (shows()) box->setCurrentIndex(index);

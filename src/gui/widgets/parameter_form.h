@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A form generated from a parameter description: a heading, and a row for each field with unit,
-// help and slider.
+// A form generated from a parameter description: a heading, and a row for each field with its
+// label, editors, units and help.
 #pragma once
 
 #include <QHash>
 #include <QSet>
 #include <QStringList>
 #include <QWidget>
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,15 +17,18 @@
 class QFormLayout;
 class QLabel;
 class QMenu;
+class QToolButton;
 
 namespace hogelscope {
 
 template <class Box>
 class BoxRow;
+class FieldLabel;
 
 /// Creates a field's row when the field is first visited, and hides it while the field is not
-/// visited or does not count. Editors are named after their fields: "sigma", "sigma.slider",
-/// "eye.0". A right click on a row offers the default.
+/// visited or does not count. Editors are named after their fields: "sigma", "eye.0". A value that
+/// is not the default has a dot before its label; a click on it, or the menu of a right click,
+/// brings the default back.
 class ParameterForm : public QWidget, private ParameterVisitor {
   Q_OBJECT
 
@@ -37,9 +41,14 @@ class ParameterForm : public QWidget, private ParameterVisitor {
 
   /// Hides or shows a field's row.
   void hideField(const QString& name, bool isHidden);
-  /// Sets the upper end of a field's slider, limited to the field's maximum; the default is the
-  /// field's declaration. It extends to a larger value.
-  void slideTo(const QString& name, double most);
+  /// Hides the heading, where the surroundings have it.
+  void hideHeading();
+  /// Gives a pair of numbers the letters h and v, and the button "link": while it is on, an edit of
+  /// one changes the other in proportion.
+  void linkPair(const QString& name, bool isOn);
+  /// Adds a switch, named "PAIR.NAME", to the row of a pair of numbers. Its icon is NAME, or unNAME
+  /// while it is off.
+  QToolButton* addButton(const QString& pair, const QString& name, bool isOn, const QString& help);
   /// Shows the current parameters.
   void refresh();
 
@@ -53,8 +62,10 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   [[nodiscard]] std::vector<Row> rows() const;
 
  Q_SIGNALS:
-  /// Return was pressed in an editor, which has applied its value, or Escape, and it has not.
-  void entered();
+  /// Escape was pressed in an editor, whose text is that of the value again.
+  void escaped();
+  /// The drag of a number has begun, or ended.
+  void dragged(bool isHeld);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -62,7 +73,13 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Pass { show, apply, sayDefault, showDefault };
+  enum class Pass { show, apply, compare, showDefault };  ///< the last two visit the defaults
+  /// A pair whose ratio is kept, second to first; it is taken anew from values of others.
+  struct Link {
+    QToolButton* button;
+    double ratio = 1;
+    std::array<double, 2> last{};
+  };
 
   void group(std::string_view name, std::string_view help) override;
   void numbers(const Field& field, std::span<double> values, bool isList) override;
@@ -75,14 +92,18 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   void boxes(const Field& field, std::span<Number> values, bool isList);
   template <class Box>
   BoxRow<Box>* newBoxes(const Field& field, std::size_t count, bool isList);
-  template <class Box>
-  void addSlider(const Field& field, Box* box, QWidget* row);
+  template <class Number>
+  void keepRatio(const Field& field, const std::vector<Number>& before, std::span<Number> values);
   template <class Make>
   auto editor(const Field& field, Make make) -> decltype(make());
   void addRow(const Field& field, const QString& key, QWidget* editor);
+  void explain(const Field& field, QWidget* row);
   [[nodiscard]] QString keyOf(const Field& field, const char* kind) const;
   void applyEdit(QObject* editor);
-  void walkDefaults(Pass pass, const QString& key);
+  void walkDefaults(Pass pass);
+  void reset(const QString& key);
+  void takeDefault(const Field& field, QWidget* row, const QString& words, bool isShown);
+  [[nodiscard]] FieldLabel* labelOf(QWidget* row) const;
   [[nodiscard]] bool skipsRow(const QWidget* row) const;
   [[nodiscard]] bool shows() const { return m_pass == Pass::show || m_pass == Pass::showDefault; }
   void showMenu(QWidget* on, const QString& key, const QPoint& at);
@@ -95,12 +116,11 @@ class ParameterForm : public QWidget, private ParameterVisitor {
   QString m_group;
   Pass m_pass = Pass::show;
   QObject* m_edited = nullptr;  ///< the editor changed by the user
-  QString m_wanted;             ///< the row whose default is read or shown
-  QStringList m_default;        ///< the default values of that row
+  QString m_wanted;             ///< the row whose default is to be shown
   QHash<QString, QWidget*> m_rows;
   QSet<QWidget*> m_visited;  ///< of m_rows, during this visit
   QSet<QString> m_hidden;    ///< names of hidden fields
-  QHash<QString, double> m_slideMost;
+  QHash<QString, Link> m_links;
 };
 
 }  // namespace hogelscope

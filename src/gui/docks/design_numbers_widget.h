@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the display can show to the current eye: a card of six numbers, and the depths that are
+// sharp, beside those of the content. It follows the session's edits and needs no picture.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "core/panel/design_numbers.h"
+#include "gui/session/session_model.h"
+
+class QLabel;
+
+namespace hogelscope {
+
+class DepthBar;
+struct ViewSource;
+
+class DesignNumbersWidget : public QWidget {
+ public:
+  explicit DesignNumbersWidget(const SessionModel* model, QWidget* parent = nullptr);
+
+  /// Sets the current light field: its depths, and the hogels and directions of a display that
+  /// leaves them out.
+  void setSource(const std::optional<ViewSource>& source);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showNumbers();
+  [[nodiscard]] DesignNumbers numbers() const;
+
+  const SessionModel* m_model;
+  DisplayParams m_known;  ///< the display of the light field
+  std::array<QLabel*, 6> m_cells{};
+  DepthBar* m_bar;
+  QLabel* m_legend;
+};
+
+}  // namespace hogelscope

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The editor of a number: a spin box without buttons whose value is dragged sideways. It paints
+// itself, with a letter and a unit inside and a line that says where the value is in its usual
+// range. Its line edit is shown only while the field has the focus.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <type_traits>
+
+#include "core/base/parameters.h"
+#include "gui/widgets/colours.h"
+
+namespace hogelscope {
+
+/// A horizontal drag changes the value (Shift: a tenth, Ctrl: ten times as much), a click focuses
+/// the field and selects its text, in which the mouse then acts as in any text. The wheel is left
+/// to the surroundings.
+template <class Box>
+class ScrubField : public Box {
+ public:
+  using Value = decltype(std::declval<Box>().value());
+
+  QString letter;  ///< before the value; x, y and z have the colours of the axes
+  QString unit;    ///< at the right; it is no part of the text
+  Range usual;     ///< of the line; a drag crosses it in 200 px; no line if it is empty
+  std::function<void(bool)> onDrag;  ///< is called when a drag begins (true) and ends
+
+  explicit ScrubField(QWidget* parent) : Box(parent) {
+    this->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    this->setKeyboardTracking(false);
+    this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    this->setFocusPolicy(Qt::TabFocus);  // and a click, when the button is released
+    this->setAttribute(Qt::WA_Hover);
+    this->setCursor(Qt::SizeHorCursor);
+    this->lineEdit()->hide();
+    if constexpr (isReal) this->setDecimals(12);
+  }
+
+  /// Makes an empty text, one step below the range, mean that the value is left out.
+  void mayBeLeftOut() {
+    this->setMinimum(this->minimum() - this->singleStep());
+    this->setSpecialValueText(QObject::tr("not given"));
+  }
+
+  /// Returns whole numbers as they are, others with five digits or the whole integer part; the
+  /// value keeps more.
+  [[nodiscard]] QString textFromValue(Value value) const override { return inDigits(value, 5); }
+  /// A text that nobody has changed does not round the value.
+  [[nodiscard]] Value valueFromText(const QString& text) const override {
+    if (isLeftOut(text)) return this->minimum();
+    return text == textFromValue(this->value()) ? this->value() : Box::valueFromText(text);
+  }
+  QValidator::State validate(QString& text, int& position) const override {
+    return isLeftOut(text) ? QValidator::Acceptable : Box::validate(text, position);
+  }
+  [[nodiscard]] QSize sizeHint() const override { return {scaled(36), scaled(24)}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override {
+    if (event->button() != Qt::LeftButton) return;
+    m_pressed = event->globalPosition().x();
+    m_dragged = double(this->value());
+  }
+
+  void mouseMoveEvent(QMouseEvent* event) override {
+    constexpr double clicks = 3;  // pixels by which a click may move
+    const double x = event->globalPosition().x();
+    if (!m_pressed || (!m_isDragged && std::abs(x - *m_pressed) < clicks)) return;
+    if (!std::exchange(m_isDragged, true) && onDrag) onDrag(true);
+    drag(x - *std::exchange(m_pressed, x), event->modifiers());
+  }
+
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    if (event->button() != Qt::LeftButton || !m_pressed) return;
+    m_pressed.reset();
+    if (std::exchange(m_isDragged, false)) {
+      if (onDrag) onDrag(false);
+      return;
+    }
+    this->setFocus(Qt::MouseFocusReason);
+    this->selectAll();
+  }
+
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+
+  void focusInEvent(QFocusEvent* event) override {
+    const QRect text = textRect();
+    this->lineEdit()->setTextMargins(text.left() - 3, 0, this->width() - text.right() - 4, 0);
+    this->lineEdit()->show();
+    Box::focusInEvent(event);
+  }
+
+  void focusOutEvent(QFocusEvent* event) override {
+    Box::focusOutEvent(event);
+    if (event->reason() != Qt::PopupFocusReason) this->lineEdit()->hide();
+  }
+
+  void paintEvent(QPaintEvent* /*event*/) override {
+    const Tokens& t = tokens();
+    const bool isFocused = this->hasFocus();
+    const bool isHovered = this->isEnabled() && this->underMouse() && !isFocused;
+    const double ring = isFocused ? 2 : 1;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPainterPath frame;
+    frame.addRoundedRect(QRectF(this->rect()).marginsRemoved(QMarginsF(1, 1, 1, 1) * (ring / 2)), 4,
+                         4);
+    painter.fillPath(frame, isHovered ? t.hover : t.field);
+    if (usual.min < usual.max) {
+      const double share = (double(this->value()) - usual.min) / (usual.max - usual.min);
+      painter.setClipPath(frame);
+      painter.fillRect(QRectF(ring, this->height() - ring - 2,
+                              std::clamp(share, 0.0, 1.0) * (this->width() - 2 * ring), 2),
+                       isFocused || isHovered ? t.focus : t.strongLine);
+      painter.setClipping(false);
+    }
+    painter.strokePath(frame, QPen(isFocused ? t.focus : t.line, ring));
+    const QRect inside = this->rect().adjusted(scaled(6), 0, -scaled(6), 0);
+    const auto write = [&painter](const QRect& place, Qt::Alignment side, const QFont& font,
+                                  const QColor& colour, const QString& text) {
+      painter.setPen(colour);
+      painter.setFont(font);
+      painter.drawText(place, int(side | Qt::AlignVCenter), text);
+    };
+    const qsizetype axis = QString("xyz").indexOf(letter);
+    write(inside, Qt::AlignLeft, letterFont(), axis < 0 ? t.text3 : t.axes[std::size_t(axis)],
+          letter);
+    write(inside, Qt::AlignRight, textFont(TextSize::caption), t.text3, unit);
+    if (!isFocused)
+      write(textRect(), Qt::AlignLeft, this->font(),
+            this->isEnabled() && !isLeftOut(this->text()) ? t.text : t.text3, shownText());
+  }
+
+ private:
+  static constexpr bool isReal = std::is_same_v<Value, double>;
+
+  static QFont letterFont() { return textFont(TextSize::caption, QFont::DemiBold); }
+
+  [[nodiscard]] QString inDigits(Value value, int digits) const {
+    if constexpr (isReal) {
+      const int whole = value == 0 ? 1 : 1 + int(std::floor(std::log10(std::abs(value))));
+      return this->locale().toString(value, 'g', std::max(digits, whole));
+    }
+    return Box::textFromValue(int(value));
+  }
+
+  [[nodiscard]] bool isLeftOut(const QString& text) const {
+    const QString special = this->specialValueText();
+    return !special.isEmpty() && (text.trimmed().isEmpty() || text.trimmed() == special);
+  }
+
+  /// Whole numbers keep to their steps, others are rounded to a step, or with Shift a tenth of it.
+  void drag(double pixels, Qt::KeyboardModifiers keys) {
+    constexpr double crossing = 200;  // pixels across the usual range
+    const bool isFine = keys.testFlag(Qt::ShiftModifier);
+    const double factor = isFine ? 0.1 : keys.testFlag(Qt::ControlModifier) ? 10 : 1;
+    const double step = this->singleStep();
+    const double perPixel = usual.min < usual.max ? (usual.max - usual.min) / crossing : step;
+    const double least = this->minimum();
+    m_dragged = std::clamp(m_dragged + factor * perPixel * pixels, least, double(this->maximum()));
+    const double grid = isReal && isFine ? step / 10 : step;
+    const double from = isReal ? 0 : least;
+    this->setValue(Value(from + grid * std::round((m_dragged - from) / grid)));
+  }
+
+  [[nodiscard]] QRect textRect() const {
+    const auto width = [](const QString& text, const QFont& font) {
+      return text.isEmpty() ? 0 : QFontMetrics(font).horizontalAdvance(text) + scaled(4);
+    };
+    return this->rect().adjusted(scaled(6) + width(letter, letterFont()), 2,
+                                 -scaled(6) - width(unit, textFont(TextSize::caption)), -2);
+  }
+
+  /// Returns the text with fewer digits if it is too wide.
+  [[nodiscard]] QString shownText() const {
+    const QFontMetrics metrics = this->fontMetrics();
+    const int width = textRect().width();
+    QString text = this->text();
+    for (int digits = 4; digits > 0 && !isLeftOut(text); --digits)
+      if (metrics.horizontalAdvance(text) > width) text = inDigits(this->value(), digits);
+    return metrics.elidedText(text, Qt::ElideRight, width);
+  }
+
+  std::optional<double> m_pressed;  ///< where the mouse was last, on the screen
+  double m_dragged = 0;             ///< the value of the drag, before it is rounded
+  bool m_isDragged = false;
+};
+
+using RealField = ScrubField<QDoubleSpinBox>;
+using WholeField = ScrubField<QSpinBox>;
+
+}  // namespace hogelscope
