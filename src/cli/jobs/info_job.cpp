@@ -268,6 +268,8 @@ void printWords(std::ostream& out, bool isDocument, const OrderedSession& subjec
     constexpr std::array printers{printImage, printViews, printStore, printMesh};  // as Holder
     printers[std::size_t(typeOf(assumed.used.layout).holder)](out, subject.session);
   }
+  if (!subject.assumed.empty())
+    out << "assumed     " << subject.assumed << ": " << nameOf(subject.hogels) << "\n";
   if (assumed.lenslets) printLenslets(out, *assumed.lenslets);
   printOrder(out, subject, assumed);
 }

@@ -173,10 +173,12 @@ void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
     if (!edited.contains(key)) said.erase(field(key));  // to be found again
 }
 
-/// Adds layout and numbers of guessed tiles, because what the user gave holds only for these.
-void sayTiles(SaidFields& said, const LightFieldParams& params) {
+/// Adds layout and numbers of guessed tiles, or the grid of guessed lenslets, because what the user
+/// gave holds only for these.
+void sayGuess(SaidFields& said, const LightFieldParams& params) {
   const Json fields = written(params);
   said["lightField.layout"] = fields["layout"].dump();
+  if (params.layout == Layout::lenslets) said["lightField.grid"] = fields["grid"].dump();
   if (params.layout == Layout::quilt && params.quiltColumns > 0 && params.quiltRows > 0)
     for (const char* name : {"columns", "rows"})
       said[std::string("lightField.") + name] = fields[name].dump();
@@ -218,6 +220,13 @@ Opening inspectFile(const std::string& file, const SaidFields& said, const Progr
     if (!session.lightField.isLive())
       opening.size = openLightField(session.lightField, session.display, progress)->size();
     check(session);
+    if (session.lightField.layout == Layout::lenslets) {
+      const auto lines = examine(session.lightField, session.display, progress);
+      auto& warnings = opening.around.order.warnings;
+      warnings.insert(warnings.end(), lines.begin(), lines.end());
+      if (session.lightField.lenslets.white.empty() || !lines.empty())
+        opening.around.hogels = std::min(opening.around.hogels, Sureness::likely);
+    }
   } catch (const InputError& error) {
     if (!hasPictures(source)) throw;
     opening.problem = error.what();
@@ -276,7 +285,8 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
     edited.display = completed(edited.display, shown.display, picture);
   sayChanges(said, "lightField", written(shown.lightField), written(edited.lightField));
   sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
-  if (typeOf(edited.lightField.layout).isOfTiles) sayTiles(said, edited.lightField);
+  if (typeOf(edited.lightField.layout).isOfTiles || edited.lightField.layout == Layout::lenslets)
+    sayGuess(said, edited.lightField);
   return said;
 }
 
