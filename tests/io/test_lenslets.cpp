@@ -7,7 +7,7 @@
 #include "core/base/random_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/layouts/layouts.h"
-#include "io/opening/light_field_order.h"
+#include "io/opening/opening.h"
 #include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
@@ -668,6 +668,17 @@ void TestLenslets::vesicle() {
   // A transparent vesicle hides nothing, so little tells near from far: no order is sure.
   const LightFieldOrder order = findLightFieldOrder(session.lightField, session.display);
   QVERIFY(order.sureness != Sureness::sure);
+  // Both pictures are recognised without a word, the light field's own as a poor grid.
+  for (const char* name : {"Lightfield", "Radiometry"}) {
+    const QString picture = guv + name + "_GUVExperim1.tif";
+    const Opening opening = inspectFile(picture.toStdString(), {}, {});
+    QCOMPARE(opening.around.session.lightField.layout, Layout::lenslets);
+    QVERIFY(opening.size == (LightFieldSize{28, 28, 15, 15}));
+    QCOMPARE(opening.around.hogels, Sureness::likely);
+    QVERIFY(previewOf(opening, {}).isStretched == (name[0] == 'L'));
+  }
+  QCOMPARE(sessionAround((guv + "DarkFrame_GUVExperim1.tif").toStdString()).lightField.layout,
+           Layout::hogels);
 }
 
 QTEST_GUILESS_MAIN(TestLenslets)

@@ -284,9 +284,11 @@ void writeSheet(const CommandLine& line, const OrderedSession& subject,
   checkOutputs({file}, inputFiles({line.subject}, subject.session, *lightField));
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);
-  const Image sheet = contactSheet(subject.order, assumed, subject.session.display, bar.progress());
+  const auto& [sheet, isStretched] =
+      contactSheet(subject.order, assumed, subject.session.display, bar.progress());
   writeImage(file, sheet.width, sheet.height, sheet.rgb, bar.progress());
   bar.done();
+  if (isStretched) printNote(file.string() + ": contrast stretched, because the views are dark");
 }
 
 }  // namespace
