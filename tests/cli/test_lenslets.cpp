@@ -80,8 +80,17 @@ class TestLenslets : public QObject {
     QVERIFY(std::abs(lattice["rotation"].toDouble() - 0.7) < 0.02);
     QVERIFY(lattice["residual"].toDouble() < 0.05 && lattice["count"].toInt() >= 30);
     QCOMPARE(lattice["origin"].toArray().size(), 2);
-    const Outcome without = run({"--info", "raw.png", "--json"}, m_folder.path());
-    QVERIFY(!without.out.contains("\"lenslets\""));
+    // Without a word they are a guess; for another layout there are none.
+    const Outcome guess = run({"--info", "raw.png"}, m_folder.path());
+    QVERIFY2(guess.out.contains("layout      lenslets, a square grid\n") &&
+                 guess.out.contains("\nassumed     lenslets on a square grid of pitch 15.3") &&
+                 guess.out.contains(" px, found by their spots of light: likely\n"),
+             guess.out.constData());
+    const Outcome without =
+        run({"--info", "raw.png", "--json", "--set", "lightField.layout=hogels", "--set",
+             "display.hogels=[16,13]", "--set", "display.directions=[10,10]"},
+            m_folder.path());
+    QVERIFY(without.out.contains("hogels") && !without.out.contains("\"lenslets\""));
   }
 
   void jobs() {

@@ -7,7 +7,7 @@
 #include "core/base/random_numbers.h"
 #include "io/documents/session_file.h"
 #include "io/layouts/layouts.h"
-#include "io/opening/light_field_order.h"
+#include "io/opening/opening.h"
 #include "io/opening/session_around.h"
 #include "io/scene/light_field_export.h"
 #include "io/scene/view_source.h"
@@ -142,6 +142,14 @@ void TestLenslets::aCameraIsFound() {
   QVERIFY(size.ny >= int(height / camera.pitch) - 1);
   for (int j = 0; j < size.ny; ++j)
     QVERIFY(distanceFromImages(camera, found.lattice.middle(j % 3, j)) < 0.05);
+  // Opened without a session it is recognised, as a guess.
+  const OrderedSession around = orderedSessionAround("white.tif");
+  QCOMPARE(around.session.lightField.layout, Layout::lenslets);
+  QCOMPARE(around.session.lightField.lenslets.grid, params.lenslets.grid);
+  QCOMPARE(around.hogels, Sureness::likely);
+  const char* const grid = isHexagonal ? "hexagonal" : "square";
+  QVERIFY2(around.assumed.starts_with(std::string("lenslets on a ") + grid + " grid of pitch "),
+           around.assumed.c_str());
 }
 
 /// Without a white picture, if the scene has some light everywhere.
@@ -152,6 +160,7 @@ void TestLenslets::inTheLightFieldItself() {
   const FoundLenslets found = lensletsOf(lenslets("own.tif"), {});
   QVERIFY(std::abs(found.lattice.pitch() - camera.pitch) < 0.01);
   QVERIFY(distanceFromImages(camera, found.lattice.origin) < 0.2);
+  QCOMPARE(sessionAround("own.tif").lightField.layout, Layout::lenslets);
 }
 
 /// What is given stays, and what is not given is found around it.
@@ -509,6 +518,28 @@ void TestLenslets::notByMistake() {
   QCOMPARE(lightFieldOf("scene.tif").layout, Layout::hogels);
   writePicture("folder/scene.tif", {}, 0.8, 0.01);
   QCOMPARE(lightFieldOf("folder").layout, Layout::views);
+  // Regular, but no spots with gaps: squares that touch, stripes, faint waves, gaps with less light
+  // only between few. Spots too few to be a grid, and spots that lie anywhere.
+  const auto spot = [](double x, double y) { return std::exp(-(x * x + y * y) / 20); };
+  const std::vector<std::function<double(int, int)>> pictures{
+      [](int x, int y) { return (x / 13 + y / 13) % 2 == 0 ? 0.9 : 0.1; },
+      [](int x, int) { return x % 17 < 9 ? 0.9 : 0.1; },
+      [](int x, int y) { return 0.5 + 0.04 * std::cos(0.4 * x) + 0.04 * std::cos(0.4 * y); },
+      [&](int x, int y) {
+        const double faint = (x / 15 + y / 15) % 3 == 0 ? 0.8 : -0.3;
+        return 0.4 + 0.5 * faint * spot(x % 15 - 7, y % 15 - 7);
+      },
+      [&](int x, int y) { return spot(x % 50 - 25, y % 50 - 25); },
+      [&](int x, int y) {
+        const int n = x / 15, j = y / 15;
+        return spot(x % 15 - 3 - (n * 7 + j * 5) % 9, y % 15 - 3 - (n * 5 + j * 11) % 9);
+      }};
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    writeImageFile(
+        "no.tif", 251, 223, [&](int x, int y, int) { return float(pictures[k](x, y)); }, grey16);
+    QVERIFY2(sessionAround("no.tif").lightField.layout != Layout::lenslets,
+             qPrintable(QString::number(k)));
+  }
 }
 
 void TestLenslets::mistakes_data() {
@@ -637,6 +668,17 @@ void TestLenslets::vesicle() {
   // A transparent vesicle hides nothing, so little tells near from far: no order is sure.
   const LightFieldOrder order = findLightFieldOrder(session.lightField, session.display);
   QVERIFY(order.sureness != Sureness::sure);
+  // Both pictures are recognised without a word, the light field's own as a poor grid.
+  for (const char* name : {"Lightfield", "Radiometry"}) {
+    const QString picture = guv + name + "_GUVExperim1.tif";
+    const Opening opening = inspectFile(picture.toStdString(), {}, {});
+    QCOMPARE(opening.around.session.lightField.layout, Layout::lenslets);
+    QVERIFY(opening.size == (LightFieldSize{28, 28, 15, 15}));
+    QCOMPARE(opening.around.hogels, Sureness::likely);
+    QVERIFY(previewOf(opening, {}).isStretched == (name[0] == 'L'));
+  }
+  QCOMPARE(sessionAround((guv + "DarkFrame_GUVExperim1.tif").toStdString()).lightField.layout,
+           Layout::hogels);
 }
 
 QTEST_GUILESS_MAIN(TestLenslets)

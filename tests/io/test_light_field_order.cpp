@@ -5,6 +5,8 @@
 #include <QTest>
 
 #include "io/documents/session_file.h"
+#include "io/opening/contrast.h"
+#include "io/opening/grey_views.h"
 #include "io/opening/light_field_order.h"
 #include "io/opening/opening.h"
 #include "io/opening/session_around.h"
@@ -133,7 +135,7 @@ class TestLightFieldOrder : public QObject {
       QVERIFY(orderDocument(assumed).find(folder == std::string("ring")
                                               ? "21 of 81 views are missing"
                                               : "20 of 81 views are missing") != std::string::npos);
-      QVERIFY(!contactSheet(order, assumed, {}).rgb.empty());
+      QVERIFY(!contactSheet(order, assumed, {}).image.rgb.empty());
     }
     const auto [star, order, note, hogels] =
         orderedSessionAround("star", {"display.directions=[9,9]"});
@@ -208,7 +210,7 @@ class TestLightFieldOrder : public QObject {
                 gridOf(randomScene(7, 1, 6), 3, 5, {false, false, isTransposed}));
       const auto [session, order, note, hogels] = orderedSessionAround(folder);
       sheets[isTransposed ? 1 : 0] =
-          contactSheet(order, assumedOrder(session.lightField, {240, 180, 5, 3}, order), {});
+          contactSheet(order, assumedOrder(session.lightField, {240, 180, 5, 3}, order), {}).image;
     }
     QVERIFY(sheets[0].rgb == sheets[1].rgb);
   }
@@ -306,9 +308,9 @@ class TestLightFieldOrder : public QObject {
       QVERIFY2(order.reason.ends_with("little tells near from far"), order.reason.c_str());
       // The sheet has words below the views then.
       AssumedOrder assumed = assumedOrder(session.lightField, {240, 180, 5, 3}, order);
-      const Image sheet = contactSheet(order, assumed, session.display);
+      const Image sheet = contactSheet(order, assumed, session.display).image;
       assumed.sureness = Sureness::likely;
-      const Image other = contactSheet(order, assumed, session.display);
+      const Image other = contactSheet(order, assumed, session.display).image;
       QVERIFY(sheet.height > other.height);
       const auto words =
           std::count_if(sheet.rgb.begin() + std::ptrdiff_t(other.rgb.size()), sheet.rgb.end(),
@@ -494,7 +496,87 @@ class TestLightFieldOrder : public QObject {
       QVERIFY(order.sureness == Sureness::unknown || !order.found.incoming);
       QCOMPARE(order.sureness != Sureness::unknown, QByteArray(name) != "startup.png");
       QVERIFY(!order.isLikeMosaic);
+      // Its tiles are found too, in a name that says nothing.
+      const auto [session, found, note, hogels] =
+          orderedSessionAround((data + "quilt_kirurobo/" + name).toStdString());
+      QCOMPARE(session.lightField.layout, Layout::quilt);
+      QVERIFY(session.lightField.quiltColumns == 4 && session.lightField.quiltRows == 8);
+      QCOMPARE(hogels, Sureness::likely);
     }
+  }
+
+  void coloursOfEveryLayout_data() {
+    QTest::addColumn<QString>("layout");
+    for (const char* layout : {"views", "hogels", "quilt", "mosaic"})
+      QTest::newRow(layout) << QString(layout);
+  }
+
+  /// The colours are those of the texels, in the order of the grey views.
+  void coloursOfEveryLayout() {
+    QFETCH(const QString, layout);
+    constexpr int nx = 12, ny = 10, columns = 4, rows = 3;
+    const auto light = [](int row, int column, int x, int y, int c) {
+      return float((37 * row + 53 * column + 7 * x + 11 * y + 91 * c) % 256) / 255;
+    };
+    LightFieldParams params;
+    DisplayParams display;
+    params.file = layout == "views" ? "v" : "v/0.png";
+    display.directions = {columns, rows};
+    if (layout == "views") {
+      params.layout = Layout::views;
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+          writeImageFile(QString("v/00%1_00%2.png").arg(row).arg(column), nx, ny,
+                         [&](int x, int y, int c) { return light(row, column, x, y, c); });
+    } else if (layout == "hogels") {
+      display.hogels = {nx, ny};
+      writeImageFile("v/0.png", nx * columns, ny * rows, [&](int x, int y, int c) {
+        return light(y % rows, x % columns, x / columns, y / rows, c);
+      });
+    } else {
+      params.layout = layout == "quilt" ? Layout::quilt : Layout::mosaic;
+      params.quiltColumns = columns;
+      params.quiltRows = rows;
+      writeImageFile("v/0.png", nx * columns, ny * rows,
+                     [&](int x, int y, int c) { return light(y / ny, x / nx, x % nx, y % ny, c); });
+    }
+    const auto views = greyViewsOf(params, display, {});
+    QVERIFY(views && views->colours);
+    for (int row = 0; row < views->grid.rows; ++row)
+      for (int column = 0; column < views->grid.columns; ++column) {
+        const FloatImage colours = views->colours(row, column, {});
+        const GreyPicture grey = views->grid.view(row, column);
+        QVERIFY(colours.width == nx && colours.height == ny && grey.width == nx);
+        const int tile = layout == "quilt" ? (rows - 1 - column / columns) : row;
+        for (int k = 0; k < nx * ny; ++k) {
+          const float* rgb = &colours.rgb[std::size_t(3 * k)];
+          for (int c = 0; c < 3; ++c)
+            QVERIFY(std::abs(rgb[c] - 255 * light(tile, column % columns, k % nx, k / nx, c)) <
+                    1e-3F);
+          const float luma = 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
+          QVERIFY(std::abs(luma - float(grey.values[std::size_t(k)])) < 0.51F);
+        }
+      }
+  }
+
+  /// 1000 values from 10 to 29.98: the 0.5th and 99.5th percentiles become 0 and 255. As bright as
+  /// a quarter, or of one value, they stay.
+  void contrastOfDarkValues() {
+    std::vector<float> values;
+    for (int k = 0; k < 1000; ++k) values.push_back(10 + 0.02F * float(k));
+    const Contrast contrast(values);
+    QVERIFY(contrast.isStretched());
+    QCOMPARE(int(contrast(values[4])), 0);
+    QCOMPARE(int(contrast(values[994])), 255);
+    QCOMPARE(int(contrast(0)), 0);
+    QCOMPARE(int(contrast(200)), 255);
+    QCOMPARE(int(contrast((values[4] + values[994]) / 2)), 128);
+    values.insert(values.end(), 10, 65);
+    const Contrast usual(values);
+    QVERIFY(!usual.isStretched());
+    for (const int value : {0, 20, 255}) QCOMPARE(int(usual(float(value))), value);
+    QVERIFY(!Contrast(std::vector<float>(50, 3)).isStretched());
+    QVERIFY(!Contrast({}).isStretched());
   }
 
   void realTinyGrid() {

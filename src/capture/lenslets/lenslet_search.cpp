@@ -232,7 +232,56 @@ LensletLattice firstLattice(const LensletPlane& picture, const LensletParams& pa
   return lattice;
 }
 
+/// Whether nearly all places of a lattice are brighter in the middle than at the points that are
+/// farthest from it, and much brighter on the whole.
+bool areSpots(const LensletPlane& picture, const FoundLenslets& found) {
+  const LensletLattice& lattice = found.lattice;
+  const auto valueAt = [&picture](const PicturePoint& at) {
+    const auto x = std::size_t(std::lround(at.real())), y = std::size_t(std::lround(at.imag()));
+    return double(picture.values[y * std::size_t(picture.width) + x]);
+  };
+  const PicturePoint hole =
+      lattice.step * (1.0 + lattice.rowStep()) / (lattice.grid == LensletGrid::square ? 2.0 : 3.0);
+  double spots = 0, holes = 0;
+  int brighter = 0, count = 0;
+  const Crests crests(picture, lattice, 1);
+  const double whole = std::hypot(picture.width, picture.height);
+  for (const Lenslet& lenslet : guessesWithin(whole, picture, lattice, crests)) {
+    const double spot = valueAt(lenslet.middle);
+    const double gap = std::max(valueAt(lenslet.middle + hole), valueAt(lenslet.middle - hole));
+    spots += spot;
+    holes += gap;
+    brighter += int(spot > gap);
+    ++count;
+  }
+  constexpr int least = 50;
+  constexpr double share = 0.9, times = 1.5;
+  return count >= least && brighter > share * count && spots > times * holes;
+}
+
 }  // namespace
+
+std::optional<FoundLenslets> recognisedLenslets(const LensletPlane& picture,
+                                                const Progress& progress) {
+  constexpr double leastPitch = 5;      // pixels
+  constexpr double mostResidual = 0.1;  // pitches
+  constexpr double mostDegrees = 10;
+  std::optional<FoundLenslets> best;
+  for (const LensletGrid grid : {LensletGrid::square, LensletGrid::hexagonal}) {
+    LensletParams params;
+    params.grid = grid;
+    try {
+      const FoundLenslets found = findLenslets(picture, params, progress);
+      const double pitch = found.lattice.pitch();
+      if (pitch >= leastPitch && found.residual < mostResidual * pitch &&
+          std::abs(found.lattice.rotation()) < mostDegrees && areSpots(picture, found) &&
+          (!best || found.residual < best->residual))
+        best = found;
+    } catch (const InputError&) {  // it has no such grid
+    }
+  }
+  return best;
+}
 
 FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& params,
                            const Progress& progress) {

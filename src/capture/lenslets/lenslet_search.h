@@ -30,6 +30,12 @@ struct FoundLenslets {
 FoundLenslets findLenslets(const LensletPlane& picture, const LensletParams& params,
                            const Progress& progress = {});
 
+/// Recognises an image taken through lenslets: many bright spots on a regular lattice, square or
+/// hexagonal and turned by less than 10°, with less light between them. None for other images;
+/// those of dots on such a lattice are mistaken. Throws Cancelled.
+std::optional<FoundLenslets> recognisedLenslets(const LensletPlane& picture,
+                                                const Progress& progress = {});
+
 /// Returns a first estimate of the step of a row from the peaks of the spectrum of the image's
 /// middle, accurate to some hundredths of a pixel. A given pitch or rotation restricts the search.
 /// None if there are no such peaks.

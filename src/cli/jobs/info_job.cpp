@@ -268,6 +268,8 @@ void printWords(std::ostream& out, bool isDocument, const OrderedSession& subjec
     constexpr std::array printers{printImage, printViews, printStore, printMesh};  // as Holder
     printers[std::size_t(typeOf(assumed.used.layout).holder)](out, subject.session);
   }
+  if (!subject.assumed.empty())
+    out << "assumed     " << subject.assumed << ": " << nameOf(subject.hogels) << "\n";
   if (assumed.lenslets) printLenslets(out, *assumed.lenslets);
   printOrder(out, subject, assumed);
 }
@@ -282,9 +284,11 @@ void writeSheet(const CommandLine& line, const OrderedSession& subject,
   checkOutputs({file}, inputFiles({line.subject}, subject.session, *lightField));
   makeFolderOf(file);
   ProgressBar bar("drawing the views", false);
-  const Image sheet = contactSheet(subject.order, assumed, subject.session.display, bar.progress());
+  const auto& [sheet, isStretched] =
+      contactSheet(subject.order, assumed, subject.session.display, bar.progress());
   writeImage(file, sheet.width, sheet.height, sheet.rgb, bar.progress());
   bar.done();
+  if (isStretched) printNote(file.string() + ": contrast stretched, because the views are dark");
 }
 
 }  // namespace

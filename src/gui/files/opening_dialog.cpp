@@ -19,30 +19,50 @@ namespace hogelscope {
 
 namespace {
 
-QString wordFor(const Assumption& assumption) {
-  if (assumption.isUsual) return OpeningDialog::tr("usual");
-  if (assumption.sureness == Sureness::sure) return OpeningDialog::tr("sure");
-  if (assumption.sureness == Sureness::likely) return OpeningDialog::tr("likely");
-  return OpeningDialog::tr("not known");
+QString markOf(const Assumption& each) {
+  if (each.sureness == Sureness::sure)
+    return OpeningDialog::tr("<span style='color:%1'>✓</span> sure").arg(tokens().good.name());
+  const QString words = each.isUsual                        ? OpeningDialog::tr("assumed")
+                        : each.sureness == Sureness::likely ? OpeningDialog::tr("~ likely")
+                                                            : OpeningDialog::tr("? please check");
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(tokens().amber.name(), words);
 }
 
+QString rowOf(const QString& what, const QString& value, const QString& mark = {}) {
+  return QStringLiteral("<tr><td><b>%1</b>&nbsp; </td><td>%2&nbsp; </td><td>%3</td></tr>")
+      .arg(what, value, mark);
+}
+
+QString escaped(const std::string& text) {
+  return QString::fromStdString(text).toHtmlEscaped();
+}
+
+QString headlineOf(const Opening& opening) {
+  const auto& [nx, ny, du, dv] = opening.size;
+  for (const Assumption& each : opening.assumptions)
+    if (each.what == "Size")
+      return OpeningDialog::tr("%1 × %2 hogels of %3 × %4 &nbsp;").arg(nx).arg(ny).arg(du).arg(dv) +
+             markOf(each);
+  return OpeningDialog::tr("How many hogels? &nbsp;") + markOf({});
+}
+
+/// Lists what the headline does not say, with the reasons of what the user has to check.
 QString tableOf(const Opening& opening) {
   QString rows;
   for (const Assumption& each : opening.assumptions) {
-    const bool isOpen = each.sureness != Sureness::sure && !each.isUsual;
-    rows += QStringLiteral(
-                "<tr><td><b>%1</b>&nbsp;</td><td>%2</td></tr>"
-                "<tr><td>%3&nbsp;</td><td><i>%4</i></td></tr>")
-                .arg(QString::fromStdString(each.what).toHtmlEscaped(),
-                     QString::fromStdString(each.value).toHtmlEscaped(),
-                     isOpen ? QStringLiteral("<b style='color:%1'>%2</b>")
-                                  .arg(tokens().amber.name(), wordFor(each))
-                            : wordFor(each),
-                     QString::fromStdString(each.reason).toHtmlEscaped());
+    const bool isOpen = each.sureness == Sureness::unknown && !each.isUsual;
+    if (each.what != "Size") rows += rowOf(escaped(each.what), escaped(each.value), markOf(each));
+    if (isOpen) rows += rowOf({}, "<i>" + escaped(each.reason) + "</i>");
   }
   for (const std::string& warning : opening.around.order.warnings)
-    rows += "<tr><td><b>⚠</b></td><td>" + QString::fromStdString(warning).toHtmlEscaped() +
-            "</td></tr>";
+    rows += rowOf(QStringLiteral("⚠"), escaped(warning));
+  return "<table>" + rows + "</table>";
+}
+
+QString reasonsOf(const Opening& opening) {
+  QString rows;
+  for (const Assumption& each : opening.assumptions)
+    rows += rowOf(escaped(each.what), escaped(each.reason), markOf(each));
   return "<table>" + rows + "</table>";
 }
 
@@ -66,6 +86,8 @@ OpeningDialog::OpeningDialog(const QString& file, const Opening& opening, QWidge
   m_ui->setupUi(this);
   setWindowTitle(tr("Open %1").arg(QFileInfo(file).fileName()));
   m_ui->previewView->setTitles({}, {});
+  m_ui->headlineLabel->setFont(textFont(TextSize::title, QFont::DemiBold));
+  m_ui->previewCaption->setFont(textFont(TextSize::caption));
   addForms();
   connect(m_task, &Task::stopped, this, &OpeningDialog::takeNext);
   connect(m_task, &Task::failed, this, [this](const QString& line) {
@@ -130,16 +152,17 @@ void OpeningDialog::start(bool isKnown) {
       m_task->queue([this, opening] {
         if (!m_isStale) showOpening(opening);
       });
-    Image picture;
+    Preview preview;
     QString why;
     try {
-      picture = previewOf(opening, part(progress, 0.7, 1));
+      preview = previewOf(opening, part(progress, 0.7, 1));
     } catch (const InputError& error) {
       why = QString::fromUtf8(error.what());
     }
-    return [this, picture, why] {
+    return [this, preview, why] {
       if (!m_isStale) {
-        m_ui->previewView->setImages(toQImage(picture));
+        m_ui->previewView->setImages(toQImage(preview.image));
+        m_ui->previewCaption->setText(preview.isStretched ? tr("contrast stretched") : QString());
         m_ui->previewView->setNotice(why);
       }
       takeNext();
@@ -155,7 +178,10 @@ void OpeningDialog::takeNext() {
 void OpeningDialog::showOpening(const Opening& opening) {
   m_opening = opening;
   if (opening.problem.empty()) m_shown = shownOf(opening);
+  m_ui->headlineLabel->setText(headlineOf(opening));
   m_ui->assumedLabel->setText(tableOf(opening));
+  for (QLabel* label : {m_ui->headlineLabel, m_ui->assumedLabel})
+    label->setToolTip(reasonsOf(opening));
   showProblem(QString::fromStdString(opening.problem));
   showFields();
 }

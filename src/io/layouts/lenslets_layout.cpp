@@ -202,7 +202,8 @@ const LayoutType lensletsLayout{
     },
     .foundBy =
         [](const LightFieldParams&) {
-          return FoundBy{.size = "a regular grid of lenslets in the picture"};
+          return FoundBy{"spots of light on a regular grid",
+                         "a regular grid of lenslets in the picture"};
         }};
 
 FoundLenslets lensletsOf(const LightFieldParams& params, const DisplayParams& display,

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "io/opening/contrast.h"
 #include "io/opening/grey_views.h"
 #include "io/opening/opening.h"
 
@@ -52,7 +53,7 @@ class Sheet {
     if (m_isLeft) std::reverse(m_columns.begin(), m_columns.end());
   }
 
-  cv::Mat3b draw(const Progress& progress) {
+  Preview draw(const Progress& progress) {
     const GreyPicture first = firstThere();
     m_scale = double(tileSide) / std::max(first.width, first.height);
     m_tile = {std::max(1, cvRound(first.width * m_scale)),
@@ -62,15 +63,19 @@ class Sheet {
     m_sheet.create(m_bottom + (isKnown ? 0 : adviceHeight),
                    std::max(leastWidth, border + int(m_columns.size()) * (m_tile.width + gap)));
     m_sheet.setTo(cv::Scalar(32, 34, 38));
-    for (std::size_t y = 0; y < m_rows.size(); ++y)
-      for (std::size_t x = 0; x < m_columns.size(); ++x) {
-        reportProgress(progress,
-                       double(y * m_columns.size() + x) / double(m_rows.size() * m_columns.size()));
-        putView(int(x), int(y));
-      }
+    const std::vector<cv::Mat3f> tiles = readTiles(progress);
+    std::vector<float> values;
+    for (const cv::Mat3f& tile : tiles)
+      if (!tile.empty())
+        values.insert(values.end(), tile.ptr<float>(), tile.ptr<float>() + 3 * tile.total());
+    const Contrast contrast(std::move(values));
+    for (std::size_t k = 0; k < tiles.size(); ++k)
+      putView(int(k % m_columns.size()), int(k / m_columns.size()), tiles[k], contrast);
     putWords();
     if (!isKnown) putAdvice();
-    return m_sheet;
+    Image image(m_sheet.cols, m_sheet.rows);
+    image.rgb.assign(m_sheet.data, m_sheet.data + 3 * m_sheet.total());
+    return {std::move(image), contrast.isStretched()};
   }
 
  private:
@@ -88,7 +93,38 @@ class Sheet {
     return {1, 1, {0}};
   }
 
-  void putView(int x, int y) {
+  /// Reads the views that are shown, row by row, in the size of the tiles; none for a missing one.
+  [[nodiscard]] std::vector<cv::Mat3f> readTiles(const Progress& progress) const {
+    std::vector<cv::Mat3f> tiles;
+    const double count = double(m_rows.size() * m_columns.size());
+    for (const int row : m_rows)
+      for (const int column : m_columns) {
+        const auto k = double(tiles.size());
+        tiles.emplace_back();
+        if (m_views.grid.has(row, column))
+          readTile(row, column, tiles.back(), part(progress, k / count, (k + 1) / count));
+      }
+    return tiles;
+  }
+
+  /// Reads a view in colour, or grey if the light field is too large for that.
+  void readTile(int row, int column, cv::Mat3f& tile, const Progress& progress) const {
+    const int how = m_scale < 1 ? cv::INTER_AREA : cv::INTER_NEAREST;
+    if (m_views.colours) {
+      FloatImage view = m_views.colours(row, column, progress);
+      cv::resize(cv::Mat(view.height, view.width, CV_32FC3, view.rgb.data()), tile, m_tile, 0, 0,
+                 how);
+      return;
+    }
+    GreyPicture view = m_views.grid.view(row, column);
+    cv::Mat small;
+    cv::resize(cv::Mat(view.height, view.width, CV_8U, view.values.data()), small, m_tile, 0, 0,
+               how);
+    cv::cvtColor(small, small, cv::COLOR_GRAY2RGB);
+    small.convertTo(tile, CV_32F);
+  }
+
+  void putView(int x, int y, const cv::Mat3f& tile, const Contrast& contrast) {
     const int row = m_rows[std::size_t(y)];
     const int column = m_columns[std::size_t(x)];
     const cv::Rect place(
@@ -98,13 +134,10 @@ class Sheet {
       write("missing", place.tl() + cv::Point(4, 14), white);
       return;
     }
-    const GreyPicture grey = m_views.grid.view(row, column);
-    const cv::Mat1b whole(grey.height, grey.width, const_cast<std::uint8_t*>(grey.values.data()));
-    cv::Mat1b small;
-    cv::resize(whole, small, m_tile, 0, 0, m_scale < 1 ? cv::INTER_AREA : cv::INTER_NEAREST);
-    cv::Mat3b colour;
-    cv::cvtColor(small, colour, cv::COLOR_GRAY2RGB);
-    colour.copyTo(m_sheet(place));
+    cv::Mat3b target = m_sheet(place);
+    std::transform(tile.begin(), tile.end(), target.begin(), [&](const cv::Vec3f& rgb) {
+      return cv::Vec3b(contrast(rgb[0]), contrast(rgb[1]), contrast(rgb[2]));
+    });
     write("row " + std::to_string(row) + ", column " + std::to_string(column),
           place.tl() + cv::Point(4, 14), white);
     if (m_middle == std::array{row, column} && m_isAsMeasured) putArrows(place);
@@ -177,16 +210,13 @@ class Sheet {
 
 }  // namespace
 
-Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
-                   const DisplayParams& display, const Progress& progress) {
+Preview contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
+                     const DisplayParams& display, const Progress& progress) {
   const auto views = greyViewsOf(assumed.used, display, part(progress, 0, 0.3));
   if (!views)
     throw InputError(contentName(assumed.used), "",
                      "has no views that a contact sheet could show: it is computed, or too large");
-  const cv::Mat3b sheet = Sheet(*views, order, assumed).draw(part(progress, 0.3, 1));
-  Image image(sheet.cols, sheet.rows);
-  image.rgb.assign(sheet.data, sheet.data + 3 * sheet.total());
-  return image;
+  return Sheet(*views, order, assumed).draw(part(progress, 0.3, 1));
 }
 
 }  // namespace hogelscope

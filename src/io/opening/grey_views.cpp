@@ -39,6 +39,20 @@ GreyPicture readGrey(const std::filesystem::path& file, const YuvParams& yuv,
   return picture;
 }
 
+FloatImage readColours(const std::filesystem::path& file, const YuvParams& yuv,
+                       const Progress& progress) {
+  ImageFile image(file, yuv);
+  checkFits(3 * sizeof(float) * image.width() * image.height(), file, {});
+  FloatImage picture(int(image.width()), int(image.height()));
+  auto to = picture.rgb.begin();
+  image.readRows(
+      [&](std::size_t, const float* rgb) {
+        to = std::transform(rgb, rgb + 3 * image.width(), to, [](float v) { return 255 * v; });
+      },
+      progress);
+  return picture;
+}
+
 /// Returns the view, or `like` if the sizes differ: that is an error when all views are read.
 GreyPicture fitted(GreyPicture picture, const GreyPicture& like) {
   if (picture.width != like.width || picture.height != like.height) return like;
@@ -60,6 +74,10 @@ GreyViews viewsOfFolder(const LightFieldParams& params, const DisplayParams& dis
                       std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
                   return fitted(readGrey(files->files[at], yuv), *first);
                 }};
+  views.colours = [files, yuv = params.yuv](int row, int column, const Progress& progress) {
+    const auto at = std::size_t(row) * std::size_t(files->columns) + std::size_t(column);
+    return readColours(files->files[at], yuv, progress);
+  };
   if (!files->missing.empty())
     for (const auto& file : files->files) views.grid.isMissing.push_back(file.empty());
   return views;
@@ -94,6 +112,18 @@ GreyViews viewsOfTiles(const LightFieldParams& params, const LightFieldSize& siz
   return views;
 }
 
+FloatImage coloursOf(const LightField& lightField, int v, int u) {
+  const LightFieldSize size = lightField.size();
+  FloatImage picture(size.nx, size.ny);
+  auto to = picture.rgb.begin();
+  for (int j = 0; j < size.ny; ++j)
+    for (int i = 0; i < size.nx; ++i) {
+      const Rgb colour = lightField.texel({i, j, u, v});
+      for (const double value : {colour.r, colour.g, colour.b}) *to++ = float(value);
+    }
+  return picture;
+}
+
 /// Returns the views of a light field that is read whole.
 GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
   const auto lightField = std::make_shared<const LightField>(file.read(progress));
@@ -101,16 +131,26 @@ GreyViews viewsInMemory(LightFieldFile& file, const Progress& progress) {
   GreyViews views;
   views.grid = {size.dv, size.du, [lightField, size](int v, int u) {
                   GreyPicture picture{size.nx, size.ny, {}};
-                  for (int j = 0; j < size.ny; ++j)
-                    for (int i = 0; i < size.nx; ++i) {
-                      const Rgb colour = lightField->texel({i, j, u, v});
-                      const std::array rgb{float(colour.r / 255), float(colour.g / 255),
-                                           float(colour.b / 255)};
-                      picture.values.push_back(greyOf(rgb.data()));
-                    }
+                  const FloatImage colours = coloursOf(*lightField, v, u);
+                  for (auto at = colours.rgb.begin(); at != colours.rgb.end(); at += 3) {
+                    const std::array rgb{at[0] / 255, at[1] / 255, at[2] / 255};
+                    picture.values.push_back(greyOf(rgb.data()));
+                  }
                   return picture;
                 }};
+  views.colours = [lightField](int v, int u, const Progress&) {
+    return coloursOf(*lightField, v, u);
+  };
   return views;
+}
+
+/// Adds the colours of an image of tiles, which is read whole for the first of them.
+void addColours(GreyViews& views, std::shared_ptr<LightFieldFile> file) {
+  views.colours = [file = std::move(file), lightField = std::shared_ptr<const LightField>()](
+                      int v, int u, const Progress& progress) mutable {
+    if (!lightField) lightField = std::make_shared<const LightField>(file->read(progress));
+    return coloursOf(*lightField, v, u);
+  };
 }
 
 }  // namespace
@@ -122,12 +162,17 @@ std::optional<GreyViews> greyViewsOf(const LightFieldParams& params, const Displ
     return viewsOfFolder(params, display);
   LightFieldParams asStored = withoutOrder(params);
   asStored.incoming = false;
-  const auto file = openLightField(asStored, display);
+  auto file = openLightField(asStored, display);
   const LightFieldSize size = file->size();
   constexpr double mostPixels = 3e8;  // a few seconds
   if (double(size.width()) * double(size.height()) > mostPixels) return std::nullopt;
-  if (typeOf(params.layout).isOfTiles) return viewsOfTiles(params, size, progress);
-  if (!fitsInMemory(*file, allowedMemory())) return std::nullopt;
+  const bool isSmall = fitsInMemory(*file, allowedMemory());
+  if (typeOf(params.layout).isOfTiles) {
+    GreyViews views = viewsOfTiles(params, size, progress);
+    if (isSmall) addColours(views, std::move(file));
+    return views;
+  }
+  if (!isSmall) return std::nullopt;
   return viewsInMemory(*file, progress);
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads views of a light field as grey images, in the order of its files.
+// Reads views of a light field as grey images, or in colour, in the order of its files.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "capture/order/view_order.h"
+#include "core/optics/image.h"
 #include "core/panel/display.h"
 
 namespace hogelscope {
@@ -16,6 +18,9 @@ namespace hogelscope {
 /// are not applied.
 struct GreyViews {
   GreyGrid grid;
+  /// Returns a view of the grid that is not missing in colour; null if the light field does not fit
+  /// into memory.
+  std::function<FloatImage(int row, int column, const Progress& progress)> colours;
   std::string pattern;  ///< of the file names
   /// The positions of the first and the last column (x) and row (y), from the file names.
   std::optional<std::array<double, 2>> columnsFromTo;

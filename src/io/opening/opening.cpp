@@ -10,8 +10,10 @@
 #include "io/documents/light_field_params.h"
 #include "io/files/folders.h"
 #include "io/images/image_file.h"
+#include "io/opening/contrast.h"
 #include "io/plugins/display_json.h"
 #include "io/scene/view_source.h"
+#include "io/store/light_field_store.h"
 
 namespace hogelscope {
 
@@ -81,9 +83,11 @@ class Assumptions {
         isOnePicture(m_used) ? opening.around.hogels : Sureness::sure, "lightField.layout");
     addSize();
     if (opening.size.nx > 0 && opening.size.du * opening.size.dv > 1) addOrder();
-    if (m_used.viewingDistance > 0 && !isSaid("lightField.viewingDistance"))
+    const bool isCaptured = m_used.viewingDistance > 0 && !isSaid("lightField.viewingDistance");
+    if (isCaptured)
       add("Cameras", numberText(m_used.viewingDistance) + " m before the panel",
           "the capture's own file, which gives the panel its size and field too", Sureness::sure);
+    if (opening.size.nx > 0 && !isCaptured && !hasDisplay()) addDisplay();
   }
 
   std::vector<Assumption> list() && { return std::move(m_list); }
@@ -97,6 +101,26 @@ class Assumptions {
       m_list.push_back({what, value, chosen, Sureness::sure});
     else
       m_list.push_back({what, value, reason, sureness});
+  }
+
+  /// Whether the light field is a store that has its display's parameters.
+  [[nodiscard]] bool hasDisplay() const {
+    return typeOf(m_used.layout).holder == Holder::store &&
+           LightFieldStore(m_used.file).header().display;
+  }
+
+  /// Adds what no picture says.
+  void addDisplay() {
+    const DisplayParams& display = m_opening.around.session.display;
+    const auto addPair = [this](const char* what, const std::array<double, 2>& pair,
+                                const char* unit, const char* reason, const char* field) {
+      add(what, numberText(fourDigits(pair[0])) + "×" + numberText(fourDigits(pair[1])) + unit,
+          reason, Sureness::unknown, field);
+      m_list.back().isUsual = !isSaid(field);
+    };
+    addPair("Panel", display.size, " m", "the views' shape, but no file says how large it is",
+            "display.size");
+    addPair("Field of view", display.fov, "°", "no file says it", "display.fov");
   }
 
   [[nodiscard]] static bool isFound(Sureness sureness) { return sureness != Sureness::unknown; }
@@ -122,7 +146,7 @@ class Assumptions {
     const bool isGiven = isViews && (isSaid("lightField.rows") || isSaid("lightField.columns"));
     if (isGiven || isSaid("lightField.incoming")) {
       entry.reason = chosen;
-      entry.sureness = Sureness::sure;
+      entry.sureness = contradiction.empty() ? Sureness::sure : Sureness::unknown;
       if (!contradiction.empty()) entry.reason += ", but " + contradiction;
     } else if (!isViews && !m_used.incoming) {
       if (!isFound(order.sureness)) entry.reason = "as the layout has it; " + order.reason;
@@ -144,21 +168,23 @@ class Assumptions {
 };
 
 /// Returns a whole image, reduced so that its longer side has at most `side` pixels.
-Image smaller(const LightFieldParams& params, int side, const Progress& progress) {
+Preview smaller(const LightFieldParams& params, int side, const Progress& progress) {
   ImageFile file(params.file, params.yuv);
   const std::size_t longest = std::max(file.width(), file.height());
   const std::size_t step =
       std::max<std::size_t>(1, (longest + std::size_t(side) - 1) / std::size_t(side));
   Image image(int((file.width() + step - 1) / step), int((file.height() + step - 1) / step));
-  std::uint8_t* to = image.rgb.data();
-  const auto take = [&](std::size_t first, std::size_t rows, const StoredRows& values) {
-    const auto* rgb = std::get<const std::uint8_t*>(values);
-    for (std::size_t y = first; y < first + rows; ++y, rgb += 3 * file.width())
-      for (std::size_t x = 0; y % step == 0 && x < file.width(); x += step)
-        to = std::copy_n(rgb + 3 * x, 3, to);
-  };
-  file.read(StoredType::uint8, take, progress);
-  return image;
+  std::vector<float> values;
+  values.reserve(image.rgb.size());
+  file.readRows(
+      [&](std::size_t y, const float* rgb) {
+        for (std::size_t x = 0; y % step == 0 && x < file.width(); x += step)
+          for (std::size_t k = 3 * x; k < 3 * x + 3; ++k) values.push_back(255 * rgb[k]);
+      },
+      progress);
+  const Contrast contrast(values);
+  std::ranges::transform(values, image.rgb.begin(), contrast);
+  return {std::move(image), contrast.isStretched()};
 }
 
 /// Adds the changes in one section of the session.
@@ -173,10 +199,12 @@ void sayChanges(SaidFields& said, const std::string& section, const Json& shown,
     if (!edited.contains(key)) said.erase(field(key));  // to be found again
 }
 
-/// Adds layout and numbers of guessed tiles, because what the user gave holds only for these.
-void sayTiles(SaidFields& said, const LightFieldParams& params) {
+/// Adds layout and numbers of guessed tiles, or the grid of guessed lenslets, because what the user
+/// gave holds only for these.
+void sayGuess(SaidFields& said, const LightFieldParams& params) {
   const Json fields = written(params);
   said["lightField.layout"] = fields["layout"].dump();
+  if (params.layout == Layout::lenslets) said["lightField.grid"] = fields["grid"].dump();
   if (params.layout == Layout::quilt && params.quiltColumns > 0 && params.quiltRows > 0)
     for (const char* name : {"columns", "rows"})
       said[std::string("lightField.") + name] = fields[name].dump();
@@ -218,6 +246,13 @@ Opening inspectFile(const std::string& file, const SaidFields& said, const Progr
     if (!session.lightField.isLive())
       opening.size = openLightField(session.lightField, session.display, progress)->size();
     check(session);
+    if (session.lightField.layout == Layout::lenslets) {
+      const auto lines = examine(session.lightField, session.display, progress);
+      auto& warnings = opening.around.order.warnings;
+      warnings.insert(warnings.end(), lines.begin(), lines.end());
+      if (session.lightField.lenslets.white.empty() || !lines.empty())
+        opening.around.hogels = std::min(opening.around.hogels, Sureness::likely);
+    }
   } catch (const InputError& error) {
     if (!hasPictures(source)) throw;
     opening.problem = error.what();
@@ -276,11 +311,12 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
     edited.display = completed(edited.display, shown.display, picture);
   sayChanges(said, "lightField", written(shown.lightField), written(edited.lightField));
   sayChanges(said, "display", writtenDisplay(shown.display), writtenDisplay(edited.display));
-  if (typeOf(edited.lightField.layout).isOfTiles) sayTiles(said, edited.lightField);
+  if (typeOf(edited.lightField.layout).isOfTiles || edited.lightField.layout == Layout::lenslets)
+    sayGuess(said, edited.lightField);
   return said;
 }
 
-Image previewOf(const Opening& opening, const Progress& progress) {
+Preview previewOf(const Opening& opening, const Progress& progress) {
   const Session& session = opening.around.session;
   constexpr int side = 1200;  // px
   if (opening.size.nx == 0 && opening.picture[0] > 0)

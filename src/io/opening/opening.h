@@ -21,7 +21,7 @@ struct Assumption {
   std::string value;
   std::string reason;
   Sureness sureness = Sureness::unknown;
-  bool isUsual = false;  ///< the layout's default, which nothing contradicts
+  bool isUsual = false;  ///< a default, which nothing contradicts
 };
 
 struct Opening {
@@ -30,6 +30,12 @@ struct Opening {
   std::array<int, 2> picture{0, 0};  ///< the file's width and height if it is one image
   std::vector<Assumption> assumptions;
   std::string problem;  ///< why it cannot be read with the assumptions; "" if it can
+};
+
+/// A picture of a light field for a user.
+struct Preview {
+  Image image;
+  bool isStretched = false;  ///< it is a dark capture, whose contrast is stretched
 };
 
 /// Inspects a light field and returns what is assumed for fields that are not given. An image of
@@ -58,13 +64,14 @@ SaidFields saidAfter(SaidFields said, const Session& shown, Session edited,
 /// Returns up to 5×5 views in the assumed order (contactSheet), or the reduced image itself while
 /// the numbers of hogels are unknown. Throws InputError, also for a light field that is computed or
 /// too large; Cancelled.
-Image previewOf(const Opening& opening, const Progress& progress);
+Preview previewOf(const Opening& opening, const Progress& progress);
 
-/// Draws up to 5×5 views at the places of their cameras: according to `assumed`, the left column
-/// was taken from the left, the top row from the top. Arrows in the middle view show how its
-/// content moves to the view on the right (yellow) and to the one below (blue). If the order is
-/// unknown, a text says what to look for. Throws InputError, or Cancelled.
-Image contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
-                   const DisplayParams& display, const Progress& progress = {});
+/// Draws up to 5×5 views in colour, as far as they fit into memory, at the places of their cameras:
+/// according to `assumed`, the left column was taken from the left, the top row from the top.
+/// Arrows in the middle view show how its content moves to the view on the right (yellow) and to
+/// the one below (blue). If the order is unknown, a text says what to look for. Throws InputError,
+/// or Cancelled.
+Preview contactSheet(const LightFieldOrder& order, const AssumedOrder& assumed,
+                     const DisplayParams& display, const Progress& progress = {});
 
 }  // namespace hogelscope

@@ -48,8 +48,33 @@ void takeTiles(OrderedSession& result, const std::array<int, 2>& tiles, const st
                    " views, found by " + how;
 }
 
-/// Finds hogels, or tiles of views, in the image, puts them into the session and describes them.
-/// May change the layout unless it is given.
+void takeLenslets(OrderedSession& result, const LensletLattice& lattice) {
+  result.session.lightField.layout = Layout::lenslets;
+  result.session.lightField.lenslets.grid = lattice.grid;
+  result.hogels = Sureness::likely;
+  result.assumed = std::string("lenslets on a ") +
+                   (lattice.grid == LensletGrid::square ? "square" : "hexagonal") +
+                   " grid of pitch " + rounded(lattice.pitch(), 2) +
+                   " px, found by their spots of light";
+}
+
+/// Recognises lenslets in an image of which nothing else is known.
+std::optional<FoundLenslets> lensletsIn(const PictureRows& picture, const Progress& progress) {
+  constexpr double mostPixels = 1e8;  // a few seconds
+  if (double(picture.width) * double(picture.height) > mostPixels) return std::nullopt;
+  LensletPlane plane{int(picture.width), int(picture.height), {}};
+  plane.values.reserve(picture.width * picture.height);
+  picture.read(
+      [&](std::size_t, const float* rgb) {
+        for (std::size_t x = 0; x < picture.width; ++x, rgb += 3)
+          plane.values.push_back((rgb[0] + rgb[1] + rgb[2]) / 3);
+      },
+      part(progress, 0, 0.5));
+  return recognisedLenslets(plane, part(progress, 0.5, 1));
+}
+
+/// Finds hogels, tiles of views, or lenslets in the image, puts them into the session and describes
+/// them. May change the layout unless it is given.
 void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& progress) {
   const LightFieldParams& lightField = result.session.lightField;
   const bool isTiled = typeOf(lightField.layout).isOfTiles;
@@ -62,8 +87,11 @@ void findHogels(OrderedSession& result, bool isLayoutGiven, const Progress& prog
   const bool isClear = grid && grid->standOut >= clear;
   result.hogels = Sureness::unknown;
   if (!isClear && (isTiled || !isLayoutGiven))
-    if (const auto tiles = findTileGrid(picture, part(progress, 0.5, 1)))
+    if (const auto tiles = findTileGrid(picture, part(progress, 0.5, 0.7)))
       return takeTiles(result, *tiles, "how alike they are");
+  if (!isClear && !isLayoutGiven)
+    if (const auto lenslets = lensletsIn(picture, part(progress, 0.7, 1)))
+      return takeLenslets(result, lenslets->lattice);
   if (!grid) return;
   const std::string how = "their borders in the picture";
   if (isTiled || (!isLayoutGiven && isLikeQuilt(*grid)))

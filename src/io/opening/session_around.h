@@ -24,8 +24,9 @@ struct OrderedSession {
 /// mesh, which is read. The display has its shape; one state is in front of it. Views get the order
 /// and shear found in their images, unless the overrides give them. The hogels and directions of a
 /// hogel image are found in it, or remain to be given; a few large tiles are taken for a quilt or a
-/// mosaic. A store has its display. `overrides` are those of loadSession(). Throws InputError, or
-/// Cancelled while a mesh is read or views are examined.
+/// mosaic, spots of light on a regular grid for lenslets. A store has its display. `overrides` are
+/// those of loadSession(). Throws InputError, or Cancelled while a mesh is read or views are
+/// examined.
 OrderedSession orderedSessionAround(const std::string& file,
                                     const std::vector<std::string>& overrides = {},
                                     const Progress& progress = {});
