@@ -193,7 +193,7 @@ void DesignNumbersWidget::showNumbers() {
   };
   say(0, inDigits(n.hogelPitch, 1000), tr("mm"), tr("hogel pitch"));
   say(1, inDigits(n.hogelArcmin), tr("arcmin"), tr("hogel pitch at the eye"));
-  say(2, inDigits(n.degreesPerDirection), "°", tr("each direction, middle"));
+  say(2, inDigits(n.degreesPerDirection), "°", tr("each direction"));
   say(3, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
   say(4, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
   say(5, n.depthFront > 0 ? inCentimetres(sharp) : "–", tr("cm"), tr("sharp for this eye"));

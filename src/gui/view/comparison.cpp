@@ -47,6 +47,16 @@ void Comparison::startIdeal() {
   Q_EMIT changed();
 }
 
+void Comparison::startKept() {
+  m_task.abandon();
+  m_file.clear();
+  m_other = m_own;
+  m_isIdeal = false;
+  m_hasOwnDisplay = true;
+  m_name = tr("Display before");
+  Q_EMIT changed();
+}
+
 void Comparison::stop() {
   m_task.abandon();
   m_file.clear();

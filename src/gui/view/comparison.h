@@ -27,6 +27,8 @@ class Comparison : public QObject {
   void start(const Session& session, const QString& file);
   /// Compares with the ideal view of the session's own light field while that is live.
   void startIdeal();
+  /// Compares with the session's own light field on its display as it is now.
+  void startKept();
   void stop();
   /// Sets the session's own light field; none while it is read.
   void setSource(const std::optional<ViewSource>& own) { m_own = own; }
@@ -38,7 +40,6 @@ class Comparison : public QObject {
   [[nodiscard]] const QString& name() const { return m_name; }
   /// The file that is compared or being read; "" if there is none.
   [[nodiscard]] const QString& file() const { return m_file; }
-  [[nodiscard]] bool isIdeal() const { return m_isIdeal; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
   /// Returns the share that has been read, 0 … 1; polled by PolledBar.
   [[nodiscard]] double readShare() const { return m_task.share(); }

@@ -63,6 +63,12 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                                   "scene itself, without a display"),
                                Qt::CTRL | Qt::SHIFT | Qt::Key_I},
                               m_comparison, &Comparison::startIdeal);
+  m_compareKept =
+      addCommand(menu,
+                 {"compareKeptAction", tr("Compare with this &display"),
+                  tr("Keeps the display as it is now, and shows it beside the one that you edit"),
+                  Qt::CTRL | Qt::SHIFT | Qt::Key_K},
+                 m_comparison, &Comparison::startKept);
   m_stop = addCommand(menu,
                       {"stopComparingAction", tr("&Stop comparing"),
                        tr("Frees the other light field"), Qt::CTRL | Qt::SHIFT | Qt::Key_L},
@@ -145,13 +151,14 @@ void ImageCommands::showComparison() {
   m_stop->setEnabled(other() || m_comparison->isReading());
   m_compare->setEnabled(hasImage);
   m_compareFolder->setEnabled(hasImage);
+  m_compareKept->setEnabled(hasImage);
   m_compareIdeal->setEnabled(hasImage && m_model->session().lightField.isLive());
   m_fit->setEnabled(hasImage);
   m_oneToOne->setEnabled(hasImage);
   m_save->setEnabled(isRight());
   m_copy->setEnabled(isRight());
   const QString own = QString::fromStdString(contentName(m_model->session().lightField));
-  m_view->setTitles(m_comparison->isIdeal() ? tr("Display") : QFileInfo(own).fileName(),
+  m_view->setTitles(m_comparison->file().isEmpty() ? tr("Display") : QFileInfo(own).fileName(),
                     m_comparison->name());
 }
 

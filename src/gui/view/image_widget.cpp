@@ -32,7 +32,7 @@ ImageWidget::ImageWidget(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   setAccessibleName(tr("Picture"));
-  new QHBoxLayout(m_cures);
+  new QBoxLayout(QBoxLayout::LeftToRight, m_cures);
   m_cures->setCursor(Qt::ArrowCursor);
   m_cures->hide();
   addCommands();
@@ -433,6 +433,9 @@ void ImageWidget::resizeEvent(QResizeEvent*) {
 /// Puts the buttons below the notice's text.
 void ImageWidget::placeCures() {
   constexpr int gap = 8;
+  auto* row = static_cast<QBoxLayout*>(m_cures->layout());
+  row->setDirection(QBoxLayout::LeftToRight);
+  if (row->sizeHint().width() > width()) row->setDirection(QBoxLayout::TopToBottom);
   m_cures->adjustSize();
   const QRect text = fontMetrics().boundingRect(
       noticeArea(), int(Qt::AlignCenter) | int(Qt::TextWordWrap), m_notice);

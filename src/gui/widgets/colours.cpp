@@ -8,6 +8,7 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QSettings>
 #include <QSvgRenderer>
 #include <algorithm>
@@ -142,6 +143,19 @@ class SvgIcon : public QIconEngine {
   QByteArray m_svg;
 };
 
+/// Fusion with our icons on the title bars of docks, whose own are black.
+class Style : public QProxyStyle {
+ public:
+  Style() : QProxyStyle("Fusion") {}
+
+  [[nodiscard]] QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                                   const QWidget* widget) const override {
+    if (which == SP_TitleBarCloseButton) return hogelscope::icon("close");
+    if (which == SP_TitleBarNormalButton) return hogelscope::icon("undock");
+    return QProxyStyle::standardIcon(which, option, widget);
+  }
+};
+
 }  // namespace
 
 const Tokens& tokens() {
@@ -174,7 +188,7 @@ Colours::Colours(QMenu* colours, QMenu* text, QObject* parent)
   textScale = std::clamp(QSettings().value("textScale", 100).toInt(), 80, 200);
   addSchemes(colours);
   addSizes(text);
-  QApplication::setStyle("Fusion");
+  QApplication::setStyle(new Style);
   apply();
 }
 
