@@ -196,7 +196,7 @@ void DesignNumbersWidget::showNumbers() {
   say(2, inDigits(n.degreesPerDirection), "°", tr("each direction"));
   say(3, inDigits(n.directionsPerPupil), "", tr("directions in the pupil"));
   say(4, inDigits(n.megapixels), tr("Mpx"), tr("pixels behind lenses"));
-  say(5, n.depthFront > 0 ? inCentimetres(sharp) : "–", tr("cm"), tr("sharp for this eye"));
+  say(5, n.depthFront > 0 ? inCentimetres(sharp) : "–", "", tr("sharp for this eye, cm"));
   QString legend = tr("<span style='color: %1'>■</span> sharp").arg(t.good.name());
   if (m_bar->content) {
     const auto [back, front] = *m_bar->content;
