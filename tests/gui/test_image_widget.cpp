@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "core/base/colour_map.h"
-#include "gui/view/error_image.h"
 #include "gui/view/view_worker.h"
+#include "picture/error_image.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_image.h"
 
@@ -548,7 +548,7 @@ class TestImageWidget : public QObject {
     std::vector<QImage> patterns;
     for (const RayEnd end : {RayEnd::noRay, RayEnd::misses, RayEnd::outsideField}) {
       seen.fill(uint(end));
-      const QImage pattern = hatched(seen);
+      const QImage pattern = hatched(seen, hatchColours());
       for (const QImage& other : patterns) QVERIFY(pattern != other);
       patterns.push_back(pattern);
       std::array<bool, 3> only{};

@@ -23,6 +23,7 @@
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
 #include "io/images/image_writer.h"
+#include "picture/conversions.h"
 
 namespace hogelscope {
 
@@ -48,18 +49,6 @@ std::optional<RenderJob> panelJob(const RenderJob& current, const Vec3& eye, dou
 VtkImage imageOf(const std::optional<RenderJob>& panel, const Progress& progress) {
   if (!panel) return nullptr;
   return toVtkImage(Renderer().render(*panel, progress), SceneWorker::panelColour);
-}
-
-/// Returns RGB, or RGBA that is not premultiplied.
-std::vector<std::uint8_t> bytesOf(const QImage& picture, bool hasAlpha) {
-  const QImage image =
-      picture.convertToFormat(hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-  const int row = (hasAlpha ? 4 : 3) * image.width();
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(std::size_t(row) * std::size_t(image.height()));
-  for (int y = 0; y < image.height(); ++y)
-    bytes.insert(bytes.end(), image.constScanLine(y), image.constScanLine(y) + row);
-  return bytes;
 }
 
 /// Asks for the width and the background of a picture.

@@ -85,47 +85,6 @@ std::optional<ViewSource> Comparison::other(const Session& session) const {
 
 namespace {
 
-Image toImage(const QImage& picture, const QImage& mask, const QRect& part) {
-  const QImage rgb = picture.copy(part).convertToFormat(QImage::Format_RGB888);
-  const QImage seen =
-      mask.isNull() ? QImage() : mask.copy(part).convertToFormat(QImage::Format_Grayscale8);
-  Image image(rgb.width(), rgb.height());
-  for (int y = 0; y < image.height; ++y) {
-    const std::size_t row = std::size_t(y) * std::size_t(image.width);
-    std::copy_n(rgb.constScanLine(y), 3 * image.width, &image.rgb[3 * row]);
-    if (seen.isNull())
-      std::fill_n(&image.seen[row], image.width, std::uint8_t(255));
-    else
-      std::copy_n(seen.constScanLine(y), image.width, &image.seen[row]);
-  }
-  return image;
-}
-
-ComparisonFigures figuresOf(const ShownPictures& shown, const Progress& progress) {
-  ComparisonFigures figures;
-  figures.region = shown.region;
-  const auto pairOf = [&](const QRect& part) {
-    return std::pair(toImage(shown.image, shown.seen, part),
-                     toImage(shown.other, shown.otherSeen, part));
-  };
-  const bool hasOther = !shown.other.isNull();
-  const auto [own, other] = pairOf(shown.region.isNull() ? shown.image.rect() : shown.region);
-  figures.histograms.push_back(lumaHistogram(own));
-  if (!hasOther) return figures;
-  figures.histograms.push_back(lumaHistogram(other));
-  const auto compare = [&](const Image& a, const Image& b) {
-    return MetricSet().compare(a, b, parallelRows, progress);
-  };
-  if (shown.region.isNull()) {
-    figures.whole = compare(own, other);
-    return figures;
-  }
-  figures.inRegion = compare(own, other);
-  const auto [wholeOwn, wholeOther] = pairOf(shown.image.rect());
-  figures.whole = compare(wholeOwn, wholeOther);
-  return figures;
-}
-
 QString words(const std::vector<double>& values) {
   const MetricSet metrics;
   QStringList parts;

@@ -3,16 +3,15 @@
 // responsive: its images, and the figures of both.
 #pragma once
 
-#include <QImage>
 #include <QObject>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "core/metrics/statistics.h"
 #include "core/optics/session.h"
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
+#include "picture/comparison_figures.h"
 
 namespace hogelscope {
 
@@ -57,23 +56,6 @@ class Comparison : public QObject {
   QString m_file;
   bool m_hasOwnDisplay = false;  ///< the display of other()
   Task m_task;
-};
-
-/// The images shown. Null images are absent; a null mask means that all pixels are seen; a null
-/// region means none.
-struct ShownPictures {
-  QImage image;
-  QImage seen;
-  QImage other;
-  QImage otherSeen;
-  QRect region;
-};
-
-struct ComparisonFigures {
-  QRect region;
-  std::vector<double> whole;     ///< the report's metrics (MetricSet); empty without a second image
-  std::vector<double> inRegion;  ///< as `whole`; empty without a region
-  std::vector<Histogram> histograms;  ///< of each image, restricted to the region if there is one
 };
 
 /// Formats the metrics as HTML, with the names of the report's table.

@@ -17,6 +17,7 @@
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
+#include "picture/conversions.h"
 
 namespace hogelscope {
 
@@ -187,14 +188,10 @@ bool ImageCommands::saveImage(const QString& file) {
     Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
     return false;
   }
-  const QImage image = m_view->shownImage().convertToFormat(QImage::Format_RGB888);
-  const auto rowBytes = 3 * std::size_t(image.width());
-  std::vector<std::uint8_t> rgb;
-  for (int y = 0; y < image.height(); ++y)
-    rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
+  const QImage image = m_view->shownImage();
   return guarded(this, [&] {
     checkOutputs({file.toStdString()}, lightFieldFiles(m_model->session()));
-    writeImage(file.toStdString(), image.width(), image.height(), rgb);
+    writeImage(file.toStdString(), image.width(), image.height(), bytesOf(image));
     Q_EMIT done(tr("Saved %1").arg(file));
   });
 }

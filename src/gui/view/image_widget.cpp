@@ -14,8 +14,8 @@
 #include <cmath>
 #include <utility>
 
-#include "gui/view/error_image.h"
 #include "gui/widgets/task.h"
+#include "picture/error_image.h"
 
 namespace hogelscope {
 
@@ -268,7 +268,8 @@ void ImageWidget::takeMap(int number, const QImage& map) {
 
 void ImageWidget::updateHatch() {
   for (Shown& image : m_images) {
-    image.hatch = m_showsMask ? ZoomableImage(hatched(image.seen)) : ZoomableImage();
+    image.hatch =
+        m_showsMask ? ZoomableImage(hatched(image.seen, hatchColours())) : ZoomableImage();
     image.reasons = m_showsMask ? reasonsIn(image.seen) : std::array<bool, 3>{};
   }
   update();

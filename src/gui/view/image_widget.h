@@ -11,13 +11,19 @@
 #include <optional>
 
 #include "core/metrics/error_map.h"
-#include "gui/view/image_placement.h"
+#include "gui/widgets/colours.h"
+#include "picture/image_placement.h"
 
 class QTimer;
 
 namespace hogelscope {
 
 class Task;
+
+/// Returns the colours of a mask's patterns.
+inline HatchColours hatchColours() {
+  return {tokens().series[3], tokens().series[0], tokens().series[1]};
+}
 
 class ImageWidget : public QWidget {
   Q_OBJECT

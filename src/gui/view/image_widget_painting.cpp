@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "core/base/axis.h"
-#include "gui/view/error_image.h"
 #include "gui/view/image_widget.h"
 #include "gui/widgets/colours.h"
+#include "picture/error_image.h"
+#include "picture/marks.h"
 
 namespace hogelscope {
 
@@ -59,45 +60,6 @@ void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const
   painter.drawText(box, int(Qt::AlignCenter) | int(Qt::TextWordWrap), text);
 }
 
-/// Paints white on black, which is visible on any image.
-void paintOutline(QPainter& painter, const QRect& clip, const QPainterPath& outline,
-                  Qt::PenStyle style) {
-  painter.save();
-  painter.setClipRect(clip);
-  painter.strokePath(outline, QPen(Qt::black, 3));
-  painter.strokePath(outline, QPen(Qt::white, 1, style));
-  painter.restore();
-}
-
-QPainterPath around(const QRectF& box) {
-  QPainterPath path;
-  path.addRect(box);
-  return path;
-}
-
-QRectF inDevice(const Placement& at, const QRectF& pixels) {
-  return {at.toDevice(pixels.topLeft()), at.toDevice(pixels.bottomRight())};
-}
-
-/// Paints a line around pixels, large enough to be visible at any zoom.
-void paintPixelMarks(QPainter& painter, const QRect& clip, const Placement& at,
-                     const QPainterPath& outline) {
-  if (outline.isEmpty()) return;
-  constexpr double smallest = 9;
-  const QRectF box = inDevice(at, outline.boundingRect());
-  const double grow = std::max(0.0, (smallest - std::min(box.width(), box.height())) / 2) + 1;
-  if (grow > 1) {
-    paintOutline(painter, clip, around(box.adjusted(-grow, -grow, grow, grow)), Qt::SolidLine);
-  } else {
-    const QTransform toDevice(at.zoom, 0, 0, at.zoom, at.origin.x(), at.origin.y());
-    paintOutline(painter, clip, toDevice.map(outline), Qt::SolidLine);
-  }
-}
-
-void paintRegion(QPainter& painter, const QRect& clip, const Placement& at, const QRect& region) {
-  paintOutline(painter, clip, around(inDevice(at, region)), Qt::DashLine);
-}
-
 /// Paints a colour scale at the right of `area`, with round numbers and their unit. Returns its
 /// left end.
 int paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const QString& unit) {
@@ -131,25 +93,6 @@ int paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const 
                      QString::fromStdString(tick.text));
   }
   return ground.left();
-}
-
-/// Paints the line of Mode::wipe with its handle, in device pixels.
-void paintWipe(QPainter& painter, int column, int height, double ratio) {
-  painter.fillRect(column - 1, 0, 3, height, withAlpha(Qt::black, 0.5));
-  painter.fillRect(column, 0, 1, height, Qt::white);
-  const QPointF middle(column + 0.5, height / 2.0);
-  const double radius = 11 * ratio;
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(Qt::black, ratio));
-  painter.setBrush(Qt::white);
-  painter.drawEllipse(middle, radius, radius);
-  painter.setBrush(Qt::black);
-  for (const double side : {-1.0, 1.0})
-    painter.drawPolygon(QPolygonF{middle + QPointF(side * 0.7 * radius, 0),
-                                  middle + QPointF(side * 0.25 * radius, -0.35 * radius),
-                                  middle + QPointF(side * 0.25 * radius, 0.35 * radius)});
-  painter.restore();
 }
 
 }  // namespace
@@ -328,7 +271,7 @@ void ImageWidget::paintLegend(QPainter& painter, int right) const {
     const int width = painter.fontMetrics().horizontalAdvance(words[end]) + line + margin;
     const QRect box(right - margin - width, bottom - line, width, line);
     paintGround(painter, box);
-    painter.drawImage(box.topLeft(), hatchOf(RayEnd(end), line));
+    painter.drawImage(box.topLeft(), hatchOf(RayEnd(end), line, hatchColours()));
     painter.setPen(tokens().text);
     painter.drawText(box.adjusted(line + margin, 0, 0, 0), Qt::AlignVCenter, words[end]);
     bottom -= line;
