@@ -2,6 +2,10 @@
 #include "picture/conversions.h"
 
 #include <algorithm>
+#include <span>
+
+#include "core/base/parallel.h"
+#include "core/engine/hogel_pixels.h"
 
 namespace hogelscope {
 
@@ -36,6 +40,20 @@ std::vector<std::uint8_t> bytesOf(const QImage& picture, bool hasAlpha) {
   for (int y = 0; y < image.height(); ++y)
     bytes.insert(bytes.end(), image.constScanLine(y), image.constScanLine(y) + row);
   return bytes;
+}
+
+QImage withReasons(const QImage& seen, const RenderJob& job, const Progress& progress) {
+  std::vector<std::uint8_t> mask;
+  for (int y = 0; y < seen.height(); ++y)
+    mask.insert(mask.end(), seen.constScanLine(y), seen.constScanLine(y) + seen.width());
+  const std::vector<RayEnd> ends = rayEnds(job, mask, parallelRows, progress);
+  QImage reasons(seen.size(), QImage::Format_Indexed8);
+  reasons.setColorTable({qRgb(0, 0, 0), qRgb(0, 0, 0), qRgb(0, 0, 0), qRgb(255, 255, 255)});
+  auto end = ends.begin();
+  for (int y = 0; y < seen.height(); ++y)
+    for (uchar& index : std::span(reasons.scanLine(y), std::size_t(seen.width())))
+      index = uchar(*end++);
+  return reasons;
 }
 
 }  // namespace hogelscope

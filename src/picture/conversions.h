@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/optics/image.h"
 
 namespace hogelscope {
+
+struct RenderJob;
 
 /// Returns a copy of the image, 8 bits a channel.
 QImage toQImage(const Image& image);
@@ -16,5 +19,9 @@ QImage toQImage(const Image& image);
 Image toImage(const QImage& picture, const QImage& mask, const QRect& part);
 /// Returns RGB row by row, or RGBA that is not premultiplied.
 std::vector<std::uint8_t> bytesOf(const QImage& picture, bool hasAlpha = false);
+
+/// Returns the mask of a view with the end of each ray (RayEnd) as index, white where the display
+/// is seen.
+QImage withReasons(const QImage& seen, const RenderJob& job, const Progress& progress);
 
 }  // namespace hogelscope

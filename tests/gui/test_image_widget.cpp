@@ -212,27 +212,6 @@ class TestImageWidget : public QObject {
     QCOMPARE(picked.count(), 1);
   }
 
-  void linkedViewsShowTheSame() {
-    ImageWidget second;
-    ImageWidget third;
-    for (ImageWidget* view : {&second, &third}) {
-      view->resize(300, 300);
-      view->setImages(coordinates(200, 150, secondBlue));
-    }
-    wheel({310, 90}, 360);
-    second.linkTo(*m_view);
-    third.linkTo(second);
-    QVERIFY(!m_view->viewport().fits);
-    QCOMPARE(third.viewport(), m_view->viewport());
-    wheel({60, 250}, 120);
-    QCOMPARE(third.viewport(), m_view->viewport());
-    third.setViewport({false, 2, {10, 20}});
-    QCOMPARE(m_view->viewport(), third.viewport());
-    QCOMPARE(second.viewport(), third.viewport());
-    key(Qt::Key_0);
-    QVERIFY(second.viewport().fits && third.viewport().fits);
-  }
-
   void sideBySideShowsBothAlike() {
     compare();
     const QImage image = grabbed();  // each pane is 199 wide, the image 0.995 times its size

@@ -8,10 +8,10 @@
 
 #include "core/base/error.h"
 #include "gui/docks/parameter_drawings.h"
-#include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_controller.h"
 #include "gui/view/image_widget.h"
 #include "picture/conversions.h"
+#include "picture/scene_text.h"
 
 namespace hogelscope {
 

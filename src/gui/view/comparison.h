@@ -36,7 +36,7 @@ class Comparison : public QObject {
   /// unless it has its own; none without a comparison.
   [[nodiscard]] std::optional<ViewSource> other(const Session& session) const;
   /// The file's name, or a description.
-  [[nodiscard]] const QString& name() const { return m_name; }
+  [[nodiscard]] const QString& name() const { return m_other.name; }
   /// The file that is compared or being read; "" if there is none.
   [[nodiscard]] const QString& file() const { return m_file; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
@@ -49,12 +49,18 @@ class Comparison : public QObject {
   void failed(const QString& line);
 
  private:
+  /// The second light field; empty: none.
+  struct Other {
+    QString name;
+    std::optional<ViewSource> source = {};  ///< none if `isIdeal`: follows the session's own
+    bool isIdeal = false;
+    bool hasOwnDisplay = false;
+  };
+  void set(const Other& other);
+
   std::optional<ViewSource> m_own;
-  std::optional<ViewSource> m_other;
-  bool m_isIdeal = false;
-  QString m_name;
+  Other m_other;
   QString m_file;
-  bool m_hasOwnDisplay = false;  ///< the display of other()
   Task m_task;
 };
 
@@ -100,8 +106,6 @@ class HistogramWidget : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintLegend(QPainter& painter) const;
-
   std::vector<Histogram> m_histograms;
   QStringList m_names;
 };
