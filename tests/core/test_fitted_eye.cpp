@@ -52,6 +52,29 @@ class TestFittedEye : public QObject {
     }
     QVERIFY2(filling > 50 && filling < 200, qPrintable(QString::number(filling)));
   }
+
+  /// Of a box that is twice as wide as high, in its own frame.
+  void aParallelViewTouchesTheEdges() {
+    const RigidTransform frame = transformFromPose({}, {30, 20, 10});
+    const Vec3 middle{1, 2, 3};
+    std::vector<Vec3> points;
+    for (const double x : {-2, 2})
+      for (const double y : {-1, 1})
+        for (const double z : {-3, 3}) points.push_back(frame.direction(middle + Vec3{x, y, z}));
+    for (const auto& [aspect, halfHeight] : {std::pair(2.0, 1.0), std::pair(1.0, 2.0)}) {
+      const ParallelView view = fittedParallel(points, frame, aspect);
+      QVERIFY(length(view.target - frame.direction(middle)) < 1e-12);
+      QVERIFY(std::abs(view.halfHeight - halfHeight) < 1e-12);
+    }
+  }
+
+  /// What has not been dragged keeps all its digits.
+  void draggedPlacesAreRounded() {
+    const Vec3 before{0.123456, 0.2, 0.3};
+    QVERIFY(rounded({0.123456, 0.34567, -0.00089}, before, 0.004) ==
+            Vec3({0.123456, 0.346, -0.001}));
+    QVERIFY(rounded({7, 8, 123.4}, before, 30) == Vec3({10, 10, 120}));
+  }
 };
 
 QTEST_APPLESS_MAIN(TestFittedEye)

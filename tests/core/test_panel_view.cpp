@@ -43,6 +43,21 @@ class TestPanelView : public QObject {
     QVERIFY(panelState({}, {3, 2, 1e-9}, {4, 4}));
   }
 
+  /// Nor from beside the angular field; its pixels are as small as asked for, but not too many.
+  void aLitPanelHasThePixelsOfTheScreen() {
+    PanelParams display;
+    display.size = {0.4, 0.2};
+    display.fov = {60, 60};
+    const auto res = [&](double pixel, int longest) {
+      return litPanelState(display, {0, 0, 1}, pixel, longest)->camera.res;
+    };
+    QVERIFY(res(0.01, 100) == (std::array{40, 20}));
+    QVERIFY(res(0.001, 100) == (std::array{100, 100}));
+    QVERIFY(res(1, 100) == (std::array{1, 1}));
+    QVERIFY(panelState(display, {3, 0, 1}, {4, 4}));
+    QVERIFY(!litPanelState(display, {3, 0, 1}, 0.01, 100));
+  }
+
   /// Against vectors of the world, without the display frame.
   void whereAnEyeIs() {
     const EyePlace left = eyePlaceOf({}, {-0.3, 0.4, 0.3});

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "core/base/colour_map.h"
-#include "gui/view/error_image.h"
 #include "gui/view/view_worker.h"
+#include "picture/error_image.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/shown_image.h"
 
@@ -210,27 +210,6 @@ class TestImageWidget : public QObject {
     m_view->setImages({});
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, {101, 51});
     QCOMPARE(picked.count(), 1);
-  }
-
-  void linkedViewsShowTheSame() {
-    ImageWidget second;
-    ImageWidget third;
-    for (ImageWidget* view : {&second, &third}) {
-      view->resize(300, 300);
-      view->setImages(coordinates(200, 150, secondBlue));
-    }
-    wheel({310, 90}, 360);
-    second.linkTo(*m_view);
-    third.linkTo(second);
-    QVERIFY(!m_view->viewport().fits);
-    QCOMPARE(third.viewport(), m_view->viewport());
-    wheel({60, 250}, 120);
-    QCOMPARE(third.viewport(), m_view->viewport());
-    third.setViewport({false, 2, {10, 20}});
-    QCOMPARE(m_view->viewport(), third.viewport());
-    QCOMPARE(second.viewport(), third.viewport());
-    key(Qt::Key_0);
-    QVERIFY(second.viewport().fits && third.viewport().fits);
   }
 
   void sideBySideShowsBothAlike() {
@@ -548,7 +527,7 @@ class TestImageWidget : public QObject {
     std::vector<QImage> patterns;
     for (const RayEnd end : {RayEnd::noRay, RayEnd::misses, RayEnd::outsideField}) {
       seen.fill(uint(end));
-      const QImage pattern = hatched(seen);
+      const QImage pattern = hatched(seen, hatchColours());
       for (const QImage& other : patterns) QVERIFY(pattern != other);
       patterns.push_back(pattern);
       std::array<bool, 3> only{};

@@ -34,7 +34,6 @@
 #include "core/cameras/camera_path.h"
 #include "gui/docks/plot_saver.h"
 #include "gui/docks/tradeoff_widget.h"
-#include "gui/scene/scene_export.h"
 #include "gui/scene/scene_output.h"
 #include "gui/view/view_output.h"
 #include "gui/widgets/polled_bar.h"
@@ -42,6 +41,7 @@
 #include "tests/gui/scene_test.h"
 #include "tests/gui/shown_image.h"
 #include "tests/io/any_images.h"
+#include "vtk/scene_export.h"
 
 using namespace hogelscope;
 

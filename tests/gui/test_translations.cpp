@@ -7,9 +7,9 @@
 #include <QtTest>
 
 #include "gui/app/application.h"
-#include "gui/scene/scene_actor.h"
 #include "gui/session/state_commands.h"
 #include "gui/view/view_worker.h"
+#include "picture/scene_text.h"
 
 using namespace hogelscope;
 
@@ -59,7 +59,7 @@ class TestTranslations : public QObject {
     const QMap<QString, QStringList> known = forms();
     for (const QStringList& each : known) QVERIFY(each.size() == 2 && !each.contains(QString()));
     static const QRegularExpression count(R"rx(tr\(\s*"([^"]*%n[^"]*)")rx");
-    QDirIterator files(HOGELSCOPE_SOURCE_DIR "/src/gui", {"*.cpp"}, QDir::Files,
+    QDirIterator files(HOGELSCOPE_SOURCE_DIR "/src", {"*.cpp"}, QDir::Files,
                        QDirIterator::Subdirectories);
     QStringList found;
     while (files.hasNext())

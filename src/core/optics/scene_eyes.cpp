@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/panel/viewing_zone.h"
+
 namespace hogelscope {
 
 /// The image plane is parallel to the panel, so a pixel's point on the panel is affine in its
@@ -23,6 +25,15 @@ std::optional<CameraState> panelState(const DisplayParams& display, const Vec3& 
   state.intrinsics = {e.z * res[0] / width, e.z * res[1] / height,
                       (e.x / width + 0.5) * res[0] - 0.5, (0.5 - e.y / height) * res[1] - 0.5};
   return state;
+}
+
+std::optional<CameraState> litPanelState(const PanelParams& display, const Vec3& eye, double pixel,
+                                         int longest) {
+  if (shareSeenFrom(display, eye) == 0) return std::nullopt;
+  const auto pixels = [&](double side) {
+    return int(std::clamp(side / pixel, 1.0, double(longest)));
+  };
+  return panelState(display, eye, {pixels(display.size[0]), pixels(display.size[1])});
 }
 
 double distanceToPanel(const DisplayParams& display, const Vec3& point) {
@@ -67,6 +78,28 @@ FittedEye fittedEye(const std::vector<Vec3>& points, const RigidTransform& frame
   const double away = std::max({across.distance(), down.distance(), nearest + depth / 2});
   const Vec3 axis = across.middle() * frame.xAxis + down.middle() * frame.yAxis;
   return {axis + away * frame.zAxis, axis + (nearest + farthest) / 2 * frame.zAxis};
+}
+
+ParallelView fittedParallel(const std::vector<Vec3>& points, const RigidTransform& frame,
+                            double aspect) {
+  Vec3 least{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vec3 most = -1.0 * least;
+  for (const Vec3& p : points) {
+    const Vec3 at{dot(p, frame.xAxis), dot(p, frame.yAxis), dot(p, frame.zAxis)};
+    least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
+    most = {std::max(most.x, at.x), std::max(most.y, at.y), std::max(most.z, at.z)};
+  }
+  return {frame.direction(0.5 * (least + most)),
+          std::max(most.y - least.y, (most.x - least.x) / aspect) / 2};
+}
+
+Vec3 rounded(const Vec3& place, const Vec3& before, double resolution) {
+  const double perUnit = std::pow(10, -std::floor(std::log10(resolution)));
+  const auto round = [perUnit](double x, double old) {
+    const bool isSame = std::abs(x - old) * perUnit < 1e-6;  // but for rounding errors
+    return isSame ? old : std::round(x * perUnit) / perUnit;
+  };
+  return {round(place.x, before.x), round(place.y, before.y), round(place.z, before.z)};
 }
 
 }  // namespace hogelscope

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eyes of the 3-D scene: the one whose view is a texture of the panel, and one whose image is
-// filled by given points.
+// Eyes of the 3-D scene: the one whose view is a texture of the panel, and those whose image is
+// filled by given points; the rounding of places that are dragged there.
 #pragma once
 
 #include <array>
@@ -18,6 +18,11 @@ namespace hogelscope {
 std::optional<CameraState> panelState(const DisplayParams& display, const Vec3& eye,
                                       const std::array<int, 2>& res);
 
+/// Returns panelState() with square pixels whose side is `pixel` metres, `longest` at most across
+/// and down; none also if no light of the panel reaches the eye.
+std::optional<CameraState> litPanelState(const PanelParams& display, const Vec3& eye, double pixel,
+                                         int longest);
+
 /// Returns the distance from a point of the world to the nearest point of the panel, in metres.
 double distanceToPanel(const DisplayParams& display, const Vec3& point);
 
@@ -33,5 +38,20 @@ struct FittedEye {
 /// field of view, across and down.
 FittedEye fittedEye(const std::vector<Vec3>& points, const RigidTransform& frame,
                     const Vec2& tangents);
+
+/// A parallel projection.
+struct ParallelView {
+  Vec3 target;
+  double halfHeight = 0;
+};
+
+/// Returns the closest projection along the frame's z that contains all points. `aspect` is the
+/// image's width by its height.
+ParallelView fittedParallel(const std::vector<Vec3>& points, const RigidTransform& frame,
+                            double aspect);
+
+/// Rounds the coordinates of `place` that differ from those of `before` to the decimal place that
+/// `resolution`, in the same unit, resolves.
+Vec3 rounded(const Vec3& place, const Vec3& before, double resolution);
 
 }  // namespace hogelscope

@@ -8,10 +8,10 @@
 
 #include "core/base/error.h"
 #include "gui/docks/parameter_drawings.h"
-#include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_controller.h"
-#include "gui/view/error_image.h"
 #include "gui/view/image_widget.h"
+#include "picture/conversions.h"
+#include "picture/scene_text.h"
 
 namespace hogelscope {
 
@@ -25,7 +25,7 @@ QPixmap swatchOf(const PixelTrace& trace) {
   painter.fillRect(swatch.rect(), Qt::black);
   const PixelFate fate = fateOf(trace);
   if (fate == PixelFate::noRay || fate == PixelFate::outside)
-    painter.drawImage(0, 0, hatchOf(trace.end, side));
+    painter.drawImage(0, 0, hatchOf(trace.end, side, hatchColours()));
   if (fate == PixelFate::lit)
     painter.fillRect(swatch.rect(), QColor(quantised(trace.colour->r), quantised(trace.colour->g),
                                            quantised(trace.colour->b)));

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "gui/session/session_forms.h"
-#include "gui/view/error_image.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/task.h"
 #include "io/documents/light_field_params.h"
 #include "io/scene/view_source.h"
+#include "picture/conversions.h"
 #include "ui_opening_dialog.h"
 
 namespace hogelscope {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/display_scene.h"
 
-#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -22,6 +21,7 @@
 #include "gui/scene/scene_actor.h"
 #include "gui/scene/scene_overlay.h"
 #include "gui/scene/vtk_widget.h"
+#include "picture/scene_text.h"
 #include "vtk/line_picker.h"
 
 namespace hogelscope {
@@ -30,18 +30,6 @@ namespace {
 
 Vec3 vec3(const double* p) {
   return {p[0], p[1], p[2]};
-}
-
-/// Returns target and half height of a parallel projection that contains all points.
-std::pair<Vec3, double> fittedParallel(const std::vector<Vec3>& points, const RigidTransform& frame,
-                                       double aspect) {
-  vtkBoundingBox box;
-  for (const Vec3& p : points)
-    box.AddPoint(dot(p, frame.xAxis), dot(p, frame.yAxis), dot(p, frame.zAxis));
-  double middle[3];
-  box.GetCenter(middle);
-  return {frame.direction({middle[0], middle[1], middle[2]}),
-          std::max(box.GetLength(1), box.GetLength(0) / aspect) / 2};
 }
 
 }  // namespace

@@ -8,9 +8,7 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/base/colour_map.h"
 #include "core/panel/viewing_zone.h"
 #include "gui/scene/scene_actor.h"
 #include "vtk/line_picker.h"
@@ -18,10 +16,6 @@
 namespace hogelscope {
 
 namespace {
-
-constexpr int longestTile = 192;   ///< texels: few states have fine images
-constexpr int longestSide = 1024;  ///< of the texture, which is uploaded again with each image
-constexpr std::uint8_t emptyGrey = 40;
 
 using Colour = std::array<unsigned char, 3>;
 constexpr double fullLength = 0.25;   // of the distance to lookat
@@ -33,70 +27,7 @@ Colour bytesOf(const QColor& colour) {
   return {std::uint8_t(qRed(rgb)), std::uint8_t(qGreen(rgb)), std::uint8_t(qBlue(rgb))};
 }
 
-/// Returns the range of the finite values, at least 1 dB wide so that equal values have a scale
-/// too.
-std::array<double, 2> rangeOf(const std::vector<double>& values) {
-  double least = HUGE_VAL;
-  double most = -HUGE_VAL;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  if (least > most) return {0, 1};
-  return {least, std::max(most, least + 1)};
-}
-
 }  // namespace
-
-void PsnrScale::setValues(const std::vector<double>& values) {
-  m_values = values;
-  m_range = rangeOf(values);
-}
-
-std::array<std::uint8_t, 3> PsnrScale::colour(std::size_t state) const {
-  return falseColour((m_values[state] - m_range[0]) / (m_range[1] - m_range[0]));
-}
-
-StateImages::StateImages() {
-  m_texture->SetInputData(m_image);
-  m_texture->InterpolateOn();
-  setCount(1);
-}
-
-void StateImages::setCount(std::size_t count) {
-  if (count == m_count) return;
-  m_count = count;
-  m_atlas = Atlas::ForCount(count);
-  m_tile = std::clamp(longestSide / m_atlas.Columns, 1, longestTile);
-  const int side = m_tile * m_atlas.Columns;
-  m_image->SetDimensions(side, side, 1);
-  m_image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  clear();
-}
-
-void StateImages::clear() {
-  std::fill_n(static_cast<std::uint8_t*>(m_image->GetScalarPointer()),
-              3 * m_image->GetNumberOfPoints(), emptyGrey);
-  m_image->Modified();
-  m_texture->Modified();  // marks actors with this texture as changed
-}
-
-void StateImages::setImage(std::size_t index, vtkImageData* image) {
-  if (index >= m_count) return;
-  const int* size = image->GetDimensions();
-  const int left = m_atlas.Column(int(index)) * m_tile;
-  const int bottom = m_atlas.Row(int(index)) * m_tile;
-  for (int y = 0; y < m_tile; ++y) {
-    auto* to = static_cast<std::uint8_t*>(m_image->GetScalarPointer(left, bottom + y, 0));
-    for (int x = 0; x < m_tile; ++x, to += 3)
-      std::copy_n(static_cast<const std::uint8_t*>(
-                      image->GetScalarPointer(x * size[0] / m_tile, y * size[1] / m_tile, 0)),
-                  3, to);
-  }
-  m_image->Modified();
-  m_texture->Modified();
-}
 
 FrustumActors::FrustumActors(vtkRenderer* renderer) {
   addToScene(renderer, m_otherImages, m_others->GetOutputPort(1), SceneLevel::panel);
@@ -107,7 +38,7 @@ FrustumActors::FrustumActors(vtkRenderer* renderer) {
   m_markedLines->GetProperty()->SetLineWidth(3);
   m_markedLines->GetProperty()->RenderLinesAsTubesOn();  // plain lines are one pixel wide
   for (vtkActor* images : {m_otherImages.Get(), m_markedImage.Get()})
-    images->SetTexture(m_images.texture());
+    images->SetTexture(m_images.GetTexture());
   setImagesVisible(false);
 }
 
@@ -116,7 +47,7 @@ void FrustumActors::show(const PanelParams& display, const std::vector<CameraSta
   m_display = display;
   m_states = states;
   m_current = current;
-  m_images.setCount(states.size());
+  m_images.SetCount(states.size());
   update();
 }
 
@@ -149,29 +80,26 @@ void FrustumActors::update() {
   std::vector<CameraFrustum> others;
   std::vector<CameraFrustum> marked;
   std::vector<CameraFrustum> previewed;
-  const auto lengthAmong = [this](std::size_t count) {
-    return std::min(1.0, m_size * (count < manyStates ? fullLength : shortLength));
+  const auto frustumOf = [this](const CameraState& state, int number, const Colour& colour,
+                                std::size_t among) {
+    const bool isOutside = shareSeenFrom(m_display, state.camera.eye) == 0;
+    const double length = std::min(1.0, m_size * (among < manyStates ? fullLength : shortLength));
+    return CameraFrustum{state.camera, state.intrinsics, number, colour, isOutside, length};
   };
-  const double currentLength = lengthAmong(1);
-  const double otherLength = lengthAmong(m_states.size());
-  for (std::size_t k = 0; k < m_states.size(); ++k) {
-    const CameraParams& camera = m_states[k].camera;
-    const bool isOutside = shareSeenFrom(m_display, camera.eye) == 0;
-    Colour colour = bytesOf(k == m_current ? m_colours->eye : m_colours->text3);
-    if (k != m_current && m_psnr.hasValue(k)) colour = m_psnr.colour(k);
-    (k == m_current ? marked : others)
-        .push_back({camera, m_states[k].intrinsics, int(k), colour, isOutside,
-                    k == m_current ? currentLength : otherLength});
-  }
+  for (std::size_t k = 0; k < m_states.size(); ++k)
+    if (k == m_current)
+      marked.push_back(frustumOf(m_states[k], int(k), bytesOf(m_colours->eye), 1));
+    else
+      others.push_back(frustumOf(m_states[k], int(k),
+                                 m_psnr.hasValue(k) ? m_psnr.colour(k) : bytesOf(m_colours->text3),
+                                 m_states.size()));
   for (const CameraState& state : m_preview)
-    previewed.push_back({state.camera, state.intrinsics, -1, bytesOf(m_colours->focus),
-                         shareSeenFrom(m_display, state.camera.eye) == 0,
-                         lengthAmong(m_preview.size())});
+    previewed.push_back(frustumOf(state, -1, bytesOf(m_colours->focus), m_preview.size()));
   m_others->SetFrusta(others);
   m_marked->SetFrusta(marked);
   m_previewed->SetFrusta(previewed);
-  m_others->SetAtlasColumns(m_images.columns());
-  m_marked->SetAtlasColumns(m_images.columns());
+  m_others->SetAtlasColumns(m_images.GetColumns());
+  m_marked->SetAtlasColumns(m_images.GetColumns());
 }
 
 void FrustumActors::setImagesVisible(bool areVisible) {

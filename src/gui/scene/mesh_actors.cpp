@@ -1,57 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/mesh_actors.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellPicker.h>
-#include <vtkOutlineSource.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTransform.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <cstddef>
+#include <utility>
 
 namespace hogelscope {
-
-namespace {
-
-/// The largest number of triangles that software rendering can rotate smoothly.
-constexpr std::size_t mostTriangles = 500000;
-
-VtkMesh boxAround(vtkPolyData* mesh) {
-  const vtkNew<vtkOutlineSource> outline;
-  outline->SetBounds(mesh->GetBounds());
-  outline->Update();
-  return outline->GetOutput();
-}
-
-}  // namespace
-
-VtkMesh toVtkMesh(const plugin::Triangles& triangles) {
-  const auto& [points, corners, colours] = triangles;
-  if (corners.empty()) return nullptr;
-  auto mesh = VtkMesh::New();
-  const vtkNew<vtkPoints> places;
-  const std::size_t count = points.size() / 3;
-  for (std::size_t k = 0; k < count; ++k)
-    places->InsertNextPoint(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
-  mesh->SetPoints(places);
-  if (corners.size() / 3 > mostTriangles) return boxAround(mesh);
-  const vtkNew<vtkCellArray> cells;
-  for (std::size_t k = 0; k + 2 < corners.size(); k += 3)
-    cells->InsertNextCell({corners[k], corners[k + 1], corners[k + 2]});
-  mesh->SetPolys(cells);
-  if (colours.size() == points.size()) {
-    const vtkNew<vtkUnsignedCharArray> rgb;
-    rgb->SetNumberOfComponents(3);
-    for (std::size_t k = 0; k < count; ++k)
-      rgb->InsertNextTuple3(colours[3 * k], colours[3 * k + 1], colours[3 * k + 2]);
-    mesh->GetPointData()->SetScalars(rgb);
-  }
-  return mesh;
-}
 
 MeshActors::MeshActors(vtkRenderer* renderer) {
   m_actor->SetMapper(m_mapper);

@@ -4,24 +4,16 @@
 
 #include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkSmartPointer.h>
 
 #include <optional>
 
 #include "core/panel/display.h"
-#include "sdk/hogelscope/plugin.h"
+#include "vtk/scene_data.h"
 
 class vtkRenderer;
 
 namespace hogelscope {
-
-using VtkMesh = vtkSmartPointer<vtkPolyData>;
-
-/// Returns the triangles with a colour for each point, or their bounding box if there are more than
-/// half a million; null if there are none.
-VtkMesh toVtkMesh(const plugin::Triangles& triangles);
 
 class MeshActors {
  public:

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/panel_actors.h"
 
-#include <vtkCellArray.h>
 #include <vtkImageData.h>
-#include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTrivialProducer.h>
 #include <algorithm>
 
 #include "gui/scene/scene_actor.h"
-#include "gui/scene/scene_worker.h"
+#include "vtk/scene_data.h"
 
 namespace hogelscope {
 
@@ -38,7 +36,7 @@ void PanelActors::setImage(vtkImageData* image) {
   m_image->SetInputData(image);
   m_panel->SetTexture(image != nullptr ? m_image.Get() : nullptr);
   updateGrid();
-  const auto [r, g, b] = SceneWorker::panelColour;
+  const auto [r, g, b] = panelColour;
   // A texture is multiplied by the colour.
   if (image != nullptr)
     m_panel->GetProperty()->SetColor(1, 1, 1);
@@ -62,30 +60,6 @@ int PanelActors::gridLines() const {
 }
 
 namespace {
-
-/// A body between sections, with its faces as quads and its edges as lines.
-struct Body {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> faces;
-  vtkNew<vtkCellArray> edges;
-
-  Body(const PanelParams& display, const std::vector<ZoneSection>& sections) {
-    for (const ZoneSection& section : sections)
-      for (const Vec3& p : cornersOf(display, section)) points->InsertNextPoint(p.x, p.y, p.z);
-    for (vtkIdType section = 0; section < vtkIdType(sections.size()); ++section) {
-      const vtkIdType first = 4 * section;
-      const bool isAtEnd = section == 0 || section + 1 == vtkIdType(sections.size());
-      if (isAtEnd) faces->InsertNextCell({first, first + 1, first + 2, first + 3});
-      for (vtkIdType k = 0; k < 4; ++k) {
-        const vtkIdType next = first + (k + 1) % 4;
-        if (isAtEnd) edges->InsertNextCell({first + k, next});
-        if (section == 0) continue;
-        faces->InsertNextCell({first + k, next, next - 4, first + k - 4});
-        edges->InsertNextCell({first + k, first + k - 4});
-      }
-    }
-  }
-};
 
 void addLines(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* lines) {
   const vtkNew<vtkTrivialProducer> source;
@@ -115,16 +89,8 @@ void ZoneActors::show(const PanelParams& display, double farthest) {
   if (m_farthest == farthest && m_display == display) return;
   m_display = display;
   m_farthest = farthest;
-  const auto set = [&](vtkPolyData* data, ViewingZone zone, bool hasFaces) {
-    const Body body(display, sectionsOf(display, zone, farthest));
-    data->Initialize();
-    data->SetPoints(body.points);
-    data->SetLines(body.edges);
-    if (hasFaces) data->SetPolys(body.faces);
-    data->Modified();
-  };
-  set(m_whole, ViewingZone::wholePanel, true);
-  set(m_some, ViewingZone::someOfThePanel, false);
+  setBody(m_whole, display, sectionsOf(display, ViewingZone::wholePanel, farthest), true);
+  setBody(m_some, display, sectionsOf(display, ViewingZone::someOfThePanel, farthest), false);
 }
 
 void ZoneActors::setVisible(bool isVisible) {

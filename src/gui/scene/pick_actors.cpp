@@ -8,6 +8,7 @@
 #include <vtkTrivialProducer.h>
 
 #include "gui/scene/scene_actor.h"
+#include "picture/scene_text.h"
 
 namespace hogelscope {
 

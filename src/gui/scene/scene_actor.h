@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unlit parts of the 3-D scene, and the texts of its read-out, with units.
+// Unlit parts of the 3-D scene, and where they are on the screen.
 #pragma once
 
 #include <vtkActor.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkRenderer.h>
 #include <QColor>
-#include <QCoreApplication>
 #include <QPointF>
-#include <QString>
 #include <optional>
 #include <utility>
-#include <vector>
 
-#include "core/optics/pixel_inspection.h"
+#include "core/base/geometry.h"
 
 class vtkProperty;
 
@@ -43,28 +40,5 @@ RigidTransform viewOf(vtkRenderer& renderer);
 std::pair<Vec3, Vec3> lineAt(vtkRenderer& renderer, const QPointF& place);
 /// Returns the size in metres of a device pixel at the depth of a point.
 double pixelSizeAt(vtkRenderer& renderer, const Vec3& point);
-
-/// Texts of the read-out under the 3-D scene, with units.
-class SceneText {
-  Q_DECLARE_TR_FUNCTIONS(SceneText)
-
- public:
-  /// Returns a state's name and the share of the panel that lights its eye.
-  static QString eye(const CameraState& state, const PanelParams& display);
-  /// Describes a pixel in one line.
-  static QString pixel(int x, int y, const PixelTrace& trace);
-  /// Describes the pixel's ray and where it ends, in further lines; "" without a ray.
-  static QString ray(const PixelTrace& trace);
-  /// Describes what the pixel shows and, if it is black, the reason.
-  static QString verdict(const PixelTrace& trace, const PanelParams& display);
-  /// Returns a hogel's indices as a short label.
-  static QString hogelName(int i, int j);
-  /// Returns a length in metres or millimetres.
-  static QString length(double metres);
-  /// Describes the way from the first to the second measured point, as far as they are there.
-  static QString measured(const std::vector<Vec3>& points);
-  /// Describes a picked hogel.
-  static QString hogel(const PanelParams& display, int i, int j);
-};
 
 }  // namespace hogelscope

@@ -12,13 +12,12 @@
 #include "core/base/error.h"
 #include "core/engine/hogel_pixels.h"
 #include "core/optics/scene_eyes.h"
-#include "core/panel/viewing_zone.h"
 #include "gui/scene/display_scene.h"
-#include "gui/scene/scene_actor.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
+#include "picture/scene_text.h"
 
 namespace hogelscope {
 
@@ -306,7 +305,7 @@ void SceneController::connectScene() {
             if (ball == SceneBall::mesh) return moveMesh(to);
             CameraState state = m_model->current();
             Vec3& point = ball == SceneBall::eye ? state.camera.eye : state.camera.lookat;
-            point = rounded(to, point);
+            point = rounded(to, point, m_scene->pixelOnPanel());
             m_model->setCurrent(state);
           });
 }
@@ -363,22 +362,12 @@ void SceneController::showMesh() {
   m_scene->redraw();
 }
 
-/// Rounds the coordinates that have changed to the decimal place that a screen pixel resolves.
-Vec3 SceneController::rounded(const Vec3& place, const Vec3& before) const {
-  const double perMetre = std::pow(10, -std::floor(std::log10(m_scene->pixelOnPanel())));
-  const auto round = [perMetre](double x, double old) {
-    const bool isSame = std::abs(x - old) * perMetre < 1e-6;  // but for rounding errors
-    return isSame ? old : std::round(x * perMetre) / perMetre;
-  };
-  return {round(place.x, before.x), round(place.y, before.y), round(place.z, before.z)};
-}
-
 void SceneController::moveMesh(const Vec3& ball) {
   const auto toDisplay = transformFromPose(m_display.position, m_display.orientation).inverse();
   const auto* before = m_model->session().lightField.content.find<std::vector<double>>("position");
   if (before == nullptr || before->size() != 3) return;
-  const Vec3 place =
-      rounded(toDisplay.point(ball) - toMeshBall(), {(*before)[0], (*before)[1], (*before)[2]});
+  const Vec3 place = rounded(toDisplay.point(ball) - toMeshBall(),
+                             {(*before)[0], (*before)[1], (*before)[2]}, m_scene->pixelOnPanel());
   m_model->edit(tr("Move the mesh"), [&](Session& session) {
     session.lightField.content.set("position", std::vector<double>{place.x, place.y, place.z});
   });
@@ -387,21 +376,16 @@ void SceneController::moveMesh(const Vec3& ball) {
 /// Renders the panel with one pixel per screen pixel, fewer for wide leakage windows.
 void SceneController::renderPanel() {
   const CameraState current = m_model->current();
-  const double longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
-  const auto pixels = [&](double side) {
-    return int(std::clamp(side / m_scene->pixelOnPanel(), 1.0, longest));
-  };
-  const auto [width, height] = m_display.size;
-  const std::optional<CameraState> state =
-      panelState(m_display, m_scene->viewpoint(), {pixels(width), pixels(height)});
-  m_isPanelDark = !state || shareSeenFrom(m_display, m_scene->viewpoint()) == 0;
+  const int longest = std::max(64, 1024 * 7 / std::max(7, current.psf.windowSize));
+  std::optional<CameraState> seen =
+      litPanelState(m_display, m_scene->viewpoint(), m_scene->pixelOnPanel(), longest);
+  m_isPanelDark = !seen;
   if (!showsPanelImage() || !m_loaded || m_isPanelDark) {
     m_scene->panel().setImage(nullptr);
     return m_scene->redraw();
   }
-  CameraState seen = *state;
-  seen.psf = current.psf;
-  m_worker->renderPanel(seen);
+  seen->psf = current.psf;
+  m_worker->renderPanel(*seen);
 }
 
 /// Renders the states' images for the frusta at once, the current state's first; for the list

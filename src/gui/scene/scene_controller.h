@@ -79,7 +79,6 @@ class SceneController : public QObject {
   void showMesh();
   void moveMesh(const Vec3& ball);
   [[nodiscard]] Vec3 toMeshBall() const;
-  [[nodiscard]] Vec3 rounded(const Vec3& place, const Vec3& before) const;
   void forgetPicks();
   void removePicks();
   void addTools(QMenu* menu);

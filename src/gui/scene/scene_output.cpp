@@ -11,10 +11,9 @@
 #include "core/base/error.h"
 #include "core/engine/renderer.h"
 #include "core/optics/scene_eyes.h"
-#include "core/panel/viewing_zone.h"
 #include "gui/scene/display_scene.h"
 #include "gui/scene/scene_controller.h"
-#include "gui/scene/scene_export.h"
+#include "gui/scene/scene_picture.h"
 #include "gui/scene/vtk_widget.h"
 #include "gui/session/session_model.h"
 #include "gui/widgets/colours.h"
@@ -23,6 +22,8 @@
 #include "gui/widgets/polled_bar.h"
 #include "gui/widgets/task.h"
 #include "io/images/image_writer.h"
+#include "picture/conversions.h"
+#include "vtk/scene_export.h"
 
 namespace hogelscope {
 
@@ -31,12 +32,9 @@ namespace {
 /// Returns the job that renders the panel seen from `eye`, with pixels of `pixel` metres; none if
 /// no light reaches the eye.
 std::optional<RenderJob> panelJob(const RenderJob& current, const Vec3& eye, double pixel) {
-  constexpr double longest = 4096;  // a texture of any OpenGL
-  const auto pixels = [&](double side) { return int(std::clamp(side / pixel, 1.0, longest)); };
-  const auto [width, height] = current.display.size;
-  std::optional<CameraState> state =
-      panelState(current.display, eye, {pixels(width), pixels(height)});
-  if (!state || shareSeenFrom(current.display, eye) == 0) return std::nullopt;
+  constexpr int longest = 4096;  // a texture of any OpenGL
+  std::optional<CameraState> state = litPanelState(current.display, eye, pixel, longest);
+  if (!state) return std::nullopt;
   state->psf = current.state.psf;
   RenderJob job = current;
   job.state = *state;
@@ -47,19 +45,7 @@ std::optional<RenderJob> panelJob(const RenderJob& current, const Vec3& eye, dou
 
 VtkImage imageOf(const std::optional<RenderJob>& panel, const Progress& progress) {
   if (!panel) return nullptr;
-  return toVtkImage(Renderer().render(*panel, progress), SceneWorker::panelColour);
-}
-
-/// Returns RGB, or RGBA that is not premultiplied.
-std::vector<std::uint8_t> bytesOf(const QImage& picture, bool hasAlpha) {
-  const QImage image =
-      picture.convertToFormat(hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-  const int row = (hasAlpha ? 4 : 3) * image.width();
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(std::size_t(row) * std::size_t(image.height()));
-  for (int y = 0; y < image.height(); ++y)
-    bytes.insert(bytes.end(), image.constScanLine(y), image.constScanLine(y) + row);
-  return bytes;
+  return toVtkImage(Renderer().render(*panel, progress), panelColour);
 }
 
 /// Asks for the width and the background of a picture.

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/base/colour_map.h"
-#include "gui/scene/scene_actor.h"
+#include "picture/scene_text.h"
 
 namespace hogelscope {
 

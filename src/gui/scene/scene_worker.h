@@ -5,32 +5,18 @@
 // has to be reprojected.
 #pragma once
 
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
 #include <QObject>
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/optics/image.h"
-#include "gui/scene/mesh_actors.h"
 #include "gui/widgets/latest_wins.h"
 #include "io/scene/view_source.h"
+#include "vtk/scene_data.h"
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
-
-using VtkImage = vtkSmartPointer<vtkImageData>;
-
-/// Returns an RGB texture with row 0 at the bottom, as in VTK. Unseen pixels have the colour
-/// `unseen`.
-VtkImage toVtkImage(const Image& image, const std::array<std::uint8_t, 3>& unseen);
-
-/// Returns the same for an output of vtkHogelViewFilter.
-VtkImage toVtkImage(vtkImageData& view, const std::array<std::uint8_t, 3>& unseen);
 
 /// Emits its signals on the thread that the object lives in. No signal of an older scene arrives
 /// after setScene().
@@ -38,9 +24,6 @@ class SceneWorker : public QObject {
   Q_OBJECT
 
  public:
-  /// The colour of the panel where it emits no light to the eye.
-  static constexpr std::array<std::uint8_t, 3> panelColour{61, 71, 92};
-
   explicit SceneWorker(QObject* parent = nullptr);
 
   /// Sets the scene that is rendered; none stops rendering. The old scene's memory is released when

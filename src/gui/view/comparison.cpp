@@ -3,12 +3,11 @@
 
 #include <QFileInfo>
 #include <QPainter>
-#include <QPainterPath>
 #include <QStringList>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "chart/histogram_chart.h"
 #include "core/metrics/metric.h"
 #include "gui/widgets/colours.h"
 #include "io/documents/session_file.h"
@@ -28,103 +27,52 @@ void Comparison::start(const Session& session, const QString& file) {
   const bool hasOwnDisplay = isSessionFile(file.toStdString());
   m_file = file;
   m_task.start([=, this](const Progress& progress) {
-    return [=, this, source = loadViewSource(other, progress)] {
-      m_other = source;
-      m_isIdeal = false;
-      m_name = QFileInfo(file).fileName();
-      m_hasOwnDisplay = hasOwnDisplay;
+    const Other read{QFileInfo(file).fileName(), loadViewSource(other, progress), false,
+                     hasOwnDisplay};
+    return [this, read] {
+      m_other = read;
       Q_EMIT changed();
     };
   });
 }
 
-void Comparison::startIdeal() {
+/// Compares with something that need not be read.
+void Comparison::set(const Other& other) {
   m_task.abandon();
   m_file.clear();
-  m_other.reset();
-  m_isIdeal = true;
-  m_name = tr("Ideal view");
+  m_other = other;
   Q_EMIT changed();
+}
+
+void Comparison::startIdeal() {
+  set({.name = tr("Ideal view"), .isIdeal = true});
 }
 
 void Comparison::startKept() {
-  m_task.abandon();
-  m_file.clear();
-  m_other = m_own;
-  m_isIdeal = false;
-  m_hasOwnDisplay = true;
-  m_name = tr("Display before");
-  Q_EMIT changed();
+  set({.name = tr("Display before"), .source = m_own, .hasOwnDisplay = true});
 }
 
 void Comparison::stop() {
-  m_task.abandon();
-  m_file.clear();
-  m_isIdeal = false;
-  m_other.reset();
-  m_name.clear();
-  Q_EMIT changed();
+  set({});
 }
 
 std::optional<ViewSource> Comparison::other(const Session& session) const {
-  if (m_isIdeal) {
-    std::optional<ViewSource> ideal = m_own;
-    if (!session.lightField.isLive()) ideal.reset();
-    if (ideal) ideal->isIdeal = true;
-    return ideal;
+  std::optional<ViewSource> source = m_other.source;
+  if (m_other.isIdeal && session.lightField.isLive()) {
+    source = m_own;
+    if (source) source->isIdeal = true;
+    return source;
   }
-  std::optional<ViewSource> source = m_other;
   if (!source) return source;
   source->sampling = session.sampling;
-  if (m_hasOwnDisplay) return source;
+  if (m_other.hasOwnDisplay) return source;
   source->display = displayOf(session);
-  source->display.hogels = m_other->display.hogels;
-  source->display.directions = m_other->display.directions;
+  source->display.hogels = m_other.source->display.hogels;
+  source->display.directions = m_other.source->display.directions;
   return source;
 }
 
 namespace {
-
-Image toImage(const QImage& picture, const QImage& mask, const QRect& part) {
-  const QImage rgb = picture.copy(part).convertToFormat(QImage::Format_RGB888);
-  const QImage seen =
-      mask.isNull() ? QImage() : mask.copy(part).convertToFormat(QImage::Format_Grayscale8);
-  Image image(rgb.width(), rgb.height());
-  for (int y = 0; y < image.height; ++y) {
-    const std::size_t row = std::size_t(y) * std::size_t(image.width);
-    std::copy_n(rgb.constScanLine(y), 3 * image.width, &image.rgb[3 * row]);
-    if (seen.isNull())
-      std::fill_n(&image.seen[row], image.width, std::uint8_t(255));
-    else
-      std::copy_n(seen.constScanLine(y), image.width, &image.seen[row]);
-  }
-  return image;
-}
-
-ComparisonFigures figuresOf(const ShownPictures& shown, const Progress& progress) {
-  ComparisonFigures figures;
-  figures.region = shown.region;
-  const auto pairOf = [&](const QRect& part) {
-    return std::pair(toImage(shown.image, shown.seen, part),
-                     toImage(shown.other, shown.otherSeen, part));
-  };
-  const bool hasOther = !shown.other.isNull();
-  const auto [own, other] = pairOf(shown.region.isNull() ? shown.image.rect() : shown.region);
-  figures.histograms.push_back(lumaHistogram(own));
-  if (!hasOther) return figures;
-  figures.histograms.push_back(lumaHistogram(other));
-  const auto compare = [&](const Image& a, const Image& b) {
-    return MetricSet().compare(a, b, parallelRows, progress);
-  };
-  if (shown.region.isNull()) {
-    figures.whole = compare(own, other);
-    return figures;
-  }
-  figures.inRegion = compare(own, other);
-  const auto [wholeOwn, wholeOther] = pairOf(shown.image.rect());
-  figures.whole = compare(wholeOwn, wholeOther);
-  return figures;
-}
 
 QString words(const std::vector<double>& values) {
   const MetricSet metrics;
@@ -195,61 +143,13 @@ void HistogramWidget::setHistograms(const std::vector<Histogram>& histograms,
   update();
 }
 
-/// Paints names, means and the values of the darkest and brightest hundredth, from the right.
-void HistogramWidget::paintLegend(QPainter& painter) const {
-  const int line = painter.fontMetrics().height();
-  painter.setPen(tokens().text3);
-  painter.drawText(QRect(4, 2, width(), line), Qt::AlignLeft, tr("Luma, √ of count"));
-  int right = width() - 4;
-  for (std::size_t which = m_histograms.size(); which-- > 0;) {
-    const Histogram& counts = m_histograms[which];
-    const QString text = tr("%1 · mean %2 · 1 %, 99 %: %3, %4")
-                             .arg(m_names.value(qsizetype(which)))
-                             .arg(meanOf(counts), 0, 'f', 1)
-                             .arg(quantileOf(counts, 0.01))
-                             .arg(quantileOf(counts, 0.99));
-    const int left = right - painter.fontMetrics().horizontalAdvance(text);
-    painter.setPen(tokens().text2);
-    painter.drawText(left, 2 + painter.fontMetrics().ascent(), text);
-    painter.fillRect(left - 14, 2 + line / 2 - 4, 8, 8, tokens().series[which]);
-    right = left - 28;
-  }
-}
-
 void HistogramWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), tokens().canvas);
-  std::size_t most = 1;
-  for (const Histogram& counts : m_histograms)
-    most = std::max(most, *std::ranges::max_element(counts));
-  painter.setRenderHint(QPainter::Antialiasing);
+  const Tokens& t = tokens();
+  painter.fillRect(rect(), t.canvas);
   painter.setFont(textFont(TextSize::caption));
-  const int ticks = painter.fontMetrics().height();
-  const int bottom = height() - ticks;
-  const int top = ticks + 4;
-  for (int value = 0; value < 256; value += 32) {
-    const int x = value * width() / 256;
-    painter.fillRect(x, top, 1, bottom - top, tokens().grid);
-    painter.setPen(tokens().text3);
-    painter.drawText(QRect(x + 2, bottom, width(), ticks), Qt::AlignLeft, QString::number(value));
-  }
-  for (std::size_t which = 0; which < m_histograms.size(); ++which) {
-    const Histogram& counts = m_histograms[which];
-    const double step = double(width()) / double(counts.size());
-    QPainterPath line(QPointF(0, bottom));
-    for (std::size_t k = 0; k < counts.size(); ++k) {
-      const double share = std::sqrt(double(counts[k]) / double(most));
-      const double y = bottom - share * (bottom - top);
-      line.lineTo(step * double(k), y);
-      line.lineTo(step * double(k + 1), y);
-    }
-    line.lineTo(width(), bottom);
-    if (which == 0)
-      painter.fillPath(line, tokens().series[0]);
-    else
-      painter.strokePath(line, QPen(tokens().series[1], 1.5));
-  }
-  paintLegend(painter);
+  paintHistograms(painter, size(), m_histograms, m_names,
+                  {t.canvas, t.text2, t.text3, t.line, t.grid, t.focus, t.series});
 }
 
 }  // namespace hogelscope

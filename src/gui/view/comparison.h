@@ -3,16 +3,15 @@
 // responsive: its images, and the figures of both.
 #pragma once
 
-#include <QImage>
 #include <QObject>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "core/metrics/statistics.h"
 #include "core/optics/session.h"
 #include "gui/widgets/task.h"
 #include "io/scene/view_source.h"
+#include "picture/comparison_figures.h"
 
 namespace hogelscope {
 
@@ -37,7 +36,7 @@ class Comparison : public QObject {
   /// unless it has its own; none without a comparison.
   [[nodiscard]] std::optional<ViewSource> other(const Session& session) const;
   /// The file's name, or a description.
-  [[nodiscard]] const QString& name() const { return m_name; }
+  [[nodiscard]] const QString& name() const { return m_other.name; }
   /// The file that is compared or being read; "" if there is none.
   [[nodiscard]] const QString& file() const { return m_file; }
   [[nodiscard]] bool isReading() const { return m_task.isRunning(); }
@@ -50,30 +49,19 @@ class Comparison : public QObject {
   void failed(const QString& line);
 
  private:
+  /// The second light field; empty: none.
+  struct Other {
+    QString name;
+    std::optional<ViewSource> source = {};  ///< none if `isIdeal`: follows the session's own
+    bool isIdeal = false;
+    bool hasOwnDisplay = false;
+  };
+  void set(const Other& other);
+
   std::optional<ViewSource> m_own;
-  std::optional<ViewSource> m_other;
-  bool m_isIdeal = false;
-  QString m_name;
+  Other m_other;
   QString m_file;
-  bool m_hasOwnDisplay = false;  ///< the display of other()
   Task m_task;
-};
-
-/// The images shown. Null images are absent; a null mask means that all pixels are seen; a null
-/// region means none.
-struct ShownPictures {
-  QImage image;
-  QImage seen;
-  QImage other;
-  QImage otherSeen;
-  QRect region;
-};
-
-struct ComparisonFigures {
-  QRect region;
-  std::vector<double> whole;     ///< the report's metrics (MetricSet); empty without a second image
-  std::vector<double> inRegion;  ///< as `whole`; empty without a region
-  std::vector<Histogram> histograms;  ///< of each image, restricted to the region if there is one
 };
 
 /// Formats the metrics as HTML, with the names of the report's table.
@@ -118,8 +106,6 @@ class HistogramWidget : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintLegend(QPainter& painter) const;
-
   std::vector<Histogram> m_histograms;
   QStringList m_names;
 };

@@ -8,9 +8,9 @@
 #include <QVBoxLayout>
 
 #include "gui/view/comparison.h"
-#include "gui/view/error_image.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/command.h"
+#include "picture/error_image.h"
 
 namespace hogelscope {
 

@@ -17,6 +17,7 @@
 #include "io/files/folders.h"
 #include "io/images/image_writer.h"
 #include "io/scene/view_source.h"
+#include "picture/conversions.h"
 
 namespace hogelscope {
 
@@ -45,13 +46,14 @@ ImageCommands::ImageCommands(QMenu* menu, ImageWidget* view, QVBoxLayout* around
 }
 
 void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* statusBar) {
-  m_compare = addCommand(menu,
-                         {"compareAction", tr("&Compare with light field…"),
-                          tr("Shows the current state on another light field too: a picture, or a "
-                             "session with its own display"),
-                          Qt::CTRL | Qt::Key_L},
-                         this, &ImageCommands::askFile);
-  m_compareFolder = addCommand(
+  m_ofAnyImage << addCommand(
+      menu,
+      {"compareAction", tr("&Compare with light field…"),
+       tr("Shows the current state on another light field too: a picture, or a "
+          "session with its own display"),
+       Qt::CTRL | Qt::Key_L},
+      this, &ImageCommands::askFile);
+  m_ofAnyImage << addCommand(
       menu,
       {"compareFolderAction", tr("Compare with &folder of views…"),
        tr("Shows the current state on another light field too: a folder of sub-aperture pictures"),
@@ -63,12 +65,12 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                                   "scene itself, without a display"),
                                Qt::CTRL | Qt::SHIFT | Qt::Key_I},
                               m_comparison, &Comparison::startIdeal);
-  m_compareKept =
-      addCommand(menu,
-                 {"compareKeptAction", tr("Compare with this &display"),
-                  tr("Keeps the display as it is now, and shows it beside the one that you edit"),
-                  Qt::CTRL | Qt::SHIFT | Qt::Key_K},
-                 m_comparison, &Comparison::startKept);
+  m_ofAnyImage << addCommand(
+      menu,
+      {"compareKeptAction", tr("Compare with this &display"),
+       tr("Keeps the display as it is now, and shows it beside the one that you edit"),
+       Qt::CTRL | Qt::SHIFT | Qt::Key_K},
+      m_comparison, &Comparison::startKept);
   m_stop = addCommand(menu,
                       {"stopComparingAction", tr("&Stop comparing"),
                        tr("Frees the other light field"), Qt::CTRL | Qt::SHIFT | Qt::Key_L},
@@ -81,27 +83,27 @@ void ImageCommands::addCommands(QMenu* menu, QVBoxLayout* around, QStatusBar* st
                       Qt::CTRL | Qt::Key_M},
                      false, m_view, &ImageWidget::showMask);
   connect(m_mask, &QAction::toggled, this, &ImageCommands::requestChanged);
-  m_fit = addCommand(menu,
-                     {"fitViewAction", tr("&Fit picture"), tr("Shows the whole simulated view"),
-                      Qt::CTRL | Qt::Key_5},
-                     m_view, &ImageWidget::fit);
-  m_oneToOne = addCommand(
+  m_ofAnyImage << addCommand(menu,
+                             {"fitViewAction", tr("&Fit picture"),
+                              tr("Shows the whole simulated view"), Qt::CTRL | Qt::Key_5},
+                             m_view, &ImageWidget::fit);
+  m_ofAnyImage << addCommand(
       menu,
       {"oneToOneViewAction", tr("One &to one"),
        tr("Shows one pixel of the simulated view on one of the screen"), Qt::CTRL | Qt::Key_6},
       m_view, &ImageWidget::oneToOne);
   menu->addSeparator();
-  m_save = addCommand(menu,
-                      {"savePictureAction", tr("Sa&ve picture…"),
-                       tr("Saves the picture as the mode shows it, in full size"),
-                       Qt::CTRL | Qt::Key_E, tr("Save picture")},
-                      this, &ImageCommands::askImage);
+  m_ofRightImage << addCommand(menu,
+                               {"savePictureAction", tr("Sa&ve picture…"),
+                                tr("Saves the picture as the mode shows it, in full size"),
+                                Qt::CTRL | Qt::Key_E, tr("Save picture")},
+                               this, &ImageCommands::askImage);
   m_output = new ViewOutput(menu, m_view, statusBar, m_model, this);
-  m_copy = addCommand(menu,
-                      {"copyPictureAction", tr("Co&py picture"),
-                       tr("Copies the picture as the mode shows it, in full size"),
-                       Qt::CTRL | Qt::SHIFT | Qt::Key_C, tr("Copy picture")},
-                      this, &ImageCommands::copy);
+  m_ofRightImage << addCommand(menu,
+                               {"copyPictureAction", tr("Co&py picture"),
+                                tr("Copies the picture as the mode shows it, in full size"),
+                                Qt::CTRL | Qt::SHIFT | Qt::Key_C, tr("Copy picture")},
+                               this, &ImageCommands::copy);
 }
 
 void ImageCommands::setSource(const std::optional<ViewSource>& own) {
@@ -149,14 +151,9 @@ void ImageCommands::showComparison() {
   m_comparing->setComparing(other().has_value());
   m_comparing->measure();
   m_stop->setEnabled(other() || m_comparison->isReading());
-  m_compare->setEnabled(hasImage);
-  m_compareFolder->setEnabled(hasImage);
-  m_compareKept->setEnabled(hasImage);
+  for (QAction* action : m_ofAnyImage) action->setEnabled(hasImage);
+  for (QAction* action : m_ofRightImage) action->setEnabled(isRight());
   m_compareIdeal->setEnabled(hasImage && m_model->session().lightField.isLive());
-  m_fit->setEnabled(hasImage);
-  m_oneToOne->setEnabled(hasImage);
-  m_save->setEnabled(isRight());
-  m_copy->setEnabled(isRight());
   const QString own = QString::fromStdString(contentName(m_model->session().lightField));
   m_view->setTitles(m_comparison->file().isEmpty() ? tr("Display") : QFileInfo(own).fileName(),
                     m_comparison->name());
@@ -187,14 +184,10 @@ bool ImageCommands::saveImage(const QString& file) {
     Q_EMIT failed(tr("%1: not written: there is no picture of the current state").arg(file));
     return false;
   }
-  const QImage image = m_view->shownImage().convertToFormat(QImage::Format_RGB888);
-  const auto rowBytes = 3 * std::size_t(image.width());
-  std::vector<std::uint8_t> rgb;
-  for (int y = 0; y < image.height(); ++y)
-    rgb.insert(rgb.end(), image.constScanLine(y), image.constScanLine(y) + rowBytes);
+  const QImage image = m_view->shownImage();
   return guarded(this, [&] {
     checkOutputs({file.toStdString()}, lightFieldFiles(m_model->session()));
-    writeImage(file.toStdString(), image.width(), image.height(), rgb);
+    writeImage(file.toStdString(), image.width(), image.height(), bytesOf(image));
     Q_EMIT done(tr("Saved %1").arg(file));
   });
 }

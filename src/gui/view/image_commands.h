@@ -63,10 +63,8 @@ class ImageCommands : public QObject {
   void askFolder();
   void askImage();
 
-  QAction *m_compare = nullptr, *m_compareFolder = nullptr, *m_compareIdeal = nullptr,
-          *m_compareKept = nullptr;
-  QAction *m_stop = nullptr, *m_fit = nullptr, *m_oneToOne = nullptr, *m_save = nullptr,
-          *m_copy = nullptr, *m_mask = nullptr;
+  QList<QAction*> m_ofAnyImage, m_ofRightImage;  ///< need an image; one that is up to date
+  QAction *m_compareIdeal = nullptr, *m_stop = nullptr, *m_mask = nullptr;
   ImageWidget* m_view;
   SessionModel* m_model;
   Comparison* m_comparison;

@@ -14,8 +14,8 @@
 #include <cmath>
 #include <utility>
 
-#include "gui/view/error_image.h"
 #include "gui/widgets/task.h"
+#include "picture/error_image.h"
 
 namespace hogelscope {
 
@@ -64,14 +64,13 @@ void ImageWidget::addCommands() {
   addCommand("oneToOneAction", tr("One &to one"),
              tr("One pixel of the picture on one of the screen"), {Qt::Key_1}, {},
              &ImageWidget::oneToOne);
-  addCommand("panLeftAction", tr("More to the left"), tr("Moves what is shown by a tenth"),
-             {Qt::Key_Left}, {}, [this] { pan(-1, 0); });
-  addCommand("panRightAction", tr("More to the right"), tr("Moves what is shown by a tenth"),
-             {Qt::Key_Right}, {}, [this] { pan(1, 0); });
-  addCommand("panUpAction", tr("More above"), tr("Moves what is shown by a tenth"), {Qt::Key_Up},
-             {}, [this] { pan(0, -1); });
-  addCommand("panDownAction", tr("More below"), tr("Moves what is shown by a tenth"),
-             {Qt::Key_Down}, {}, [this] { pan(0, 1); });
+  for (const auto& [name, text, key, x, y] :
+       {std::tuple("panLeftAction", tr("More to the left"), Qt::Key_Left, -1, 0),
+        std::tuple("panRightAction", tr("More to the right"), Qt::Key_Right, 1, 0),
+        std::tuple("panUpAction", tr("More above"), Qt::Key_Up, 0, -1),
+        std::tuple("panDownAction", tr("More below"), Qt::Key_Down, 0, 1)})
+    addCommand(name, text, tr("Moves what is shown by a tenth"), {key}, {},
+               [this, x = x, y = y] { pan(x, y); });
   addCommand("wipeLeftAction", tr("Line to the &left"),
              tr("Moves the wipe's line by 2 % of the width"), {Qt::SHIFT | Qt::Key_Left},
              Mode::wipe, [this] { setWipe(m_wipe - 0.02); });
@@ -268,24 +267,16 @@ void ImageWidget::takeMap(int number, const QImage& map) {
 
 void ImageWidget::updateHatch() {
   for (Shown& image : m_images) {
-    image.hatch = m_showsMask ? ZoomableImage(hatched(image.seen)) : ZoomableImage();
+    image.hatch =
+        m_showsMask ? ZoomableImage(hatched(image.seen, hatchColours())) : ZoomableImage();
     image.reasons = m_showsMask ? reasonsIn(image.seen) : std::array<bool, 3>{};
   }
   update();
 }
 
 void ImageWidget::setViewport(const Viewport& viewport) {
-  const Viewport next = limitCentre(viewport, image().size());
+  m_viewport = limitCentre(viewport, image().size());
   update();
-  if (next == m_viewport) return;
-  m_viewport = next;
-  Q_EMIT viewportChanged(m_viewport);
-}
-
-void ImageWidget::linkTo(ImageWidget& other) {
-  setViewport(other.viewport());
-  connect(this, &ImageWidget::viewportChanged, &other, &ImageWidget::setViewport);
-  connect(&other, &ImageWidget::viewportChanged, this, &ImageWidget::setViewport);
 }
 
 ImageWidget::Mode ImageWidget::shownMode() const {

@@ -11,13 +11,19 @@
 #include <optional>
 
 #include "core/metrics/error_map.h"
-#include "gui/view/image_placement.h"
+#include "gui/widgets/colours.h"
+#include "picture/image_placement.h"
 
 class QTimer;
 
 namespace hogelscope {
 
 class Task;
+
+/// Returns the colours of a mask's patterns.
+inline HatchColours hatchColours() {
+  return {tokens().series[3], tokens().series[0], tokens().series[1]};
+}
 
 class ImageWidget : public QWidget {
   Q_OBJECT
@@ -57,8 +63,6 @@ class ImageWidget : public QWidget {
   /// Sets the share of the width, 0 … 1, that shows the first image.
   void setWipe(double share);
   void setViewport(const Viewport& viewport);
-  /// Links both viewports, starting with the other's.
-  void linkTo(ImageWidget& other);
   /// Fits the whole image.
   void fit();
   /// Shows one image pixel per screen pixel.
@@ -89,7 +93,6 @@ class ImageWidget : public QWidget {
   void regionChanged(const QRect& region);
   /// The pixel under the pointer; (-1, -1): none.
   void pointed(const QPoint& pixel);
-  void viewportChanged(const hogelscope::Viewport& viewport);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/axis.h"
-#include "gui/view/error_image.h"
 #include "gui/view/image_widget.h"
 #include "gui/widgets/colours.h"
+#include "picture/error_image.h"
+#include "picture/labels.h"
+#include "picture/marks.h"
 
 namespace hogelscope {
 
@@ -27,129 +28,8 @@ QColor withAlpha(QColor colour, double alpha) {
   return colour;
 }
 
-/// Paints the ground of a text that stands on a picture.
-void paintGround(QPainter& painter, const QRect& box) {
-  constexpr int radius = 4;
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(withAlpha(tokens().raised, 0.85));
-  painter.drawRoundedRect(box, radius, radius);
-  painter.restore();
-}
-
-/// Paints a text on a ground in the given corner of `area`, after a square of colour `mark` if that
-/// is valid.
-void paintText(QPainter& painter, const QRect& area, Qt::Alignment corner, const QString& text,
-               const QColor& mark = {}) {
-  if (text.isEmpty()) return;
-  constexpr int margin = 4;
-  const QRect inner = area.adjusted(margin, margin, -margin, -margin);
-  QRect box = painter.boundingRect(inner, int(corner) | int(Qt::TextWordWrap), text);
-  box = box.adjusted(-margin, -margin / 2, margin, margin / 2);
-  const int square = mark.isValid() ? scaled(8) : 0;
-  const int indent = mark.isValid() ? square + margin : 0;
-  const bool isRight = corner.testFlag(Qt::AlignRight);
-  paintGround(painter, box.adjusted(isRight ? -indent : 0, 0, isRight ? 0 : indent, 0));
-  if (!isRight) box.translate(indent, 0);
-  if (mark.isValid())
-    painter.fillRect(box.left() + margin - indent, box.center().y() - square / 2, square, square,
-                     mark);
-  painter.setPen(tokens().text);
-  painter.drawText(box, int(Qt::AlignCenter) | int(Qt::TextWordWrap), text);
-}
-
-/// Paints white on black, which is visible on any image.
-void paintOutline(QPainter& painter, const QRect& clip, const QPainterPath& outline,
-                  Qt::PenStyle style) {
-  painter.save();
-  painter.setClipRect(clip);
-  painter.strokePath(outline, QPen(Qt::black, 3));
-  painter.strokePath(outline, QPen(Qt::white, 1, style));
-  painter.restore();
-}
-
-QPainterPath around(const QRectF& box) {
-  QPainterPath path;
-  path.addRect(box);
-  return path;
-}
-
-QRectF inDevice(const Placement& at, const QRectF& pixels) {
-  return {at.toDevice(pixels.topLeft()), at.toDevice(pixels.bottomRight())};
-}
-
-/// Paints a line around pixels, large enough to be visible at any zoom.
-void paintPixelMarks(QPainter& painter, const QRect& clip, const Placement& at,
-                     const QPainterPath& outline) {
-  if (outline.isEmpty()) return;
-  constexpr double smallest = 9;
-  const QRectF box = inDevice(at, outline.boundingRect());
-  const double grow = std::max(0.0, (smallest - std::min(box.width(), box.height())) / 2) + 1;
-  if (grow > 1) {
-    paintOutline(painter, clip, around(box.adjusted(-grow, -grow, grow, grow)), Qt::SolidLine);
-  } else {
-    const QTransform toDevice(at.zoom, 0, 0, at.zoom, at.origin.x(), at.origin.y());
-    paintOutline(painter, clip, toDevice.map(outline), Qt::SolidLine);
-  }
-}
-
-void paintRegion(QPainter& painter, const QRect& clip, const Placement& at, const QRect& region) {
-  paintOutline(painter, clip, around(inDevice(at, region)), Qt::DashLine);
-}
-
-/// Paints a colour scale at the right of `area`, with round numbers and their unit. Returns its
-/// left end.
-int paintScale(QPainter& painter, const QRect& area, const ErrorMap& map, const QString& unit) {
-  constexpr int gap = 4;
-  constexpr int barWidth = 12;
-  const int line = painter.fontMetrics().height();
-  const int height = std::min(area.height() - 4 * line, 260);
-  if (height < 5 * line) return area.right();
-  const Axis axis{map.errorAt(0), map.errorAt(1), 0, double(height)};
-  const std::vector<Tick> ticks = linearTicks(axis, 5);
-  int textWidth = painter.fontMetrics().horizontalAdvance(unit);
-  for (const Tick& tick : ticks)
-    textWidth = std::max(
-        textWidth, painter.fontMetrics().horizontalAdvance(QString::fromStdString(tick.text)));
-  const QRect ground(area.right() - barWidth - textWidth - 4 * gap,
-                     area.bottom() - gap - height - 3 * line, barWidth + textWidth + 3 * gap,
-                     height + 3 * line);
-  paintGround(painter, ground);
-  const QRect bar(ground.left() + gap, ground.top() + 2 * line, barWidth, height);
-  for (int y = 0; y < height; ++y) {
-    const auto [red, green, blue] = map.colourAt(1 - double(y) / (height - 1));
-    painter.fillRect(bar.left(), bar.top() + y, barWidth, 1, QColor(red, green, blue));
-  }
-  painter.setPen(tokens().text);
-  painter.drawText(QRect(ground.left(), ground.top(), ground.width() - gap, line), Qt::AlignRight,
-                   unit);
-  for (const Tick& tick : ticks) {
-    const int y = bar.bottom() - int(std::round(map.placeOf(tick.value) * (height - 1)));
-    painter.drawText(QRect(bar.right() + gap, y - line / 2, textWidth, line),
-                     int(Qt::AlignRight) | int(Qt::AlignVCenter),
-                     QString::fromStdString(tick.text));
-  }
-  return ground.left();
-}
-
-/// Paints the line of Mode::wipe with its handle, in device pixels.
-void paintWipe(QPainter& painter, int column, int height, double ratio) {
-  painter.fillRect(column - 1, 0, 3, height, withAlpha(Qt::black, 0.5));
-  painter.fillRect(column, 0, 1, height, Qt::white);
-  const QPointF middle(column + 0.5, height / 2.0);
-  const double radius = 11 * ratio;
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(Qt::black, ratio));
-  painter.setBrush(Qt::white);
-  painter.drawEllipse(middle, radius, radius);
-  painter.setBrush(Qt::black);
-  for (const double side : {-1.0, 1.0})
-    painter.drawPolygon(QPolygonF{middle + QPointF(side * 0.7 * radius, 0),
-                                  middle + QPointF(side * 0.25 * radius, -0.35 * radius),
-                                  middle + QPointF(side * 0.25 * radius, 0.35 * radius)});
-  painter.restore();
+LabelColours labelColours() {
+  return {withAlpha(tokens().raised, 0.85), tokens().text};
 }
 
 }  // namespace
@@ -172,7 +52,7 @@ void ImageWidget::paintNotice(QPainter& painter) const {
   if (m_notice.isEmpty()) return;
   constexpr double left = 0.35;  // of the outdated picture
   if (!image().isNull()) painter.fillRect(rect(), withAlpha(tokens().canvas, 1 - left));
-  paintText(painter, noticeArea(), Qt::AlignCenter, m_notice);
+  paintText(painter, noticeArea(), Qt::AlignCenter, m_notice, labelColours());
   if (m_cures->isHidden()) return;
   painter.setPen(tokens().error);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -293,27 +173,29 @@ QString ImageWidget::heading() const {
 void ImageWidget::paintTexts(QPainter& painter) const {
   const Mode mode = shownMode();
   const bool hasTwo = mode == Mode::sideBySide || mode == Mode::wipe;
-  const auto corner = [](Qt::AlignmentFlag side, Qt::AlignmentFlag end) { return side | end; };
-  paintText(
-      painter, rect(), corner(Qt::AlignLeft, Qt::AlignTop), heading(),
+  const auto paint = [&](const QRect& area, Qt::Alignment where, const QString& text,
+                         const QColor& mark = {}) {
+    paintText(painter, area, where, text, labelColours(), mark, scaled(8));
+  };
+  paint(
+      rect(), Qt::AlignLeft | Qt::AlignTop, heading(),
       hasTwo || mode == Mode::blink ? tokens().series[mode == Mode::blink ? m_turn : 0] : QColor());
   const bool hasScale = mode == Mode::difference && m_error.hasFalseColour;
-  paintLegend(painter, hasScale ? paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind))
+  paintLegend(painter, hasScale ? paintScale(painter, rect(), *m_map, ErrorText::unit(m_error.kind),
+                                             labelColours())
                                 : rect().right());
   QRect top = rect();
   if (mode == Mode::wipe) top.translate(0, 2 * painter.fontMetrics().height());
-  paintText(painter, top, Qt::AlignRight | Qt::AlignTop, m_tag);
+  paint(top, Qt::AlignRight | Qt::AlignTop, m_tag);
   if (hasTwo) {
     QRect second = rect();
     if (mode == Mode::sideBySide) second.setLeft(width() / 2 + 1);
-    paintText(painter, second,
-              corner(mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignTop),
-              m_images[1].title, tokens().series[1]);
+    paint(second, (mode == Mode::wipe ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop,
+          m_images[1].title, tokens().series[1]);
   }
   // Moves the text away from the pointer, so that it does not cover that area.
   const bool isLow = m_pointer && m_pointer->y() > height() * 0.8 && m_pointer->x() < width() * 0.6;
-  paintText(painter, rect(), corner(isLow ? Qt::AlignRight : Qt::AlignLeft, Qt::AlignBottom),
-            readOut());
+  paint(rect(), (isLow ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom, readOut());
 }
 
 /// Paints what the mask's patterns mean, left of `right`.
@@ -327,8 +209,8 @@ void ImageWidget::paintLegend(QPainter& painter, int right) const {
     if (!m_images[0].reasons[end] && !m_images[1].reasons[end]) continue;
     const int width = painter.fontMetrics().horizontalAdvance(words[end]) + line + margin;
     const QRect box(right - margin - width, bottom - line, width, line);
-    paintGround(painter, box);
-    painter.drawImage(box.topLeft(), hatchOf(RayEnd(end), line));
+    paintGround(painter, box, labelColours().ground);
+    painter.drawImage(box.topLeft(), hatchOf(RayEnd(end), line, hatchColours()));
     painter.setPen(tokens().text);
     painter.drawText(box.adjusted(line + margin, 0, 0, 0), Qt::AlignVCenter, words[end]);
     bottom -= line;

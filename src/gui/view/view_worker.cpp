@@ -8,16 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/content/live_source.h"
-#include "core/engine/hogel_pixels.h"
 #include "core/engine/plan_words.h"
 #include "core/engine/scaled_view.h"
 #include "gui/widgets/task.h"
+#include "picture/conversions.h"
 
 namespace hogelscope {
 
@@ -43,21 +42,6 @@ QImage toMask(vtkImageData& output) {
       static_cast<const std::uint8_t*>(output.GetPointData()->GetArray("Seen")->GetVoidPointer(0));
   for (int y = height - 1; y >= 0; --y, seen += width) std::copy_n(seen, width, mask.scanLine(y));
   return mask;
-}
-
-/// Returns the mask with the end of each ray (RayEnd) as index, white where the display is seen.
-QImage withReasons(const QImage& seen, const RenderJob& job, const Progress& progress) {
-  std::vector<std::uint8_t> mask;
-  for (int y = 0; y < seen.height(); ++y)
-    mask.insert(mask.end(), seen.constScanLine(y), seen.constScanLine(y) + seen.width());
-  const std::vector<RayEnd> ends = rayEnds(job, mask, parallelRows, progress);
-  QImage reasons(seen.size(), QImage::Format_Indexed8);
-  reasons.setColorTable({qRgb(0, 0, 0), qRgb(0, 0, 0), qRgb(0, 0, 0), qRgb(255, 255, 255)});
-  auto end = ends.begin();
-  for (int y = 0; y < seen.height(); ++y)
-    for (uchar& index : std::span(reasons.scanLine(y), std::size_t(seen.width())))
-      index = uchar(*end++);
-  return reasons;
 }
 
 /// Returns the job of a view. For a light field in a store, the coarse image has fewer hogels and

@@ -10,10 +10,10 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QObject>
-#include <algorithm>
 #include <atomic>
 #include <optional>
 
+#include "core/engine/view_pace.h"
 #include "core/lens/lens_certificate.h"
 #include "core/lens/lens_grid.h"
 #include "core/optics/session.h"
@@ -23,26 +23,6 @@
 #include "vtk/vtkHogelViewFilter.h"
 
 namespace hogelscope {
-
-/// Chooses the size of the first image after an edit from the times of the latest images, so that
-/// the view follows a dragged value.
-class ViewPace {
- public:
-  static constexpr double quick = 30;  ///< milliseconds of a full image that is shown directly
-
-  /// Returns the Method::scale of the first image: 1, 2 or 4.
-  [[nodiscard]] int firstScale() const { return m_full <= quick ? 1 : m_full <= 4 * quick ? 2 : 4; }
-
-  /// Updates the estimate. A smaller image can only raise it.
-  void rendered(int scale, double milliseconds) {
-    m_full = scale == 1 ? milliseconds : std::max(m_full, milliseconds * scale * scale);
-  }
-  /// Raises the estimate after a rendering that was stopped early.
-  void stopped(double milliseconds) { m_full = std::max(m_full, milliseconds); }
-
- private:
-  double m_full = 0;  ///< estimated milliseconds of a full image
-};
 
 /// The view of a state, and of the second light field if there is one.
 struct RenderedView {

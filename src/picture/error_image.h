@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images as Qt has them, tone changes of images, and error images.
+// Tone changes of images, and error images.
 #pragma once
 
 #include <QCoreApplication>
 #include <QImage>
 
 #include "core/metrics/error_map.h"
-#include "core/optics/image.h"
 
 namespace hogelscope {
-
-/// Returns a copy of the image, 8 bits a channel.
-QImage toQImage(const Image& image);
 
 /// Returns the image with the tone applied; the image itself if the tone changes nothing.
 QImage toned(const QImage& image, const Tone& tone);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/view/error_image.h"
+#include "picture/error_image.h"
 
 #include <QStringList>
 #include <array>
@@ -15,12 +15,6 @@ std::size_t rowBytes(const QImage& image) {
 }
 
 }  // namespace
-
-QImage toQImage(const Image& image) {
-  return QImage(image.rgb.data(), image.width, image.height, qsizetype{3} * image.width,
-                QImage::Format_RGB888)
-      .copy();
-}
 
 QImage toned(const QImage& image, const Tone& tone) {
   if (tone == Tone()) return image;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/view/image_placement.h"
+#include "picture/image_placement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
-
-#include "gui/widgets/colours.h"
 
 namespace hogelscope {
 
@@ -65,9 +63,6 @@ Viewport limitCentre(const Viewport& viewport, const QSize& image) {
            std::clamp(viewport.centre.y(), 0.0, double(image.height()))}};
 }
 
-namespace {
-
-/// Returns the pixels that a part of the screen touches.
 QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& image) {
   const QPointF first = at.toImage(clip.topLeft());
   const QPointF end = at.toImage(clip.topLeft() + QPoint(clip.width(), clip.height()));
@@ -75,8 +70,6 @@ QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& image) {
                       QPoint(int(std::ceil(end.x())) - 1, int(std::ceil(end.y())) - 1));
   return touched & QRect(QPoint(0, 0), image);
 }
-
-}  // namespace
 
 void ZoomableImage::paint(QPainter& painter, const QRect& clip, const Placement& at) const {
   if (m_image.isNull()) return;
@@ -111,11 +104,10 @@ QImage withEnds(const QImage& seen) {
 
 }  // namespace
 
-QImage hatched(const QImage& seen) {
+QImage hatched(const QImage& seen, const HatchColours& colours) {
   if (seen.isNull()) return {};
   constexpr int period = 8;
   const QImage ends = withEnds(seen);
-  const std::array colours{tokens().series[3], tokens().series[0], tokens().series[1]};
   QImage pattern(ends.size(), QImage::Format_ARGB32_Premultiplied);
   pattern.fill(Qt::transparent);
   for (int y = 0; y < ends.height(); ++y) {
@@ -143,28 +135,10 @@ std::array<bool, 3> reasonsIn(const QImage& seen) {
   return has;
 }
 
-QImage hatchOf(RayEnd end, int side) {
+QImage hatchOf(RayEnd end, int side, const HatchColours& colours) {
   QImage ends(side, side, QImage::Format_Indexed8);
   ends.fill(uint(end));
-  return hatched(ends);
-}
-
-void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image) {
-  constexpr double closest = 8;
-  if (at.zoom < closest) return;
-  const QColor colour(128, 128, 128, 110);
-  const QRect part = pixelsUnder(clip, at, image);
-  const QPoint from = at.toDevice(part.topLeft()).toPoint();
-  const QPoint to = at.toDevice(part.topLeft() + QPoint(part.width(), part.height())).toPoint();
-  painter.save();
-  painter.setClipRect(clip);
-  for (int x = part.left(); x <= part.right() + 1; ++x)
-    painter.fillRect(int(std::round(at.toDevice({double(x), 0}).x())), from.y(), 1,
-                     to.y() - from.y(), colour);
-  for (int y = part.top(); y <= part.bottom() + 1; ++y)
-    painter.fillRect(from.x(), int(std::round(at.toDevice({0, double(y)}).y())), to.x() - from.x(),
-                     1, colour);
-  painter.restore();
+  return hatched(ends, colours);
 }
 
 }  // namespace hogelscope

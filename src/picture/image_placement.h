@@ -3,6 +3,7 @@
 // pixels, so that one to one means one screen pixel per image pixel.
 #pragma once
 
+#include <QColor>
 #include <QImage>
 #include <QPainter>
 #include <QPointF>
@@ -29,6 +30,9 @@ struct Placement {
   [[nodiscard]] QPointF toImage(const QPointF& device) const { return (device - origin) / zoom; }
   [[nodiscard]] QPointF toDevice(const QPointF& image) const { return origin + image * zoom; }
 };
+
+/// Returns the pixels that a part of the screen touches.
+QRect pixelsUnder(const QRect& clip, const Placement& at, const QSize& image);
 
 /// Returns the placement of an image, which must not be empty.
 Placement placementOf(const Viewport& viewport, const QRect& pane, const QSize& image);
@@ -60,15 +64,15 @@ class ZoomableImage {
   mutable QImage m_small;  ///< cached by the last painting below one to one
 };
 
+/// The colours of a mask's patterns, by RayEnd.
+using HatchColours = std::array<QColor, 3>;
+
 /// Returns a pattern where `seen` is black, transparent elsewhere; null for a null mask. The index
 /// in an indexed mask, a RayEnd, chooses the pattern.
-QImage hatched(const QImage& seen);
+QImage hatched(const QImage& seen, const HatchColours& colours);
 /// Returns which RayEnd the hatched pixels of the mask have, and whether it has any.
 std::array<bool, 3> reasonsIn(const QImage& seen);
 /// Returns a square of a RayEnd's pattern.
-QImage hatchOf(RayEnd end, int side);
-
-/// Paints lines between the pixels, from 8 device pixels per pixel on.
-void paintPixelGrid(QPainter& painter, const QRect& clip, const Placement& at, const QSize& image);
+QImage hatchOf(RayEnd end, int side, const HatchColours& colours);
 
 }  // namespace hogelscope
