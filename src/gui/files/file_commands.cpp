@@ -30,17 +30,6 @@ namespace hogelscope {
 
 namespace {
 
-bool canCompare(const Session& session, const std::string& file, const Progress& progress) {
-  try {
-    const Session other = withLightField(session, file);
-    const auto lightField = openLightField(other.lightField, other.display, progress);
-    (void)resolved(displayOf(other), lightField->size());
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// Returns what a session is made around, in words for the list of recent files.
 QString whatIs(const Session& session) {
   const auto& [across, down] = session.display.directions;
