@@ -209,7 +209,7 @@ HomePage::HomePage(const QList<QAction*>& begins, QWidget* parent) : QScrollArea
 QLayout* HomePage::makeHead() {
   auto* sign = new QLabel;
   const int side = scaled(44);
-  sign->setPixmap(QIcon(":/icons/io.github.hogelscope.Hogelscope.svg").pixmap(side, side));
+  sign->setPixmap(QIcon(":/desktop/io.github.hogelscope.Hogelscope.svg").pixmap(side, side));
   auto* texts = new QVBoxLayout;
   texts->setSpacing(0);
   texts->addWidget(label(tr("Hogelscope"), TextSize::large, QFont::DemiBold));
