@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/word_fit.h"
 #include "gui/keys/key_map.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/parameter_form.h"
@@ -49,49 +50,23 @@ class EntryDelegate : public QStyledItemDelegate {
     painter->save();
     if (isSelected) painter->fillRect(option.rect, t.selection);
     QRect place = option.rect.adjusted(scaled(12), 0, -scaled(12), 0);
-    const auto write = [&](const QString& text, TextSize size, const QColor& ink, bool isRight) {
-      painter->setFont(textFont(size));
-      painter->setPen(ink);
-      const QString shown = painter->fontMetrics().elidedText(text, Qt::ElideRight,
-                                                              place.width() / (isRight ? 2 : 1));
-      QRect used;
-      painter->drawText(place, Qt::AlignVCenter | (isRight ? Qt::AlignRight : Qt::AlignLeft), shown,
-                        &used);
-      if (isRight)
-        place.setRight(used.left() - scaled(12));
-      else
-        place.setLeft(used.right() + scaled(8));
-      return used;
-    };
     const QString right = index.data(rightRole).toString();
     const bool isKey = !path.isEmpty() && !right.isEmpty();
     if (isKey) place.adjust(0, 0, -scaled(5), 0);
-    const QRect key = write(right, isKey ? TextSize::caption : TextSize::base, faint, true);
+    const QRect key = writeLine(*painter, place.adjusted(place.width() / 2, 0, 0, 0),
+                                Qt::AlignVCenter | Qt::AlignRight, right,
+                                textFont(isKey ? TextSize::caption : TextSize::base), faint);
     painter->setPen(t.strongLine);
     if (isKey) painter->drawRoundedRect(key.adjusted(-scaled(5), -1, scaled(5), 1), 3, 3);
-    write(index.data().toString(), TextSize::base,
-          option.state.testFlag(QStyle::State_Enabled) ? t.text : faint, false);
-    write(path, TextSize::caption, faint, false);
+    place.setRight(key.left() - scaled(12));
+    const QRect title = writeLine(*painter, place, Qt::AlignVCenter, index.data().toString(),
+                                  textFont(TextSize::base),
+                                  option.state.testFlag(QStyle::State_Enabled) ? t.text : faint);
+    place.setLeft(title.right() + scaled(8));
+    writeLine(*painter, place, Qt::AlignVCenter, path, textFont(TextSize::caption), faint);
     painter->restore();
   }
 };
-
-/// Returns how well a word fits; 0: not at all.
-int fitOf(const QString& word, const QString& title, const QString& path) {
-  const auto fits = [&](const QString& in) { return in.contains(word, Qt::CaseInsensitive); };
-  const auto begins = [&](const QString& in) {
-    return (' ' + in).contains(' ' + word, Qt::CaseInsensitive);
-  };
-  if (title.startsWith(word, Qt::CaseInsensitive)) return 8;
-  if (begins(title)) return 6;
-  if (begins(path)) return 4;
-  if (fits(title)) return 3;
-  if (word.size() < 3) return 0;  // a few letters are in most texts
-  qsizetype at = 0;
-  for (const QChar letter : word)
-    if ((at = title.indexOf(letter, at, Qt::CaseInsensitive) + 1) == 0) return 0;
-  return 1;
-}
 
 /// Shows the field and moves the focus into it.
 void goTo(QWidget* editor) {
@@ -193,14 +168,16 @@ void CommandPalette::collect() {
 /// Lists the entries that fit all words, the best ones first, then those used last; commands that
 /// are disabled are at the end.
 void CommandPalette::search(const QString& text) {
-  const QStringList words = text.split(' ', Qt::SkipEmptyParts);
+  const QStringList words = text.toLower().split(' ', Qt::SkipEmptyParts);
   const QStringList used = QSettings().value(usedKey).toStringList();
   std::vector<std::tuple<bool, int, std::size_t, std::size_t>> found;  // in the list's order
   for (std::size_t k = 0; k < m_entries.size(); ++k) {
     const Entry& entry = m_entries[k];
+    const std::string title = entry.title.toLower().toStdString();
+    const std::string path = entry.path.toLower().toStdString();
     int sum = 0;
     const bool fits = std::ranges::all_of(words, [&](const QString& word) {
-      const int fit = fitOf(word, entry.title, entry.path);
+      const int fit = wordFit(word.toStdString(), title, path);
       sum += fit;
       return fit > 0;
     });
