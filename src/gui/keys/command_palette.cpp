@@ -4,15 +4,12 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QMainWindow>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStyledItemDelegate>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <tuple>
 
@@ -21,6 +18,7 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/parameter_form.h"
 #include "gui/widgets/section.h"
+#include "ui_command_palette.h"
 
 namespace hogelscope {
 
@@ -91,30 +89,17 @@ void goTo(QWidget* editor) {
 }  // namespace
 
 CommandPalette::CommandPalette(KeyMap* map, QMainWindow* window)
-    : QFrame(window),
-      m_map(map),
-      m_window(window),
-      m_search(new QLineEdit),
-      m_list(new QListWidget) {
-  setObjectName("commandPalette");
-  m_search->setObjectName("paletteSearch");
-  m_search->setPlaceholderText(tr("Commands and fields"));
-  m_search->setToolTip(tr("Beginnings of words, such as \"sc fr\"; Return does what is marked"));
-  m_search->addAction(icon("find"), QLineEdit::LeadingPosition);
-  m_search->installEventFilter(this);
-  m_list->setObjectName("paletteList");
-  m_list->setFocusPolicy(Qt::NoFocus);
-  m_list->setUniformItemSizes(true);
-  m_list->setItemDelegate(new EntryDelegate(m_list));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(1, 1, 1, 1);
-  layout->setSpacing(0);
-  layout->addWidget(m_search);
-  layout->addWidget(m_list);
-  connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::search);
-  connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::choose);
+    : QFrame(window), m_map(map), m_window(window), m_ui(std::make_unique<Ui::CommandPalette>()) {
   hide();
+  m_ui->setupUi(this);
+  m_ui->paletteSearch->addAction(icon("find"), QLineEdit::LeadingPosition);
+  m_ui->paletteSearch->installEventFilter(this);
+  m_ui->paletteList->setItemDelegate(new EntryDelegate(m_ui->paletteList));
+  connect(m_ui->paletteSearch, &QLineEdit::textChanged, this, &CommandPalette::search);
+  connect(m_ui->paletteList, &QListWidget::itemClicked, this, &CommandPalette::choose);
 }
+
+CommandPalette::~CommandPalette() = default;
 
 QToolButton* CommandPalette::makeButton(QAction* action) {
   auto* button = new QToolButton;
@@ -136,12 +121,12 @@ void CommandPalette::toggle() {
   if (isVisible()) return leave();
   m_before = m_window->focusWidget();
   collect();
-  m_search->clear();
+  m_ui->paletteSearch->clear();
   search({});
   show();
   raise();
   m_window->activateWindow();
-  m_search->setFocus(Qt::ShortcutFocusReason);
+  m_ui->paletteSearch->setFocus(Qt::ShortcutFocusReason);
 }
 
 /// Reads the commands and the fields as they are now.
@@ -186,27 +171,27 @@ void CommandPalette::search(const QString& text) {
     if (fits) found.emplace_back(isDisabled, -sum, std::size_t(used.indexOf(entry.id)), k);
   }
   std::ranges::sort(found);
-  m_list->clear();
+  m_ui->paletteList->clear();
   for (const auto& [isDisabled, fit, use, k] : found) {
     const Entry& entry = m_entries[k];
     const bool isField = entry.editor != nullptr;
-    auto* item =
-        new QListWidgetItem(isField ? entry.path + " · " + entry.title : entry.title, m_list);
+    auto* item = new QListWidgetItem(isField ? entry.path + " · " + entry.title : entry.title,
+                                     m_ui->paletteList);
     item->setData(entryRole, qulonglong(k));
     item->setData(pathRole, isField ? QString() : entry.path);
     item->setData(rightRole, entry.right);
     if (isDisabled) item->setFlags(Qt::NoItemFlags);
   }
-  m_list->setCurrentRow(0);
+  m_ui->paletteList->setCurrentRow(0);
   const int width = std::clamp(m_window->width() * 2 / 5, scaled(380), scaled(560));
-  const int height = std::min(m_list->count(), mostRows) * scaled(28) + 2;
+  const int height = std::min(m_ui->paletteList->count(), mostRows) * scaled(28) + 2;
   setGeometry((m_window->width() - width) / 2, scaled(8), width,
-              m_search->sizeHint().height() + height);
+              m_ui->paletteSearch->sizeHint().height() + height);
 }
 
 /// Does the command, with the focus where it was, or goes to the field.
 void CommandPalette::choose() {
-  const QListWidgetItem* item = m_list->currentItem();
+  const QListWidgetItem* item = m_ui->paletteList->currentItem();
   if (item == nullptr || item->flags() == Qt::NoItemFlags) return;
   const Entry entry = m_entries[item->data(entryRole).toULongLong()];
   QStringList used = QSettings().value(usedKey).toStringList();
@@ -245,7 +230,8 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (isChoice) choose();
   if (key == Qt::Key_Escape) leave();
   if (step != 0)
-    m_list->setCurrentRow(std::clamp(m_list->currentRow() + step, 0, m_list->count() - 1));
+    m_ui->paletteList->setCurrentRow(
+        std::clamp(m_ui->paletteList->currentRow() + step, 0, m_ui->paletteList->count() - 1));
   return true;
 }
 
