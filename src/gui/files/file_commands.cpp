@@ -24,7 +24,6 @@
 #include "io/documents/session_file.h"
 #include "io/opening/opening.h"
 #include "io/scene/live_file.h"
-#include "io/scene/view_source.h"
 
 namespace hogelscope {
 
